@@ -1,4 +1,4 @@
-//! A run-time system as the scene of the kernel's response.
+//! Implements the kernel's response for a run-time system.
 
 use super::few::Few;
 use super::motion::{SystemMotion, SystemStuck};
@@ -18,7 +18,7 @@ use frictiongen_kernel::{Float, Plain};
 use frictiongen_model::reduced::Reduced;
 use std::ops::Deref;
 
-/// A system at one frequency ratio.
+/// A run-time system at one frequency ratio.
 #[derive(Clone, Debug)]
 pub struct SystemAt<'a, S: Float = f64>(At<&'a System<S>>);
 
@@ -111,7 +111,7 @@ impl<S: Float> Scene for &System<S> {
     }
 }
 
-/// Puts one value after the other into its place.
+/// Returns a function that writes its successive arguments to successive elements of the slice `room`.
 fn into<T>(room: &mut [T]) -> impl FnMut(T) {
     let mut places = room.iter_mut();
     move |value| {
@@ -168,19 +168,19 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
 }
 
 impl<S: Float> System<S> {
-    /// Both limits without search, and the real part of H times r²E, of a chain that is damped or has many modes.
+    /// Returns both limits without search, and the real part of H times r²E. The chain is damped or has many modes.
     ///
-    /// Not inlined: beside it one undamped mass took 1.1 times as long.
+    /// The function is not inlined, because the shorter path of an undamped chain with one mass is then faster.
     #[inline(never)]
     fn limits_of_sums(&self, inverse_r: S) -> (Limits<S>, S) {
         limits_of_sums(&self, inverse_r)
     }
 
-    /// The scene at the frequency ratio r.
+    /// Returns the system at the frequency ratio r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.  Also for `friction: stribeck`, as the
-    /// exact continuous response needs a constant kinetic level.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the system returns its limit values. [`OutOfDomain`]
+    /// also for `friction: stribeck`, because the exact continuous response needs a constant kinetic level.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
         self.constant_level()?;
         At::new(self, r).map(SystemAt::from)

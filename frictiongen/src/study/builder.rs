@@ -1,4 +1,4 @@
-//! A scene put together in code.
+//! Builds a scene in code instead of from text.
 
 use super::error::InvalidScene;
 use super::system::System;
@@ -9,7 +9,7 @@ use frictiongen_model::scene::{
 };
 use frictiongen_model::validate::{Checks, validate_known};
 
-/// Puts a scene together; nodes are named as in a description: a mass, `base` or `wall`.
+/// Builds a scene in code. Nodes have the names of a description: a mass, `base` or `wall`.
 ///
 /// ```
 /// use frictiongen::study::{Damping, System};
@@ -46,7 +46,7 @@ pub struct Builder {
 }
 
 impl System {
-    /// A scene put together in code.
+    /// Returns a builder of a scene.
     pub fn builder() -> Builder {
         Builder {
             name: "Scene".to_owned(),
@@ -65,13 +65,13 @@ impl System {
 }
 
 impl Builder {
-    /// Names the scene; `Scene` unless it is named.
+    /// Names the scene. The default name is `Scene`.
     pub fn name(mut self, name: &str) -> Self {
         name.clone_into(&mut self.name);
         self
     }
 
-    /// Adds a mass; the first is the reference m₁.
+    /// Adds a mass. The first mass is the reference m₁.
     pub fn mass(mut self, name: &str, value: f64) -> Self {
         self.masses.push(Mass {
             name: name.to_owned(),
@@ -80,38 +80,39 @@ impl Builder {
         self
     }
 
-    /// Adds a spring; the first is the reference k₁.
+    /// Adds a spring. The first spring is the reference k₁.
     pub fn spring(mut self, from: &str, to: &str, stiffness: f64) -> Self {
         self.springs
             .push((from.to_owned(), to.to_owned(), stiffness));
         self
     }
 
-    /// Says what rubs on what.
+    /// Sets the two nodes of the friction contact.
     pub fn contact(mut self, from: &str, to: &str) -> Self {
         self.contact = Some((from.to_owned(), to.to_owned()));
         self
     }
 
-    /// Says what is excited: a mass, by a force on it, or `base`.
+    /// Sets the excited node: a mass, by a force on it, or `base`.
     pub fn excitation(mut self, node: &str) -> Self {
         self.excitation = Some(node.to_owned());
         self
     }
 
-    /// Sets the damping; none unless it is set.
+    /// Sets the damping. The default is none.
     pub fn damping(mut self, damping: Damping) -> Self {
         self.damping = damping;
         self
     }
 
-    /// Sets μ, the ratio of static to kinetic friction; 1 unless it is set.
+    /// Sets μ, the ratio of static to kinetic friction. The default is 1.
     pub fn stiction(mut self, stiction: f64) -> Self {
         self.stiction = stiction;
         self
     }
 
-    /// Sets the friction law; Coulomb's unless it is set.  With another only the stepper answers.
+    /// Sets the friction law. The default is Coulomb's law. With any other law `at` returns an error, and only the
+    /// stepper and `simulation_under` compute a motion.
     ///
     /// ```
     /// use frictiongen::study::System;
@@ -135,37 +136,36 @@ impl Builder {
         self
     }
 
-    /// Sets the stepper's step, in s; at run time it is kept for what is emitted of the scene.
+    /// Sets the stepper's step, in s. At run time only code that is emitted from the scene uses it.
     pub fn step(mut self, step: f64) -> Self {
         self.step = Some(step);
         self
     }
 
-    /// Says what the stepper's input does between samples; linear unless it is said.
+    /// Sets the course of the stepper's input between samples. The default is linear.
     pub fn input(mut self, input: StepInput) -> Self {
         self.input = input;
         self
     }
 
-    /// Adds a mass that the stepper may load besides the excitation; at run time every mass may be loaded.
+    /// Adds a mass that the stepper may load in addition to the excitation. At run time every mass may be loaded.
     pub fn force(mut self, mass: &str) -> Self {
         self.forces.push(mass.to_owned());
         self
     }
 
-    /// The system, in double precision.
+    /// Builds the system, in double precision.
     ///
     /// # Errors
-    /// [`InvalidScene`] with everything that is wrong: names that are not there, and whatever makes
-    /// no physical sense.
+    /// [`InvalidScene`] lists every fault: names that are not defined, and values that make no physical sense.
     pub fn build(self) -> Result<System, InvalidScene> {
         self.build_in()
     }
 
-    /// The system in another scalar, as in `build_in::<f32>()`.
+    /// Builds the system in another scalar, as in `build_in::<f32>()`.
     ///
     /// # Errors
-    /// As of [`build`](Self::build).
+    /// Same errors as [`build`](Self::build).
     pub fn build_in<S: Float>(self) -> Result<System<S>, InvalidScene> {
         let mut unknown = Vec::new();
         let mut checks = Checks::default();
@@ -184,7 +184,8 @@ impl Builder {
                 }
             }
         };
-        // A part that names what is not there is left out of the further checks, and they go on.
+        // A spring or contact with an unknown name is left out of the further checks, so that they can still report
+        // other faults.
         let mut springs = Vec::with_capacity(self.springs.len());
         for (from, to, stiffness) in &self.springs {
             let place = || format!("the spring `{from} - {to}`");
@@ -272,7 +273,7 @@ impl Builder {
     }
 }
 
-/// What a scene of these settings can be emitted with.
+/// Returns the solvers that code emitted from a scene of these settings can provide.
 fn provided(friction: &FrictionLaw, stepping: &Stepping) -> Vec<Provide> {
     if *friction != FrictionLaw::Coulomb {
         return vec![Provide::Stepper];

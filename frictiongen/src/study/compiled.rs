@@ -14,10 +14,10 @@ use frictiongen_model::scene::Side;
 use frictiongen_model::table::{Fitted, Proof, Request, TableError, Tables, Work};
 use std::ops::{Deref, Range};
 
-/// The functions that share pieces: β_lim, a, g, arg V and |V|.
+/// The number of functions that share pieces: β_lim, a, g, arg V and |V|.
 const FUNCTIONS: usize = 5;
 
-/// Pieces of each degree that tables are built with.
+/// The pieces of a table, for each degree that tables are built with.
 #[derive(Clone, Debug)]
 enum Pieces<S> {
     Cubic(Vec<Piece<S, FUNCTIONS, 4>>),
@@ -28,8 +28,8 @@ enum Pieces<S> {
 
 /// A system with tables of its limits and of its contact's motion, to a declared accuracy over a range of r.
 ///
-/// It answers as the system does, within the range.  The motions of masses while the contact slides, and what else the
-/// tables do not hold, come from the exact formulas.
+/// Within the range it gives the same answers as the system. The exact formulas give the motions of masses while the
+/// contact slides, and every other answer that the tables do not contain.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, LimitsAt, System};
@@ -57,11 +57,11 @@ pub struct CompiledSystem<'s, S: Float = f64> {
 }
 
 impl<S: Float> System<S> {
-    /// Tables of β_lim, of the contact's motion and of the stuck responses over a range of r, none of which is off by more
-    /// than `accuracy`, relative; phases in radians.
+    /// Builds tables of β_lim, of the contact's motion and of the stuck responses over a range of r. `accuracy` is the
+    /// largest relative error. For a phase it is the largest error in radians.
     ///
     /// # Errors
-    /// [`TableError`] for a range or an accuracy that is none, and where nothing meets the accuracy.
+    /// [`TableError`] for an invalid range or accuracy, and where no table meets the accuracy.
     pub fn compile(
         &self,
         range: Range<f64>,
@@ -76,10 +76,10 @@ impl<S: Float> System<S> {
         })
     }
 
-    /// The same with every choice in a [`Request`].
+    /// Builds the tables with every choice in a [`Request`].
     ///
     /// # Errors
-    /// As of [`compile`](Self::compile).
+    /// Same errors as [`compile`](Self::compile).
     pub fn compile_for(&self, request: Request) -> Result<CompiledSystem<'_, S>, TableError> {
         let tables = Tables::build(self.modal(), request)?;
         let pieces = Pieces::of(&tables);
@@ -91,7 +91,7 @@ impl<S: Float> System<S> {
     }
 }
 
-/// Pieces in arrays; functions that were not asked for are 0.
+/// Converts pieces to arrays. Functions that were not requested are 0.
 fn arrays<S: Float, const C: usize>(pieces: &[Fitted<S>]) -> Vec<Piece<S, FUNCTIONS, C>> {
     let array = |piece: &Fitted<S>| {
         let mut coefficients = [[S::constant(0.0); C]; FUNCTIONS];
@@ -122,37 +122,40 @@ impl<S: Float> Pieces<S> {
 }
 
 impl<'s, S: Float> CompiledSystem<'s, S> {
-    /// The exact system.
+    /// Returns the exact system.
     #[must_use]
     pub fn system(&self) -> &'s System<S> {
         self.system
     }
 
-    /// The tables, with what was asked and how they compare with the exact values.
+    /// Returns the tables, with the request and with their comparison with the exact values.
     #[must_use]
     pub fn tables(&self) -> &Tables<S> {
         &self.tables
     }
 
-    /// The same with as much proven of β_lim and the contact's motion as the work does for: [`Work::WHOLE`] is some seconds.
+    /// Returns the tables with proofs for β_lim and the contact's motion, as far as the work suffices. [`Work::WHOLE`]
+    /// takes a few seconds.
     #[must_use]
     pub fn proven(mut self, work: Work) -> Self {
         self.tables = self.tables.proven(self.system.modal(), work);
         self
     }
 
-    /// What is proven of β_lim: nothing before [`proven`](Self::proven), its tables are then checked.
+    /// Returns what is proven of β_lim. Before [`proven`](Self::proven) nothing is proven, and the tables are only
+    /// checked.
     ///
-    /// Of the motion it is `tables().motion_proof`, of β*_lim `tables().sliding_proof`, which needs no work.
+    /// The proof for the motion is `tables().motion_proof`. The proof for β*_lim is `tables().sliding_proof`, which
+    /// takes no work.
     #[must_use]
     pub fn proof(&self) -> &Proof {
         &self.tables.proof
     }
 
-    /// The system at the frequency ratio r.
+    /// Returns the system at the frequency ratio r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] beyond the range of the tables, and for NaN.
+    /// [`OutOfDomain`] outside the range of the tables, and for NaN.
     pub fn at(&self, r: S) -> Result<CompiledAt<'_, S>, OutOfDomain> {
         Compiled::new(self, r).map(CompiledAt)
     }
@@ -287,7 +290,7 @@ impl<S: Float> FrictionSystem for CompiledSystem<'_, S> {
     }
 }
 
-/// A system with tables at one frequency ratio.
+/// A system with tables, at one frequency ratio.
 #[derive(Clone, Debug)]
 pub struct CompiledAt<'a, S: Float = f64>(Compiled<&'a CompiledSystem<'a, S>>);
 
@@ -307,10 +310,10 @@ pub struct CompiledMotion<'a, S: Float = f64>(Moving<&'a CompiledSystem<'a, S>>)
 pub type CompiledContact<'a, S = f64> = SteadyContact<&'a CompiledSystem<'a, S>>;
 
 impl<'a, S: Float> CompiledMotion<'a, S> {
-    /// The motion of a mass, by the exact formulas.
+    /// Returns the motion of a mass, by the exact formulas.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<MotionOf<&'a CompiledSystem<'a, S>>, UnknownMass> {
         let system = self.at().scene().system;
         let motion = self.mass_at(system.mass_index(name)?);

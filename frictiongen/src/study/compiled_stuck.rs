@@ -36,10 +36,10 @@ impl<'a, S: Float> TabledStuck for &'a CompiledSystem<'a, S> {
 pub struct CompiledStuck<'a, S: Float = f64>(Sticking<&'a CompiledSystem<'a, S>>);
 
 impl<'a, S: Float> CompiledStuck<'a, S> {
-    /// The complex amplitude of a mass.
+    /// Returns the complex amplitude of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<Complex<S>, UnknownMass> {
         let system = self.at().scene().system();
         let amplitude = self.mass_at(system.mass_index(name)?);

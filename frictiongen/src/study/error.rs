@@ -1,16 +1,16 @@
-//! What goes wrong at run time.
+//! Errors at run time.
 
 use crate::{Error, NoOrbit, NotContinuous, OutOfDomain, StuckResonance};
 use frictiongen_codegen::Diagnostics;
 use frictiongen_kernel::orbit::NoDerivative;
 use frictiongen_model::validate::SceneError;
 
-/// No mass of this name.
+/// The error that no mass has this name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownMass {
-    /// What was asked for.
+    /// The name in the request.
     pub name: String,
-    /// What there is.
+    /// The names of all masses.
     pub known: Vec<String>,
 }
 
@@ -27,12 +27,12 @@ impl std::fmt::Display for UnknownMass {
 
 impl std::error::Error for UnknownMass {}
 
-/// A scene that was put together in code and makes no sense.
+/// The error that a scene built in code is invalid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvalidScene {
-    /// Parts that are missing, and names that are not there.
+    /// Missing nodes or fields, and names that are not defined.
     pub unknown: Vec<String>,
-    /// Everything that makes no physical sense.
+    /// All values that make no physical sense.
     pub errors: Vec<SceneError>,
 }
 
@@ -58,15 +58,15 @@ impl std::fmt::Display for InvalidScene {
 
 impl std::error::Error for InvalidScene {}
 
-/// Why a load does not fit a scene.
+/// The reason why a load does not fit a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LoadError {
-    /// It is a force, and the base moves.
+    /// The load is a force, but the base moves.
     DrivenByBase,
-    /// It is a base motion, and a force drives the mass of this name.
+    /// The load is a base motion, but a force drives the mass of this name.
     DrivenByForce(String),
-    /// It is not above 0 and finite.
+    /// The amplitude is not above 0 and finite.
     Amplitude,
     /// P/k₁ or k₁Y is too small or too large for the scalar.
     OutOfRange,
@@ -88,21 +88,21 @@ impl std::fmt::Display for LoadError {
 
 impl std::error::Error for LoadError {}
 
-/// So that one function can use `?` on everything that a run-time system answers.
+/// Any error of a run-time system, so that one function can use `?` on all of its calls.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StudyError {
-    /// The description does not make a scene.
+    /// The description does not define a scene.
     Description(Diagnostics),
-    /// The scene makes no sense.
+    /// The scene is invalid.
     Scene(InvalidScene),
-    /// An answer that a solver refuses.
+    /// A solver refuses the request.
     Solver(Error),
-    /// A mass that is not there.
+    /// The mass does not exist.
     UnknownMass(UnknownMass),
-    /// A load that does not fit the scene.
+    /// The load does not fit the scene.
     Load(LoadError),
-    /// A steady state without derivatives.
+    /// The steady state has no derivative.
     NoDerivative(NoDerivative),
 }
 

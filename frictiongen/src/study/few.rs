@@ -1,14 +1,15 @@
-//! A value for each mode, of one or two modes without an allocation.
+//! A list of one value for each mode, without an allocation for one or two modes.
 
-/// One or two values in place, more in a vector: of one or two modes an allocation takes as long as half of a search.
+/// A list that keeps one or two values in place and more in a vector. For one or two modes an allocation would cost a
+/// large share of a search.
 #[derive(Clone, Debug)]
 #[allow(clippy::large_enum_variant, reason = "room in place is what it is for")]
 pub enum Few<T> {
-    /// One mode's.
+    /// The value of one mode.
     One([T; 1]),
-    /// Those of two.
+    /// The values of two modes.
     Two([T; 2]),
-    /// Those of any number.
+    /// The values of any number of modes.
     Many(Vec<T>),
 }
 

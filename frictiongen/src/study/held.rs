@@ -1,4 +1,4 @@
-//! The response while the contact is stuck, at its centre or off it.
+//! The response while the contact is stuck, at its centre or at an offset.
 
 use super::motion::SystemStuck;
 use super::system::System;
@@ -16,26 +16,26 @@ pub struct SystemHeld<'a> {
 }
 
 impl<'a> SystemHeld<'a> {
-    /// z̄ of the contact: 0 if it sticks at its centre.
+    /// Returns z̄ of the contact, which is 0 if the contact sticks at its centre.
     #[must_use]
     pub fn offset(&self) -> f64 {
         self.offset
     }
 
-    /// The largest |z̄| at which friction can hold the contact.
+    /// Returns the largest |z̄| at which friction can keep the contact stuck.
     #[must_use]
     pub fn offset_range(&self) -> f64 {
         self.offset_range
     }
 
-    /// The constant friction force that holds the contact off its centre, over P, for base motion over k₁Y; positive
-    /// against positive sliding.
+    /// Returns the constant friction force that keeps the contact at its offset, over P, for base motion over k₁Y. A
+    /// positive force acts against positive sliding.
     #[must_use]
     pub fn constant_force(&self) -> f64 {
         -(self.offset / receptance(self.stuck.at().scene()))
     }
 
-    /// The constant displacement of a mass that the offset brings about; none if there is no such mass.
+    /// Returns the constant displacement of a mass that the offset causes. `None` if there is no such mass.
     #[must_use]
     pub fn mass_offset(&self, index: usize) -> Option<f64> {
         let system = *self.stuck.at().scene();
@@ -51,7 +51,7 @@ impl<'a> Deref for SystemHeld<'a> {
     }
 }
 
-/// By how much a constant displacement of the contact moves a mass, Σφ_k(φᵀw)/λ over Σ(φᵀw)²/λ.
+/// Returns the displacement of a mass for a constant unit displacement of the contact, Σφ_k(φᵀw)/λ over Σ(φᵀw)²/λ.
 pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let shape = system.shape(mass)?;
@@ -62,13 +62,13 @@ pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<
     Some(moved / receptance(system))
 }
 
-/// s: 1 for a contact with the moving base.
+/// Returns s, which is 1 for a contact with the moving base and 0 otherwise.
 pub(super) fn share_of_base(system: &System) -> f64 {
     let on_base = (&system).numbers().chain.on_moving_base.is_some();
     f64::from(u8::from(on_base))
 }
 
-/// wᵀK̄⁻¹w, by how much a unit of constant force moves the contact.
+/// Returns wᵀK̄⁻¹w, the displacement of the contact for a constant unit force in the contact.
 fn receptance<S: Float>(system: &System<S>) -> S {
     let modes = system.numbers().modes.iter();
     modes.fold(S::constant(0.0), |sum, mode| {

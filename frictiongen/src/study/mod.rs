@@ -1,4 +1,5 @@
-//! Design studies at run time: the same description, the same closed forms, with allocation.
+//! Design studies at run time. The module reads the same description and uses the same closed forms as the macro, with
+//! allocation.
 
 mod at;
 mod builder;
@@ -69,9 +70,9 @@ pub use stepper::{SystemInput, SystemStepSaved, SystemStepStore, SystemStepTable
 pub use system::System;
 pub use units::{Load, LoadError, LoadScale};
 
-/// What a description says: masses, springs, contact, excitation, damping.
+/// The parts of a description: masses, springs, contact, excitation and damping.
 pub use frictiongen_model::scene::{self, Damping};
 pub use frictiongen_model::sensitivity::Quantity;
-/// Tables of declared accuracy.
+/// Tables with a declared accuracy.
 pub use frictiongen_model::table;
 pub use frictiongen_model::validate::SceneError;

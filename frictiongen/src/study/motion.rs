@@ -1,4 +1,4 @@
-//! The motions of a run-time system, continuous and stuck: the kernel's, with masses by their names.
+//! The continuous and stuck motions of a run-time system. They extend the kernel's motions by access to masses by name.
 
 use super::error::UnknownMass;
 use super::system::System;
@@ -18,7 +18,7 @@ pub struct SystemMotion<'a, S: Float = f64> {
 pub type SystemSteady<'a, S = f64> = MotionOf<&'a System<S>>;
 
 impl<'a, S: Float> SystemMotion<'a, S> {
-    /// Says whether motion from rest ends in it.
+    /// Sets whether motion from rest ends in this motion.
     pub(super) fn with_start(mut self, from_rest: bool) -> Self {
         self.from_rest = from_rest;
         self
@@ -28,10 +28,10 @@ impl<'a, S: Float> SystemMotion<'a, S> {
         self.from_rest
     }
 
-    /// The motion of a mass.
+    /// Returns the motion of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<SystemSteady<'a, S>, UnknownMass> {
         let system = self.at().scene();
         let motion = self.mass_at(system.mass_index(name)?);
@@ -61,10 +61,10 @@ impl<'a, S: Float> Deref for SystemMotion<'a, S> {
 pub struct SystemStuck<'a, S: Float = f64>(Stuck<&'a System<S>>);
 
 impl<S: Float> SystemStuck<'_, S> {
-    /// The complex amplitude of a mass.
+    /// Returns the complex amplitude of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<Complex<S>, UnknownMass> {
         let system = self.at().scene();
         let amplitude = self.mass_at(system.mass_index(name)?);

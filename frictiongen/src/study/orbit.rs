@@ -1,4 +1,5 @@
-//! Steady states of a run-time system in any regime: the kernel's, with masses by their names.
+//! Steady states of a run-time system in any regime. They extend the kernel's steady states by access to masses by
+//! name.
 
 use super::error::UnknownMass;
 use super::system::System;
@@ -9,7 +10,7 @@ use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 use frictiongen_kernel::simulation::Part;
 use std::ops::Deref;
 
-/// A steady state of a system, as the kernel holds it.
+/// A steady state of a system, in the kernel's form.
 pub type SystemOrbitState<'a, S = f64> = Orbit<'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>>;
 
 /// The steady motion of the contact or of a mass.
@@ -35,7 +36,7 @@ pub type SystemOrbitMotion<'o, 'a, S = f64> =
 /// # }
 /// ```
 ///
-/// Where the motion from rest does not settle, `orbit_or_last_cycles` gives its last 64 cycles:
+/// Where the motion from rest does not settle, `orbit_or_last_cycles` returns its last 64 cycles:
 ///
 /// ```
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -60,25 +61,25 @@ pub struct SystemOrbit<'a, S = f64> {
     pub(super) system: &'a System<S>,
     pub(super) orbit: SystemOrbitState<'a, S>,
     pub(super) from_rest: bool,
-    /// Whether it is of a continuum with the closed form.
+    /// True if the state belongs to a continuum that contains the closed form.
     pub(super) slides: bool,
 }
 
 impl<'a, S: Float> SystemOrbit<'a, S> {
-    /// The motion of a mass.
+    /// Returns the motion of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<SystemOrbitMotion<'_, 'a, S>, UnknownMass> {
         Ok(self.orbit.mass(self.system.mass_index(name)?))
     }
 
-    /// The phase of the contact's motion with the opposite sign, in (−π, π]: what
-    /// [`contact_is_reversed`](System::contact_is_reversed) asks for.
+    /// Returns the phase of the contact's motion with the opposite sign, in (−π, π], for the case
+    /// [`contact_is_reversed`](System::contact_is_reversed).
     #[must_use]
     pub fn reversed_contact_phase(&self) -> S {
         let phase = self.orbit.contact().phase();
-        // A contact that stays where it is has none.
+        // The phase of a contact that never slides has no opposite.
         if self.orbit.never_slides() {
             phase
         } else {
@@ -88,8 +89,8 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
 }
 
 impl<S> SystemOrbit<'_, S> {
-    /// Whether it is what motion from the start that was asked for ends in; false for another steady state, where a motion
-    /// did not settle.
+    /// Returns true if motion from the requested start ends in this state. False means that this motion did not settle
+    /// and the state is another one.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         self.from_rest

@@ -1,4 +1,4 @@
-//! What a response depends on: the numbers of a description and of an operating point, with their symbols and units.
+//! Parameters of a response: the numbers of a description and of an operating point, with their symbols and units.
 
 use super::sensitivity::quantities;
 use super::system::System;
@@ -6,17 +6,17 @@ use super::units::Load;
 use frictiongen_model::scene::{Damping, Scene};
 use frictiongen_model::sensitivity::Quantity;
 
-/// Where a response is asked for.
+/// The frequency, friction and load at which a response is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OperatingPoint {
-    /// In dimensionless groups: r and β.
+    /// Dimensionless groups: r and β.
     Groups {
-        /// r = ω√(m₁/k₁).
+        /// Frequency ratio r = ω√(m₁/k₁).
         r: f64,
-        /// β = F/P, for base motion F/(k₁Y).
+        /// Friction ratio β = F/P, for base motion F/(k₁Y).
         beta: f64,
     },
-    /// In physical units.
+    /// Physical units.
     Physical {
         /// The frequency of the excitation, Hz.
         hertz: f64,
@@ -27,30 +27,30 @@ pub enum OperatingPoint {
     },
 }
 
-/// What a response depends on.
+/// A number on which a response depends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Parameter {
     /// A number of the description, in its own unit.
     Quantity(Quantity),
-    /// The friction force F in N; in groups β.
+    /// The friction force F in N, or β in groups.
     Friction,
-    /// The load, P in N or Y in m; none in groups.
+    /// The load, P in N or Y in m. Groups have no load.
     Load,
-    /// The frequency in Hz; in groups r.
+    /// The frequency in Hz, or r in groups.
     Frequency,
 }
 
-/// A value and its derivative with respect to one parameter.
+/// A value X and its derivative with respect to one parameter p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
-    /// X.
+    /// The value X.
     pub value: f64,
-    /// dX/dp.
+    /// The derivative dX/dp.
     pub derivative: f64,
 }
 
 impl Slope {
-    /// (p/X)·dX/dp for a parameter of this value; none where X is 0.
+    /// Returns the relative derivative (p/X)·dX/dp for a parameter of this value. `None` where X is 0.
     #[must_use]
     pub fn relative(&self, parameter: f64) -> Option<f64> {
         let relative = parameter / self.value * self.derivative;
@@ -59,7 +59,8 @@ impl Slope {
 }
 
 impl Parameter {
-    /// Its symbol, with the names of the description: `m upper`, `k base - lower`, `zeta 1`, `F`.
+    /// Returns the symbol of the parameter, with the names of the description: `m upper`, `k base - lower`, `zeta 1`,
+    /// `F`.
     #[must_use]
     pub fn symbol(&self, scene: &Scene, point: &OperatingPoint) -> String {
         let physical = matches!(point, OperatingPoint::Physical { .. });
@@ -80,7 +81,7 @@ impl Parameter {
         short.to_owned()
     }
 
-    /// Its unit in SI; empty for a ratio.
+    /// Returns the SI unit of the parameter. The unit of a ratio is empty.
     #[must_use]
     pub fn unit(&self, point: &OperatingPoint) -> &'static str {
         let physical = matches!(point, OperatingPoint::Physical { .. });
@@ -123,7 +124,7 @@ pub(super) fn symbol(quantity: Quantity, scene: &Scene) -> String {
     }
 }
 
-/// What the response depends on, with its values.
+/// Returns all parameters of a response, with their values.
 pub(super) fn parameters_of(
     scene: &Scene,
     point: OperatingPoint,

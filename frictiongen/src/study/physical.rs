@@ -1,7 +1,8 @@
-//! Derivatives of a response with respect to everything that a description and an operating point say, in any regime.
+//! Derivatives of a response with respect to every number of a description and of an operating point, in any regime.
 //!
-//! In physical units derivatives are taken at constant frequency in Hz, friction force and load.  The groups refer to
-//! the first mass m₁ and the first spring k₁, so that these move r, β and the unit of displacements too.
+//! In physical units the derivatives are taken at constant frequency in Hz, friction force and load. The groups refer
+//! to the first mass m₁ and the first spring k₁. A change of m₁ or k₁ therefore also changes r, β or the unit of
+//! displacement.
 
 use super::error::{StudyError, UnknownMass};
 use super::held::{share_of_base, static_share};
@@ -16,33 +17,35 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::sensitivity::Quantity;
 
-/// The derivatives with respect to one parameter.
+/// The derivatives of a response with respect to one parameter p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterSensitivity {
-    /// p.
+    /// The parameter p.
     pub parameter: Parameter,
-    /// Its value.
+    /// The value of p.
     pub value: f64,
-    /// The largest displacement: m; in groups over P/k₁, for base motion over Y.
+    /// The largest displacement, in m. In groups it is over P/k₁, for base motion over Y.
     pub amplitude: Slope,
-    /// Its lag, rad; none for what does not move.
+    /// Lag of the largest displacement, rad. `None` where nothing moves.
     pub phase: Option<Slope>,
-    /// The limit of continuous motion: N; in groups as β.  None where it is infinite or bends.
+    /// The limit of continuous motion, as a friction force in N, or in groups as β. `None` where the limit or its
+    /// derivative is not finite.
     pub continuous_limit: Option<Slope>,
-    /// The limit of sliding, in the same way.
+    /// The limit of sliding, in the units of `continuous_limit`. `None` where the limit or its derivative is not
+    /// finite.
     pub sliding_limit: Option<Slope>,
 }
 
 /// The derivatives of a response at one operating point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseSensitivities {
-    /// The regime there.
+    /// The regime at the operating point.
     pub regime: Regime,
     /// One entry for each parameter: masses, springs, damping, stiction, friction, load, frequency.
     pub parameters: Vec<ParameterSensitivity>,
 }
 
-/// The answers at one point.
+/// Amplitude, phase and both limits with their derivatives at one operating point.
 struct Answers {
     amplitude: Sensitive,
     phase: Option<Sensitive>,
@@ -50,7 +53,7 @@ struct Answers {
     sliding_limit: Sensitive,
 }
 
-/// An operating point in groups, with the units that these are counted in.
+/// An operating point in groups, with the units of length and force.
 struct Groups {
     r: Sensitive,
     beta: Sensitive,
@@ -59,10 +62,10 @@ struct Groups {
 }
 
 impl System {
-    /// The motion of this name: a mass, or `contact` for the relative motion in the contact.
+    /// Returns the motion of this name: a mass, or `contact` for the relative motion in the contact.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn motion_named(&self, name: &str) -> Result<Of, UnknownMass> {
         if name == "contact" {
             return Ok(Of::Contact);
@@ -70,13 +73,16 @@ impl System {
         self.mass_index(name).map(Of::Mass)
     }
 
-    /// The exact derivatives of amplitude and phase of a motion, and of both limits, with respect to every parameter, in
-    /// any regime: by the closed form where the contact slides all the time, by the steady state from rest where it stops
-    /// and slides, by the stuck response where it never slides.
+    /// Returns the exact derivatives of amplitude and phase of a motion, and of both limits, with respect to every
+    /// parameter. The response may be in any regime.
     ///
-    /// In physical units none of them depends on the order of masses and springs; the contact's phase is that of the
-    /// motion as it is described ([`contact_is_reversed`](Self::contact_is_reversed)).  With m₁ and k₁ the groups move
-    /// too:
+    /// Where the contact slides all the time, the derivatives come from the closed form. Where the contact stops and
+    /// slides, they come from the steady state from rest. Where the contact never slides, they come from the stuck
+    /// response.
+    ///
+    /// In physical units no derivative depends on the order of masses and springs. The phase of the contact is that of
+    /// the motion as the description writes it ([`contact_is_reversed`](Self::contact_is_reversed)). A change of m₁ or
+    /// k₁ also changes the groups.
     ///
     /// ```
     /// use frictiongen::study::{Load, OperatingPoint, Parameter, Quantity, System};
@@ -93,10 +99,10 @@ impl System {
     /// let point = OperatingPoint::Physical { hertz: 0.3, friction: 4.0, load };
     /// let all = block.response_sensitivities(point, block.motion_named("block")?)?;
     /// let of = |parameter| all.parameters.iter().find(|found| found.parameter == parameter);
-    /// // With two stops a cycle: a newton of friction more takes 4.9 mm of the amplitude.
+    /// // With two stops a cycle, one more newton of friction reduces the amplitude by 4.9 mm.
     /// let friction = of(Parameter::Friction).ok_or("no friction")?;
     /// assert!((friction.amplitude.derivative + 0.004916).abs() < 1e-6);
-    /// // Twice everything that is a force is the same motion: P, F, m and k.
+    /// // If P, F, m and k all double, the motion stays the same.
     /// let sum: f64 = [
     ///     Parameter::Friction,
     ///     Parameter::Load,
@@ -112,8 +118,9 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`StudyError`]: for an operating point outside the domain, a load that does not fit, a motion that is not there,
-    /// where there is no steady motion, and [`NoDerivative`] where it has no derivative.
+    /// [`StudyError`] for an operating point outside the domain, a load that does not fit, and a motion that does not
+    /// exist. [`StudyError`] also where there is no steady motion. [`NoDerivative`] where the response has no
+    /// derivative.
     pub fn response_sensitivities(
         &self,
         point: OperatingPoint,
@@ -152,7 +159,7 @@ impl System {
         Ok(ResponseSensitivities { regime, parameters })
     }
 
-    /// r and β of an operating point.
+    /// Returns r and β of an operating point, and checks β.
     fn groups_at(&self, point: OperatingPoint) -> Result<(f64, f64), StudyError> {
         let (r, beta) = match point {
             OperatingPoint::Groups { r, beta } => (r, beta),
@@ -196,8 +203,8 @@ impl System {
     }
 }
 
-/// Amplitude and phase with their derivatives, of a response that is known; no phase of what does not move.  `turned` asks
-/// for the contact's motion with the opposite sign.
+/// Returns amplitude and phase of a known response with their derivatives. The phase is `None` where nothing moves.
+/// `turned` asks for the contact's motion with the opposite sign.
 pub(super) fn swing(
     varied: &Varied,
     response: &SystemResponse<'_>,
@@ -234,8 +241,10 @@ pub(super) fn swing(
     Ok((amplitude, Some(phase)))
 }
 
-/// The same while the contact is stuck.  The offset of a contact that has not slid on the way is 0, or on a moving base
-/// −Y; that of one that has slid depends on every slip.
+/// Returns amplitude and phase with their derivatives while the contact is stuck.
+///
+/// The offset of a contact that has never slid is 0, or −Y on a moving base. The offset of a contact that has slid
+/// depends on every slip, so it has no derivative here.
 fn stuck_swing(
     varied: &Varied,
     held: &SystemHeld<'_>,
@@ -261,7 +270,7 @@ fn stuck_swing(
     Ok((amplitude, Some(-(motion.im.atan2(motion.re)))))
 }
 
-/// An operating point in groups where one parameter is the variable.
+/// Returns an operating point in groups in which `parameter` is the variable.
 fn groups(system: &System, varied: &Varied, point: OperatingPoint, parameter: Parameter) -> Groups {
     let number = |value: f64, own: bool| {
         let value = Dd::from(value);
@@ -312,10 +321,12 @@ fn groups(system: &System, varied: &Varied, point: OperatingPoint, parameter: Pa
     }
 }
 
-/// What 30 digits leave of a derivative that is 0, of X/p.
+/// A derivative counts as 0 if p·dX/dp is below this share of X or of 1, whichever is smaller. 30 digits leave such a
+/// remainder by rounding.
 const NOTHING: f64 = 1e-24;
 
-/// A value with its derivative with respect to a parameter of this value, if both are finite.
+/// Returns a value with its derivative with respect to a parameter of the value `parameter`. `None` unless both are
+/// finite.
 fn slope(answer: Sensitive, parameter: f64) -> Option<Slope> {
     let mut slope = Slope {
         value: answer.value.to_f64(),

@@ -1,4 +1,4 @@
-//! The steady response in whatever regime: closed form, steady state with stops, or stuck.
+//! The steady response in any regime: closed form, steady state with stops, or stuck response.
 
 use super::held::SystemHeld;
 use super::motion::SystemMotion;
@@ -10,9 +10,9 @@ use frictiongen_kernel::response::Scene as _;
 
 /// The steady response of a system at one frequency ratio and one friction ratio.
 ///
-/// A motion from rest begins with every mass at x = 0 without velocity where the excitation is at its maximum.  The base then
-/// stands at Y.  A contact with the moving base starts at z̄ = −Y and may stick there: the amplitude of its mass is up to 2Y,
-/// its centred amplitude Y.
+/// A motion from rest begins at a maximum of the excitation, with every mass at x = 0 and without velocity. A moving
+/// base is then at Y. A contact with the moving base therefore starts at z̄ = −Y and may stick there. The amplitude of
+/// its mass is then up to 2Y, and its centred amplitude is Y.
 ///
 /// ```
 /// use frictiongen::{Of, Regime, System};
@@ -38,44 +38,44 @@ use frictiongen_kernel::response::Scene as _;
 /// ```
 #[derive(Clone, Debug)]
 pub enum SystemResponse<'a> {
-    /// The contact slides all the time: the closed form.
+    /// The closed form: the contact slides all the time.
     Continuous(SystemMotion<'a>),
-    /// The steady state from event to event.
+    /// Any other steady state, or the last 64 cycles of a motion that does not settle, computed from event to event.
     StickSlip(Box<SystemOrbit<'a>>),
-    /// The contact never slides.
+    /// The stuck response: the contact never slides.
     Stuck(SystemHeld<'a>),
 }
 
-/// How far something swings, and when.
+/// The largest displacement of a motion, and its phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
-    /// The largest |x̄| of the period: over P/k₁, for base motion over Y.
+    /// The largest |x̄| of the period, over P/k₁, for base motion over Y.
     pub amplitude: f64,
-    /// The lag of that maximum behind the excitation's, rad, in (−π, π]; none for what does not move.
+    /// Lag of this largest |x̄| behind the maximum of the excitation, rad, in (−π, π]. `None` where nothing moves.
     pub phase: Option<f64>,
 }
 
 impl Swing {
-    /// Of what does not move.
+    /// The swing of a contact or mass that does not move.
     pub const REST: Self = Self {
         amplitude: 0.0,
         phase: None,
     };
 }
 
-/// What the motion of the contact or of a mass is measured by, over P/k₁, for base motion over Y.
+/// The quantity of a motion whose largest value is wanted, over P/k₁, for base motion over Y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Size {
-    /// The largest |x̄|.
+    /// The largest displacement |x̄|.
     Displacement,
-    /// The largest |dx̄/dτ|; times ω it is a velocity.
+    /// The largest velocity |dx̄/dτ|. The velocity in time is this value times ω.
     Velocity,
-    /// The largest |d²x̄/dτ²|; times ω² it is an acceleration.
+    /// The largest acceleration |d²x̄/dτ²|. The acceleration in time is this value times ω².
     Acceleration,
 }
 
 impl SystemResponse<'_> {
-    /// Which regime it is.
+    /// Returns the regime of this response.
     #[must_use]
     pub fn regime(&self) -> Regime {
         match self {
@@ -86,7 +86,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Whether it is a motion that repeats; otherwise it is that of the last 64 cycles of a run that did not settle.
+    /// Returns true if the motion repeats. Otherwise the response is the last 64 cycles of a run that did not settle.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         match self {
@@ -95,7 +95,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Amplitude and phase of the contact or of a mass; none if there is no such mass.
+    /// Returns amplitude and phase of the contact or of a mass. `None` if there is no such mass.
     #[must_use]
     pub fn swing(&self, of: Of) -> Option<Swing> {
         let moving = |(amplitude, phase)| Swing {
@@ -130,8 +130,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Half the distance between the least and the largest x̄: the amplitude about the motion's own middle, over P/k₁, for
-    /// base motion over Y; none if there is no such mass.
+    /// Returns the centred amplitude, half the distance between the least and the largest x̄. It is over P/k₁, for base
+    /// motion over Y. `None` if there is no such mass.
     #[must_use]
     pub fn centred_amplitude(&self, of: Of) -> Option<f64> {
         match (self, of) {
@@ -145,14 +145,15 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// The lag of the fundamental component behind the excitation, −arg X₁, rad, in (−π, π]; none for what does not move, and
-    /// if there is no such mass.
+    /// Returns the lag of the fundamental component behind the excitation, −arg X₁, rad, in (−π, π]. `None` where
+    /// nothing moves, and if there is no such mass.
     #[must_use]
     pub fn fundamental_phase(&self, of: Of) -> Option<f64> {
         fundamental_phase(self.harmonic(of, 1)?, self.centred_amplitude(of)?)
     }
 
-    /// The middle of the contact's relative motion, over P/k₁, for base motion over Y; 0 for a symmetric motion.
+    /// Returns the offset of the contact's relative motion, over P/k₁, for base motion over Y. It is 0 for a symmetric
+    /// motion.
     #[must_use]
     pub fn offset(&self) -> f64 {
         match self {
@@ -162,8 +163,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// How far off its centre the contact may be in a state of the same continuum, as
-    /// [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range) gives it.
+    /// Returns the largest |offset| of the contact among all states of the same continuum. The value is that of
+    /// [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
     #[must_use]
     pub fn offset_range(&self) -> Option<f64> {
         match self {
@@ -173,7 +174,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Whether it is one of a continuum of steady states.
+    /// Returns true if the response is one of a continuum of steady states.
     #[must_use]
     pub fn is_marginal(&self) -> bool {
         match self {
@@ -183,7 +184,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Whether motion from rest ends in it; false for another stable state, where motion from rest does not settle.
+    /// Returns true if motion from rest ends in this response. False means that motion from rest does not settle and
+    /// this is another stable state.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         match self {
@@ -193,8 +195,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// The phase of the contact's motion with the opposite sign, as
-    /// [`contact_is_reversed`](System::contact_is_reversed) asks for; none for a contact that does not move.
+    /// Returns the phase of the contact's motion with the opposite sign, for the case
+    /// [`contact_is_reversed`](System::contact_is_reversed). `None` for a contact that does not move.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> Option<f64> {
         match self {
@@ -203,8 +205,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// The monoharmonic estimate of an amplitude (5.50, 7.33); none in another regime than the continuous one, and if there
-    /// is no such mass.
+    /// Returns the monoharmonic estimate of an amplitude (5.50, 7.33). `None` in any regime but the continuous one, and
+    /// if there is no such mass.
     #[must_use]
     pub fn monoharmonic(&self, of: Of) -> Option<f64> {
         let Self::Continuous(motion) = self else {
@@ -217,27 +219,30 @@ impl SystemResponse<'_> {
         Some(motion.amplitude_monoharmonic())
     }
 
-    /// The largest displacement, velocity or acceleration of the contact or of a mass; none if there is no such mass.
+    /// Returns the largest displacement, velocity or acceleration of the contact or of a mass. `None` if there is no
+    /// such mass.
     ///
-    /// An acceleration jumps where the friction force does, and counts on both sides.
+    /// An acceleration jumps where the friction force jumps. Its values on both sides of the jump count.
     #[must_use]
     pub fn largest(&self, of: Of, size: Size) -> Option<f64> {
         if size == Size::Displacement {
             return Some(self.swing(of)?.amplitude);
         }
         match self {
-            // The same motion, segment by segment.
+            // The closed form gives no largest velocity or acceleration. The orbit has the same motion segment by
+            // segment.
             Self::Continuous(motion) => {
                 fastest(&motion.at().orbit(motion.friction().beta).ok()?, of, size)
             }
             Self::StickSlip(orbit) => fastest(orbit, of, size),
-            // One harmonic: all sizes are the same, but for the offset.
+            // The motion has one harmonic, so displacement, velocity and acceleration have equal amplitudes without the
+            // offset.
             Self::Stuck(_) => self.centred_amplitude(of),
         }
     }
 
-    /// X_n of the contact or of a mass, with x̄ = Re Σ X_n e^{inτ} and τ from a maximum of the excitation; none if there is
-    /// no such mass.
+    /// Returns the complex amplitude X_n of the contact or of a mass, with x̄ = Re Σ X_n e^{inτ}. τ counts from a
+    /// maximum of the excitation. `None` if there is no such mass.
     #[must_use]
     pub fn harmonic(&self, of: Of, n: u32) -> Option<Complex<f64>> {
         let none = Complex::new(0.0, 0.0);
@@ -259,8 +264,8 @@ impl SystemResponse<'_> {
         })
     }
 
-    /// The largest friction force of the period over P: β while the contact slides, μβ where it stops and breaks away,
-    /// and what holds it where it never slides, μβ*_lim and the constant force of its offset.
+    /// Returns the largest friction force of the period over P. It is β where the contact slides without a stop, and μβ
+    /// where it stops and breaks away. A contact that never slides needs μβ*_lim and the constant force of its offset.
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         match self {
@@ -275,11 +280,11 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// The work that friction takes out of a cycle of the excitation, over P²/k₁; for base motion over k₁Y².
+    /// Returns the work of friction in one cycle of the excitation, over P²/k₁, for base motion over k₁Y².
     #[must_use]
     pub fn friction_work(&self) -> f64 {
         match self {
-            // Back and forth over twice the amplitude.
+            // The contact slides four amplitudes in a cycle, back and forth.
             Self::Continuous(motion) => 4.0 * motion.friction().beta * motion.contact().amplitude(),
             Self::StickSlip(orbit) => {
                 orbit.beta() * orbit.sliding_distance() / f64::from(orbit.period())
@@ -289,7 +294,7 @@ impl SystemResponse<'_> {
     }
 }
 
-/// The largest velocity or acceleration in a steady state.
+/// Returns the largest velocity or acceleration in a steady state, for a displacement its amplitude.
 fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: Size) -> Option<f64> {
     let motion = match of {
         Of::Contact => orbit.contact(),
@@ -302,7 +307,7 @@ fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: Size) -> Option<f64> {
     })
 }
 
-/// μ.
+/// Returns μ.
 fn stiction(system: &System) -> f64 {
     (&system).numbers().chain.stiction
 }

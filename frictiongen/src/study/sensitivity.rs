@@ -1,4 +1,4 @@
-//! Sensitivities: exact derivatives of every answer, by reading the formulas with dual numbers.
+//! Sensitivities: exact derivatives of every answer. The formulas are evaluated with dual numbers.
 
 use super::at::SystemAt;
 use super::orbit::SystemOrbit;
@@ -16,16 +16,16 @@ use frictiongen_model::sensitivity::Quantity;
 use frictiongen_model::transient::Transient;
 use std::sync::OnceLock;
 
-/// A number of a [`Varied`] system: value and derivative, each with about 30 digits, so that
-/// derivatives keep theirs beside a resonance.
+/// A number of a [`Varied`] system: value and derivative, each with about 30 digits. Derivatives thus keep enough
+/// digits close to a resonance.
 pub type Sensitive = Dual<Dd>;
 
 /// A system that carries the derivatives with respect to one quantity through every answer.
 ///
-/// Frequency ratio and friction ratio may themselves be the variable (`Dual::variable`) on a system
-/// that is [`unvaried`](System::unvaried).  Derivatives are taken at constant r and β; where the
-/// angular frequency is given instead, take r from [`frequency_ratio`](Self::frequency_ratio), which
-/// moves with the first mass and the first spring.
+/// Frequency ratio or friction ratio may be the variable instead (`Dual::variable`). The system is then
+/// [`unvaried`](System::unvaried). Derivatives are taken at constant r and β. If the angular frequency is given
+/// instead, take r from [`frequency_ratio`](Self::frequency_ratio), which varies with the first mass and the first
+/// spring.
 ///
 /// ```
 /// use frictiongen::study::{Quantity, Sensitive, System};
@@ -41,7 +41,7 @@ pub type Sensitive = Dual<Dd>;
 /// .parse()?;
 /// let heavier = frame.along(Quantity::Mass(1)).ok_or("no such mass")?;
 /// let limit = heavier.at(Sensitive::fixed(0.9.into()))?.continuous_limit();
-/// // A gram more moves the limit by a thousandth of its derivative.
+/// // One more gram changes the limit by a thousandth of its derivative.
 /// let mut scene = frame.scene().clone();
 /// scene.masses[1].value = 3.251;
 /// let moved = System::<f64>::try_from(scene)?.at(0.9)?.continuous_limit();
@@ -51,18 +51,18 @@ pub type Sensitive = Dual<Dd>;
 /// # }
 /// ```
 ///
-/// Steady states with stops carry derivatives too ([`orbit`](Self::orbit)); motions in time do not.
+/// Steady states with stops carry derivatives too ([`orbit`](Self::orbit)). Motions in time do not.
 #[derive(Clone, Debug)]
 pub struct Varied {
     system: System<Sensitive>,
     data: Modal<Sensitive>,
-    /// The same without derivatives, and what its motion in time needs with them: made when first asked for.
+    /// The system without derivatives, and its data for motion in time with derivatives. The first use computes both.
     plain: OnceLock<System>,
     transient: OnceLock<Option<Transient<Sensitive>>>,
 }
 
 impl Varied {
-    /// The scene at the frequency ratio r.
+    /// Returns the system at the frequency ratio r.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN and negative r.
@@ -70,20 +70,21 @@ impl Varied {
         self.system.at(r)
     }
 
-    /// rad/s → r = ω√(m₁/k₁).
+    /// Converts an angular frequency in rad/s to r = ω√(m₁/k₁).
     #[must_use]
     pub fn frequency_ratio(&self, omega: Sensitive) -> Sensitive {
         self.system.frequency_ratio(omega)
     }
 
-    /// The steady state from rest at r and β in any regime, every answer with its derivative: amplitudes, phases,
-    /// harmonics, displacements at an instant, when the contact stops and for how long.  Its values are found without
-    /// derivatives; those follow from the period, read once more with dual numbers.  The Floquet multipliers are left
-    /// out.
+    /// Returns the steady state from rest at r and β in any regime, with the derivative of every answer.
     ///
-    /// An amplitude has a derivative wherever the steady state has.  So has a phase; where the contact rests at its
-    /// farthest, it is that of the end of the rest next to the excitation's maximum, or 0 if that maximum comes during the
-    /// rest.
+    /// The answers are amplitudes, phases, harmonics, displacements at an instant, and the times and durations of
+    /// stops. Their values are found without derivatives. The derivatives follow from one more pass over the period
+    /// with dual numbers. The Floquet multipliers are left out.
+    ///
+    /// An amplitude and a phase have a derivative wherever the steady state has one. A contact may stop where it is
+    /// farthest out. Its phase is then that of the bound of this stop nearest to the excitation's maximum, or 0 if the
+    /// maximum falls within the stop.
     ///
     /// ```
     /// use frictiongen::study::{Quantity, Sensitive, System};
@@ -111,8 +112,8 @@ impl Varied {
     /// ```
     ///
     /// # Errors
-    /// [`NoDerivative`]: where there is no steady state, where it does not repeat, where it is one of a continuum, and
-    /// where an event is about to come or to go.
+    /// [`NoDerivative`] where there is no steady state, where it does not repeat, and where it is one of a continuum.
+    /// [`NoDerivative`] also where an event is about to appear or disappear.
     pub fn orbit(
         &self,
         r: Sensitive,
@@ -123,11 +124,11 @@ impl Varied {
         self.orbit_along(&orbit, r, beta)
     }
 
-    /// A steady state of the same scene that is known, at r and β of the same values, with derivatives, as
-    /// [`orbit`](Self::orbit) gives them.
+    /// Returns a known steady state of the same scene with derivatives, as [`orbit`](Self::orbit) does. r and β must
+    /// have the values of that state.
     ///
     /// # Errors
-    /// [`NoDerivative`], as there.
+    /// [`NoDerivative`], as for [`orbit`](Self::orbit).
     pub fn orbit_along(
         &self,
         plain: &SystemOrbit<'_>,
@@ -155,7 +156,8 @@ impl Varied {
         })
     }
 
-    /// What its motion in time needs, with derivatives; none where modes coincide and move apart.
+    /// Returns the data for motion in time, with derivatives. `None` where modes coincide and the quantity separates
+    /// the modes.
     pub(super) fn transient(&self) -> Option<&Transient<Sensitive>> {
         let transient = self
             .transient
@@ -163,8 +165,8 @@ impl Varied {
         transient.as_ref()
     }
 
-    /// The modal data, from which special values follow: resonances, mode shapes, resonance
-    /// thresholds, limits at both ends.
+    /// Returns the modal data, from which special values follow: resonances, mode shapes, resonance thresholds, and the
+    /// limits for r = 0 and r → ∞.
     #[must_use]
     pub fn modal(&self) -> &Modal<Sensitive> {
         &self.data
@@ -190,14 +192,14 @@ impl FrictionSystem for Varied {
 }
 
 impl<S: Float> System<S> {
-    /// The same scene with derivatives with respect to one of its quantities; none where it has no
-    /// such quantity.
+    /// Returns the same scene with derivatives with respect to one of its quantities. `None` if the scene has no such
+    /// quantity.
     #[must_use]
     pub fn along(&self, quantity: Quantity) -> Option<Varied> {
         Some(self.varied(self.modal.along(&self.scene, quantity)?))
     }
 
-    /// The same scene with no quantity varied, for derivatives with respect to r or β.
+    /// Returns the same scene with no quantity varied, for derivatives with respect to r or β.
     #[must_use]
     pub fn unvaried(&self) -> Varied {
         self.varied(self.modal.fixed())
@@ -214,10 +216,11 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// An answer's derivatives with respect to every quantity of the description, by its unit.
+    /// Returns the derivatives of an answer with respect to every quantity of the description, in that quantity's own
+    /// unit.
     ///
     /// # Errors
-    /// The first that `question` meets.
+    /// The first error that `question` returns.
     ///
     /// ```
     /// use frictiongen::study::{Quantity, Sensitive, System};
@@ -231,7 +234,7 @@ impl<S: Float> System<S> {
     ///     stiction: 1.1,
     /// }"
     /// .parse()?;
-    /// // A single mass sticks for good beyond β = 1/μ, whatever its mass.
+    /// // A single mass sticks permanently beyond β = 1/μ, whatever its mass.
     /// let gradient = block.sensitivities(|block| {
     ///     let r = block.frequency_ratio(Sensitive::fixed(3.0.into()));
     ///     Ok::<_, frictiongen::OutOfDomain>(block.at(r)?.sliding_limit())
@@ -261,7 +264,7 @@ impl<S: Float> System<S> {
     }
 }
 
-/// What a description says in numbers.
+/// Returns every numeric quantity of a description that a derivative may be taken of.
 pub(super) fn quantities(scene: &Scene) -> Vec<Quantity> {
     let masses = (0..scene.masses.len()).map(Quantity::Mass);
     let springs = (0..scene.springs.len()).map(Quantity::Stiffness);

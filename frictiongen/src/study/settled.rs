@@ -1,4 +1,4 @@
-//! Which steady state answers: the one that motion from rest, or from another state, ends in.
+//! Selects the steady state of a response: the one in which motion from rest, or from another state, ends.
 
 use super::at::SystemAt;
 use super::held::{SystemHeld, share_of_base};
@@ -9,10 +9,11 @@ use crate::{Error, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
-/// A multiplier counts as on the unit circle within so many roundings, as it does for a steady state.
+/// Relative tolerance, in units of the machine epsilon, within which √λ_i/r counts as an even integer. Steady states
+/// use the same tolerance for multipliers on the unit circle.
 const ON_CIRCLE: f64 = 4096.0;
 
-/// The state of a steady motion where the excitation is at its maximum.
+/// The state of a steady motion at a maximum of the excitation.
 #[cfg(feature = "desk")]
 #[derive(Clone, Debug)]
 pub(super) struct Carried {
@@ -39,19 +40,19 @@ impl Carried {
 }
 
 impl<'a> SystemAt<'a> {
-    /// The steady response at β = F/P, in whatever regime: the state that motion from rest ends in.
+    /// Returns the steady response at β = F/P in any regime: the state in which motion from rest ends.
     ///
-    /// With μ = 1 that is the closed form for every β < β_lim, except for a chain without damping at r = 1/2n, where it is
-    /// one of a continuum.  With μ > 1 other states may exist beside the closed form and beside the stuck state, and the
-    /// motion is followed.
+    /// With μ = 1 this state is the closed form for every β < β_lim. The exception is a chain without damping at r =
+    /// 1/2n, where the closed form is one of a continuum. With μ > 1, other states may exist in addition to the closed
+    /// form and to the stuck state. The motion is then followed from event to event.
     ///
-    /// Where motion from rest does not settle, the answer is another stable steady state, found from the closed form, a
-    /// neighbouring friction ratio or the stuck state; [`SystemOrbit::is_from_rest`] is false then.  Where none is found
-    /// either, the answer is the last 64 cycles of the motion from rest.
+    /// Where motion from rest does not settle, the call returns another stable steady state, if there is one. It is
+    /// found from the closed form, a neighbouring friction ratio or the stuck state, and [`SystemOrbit::is_from_rest`]
+    /// is then false. If no such state is found, the call returns the last 64 cycles of the motion from rest.
     ///
     /// # Errors
-    /// [`NotContinuous::Unbounded`] and [`StuckResonance`](crate::StuckResonance) on an undamped resonance,
-    /// [`NoOrbit`](crate::NoOrbit) where there is no steady state to follow, [`OutOfDomain`] for NaN, negative and
+    /// [`NotContinuous::Unbounded`] and [`StuckResonance`](crate::StuckResonance) on an undamped resonance.
+    /// [`NoOrbit`](crate::NoOrbit) where there is no steady state to follow. [`OutOfDomain`] for NaN, negative and
     /// infinite β.
     pub fn response(&self, beta: f64) -> Result<SystemResponse<'a>, Error> {
         let motion = self.motion(beta);
@@ -61,7 +62,7 @@ impl<'a> SystemAt<'a> {
             Err(NotContinuous::Unbounded) if beta < self.sliding_limit() => {
                 Err(NotContinuous::Unbounded.into())
             }
-            // Neither 0 nor ∞ has a cycle to follow.
+            // At r = 0 and r = ∞ there is no cycle to follow.
             Ok(motion) if !self.has_cycles() => Ok(SystemResponse::Continuous(motion)),
             Err(NotContinuous::Stuck) if !self.has_cycles() => {
                 Ok(SystemResponse::Stuck(self.held(0.0, 0.0)?))
@@ -73,7 +74,7 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// The response that motion from another state ends in, with the state to carry on from.
+    /// Returns the response in which motion from another state ends, with the state to continue from.
     #[cfg(feature = "desk")]
     pub(super) fn response_from(
         &self,
@@ -90,7 +91,7 @@ impl<'a> SystemAt<'a> {
         let orbit = match start {
             None => self.orbit_or_last_cycles(beta)?,
             Some(carried) => {
-                // A velocity in time is r times dx̄/dτ.
+                // The velocity in time continues at the new frequency. It is r times dx̄/dτ.
                 let factor = carried.r / r;
                 let velocities: Vec<f64> = carried.velocities.iter().map(|v| v * factor).collect();
                 self.orbit_or_last_cycles_from(beta, (&carried.displacements, &velocities))?
@@ -100,11 +101,11 @@ impl<'a> SystemAt<'a> {
         Ok((self.told(orbit, motion)?, carried))
     }
 
-    /// The regime of a steady state at this frequency ratio: the state's own, whatever others exist beside it.  Of a motion
-    /// that does not settle it is stick-slip.
+    /// Returns the regime of a steady state at this frequency ratio. Other states at the same β have no influence. A
+    /// motion that does not settle is stick-slip.
     #[must_use]
     pub fn regime_of(&self, orbit: &SystemOrbit<'_>) -> Regime {
-        // Within rounding below β*_lim a motion may be too small to be seen.
+        // Within rounding below β*_lim a motion may be too small to be detected, so the limit decides too.
         let holds = !(orbit.beta() < self.sliding_limit());
         let frictionless = orbit.beta() == 0.0;
         if holds && orbit.is_settled() && orbit.never_slides() {
@@ -116,7 +117,7 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// The response that an orbit is.
+    /// Returns the response that consists of an orbit, in the regime of the orbit.
     fn told(
         &self,
         orbit: SystemOrbit<'a>,
@@ -134,20 +135,20 @@ impl<'a> SystemAt<'a> {
                 let motion = motion.with_start(orbit.is_from_rest());
                 Ok(SystemResponse::Continuous(motion))
             }
-            // Another of the closed form's continuum.
+            // The orbit is another state of the closed form's continuum.
             Some(_) if slides => Ok(SystemResponse::StickSlip(Box::new(orbit.sliding()))),
             _ => Ok(SystemResponse::StickSlip(Box::new(orbit))),
         }
     }
 
-    /// The response with so much friction that the contact stays where it is at rest: at its centre, or for a contact with
-    /// the moving base where the base has gone by then.
+    /// Returns the response with so much friction that the contact stays where it is at rest. It is then at its centre,
+    /// or on a moving base at z̄ = −Y.
     pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
         let offset = -share_of_base(self.scene());
         Ok(SystemResponse::Stuck(self.held(offset, f64::INFINITY)?))
     }
 
-    /// The response while the contact is stuck at an offset.
+    /// Returns the response while the contact is stuck at an offset.
     fn held(&self, offset: f64, offset_range: f64) -> Result<SystemHeld<'a>, StuckResonance> {
         Ok(SystemHeld {
             stuck: self.stuck()?,
@@ -157,7 +158,8 @@ impl<'a> SystemAt<'a> {
         })
     }
 
-    /// The steady state that motion from rest ends in; where it does not settle, another that is stable.
+    /// Returns the steady state in which motion from rest ends. If that motion does not settle, returns another stable
+    /// state.
     fn settled_orbit(&self, beta: f64) -> Result<SystemOrbit<'a>, NoOrbit> {
         let last = self.orbit_or_last_cycles(beta)?;
         if last.is_settled() {
@@ -168,8 +170,8 @@ impl<'a> SystemAt<'a> {
         Ok(other.map_or(last, SystemOrbit::not_from_rest))
     }
 
-    /// Whether no other steady state can exist beside the closed form: with μ = 1, unless an undamped mode turns an even
-    /// number of times in half a period.
+    /// Returns true if no other steady state can exist in addition to the closed form. With μ = 1 none can, unless
+    /// √λ_i/r is an even integer for an undamped mode that the contact drives.
     fn is_unique(&self) -> bool {
         let numbers = self.scene().numbers();
         let even = |x: f64| {
@@ -183,14 +185,14 @@ impl<'a> SystemAt<'a> {
         numbers.chain.stiction <= 1.0 && !numbers.modes.iter().any(marginal)
     }
 
-    /// Whether r is neither 0 nor infinite.
+    /// Returns true if r is neither 0 nor infinite.
     fn has_cycles(&self) -> bool {
         let r = self.frequency_ratio();
         0.0 < r && r.is_finite()
     }
 }
 
-/// Whether it slides all the time and turns twice in a cycle, as the closed form does.
+/// Returns true if the contact slides all the time and reverses twice in a cycle, as in the closed form.
 fn slides_twice(orbit: &SystemOrbit<'_>) -> bool {
     orbit.is_settled() && (orbit.stops(), orbit.reversals(), orbit.period()) == (0, 2, 1)
 }
@@ -201,8 +203,8 @@ mod tests {
     use super::Carried;
     use crate::study::System;
 
-    /// Displacements and velocities in time go over unchanged from one frequency to another, and dx̄/dτ = (dx̄/dt)/ω.  A
-    /// contact that sticks at once keeps its place, which depends on where it was and how fast.
+    /// Displacements and velocities in time carry over unchanged from one frequency to another, with dx̄/dτ =
+    /// (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the initial position and velocity.
     #[test]
     fn a_state_goes_over_to_another_frequency() {
         let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall,

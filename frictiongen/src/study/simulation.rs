@@ -6,14 +6,14 @@ use crate::{OutOfDomain, Simulates, SimulatesUnder};
 use frictiongen_kernel::simulation::{Dynamics, Lines, Moment, Part, Segment, Simulation};
 use frictiongen_kernel::{Float, Plain};
 
-/// An exact run in time of a system, from event to event: an iterator over its segments.
+/// An exact run in time of a system, from event to event. The run is an iterator over its segments.
 #[derive(Clone, Debug)]
 pub struct SystemSimulation<'a, S = f64> {
     system: &'a System<S>,
     run: Inner<'a, S>,
 }
 
-/// The kernel's run in vectors, of any friction law.
+/// The kernel's run over vectors, for any friction law.
 type Inner<'a, S> = Simulation<'a, S, Vec<Part<S>>, Lines<'a, S>>;
 
 impl<S: Plain> System<S> {
@@ -21,7 +21,7 @@ impl<S: Plain> System<S> {
         self.transient().dynamics()
     }
 
-    /// The same for a motion in time, which a chain with too many modes beyond critical damping refuses.
+    /// Returns the data for a motion in time. Fails for a chain with too many modes at or beyond critical damping.
     pub(super) fn dynamics_in_time(&self) -> Result<Dynamics<'_, S>, OutOfDomain> {
         if self.loses_motion() {
             return Err(OutOfDomain {
@@ -31,13 +31,13 @@ impl<S: Plain> System<S> {
         Ok(self.dynamics())
     }
 
-    /// One part for each mode and each held mode.
+    /// Returns one empty part for each mode and each mode with the contact stuck.
     pub(super) fn parts(&self) -> Vec<Part<S>> {
         let dynamics = self.dynamics();
         vec![Part::empty(); dynamics.modes.len() + dynamics.held.len()]
     }
 
-    /// The exact motion in time from rest, the excitation at its maximum.
+    /// Starts the exact motion in time from rest, with the excitation at its maximum.
     ///
     /// ```
     /// use frictiongen::kernel::simulation::Event;
@@ -59,18 +59,19 @@ impl<S: Plain> System<S> {
     /// ```
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r is positive and finite and β finite and not negative; ("stribeck") for
-    /// `friction: stribeck`, which [`simulation_under`](Self::simulation_under) follows; and ("damping") where so many
-    /// modes are at or beyond critical damping that less than half of the digits would be left.
+    /// [`OutOfDomain`] unless r is positive and finite, and β is finite and not negative. [`OutOfDomain`] ("stribeck")
+    /// for `friction: stribeck`, which needs [`simulation_under`](Self::simulation_under). [`OutOfDomain`] ("damping")
+    /// where too many modes are at or beyond critical damping, so that less than half of the digits would remain.
     pub fn simulation(&self, r: S, beta: S) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
         self.constant_level()?;
         self.started(r, beta, Lines::none(), None)
     }
 
-    /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+    /// Starts the exact motion in time from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
     ///
     /// # Errors
-    /// [`OutOfDomain`] also for a state that is not finite or not one number for each mass.
+    /// Same errors as [`simulation`](Self::simulation). [`OutOfDomain`] also for a state that is not finite or not one
+    /// number for each mass.
     pub fn simulation_from(
         &self,
         r: S,
@@ -81,10 +82,11 @@ impl<S: Plain> System<S> {
         self.started(r, beta, Lines::none(), Some(state))
     }
 
-    /// The same under a load of this amplitude: P of a force, Y of a motion of the base, in the scene's units.  The
-    /// speeds of `friction: stribeck` need it; where the kinetic level is constant nothing depends on it.
+    /// Starts the exact motion in time from rest under a load of this amplitude: P of a force, Y of a base motion, in
+    /// the scene's units.
     ///
-    /// β is the kinetic friction force at vanishing speed over P, for base motion over k₁Y.
+    /// The speeds of `friction: stribeck` need the amplitude. Where the kinetic level is constant, nothing depends on
+    /// the amplitude. β is the kinetic friction force at vanishing speed over P, for base motion over k₁Y.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -98,7 +100,7 @@ impl<S: Plain> System<S> {
     ///     provide: [simulation],
     /// }"
     /// .parse()?;
-    /// // 10 N at 3 rad/s against 4 N of friction.
+    /// // A load of 10 N at 3 rad/s, and 4 N of friction.
     /// let mut run = block.simulation_under(block.frequency_ratio(3.0), 0.4, 10.0)?;
     /// for _ in 0..100 {
     ///     run.next();
@@ -109,8 +111,9 @@ impl<S: Plain> System<S> {
     /// ```
     ///
     /// # Errors
-    /// [`OutOfDomain`] as of [`simulation`](Self::simulation); ("amplitude") for one that is not positive and finite, or
-    /// with which the law's speeds leave the scalar's range; ("steepness") for a law that changes the motion more than
+    /// Same errors as [`simulation`](Self::simulation), except for `friction: stribeck`. [`OutOfDomain`] ("amplitude")
+    /// for an amplitude that is not positive and finite, or with which the law's speeds leave the scalar's range.
+    /// [`OutOfDomain`] ("steepness") for a law that changes the motion more than
     /// [`MAX_STEEPNESS`](frictiongen_kernel::simulation::MAX_STEEPNESS) times as fast as the fastest mode does.
     pub fn simulation_under(
         &self,
@@ -121,10 +124,12 @@ impl<S: Plain> System<S> {
         self.started(r, beta, self.lines(r, amplitude)?, None)
     }
 
-    /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+    /// Starts the exact motion in time under a load from a state at a maximum of the excitation: x̄ and dx̄/dτ of every
+    /// mass.
     ///
     /// # Errors
-    /// [`OutOfDomain`] also for a state that is not finite or not one number for each mass.
+    /// Same errors as [`simulation_under`](Self::simulation_under). [`OutOfDomain`] also for a state that is not finite
+    /// or not one number for each mass.
     pub fn simulation_under_from(
         &self,
         r: S,
@@ -135,7 +140,7 @@ impl<S: Plain> System<S> {
         self.started(r, beta, self.lines(r, amplitude)?, Some(state))
     }
 
-    /// The friction law under a load of this amplitude.
+    /// Returns the friction law under a load of this amplitude.
     fn lines(&self, r: S, amplitude: S) -> Result<Lines<'_, S>, OutOfDomain> {
         if S::constant(0.0) < amplitude && amplitude.is_finite() {
             Ok(self.steps().lines(r, amplitude))
@@ -172,24 +177,24 @@ impl<S: Plain> System<S> {
 }
 
 impl<'a, S: Float> SystemSimulation<'a, S> {
-    /// A mass now.
+    /// Returns the present state of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<Moment<S>, UnknownMass> {
         Ok(self.run.mass(self.system.mass_index(name)?))
     }
 
-    /// The run itself: phase, cycles, relative motion, friction force.
+    /// Returns the run of the kernel, with phase, cycles, relative motion and friction force.
     #[must_use]
     pub fn run(&self) -> &Inner<'a, S> {
         &self.run
     }
 
-    /// Moves on to the next event, at most by `reach` in τ; by 0 it does nothing.
+    /// Advances to the next event, at most by `reach` in τ. A reach of 0 changes nothing.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN, which changes nothing.
+    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The run is then unchanged.
     pub fn advance(&mut self, reach: S) -> Result<Segment<S>, OutOfDomain> {
         self.run.advance(reach)
     }

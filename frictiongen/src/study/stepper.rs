@@ -10,10 +10,10 @@ use frictiongen_kernel::stepper::{
 use frictiongen_kernel::{Float, Plain};
 use std::ops::{Deref, DerefMut};
 
-/// How many coefficients an input has over a step: enough for each kind.
+/// The number of coefficients of an input over a step. It suffices for each kind of input.
 const COEFFICIENTS: usize = 4;
 
-/// The tables of a stepper in vectors.
+/// The tables of a stepper, in vectors.
 #[derive(Clone, Debug)]
 pub struct SystemStepTables<S> {
     pace: Pace<S>,
@@ -66,7 +66,7 @@ where
     }
 }
 
-/// The numbers of a stepper in vectors.
+/// The state of a stepper, in vectors.
 #[derive(Clone, Debug)]
 pub struct SystemStepStore<S> {
     modes: Vec<[S; 2]>,
@@ -77,7 +77,7 @@ pub struct SystemStepStore<S> {
 }
 
 impl<S: Float> SystemStepStore<S> {
-    /// At rest.
+    /// Returns the state at rest.
     fn new(scene: &StepScene<'_, S>) -> Self {
         let (modes, held) = (scene.dynamics.modes.len(), scene.dynamics.held.len());
         let zero = S::constant(0.0);
@@ -111,10 +111,10 @@ impl<S> Store<S, COEFFICIENTS> for SystemStepStore<S> {
     }
 }
 
-/// The kernel's stepper in vectors.
+/// The kernel's stepper over vectors.
 type Inner<'a, S> = Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>>;
 
-/// Where the stepper of a system stands, as [`save`](Stepper::save) gives it.
+/// The state of a system's stepper, as [`save`](Stepper::save) returns it.
 pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 
 /// The motion of a system by steps of one length, under any input.
@@ -122,16 +122,16 @@ pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 pub struct SystemStepper<'a, S = f64> {
     system: &'a System<S>,
     stepper: Inner<'a, S>,
-    /// A force for each mass that may be loaded: all of them, the excited one first.
+    /// One force for each mass that may be loaded. All masses may be, and the excited one comes first.
     forces: Vec<S>,
 }
 
-/// What acts on a system at an instant, in the scene's units.
+/// The loads on a system at an instant, in the scene's units.
 ///
 /// ```
 /// use frictiongen::study::SystemInput;
 ///
-/// // 20 N on the excited mass and 3 N on the one called `roof`, with a friction force of 12 N.
+/// // 20 N on the excited mass and 3 N on the mass `roof`, with a friction force of 12 N.
 /// let input = SystemInput::force(20.0).on("roof", 3.0).friction(12.0);
 /// # let _ = input;
 /// ```
@@ -143,7 +143,7 @@ pub struct SystemInput<'n, S = f64> {
     friction: S,
 }
 
-/// What acts as the scene's excitation.
+/// The load that acts as the scene's excitation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Acting<S> {
     Force(S),
@@ -151,12 +151,12 @@ enum Acting<S> {
 }
 
 impl<'n, S: Float> SystemInput<'n, S> {
-    /// A force on the excited mass.
+    /// Creates an input with a force on the excited mass.
     pub fn force(force: S) -> Self {
         Self::new(Acting::Force(force))
     }
 
-    /// Displacement and velocity of the base.
+    /// Creates an input with a displacement and a velocity of the base.
     pub fn base(displacement: S, velocity: S) -> Self {
         Self::new(Acting::Base([displacement, velocity]))
     }
@@ -169,13 +169,13 @@ impl<'n, S: Float> SystemInput<'n, S> {
         }
     }
 
-    /// A force on another mass; forces on the same mass add up.
+    /// Adds a force on another mass. Forces on the same mass add up.
     pub fn on(mut self, mass: &'n str, force: S) -> Self {
         self.more.push((mass, force));
         self
     }
 
-    /// The kinetic friction force F at rest, not negative; none unless it is set.
+    /// Sets the kinetic friction force F at vanishing speed, which is not negative. The default is 0.
     pub fn friction(mut self, friction: S) -> Self {
         self.friction = friction;
         self
@@ -183,8 +183,9 @@ impl<'n, S: Float> SystemInput<'n, S> {
 }
 
 impl<S: Plain> System<S> {
-    /// The motion by steps of dt, in s, from rest under no load.  Every mass may be loaded; the friction law and what
-    /// the input does between samples are the scene's.
+    /// Returns a stepper with steps of `dt` seconds, from rest under no load.
+    ///
+    /// Every mass may be loaded. The scene defines the friction law and the input between samples.
     ///
     /// ```
     /// use frictiongen::study::SystemInput;
@@ -214,16 +215,17 @@ impl<S: Plain> System<S> {
     ///
     /// # Errors
     /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
-    /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians; and ("damping") where so many modes are at or
-    /// beyond critical damping that less than half of the digits would be left.
+    /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians. [`OutOfDomain`] ("damping") where too many
+    /// modes are at or beyond critical damping, so that less than half of the digits would remain.
     pub fn stepper(&self, dt: S) -> Result<SystemStepper<'_, S>, OutOfDomain> {
         self.stepping(dt, None)
     }
 
-    /// The same from a state: displacement and velocity of every mass.
+    /// Returns a stepper that starts from a state: displacement and velocity of every mass.
     ///
     /// # Errors
-    /// [`OutOfDomain`] also for a state that is not finite or not one number for each mass.
+    /// Same errors as [`stepper`](Self::stepper). [`OutOfDomain`] also for a state that is not finite or not one number
+    /// for each mass.
     pub fn stepper_from(
         &self,
         dt: S,
@@ -249,10 +251,10 @@ impl<S: Plain> System<S> {
 }
 
 impl<'a, S: Plain> SystemStepper<'a, S> {
-    /// Says what the input is before the first step; none unless said so.  The contact answers for it at once.
+    /// Sets the input before the first step. The default is no input. The contact responds to it at once.
     ///
     /// # Errors
-    /// As of [`advance`](Self::advance); [`OutOfDomain`] after the first step.
+    /// Same errors as [`advance`](Self::advance). [`OutOfDomain`] after the first step.
     pub fn begin(&mut self, input: SystemInput<'_, S>) -> Result<(), StudyError> {
         let (base, friction) = self.lay(&input)?;
         let forces = &self.forces;
@@ -263,12 +265,13 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         })?)
     }
 
-    /// Takes a step: in a straight line to this input, or under it where the scene says `input: hold`.
+    /// Takes one step. The input changes in a straight line to this input. With `input: hold` this input acts over the
+    /// whole step.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for what is NaN or infinite, for friction below zero, for a force where the base is excited and a
-    /// motion of the base where a mass is; [`UnknownMass`] for a name that is not there.  The stepper is then what it
-    /// was.
+    /// [`OutOfDomain`] for a number that is NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a
+    /// force where the base is excited, and for a base motion where a mass is excited. [`UnknownMass`] for an unknown
+    /// name. The stepper is unchanged after an error.
     pub fn advance(&mut self, input: SystemInput<'_, S>) -> Result<Stepped<S>, StudyError> {
         let (base, friction) = self.lay(&input)?;
         let forces = &self.forces;
@@ -279,7 +282,7 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         })?)
     }
 
-    /// Puts the forces in their places; the base's motion and the friction.
+    /// Writes the forces of an input to `forces`. Returns the motion of the base and the friction force.
     fn lay(&mut self, input: &SystemInput<'_, S>) -> Result<([S; 2], S), StudyError> {
         let steps = self.system.steps();
         self.forces.fill(S::constant(0.0));
@@ -302,15 +305,16 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         Ok((base, input.friction))
     }
 
-    /// A mass now.
+    /// Returns the present state of a mass.
     ///
     /// # Errors
-    /// [`UnknownMass`] if there is none of this name.
+    /// [`UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<MassNow<S>, UnknownMass> {
         Ok(self.stepper.mass(self.system.mass_index(name)?))
     }
 
-    /// A mass now, by its place in the description; at rest if there is no such mass.
+    /// Returns the present state of a mass, by its index in the description. The state is rest if there is no such
+    /// mass.
     #[must_use]
     pub fn mass_at(&self, index: usize) -> MassNow<S> {
         self.stepper.mass(index)

@@ -1,4 +1,4 @@
-//! The run-time system: the same closed forms, over vectors instead of arrays.
+//! The run-time system. It evaluates the closed forms over vectors instead of arrays.
 
 use super::error::{InvalidScene, UnknownMass};
 use super::large;
@@ -17,7 +17,7 @@ use frictiongen_model::transient::Transient;
 use frictiongen_model::validate::validate;
 use std::sync::OnceLock;
 
-/// A scene at run time.
+/// A scene at run time, with its modal data.
 ///
 /// ```
 /// use frictiongen::study::System;
@@ -45,9 +45,9 @@ pub struct System<S = f64> {
     pub(super) reference: S,
     /// The smallest and the largest 1/r at which the formulas are evaluated.
     pub(super) range: (S, S),
-    /// Whether the load acts on the mass that rubs and μ = 1, so that β*_lim is 1.
+    /// True if the load acts on the mass in the contact and μ = 1. β*_lim is then 1.
     pub(super) sliding_limit_is_one: bool,
-    /// What limits without search take of a chain without damping.
+    /// Modal data of an undamped chain for limits without search. `None` for a damped chain and for many modes.
     pub(super) driven: Option<DrivenModes<S>>,
     transient: OnceLock<Transient<S>>,
     steps: OnceLock<Steps<S>>,
@@ -76,14 +76,15 @@ impl<S: Float> TryFrom<Scene> for System<S> {
     }
 }
 
-/// A double-double rounded once to a scalar.
+/// Rounds a double-double once to a scalar.
 fn rounded<S: Float>(value: Dd) -> S {
     let plain = S::constant(value.hi);
     if plain.to_f64() == value.hi {
-        // What the f64 left out still counts for wider scalars.
+        // A wider scalar also takes the low part, which the f64 left out.
         return plain + S::constant(value.lo);
     }
-    // Halfway between two narrower numbers the f64 would hide on which side the low part is: move it.
+    // The f64 may be halfway between two narrower numbers. Its neighbour on the side of the low part then rounds the
+    // right way.
     S::constant(match value.lo.partial_cmp(&0.0) {
         Some(std::cmp::Ordering::Greater) => value.hi.next_up(),
         Some(std::cmp::Ordering::Less) => value.hi.next_down(),
@@ -92,13 +93,13 @@ fn rounded<S: Float>(value: Dd) -> S {
 }
 
 impl<S: Float> System<S> {
-    /// The system of a scene that is known to be valid.
+    /// Builds the system of a scene that is known to be valid.
     fn from_scene(scene: Scene) -> Self {
         let modal = large::modal(&scene);
         Self::with_data(scene, modal.clone(), &modal, rounded::<S>)
     }
 
-    /// The system over the modal data `data`, each brought to the scalar by `to`.
+    /// Builds the system from the modal data `data`. `to` converts every number to the scalar.
     pub(super) fn with_data<T: Float>(
         scene: Scene,
         modal: Modal,
@@ -108,7 +109,8 @@ impl<S: Float> System<S> {
         let all = |values: Vec<T>| values.into_iter().map(&to).collect();
         let reduced = data.reduced(&to);
         let range = (&reduced).inverse_ratio_range();
-        // A derivative may be that of μ.
+        // A scalar that carries derivatives may be the derivative with respect to μ, so β*_lim is then not the constant
+        // 1.
         let chain = &reduced.chain;
         let sliding_limit_is_one = !S::CARRIES && chain.sliding_limit_is_one(&reduced.modes);
         Self {
@@ -126,7 +128,7 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// The same without what its scalar carries beside a value.
+    /// Returns the same system in double precision, without derivatives.
     pub(super) fn without_derivatives(&self) -> System {
         System::with_data(
             self.scene.clone(),
@@ -136,41 +138,41 @@ impl<S: Float> System<S> {
         )
     }
 
-    /// What the motion in time needs, worked out when it is first asked for.
+    /// Returns the data for motion in time. The first call computes them.
     pub(super) fn transient(&self) -> &Transient<S> {
         self.transient
             .get_or_init(|| Transient::of(&self.scene, &self.modal, rounded::<S>))
     }
 
-    /// Whether a motion in time would lose more than half of its digits.
+    /// Returns true if a motion in time would lose more than half of its digits.
     pub(super) fn loses_motion(&self) -> bool {
         *self
             .loses_motion
             .get_or_init(|| self.transient().excess_loss().is_some())
     }
 
-    /// What a stepper needs besides: every mass may be loaded.
+    /// Returns the additional data of a stepper, in which every mass may be loaded.
     pub(super) fn steps(&self) -> &Steps<S> {
         let masses = 0..self.scene.masses.len();
         self.steps
             .get_or_init(|| Steps::of(&self.scene, &self.modal, masses, rounded::<S>))
     }
 
-    /// The scene as it was described.
+    /// Returns the scene as it was described.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// The modal analysis behind it: to about 30 digits up to 64 masses; beyond, in double precision,
-    /// frequencies to 1e-13 and shapes to 1e-13 over the relative distance of neighbouring
-    /// frequencies.
+    /// Returns the modal analysis of the system. It has about 30 digits up to 64 masses. Beyond 64 masses it is in
+    /// double precision. Frequencies are then right to 1e-13, and shapes to 1e-13 over the relative distance of
+    /// neighbouring frequencies.
     #[must_use]
     pub fn modal(&self) -> &Modal {
         &self.modal
     }
 
-    /// ω_i, rad/s in the scene's own units, ascending.
+    /// Returns the natural frequencies ω_i, rad/s in the scene's own units, in ascending order.
     #[must_use]
     pub fn natural_frequencies(&self) -> Vec<S> {
         self.modal
@@ -180,13 +182,13 @@ impl<S: Float> System<S> {
             .collect()
     }
 
-    /// √λ_i: the frequency ratios of the undamped resonances, ascending.
+    /// Returns √λ_i, the frequency ratios of the undamped resonances, in ascending order.
     #[must_use]
     pub fn resonances(&self) -> &[S] {
         &self.resonances
     }
 
-    /// φ by mode and mass, with φᵀΓφ = 1.
+    /// Returns the mode shapes φ by mode and mass, with φᵀΓφ = 1.
     #[must_use]
     pub fn mode_shapes(&self) -> Vec<Vec<S>> {
         let shapes = self.modal.shapes.iter();
@@ -195,31 +197,31 @@ impl<S: Float> System<S> {
             .collect()
     }
 
-    /// rad/s → r = ω√(m₁/k₁).
+    /// Converts an angular frequency in rad/s to r = ω√(m₁/k₁).
     #[must_use]
     pub fn frequency_ratio(&self, omega: S) -> S {
         omega / self.reference
     }
 
-    /// Friction force and load amplitude → β = F/P; for base motion of amplitude Y, P = k₁Y.
+    /// Converts friction force and load amplitude to β = F/P. For base motion of amplitude Y, P = k₁Y.
     #[must_use]
     pub fn friction_ratio(&self, friction: S, load: S) -> S {
         friction / load
     }
 
-    /// Both limits without search: β_lim with S replaced by its limit for τ → 0 (5.64), an upper bound, and β*_lim
-    /// (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
+    /// Returns both limits without search: an upper bound on β_lim, and β*_lim exactly (6.11, 6.27, 6.33). The bound on
+    /// β_lim replaces S by its limit for τ → 0 (5.64). This is the fastest call where r needs no other result.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.  Also for `friction: stribeck`, as the
-    /// exact continuous response needs a constant kinetic level.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values. [`OutOfDomain`]
+    /// also for `friction: stribeck`, because the exact continuous response needs a constant kinetic level.
     pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
         self.constant_level()?;
         At::limits_without_search(&self, r)
     }
 
-    /// β_n,i: the friction ratio below which the i-th undamped resonance is unbounded (6.2, 6.26);
-    /// none for a mode that the contact does not drive.  As of every closed form, F is a constant kinetic level here.
+    /// Returns β_n,i, the friction ratio below which the i-th undamped resonance is unbounded (6.2, 6.26). `None` for a
+    /// mode that the contact does not drive. As in every closed form, F is a constant kinetic level.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<S>> {
         self.modal
@@ -229,8 +231,7 @@ impl<S: Float> System<S> {
             .collect()
     }
 
-    /// x̄ of every mass for r → 0 at the friction ratio β (6.5); none where the contact is stuck at
-    /// r = 0.
+    /// Returns x̄ of every mass for r → 0 at the friction ratio β (6.5). `None` where the contact is stuck at r = 0.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -252,8 +253,8 @@ impl<S: Float> System<S> {
         Some(start.into_iter().map(rounded).collect())
     }
 
-    /// The peak of a mass at the i-th damped resonance, estimated for small ζ (7.60); both by
-    /// their place, modes in ascending order.  None for a mode without damping.
+    /// Returns the peak of a mass at the i-th damped resonance, estimated for small ζ (7.60). `mode` and `mass` are
+    /// indices, modes in ascending order. `None` for a mode without damping.
     #[must_use]
     pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: S) -> Option<S> {
         let beta = Dd::from(beta.to_f64());
@@ -262,14 +263,15 @@ impl<S: Float> System<S> {
             .map(rounded)
     }
 
-    /// β_∞ and β*_∞, the limits for r → ∞ (6.28); both infinite on a moving base.
+    /// Returns β_∞ and β*_∞, the limits for r → ∞ (6.28). Both are infinite on a moving base.
     #[must_use]
     pub fn high_frequency_limits(&self) -> (S, S) {
         let ends = &self.reduced.ends;
         (ends.continuous_at_infinity, ends.sliding_at_infinity)
     }
 
-    /// Nothing, if the kinetic level is constant: the exact response and the motion from event to event rest on that.
+    /// Fails unless the kinetic level is constant. The exact response and the motion from event to event need a
+    /// constant level.
     pub(super) fn constant_level(&self) -> Result<(), OutOfDomain> {
         match self.scene.friction {
             FrictionLaw::Coulomb => Ok(()),

@@ -1,8 +1,8 @@
-//! Physical units beside the dimensionless groups: hertz beside r, newtons and metres beside β and x̄.
+//! Conversion between physical units and dimensionless groups: hertz and r, newtons and β, metres and x̄.
 //!
-//! Units are the scene's own. With masses in kg and stiffnesses in N/m a force is in N, a length in m and an
-//! angular frequency in rad/s. The groups refer to the first mass m₁ and the first spring k₁ of the description, so
-//! another order of masses or springs gives other groups. What is physical stays the same.
+//! Units are the scene's own. With masses in kg and stiffnesses in N/m, a force is in N, a length in m and an angular
+//! frequency in rad/s. The groups refer to the first mass m₁ and the first spring k₁ of the description. Another order
+//! of masses or springs therefore gives other groups, but the same physical values.
 
 pub use super::error::LoadError;
 use super::system::System;
@@ -14,14 +14,14 @@ use frictiongen_model::scene::{Excitation, Node};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Load<S = f64> {
-    /// P, of a force P cos ωt on a mass: N in SI.
+    /// Amplitude P of a force P cos ωt on a mass, N in SI.
     Force(S),
-    /// Y, of a motion Y cos ωt of the base: m in SI.
+    /// Amplitude Y of a motion Y cos ωt of the base, m in SI.
     Base(S),
 }
 
 impl<S: Copy> Load<S> {
-    /// P or Y.
+    /// Returns P or Y.
     #[must_use]
     pub fn amplitude(&self) -> S {
         match self {
@@ -30,7 +30,7 @@ impl<S: Copy> Load<S> {
     }
 }
 
-/// What a load makes of the dimensionless answers: see [`System::load_scale`].
+/// The units of length and force that a load gives to the dimensionless answers: see [`System::load_scale`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadScale<S = f64> {
     length: S,
@@ -38,77 +38,78 @@ pub struct LoadScale<S = f64> {
 }
 
 impl<S: Float> LoadScale<S> {
-    /// The unit of x̄: P/k₁, for base motion Y.
+    /// Returns the unit of x̄: P/k₁, for base motion Y.
     #[must_use]
     pub fn length(&self) -> S {
         self.length
     }
 
-    /// The unit of β and of both limits: P, for base motion k₁Y.
+    /// Returns the unit of β and of both limits: P, for base motion k₁Y.
     #[must_use]
     pub fn force(&self) -> S {
         self.force
     }
 
-    /// x̄ → x, a length.
+    /// Converts x̄ to x, a length.
     #[must_use]
     pub fn displacement(&self, ratio: S) -> S {
         ratio * self.length
     }
 
-    /// x, a length → x̄.
+    /// Converts x, a length, to x̄.
     #[must_use]
     pub fn displacement_ratio(&self, displacement: S) -> S {
         displacement / self.length
     }
 
-    /// dx̄/dτ → dx/dt, a velocity, at the angular frequency ω in rad/s.
+    /// Converts dx̄/dτ to dx/dt, a velocity, at the angular frequency ω in rad/s.
     #[must_use]
     pub fn velocity(&self, rate: S, omega: S) -> S {
         rate * self.length * omega
     }
 
-    /// dx/dt → dx̄/dτ, at the angular frequency ω in rad/s.
+    /// Converts dx/dt to dx̄/dτ, at the angular frequency ω in rad/s.
     #[must_use]
     pub fn velocity_ratio(&self, velocity: S, omega: S) -> S {
         velocity / self.length / omega
     }
 
-    /// β, or a limit of it → the friction force F.
+    /// Converts β, or a limit of β, to the friction force F.
     #[must_use]
     pub fn friction(&self, beta: S) -> S {
         beta * self.force
     }
 
-    /// The friction force F → β.
+    /// Converts the friction force F to β.
     #[must_use]
     pub fn friction_ratio(&self, friction: S) -> S {
         friction / self.force
     }
 }
 
-/// Hz → rad/s.
+/// Converts Hz to rad/s.
 #[must_use]
 pub fn angular_frequency<S: Float>(hertz: S) -> S {
     S::constant(2.0) * S::pi() * hertz
 }
 
-/// rad/s → Hz.
+/// Converts rad/s to Hz.
 #[must_use]
 pub fn hertz<S: Float>(omega: S) -> S {
     omega / (S::constant(2.0) * S::pi())
 }
 
-/// τ → seconds, at the angular frequency ω in rad/s.
+/// Converts τ to seconds, at the angular frequency ω in rad/s.
 #[must_use]
 pub fn seconds<S: Float>(tau: S, omega: S) -> S {
     tau / omega
 }
 
-/// The lag of a motion → that of the motion with the opposite sign, half a turn away, in (−π, π].
+/// Returns the lag of the motion with the opposite sign, half a turn from `lag`, in (−π, π].
 ///
-/// A steady state whose contact stops where it is farthest is farthest all along a stop:
-/// [`SystemOrbit::reversed_contact_phase`](super::SystemOrbit::reversed_contact_phase) knows of that.
+/// A contact may stop where it is farthest out. It is then farthest during the whole stop, and the lag is not exactly
+/// half a turn away. [`SystemOrbit::reversed_contact_phase`](super::SystemOrbit::reversed_contact_phase) treats this
+/// case.
 #[must_use]
 pub fn reversed_phase<S: Float>(lag: S) -> S {
     if S::constant(0.0) < lag {
@@ -118,15 +119,15 @@ pub fn reversed_phase<S: Float>(lag: S) -> S {
     }
 }
 
-/// The lag of the fundamental component X₁ of a motion of this centred amplitude, rad, in (−π, π]; none for what does not
-/// move but by rounding.
+/// Returns the lag of the fundamental component X₁ of a motion with this centred amplitude, rad, in (−π, π]. `None`
+/// where the motion is 0 or only rounding.
 #[must_use]
 pub fn fundamental_phase(x1: Complex<f64>, centred: f64) -> Option<f64> {
     let (size, lag) = polar(x1);
     (1e-12 * centred < size && centred != 0.0).then_some(lag)
 }
 
-/// X → |X| and −arg X in (−π, π]: the amplitude of Re X e^{iτ}, and its lag behind cos τ.
+/// Returns |X| and −arg X in (−π, π]: the amplitude of Re X e^{iτ}, and its lag behind cos τ.
 #[must_use]
 pub fn polar(x: Complex<f64>) -> (f64, f64) {
     let lag = -x.im.atan2(x.re);
@@ -138,7 +139,7 @@ pub fn polar(x: Complex<f64>) -> (f64, f64) {
 }
 
 impl<S: Float> System<S> {
-    /// The units of length and force that a load gives to the answers.
+    /// Returns the units of length and force that a load gives to the answers.
     ///
     /// ```
     /// use frictiongen::study::{Load, System};
@@ -162,8 +163,8 @@ impl<S: Float> System<S> {
     /// ```
     ///
     /// # Errors
-    /// [`LoadError`] for a force where the base moves and a base motion where a force drives a mass, for an
-    /// amplitude that is not above 0 and finite, and where P/k₁ or k₁Y leaves the scalar's range.
+    /// [`LoadError`] for a force where the base moves, and for a base motion where a force drives a mass. [`LoadError`]
+    /// also for an amplitude that is not above 0 and finite, and where P/k₁ or k₁Y leaves the scalar's range.
     pub fn load_scale(&self, load: Load<S>) -> Result<LoadScale<S>, LoadError> {
         let usable = |value: S| value > S::constant(0.0) && value.is_finite();
         let (Load::Force(amplitude) | Load::Base(amplitude)) = load;
@@ -177,7 +178,7 @@ impl<S: Float> System<S> {
             _ if !usable(amplitude) => return Err(LoadError::Amplitude),
             _ => {}
         }
-        // A scene has a spring.
+        // Every scene has a spring, so the default is never used.
         let first = self.scene.springs.first();
         let stiffness = S::constant(first.map_or(1.0, |spring| spring.stiffness));
         let scale = match load {
@@ -197,27 +198,29 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Hz → r.
+    /// Converts Hz to r.
     #[must_use]
     pub fn frequency_ratio_at_hertz(&self, hertz: S) -> S {
         self.frequency_ratio(angular_frequency(hertz))
     }
 
-    /// r → ω in rad/s.
+    /// Converts r to ω in rad/s.
     #[must_use]
     pub fn angular_frequency(&self, r: S) -> S {
         r * self.reference
     }
 
-    /// r → Hz.
+    /// Converts r to Hz.
     #[must_use]
     pub fn hertz(&self, r: S) -> S {
         hertz(self.angular_frequency(r))
     }
 
-    /// Whether the relative motion between two masses has the opposite sign of what the contact says: `a - b` is the
-    /// motion of b relative to a, the answers are that of the mass listed later relative to the earlier one. A phase
-    /// differs by half a turn ([`reversed_phase`]). Never so for a contact of one mass, whose own motion counts.
+    /// Returns true if the answers give the contact's relative motion with the opposite sign of the description.
+    ///
+    /// A contact `a - b` is the motion of b relative to a. The answers give the motion of the mass listed later
+    /// relative to the mass listed earlier. The phases then differ by half a turn ([`reversed_phase`]). A contact of
+    /// one mass is never reversed, because the mass's own motion counts.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

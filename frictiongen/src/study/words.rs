@@ -1,4 +1,4 @@
-//! What regimes, answers, events and features are called: one word for each, in tables, files and every language.
+//! Words for regimes, answers, events and features. Each has one word in tables, files and every language.
 
 use super::{
     Certainty, Condition, Edge, InvariantPoint, Measured, NoDerivative, OptimumEnd, OptimumKind,
@@ -11,7 +11,7 @@ use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
 use std::borrow::Cow;
 
-/// A regime.
+/// Returns the word for a regime.
 #[must_use]
 pub fn regime(regime: Regime) -> &'static str {
     match regime {
@@ -23,7 +23,7 @@ pub fn regime(regime: Regime) -> &'static str {
     }
 }
 
-/// The regime where there is no response.
+/// Returns the word for the regime where there is no response.
 #[must_use]
 pub fn regime_without(error: Error) -> &'static str {
     match error {
@@ -32,7 +32,7 @@ pub fn regime_without(error: Error) -> &'static str {
     }
 }
 
-/// Why there is no response.
+/// Returns the reason why there is no response.
 #[must_use]
 pub fn no_answer(error: Error) -> &'static str {
     match error {
@@ -42,7 +42,7 @@ pub fn no_answer(error: Error) -> &'static str {
     }
 }
 
-/// Why there is no steady state.
+/// Returns the reason why there is no steady state.
 #[must_use]
 pub fn reason(error: NoOrbit) -> &'static str {
     match error {
@@ -57,7 +57,7 @@ pub fn reason(error: NoOrbit) -> &'static str {
     }
 }
 
-/// How a response was found.
+/// Returns how a response was found.
 #[must_use]
 pub fn answer(response: &SystemResponse<'_>) -> &'static str {
     match response {
@@ -67,7 +67,7 @@ pub fn answer(response: &SystemResponse<'_>) -> &'static str {
     }
 }
 
-/// What was found where the contact sticks and slides.
+/// Returns the kind of a steady state that was computed from event to event.
 #[must_use]
 pub fn found(orbit: &SystemOrbit<'_>) -> &'static str {
     match (orbit.is_marginal(), orbit.is_stable()) {
@@ -80,7 +80,7 @@ pub fn found(orbit: &SystemOrbit<'_>) -> &'static str {
     }
 }
 
-/// How a point of a curve was found, or why there is none.
+/// Returns how a point of a curve was found, or why there is none.
 #[cfg(feature = "desk")]
 #[must_use]
 pub fn on_curve(point: Result<&CurvePoint, Error>) -> &'static str {
@@ -96,7 +96,7 @@ pub fn on_curve(point: Result<&CurvePoint, Error>) -> &'static str {
     }
 }
 
-/// Where the motions of a curve start.
+/// Returns the word for the start of the motions of a curve.
 #[cfg(feature = "desk")]
 #[must_use]
 pub fn start(start: CurveStart) -> &'static str {
@@ -107,7 +107,7 @@ pub fn start(start: CurveStart) -> &'static str {
     }
 }
 
-/// What a steady state is.
+/// Returns the word for the stability of a steady state.
 #[must_use]
 pub fn state(orbit: &SystemOrbit<'_>) -> &'static str {
     match (orbit.is_marginal(), orbit.is_stable()) {
@@ -118,7 +118,7 @@ pub fn state(orbit: &SystemOrbit<'_>) -> &'static str {
     }
 }
 
-/// A region of a map.
+/// Returns the name of a region of a map.
 #[cfg(feature = "desk")]
 #[must_use]
 pub fn region(found: Result<Pattern, Error>) -> Cow<'static, str> {
@@ -137,7 +137,7 @@ pub fn region(found: Result<Pattern, Error>) -> Cow<'static, str> {
     }
 }
 
-/// What the contact does.
+/// Returns the word for the state of the contact.
 #[must_use]
 pub fn contact(contact: Contact) -> &'static str {
     match contact {
@@ -147,7 +147,7 @@ pub fn contact(contact: Contact) -> &'static str {
     }
 }
 
-/// An event.
+/// Returns the word for an event.
 #[must_use]
 pub fn event(event: Event) -> &'static str {
     match event {
@@ -157,7 +157,7 @@ pub fn event(event: Event) -> &'static str {
     }
 }
 
-/// What limits the amplitude at an optimum.
+/// Returns what limits the amplitude at an optimum.
 #[must_use]
 pub fn kind(kind: OptimumKind) -> &'static str {
     match kind {
@@ -168,7 +168,7 @@ pub fn kind(kind: OptimumKind) -> &'static str {
     }
 }
 
-/// How the search for an optimum ended, in words.
+/// Returns how the search for an optimum ended.
 #[must_use]
 pub fn end(end: OptimumEnd) -> &'static str {
     match end {
@@ -180,7 +180,7 @@ pub fn end(end: OptimumEnd) -> &'static str {
     }
 }
 
-/// Why there is no derivative; none for what is wrong with the question.
+/// Returns the reason why there is no derivative. `None` if the request itself is at fault.
 #[must_use]
 pub fn no_derivative(error: &StudyError) -> Option<&'static str> {
     Some(match error {
@@ -195,7 +195,7 @@ pub fn no_derivative(error: &StudyError) -> Option<&'static str> {
     })
 }
 
-/// What an invariant point is of.
+/// Returns the word for the quantity that an invariant point keeps.
 #[must_use]
 pub fn measured(measured: Measured) -> &'static str {
     match measured {
@@ -204,7 +204,7 @@ pub fn measured(measured: Measured) -> &'static str {
     }
 }
 
-/// What makes a point invariant.
+/// Returns the condition that makes a point invariant.
 #[must_use]
 pub fn condition(point: &InvariantPoint) -> &'static str {
     match point.condition {
@@ -216,7 +216,7 @@ pub fn condition(point: &InvariantPoint) -> &'static str {
     }
 }
 
-/// What is at an end of a range in which friction enlarges a motion.
+/// Returns the word for a bound of an inversion, a range in which friction enlarges a motion.
 #[must_use]
 pub fn edge(edge: Edge) -> &'static str {
     match edge {
@@ -227,7 +227,7 @@ pub fn edge(edge: Edge) -> &'static str {
     }
 }
 
-/// What stands behind a list of features.
+/// Returns whether a list of features is proven to be complete or comes from samples.
 #[must_use]
 pub fn certainty(certainty: Certainty) -> &'static str {
     match certainty {

@@ -1,23 +1,25 @@
-//! The work of an answer, counted rather than measured, so that what a bound on it leaves out is the same on every machine.
+//! The work of an answer. It is counted, not measured, so that a bound on work stops at the same point on every
+//! machine.
 //!
-//! The unit is some 10 µs.  The numbers are rounded means over random frames of one to six masses.
+//! One unit is about 10 µs. The constants are rounded means over random frames of one to six masses.
 
 use super::response::SystemResponse;
 use super::system::System;
 use crate::study::Damping;
 use crate::{Error, NoOrbit};
 
-/// Work of a motion from rest that was followed to its last cycle without settling, for each mass; two more are added.
+/// Work, for each mass and two more, of a motion from rest that was followed to its last cycle without settling.
 const UNSETTLED: usize = 400;
-/// Work of a point whose motion from rest did not settle and for which another steady state answers.
+/// Work of a point whose motion from rest did not settle and which has another steady state.
 const ANOTHER: usize = 1000;
-/// A cycle takes twice the work if the fastest mode vibrates this many times in it.
+/// A cycle takes twice the work if the fastest mode vibrates this many times in the cycle.
 const VIBRATIONS: f64 = 10.0;
-/// A motion that settled: for each mass where damping helps, and for each pair of modes where only the contact does.
+/// Work of a motion that settled, for each mass of a damped chain.
 const DAMPED: usize = 8;
+/// Work of a motion that settled, for each pair of modes of an undamped chain.
 const UNDAMPED: usize = 6;
 
-/// The work of a response at a frequency ratio.
+/// Returns the work of a response at a frequency ratio.
 pub(in crate::study) fn work(
     system: &System,
     r: f64,
@@ -27,7 +29,7 @@ pub(in crate::study) fn work(
     let masses = scene.masses.len();
     let fastest = system.resonances().last().copied().unwrap_or(0.0);
     let vibrations = fastest / (VIBRATIONS * r);
-    // Saturates, and is 0 for NaN.
+    // The conversion saturates, and gives 0 for NaN.
     let unsettled = |work: usize| (work as f64 * (1.0 + vibrations)) as usize;
     let spent = unsettled(UNSETTLED * (masses + 2));
     let followed = if scene.damping == Damping::None {
@@ -38,7 +40,7 @@ pub(in crate::study) fn work(
     match found {
         Ok(response) if !response.is_settled() => spent,
         Ok(response) if !response.is_from_rest() => unsettled(ANOTHER),
-        // With μ = 1 no other state can exist beside the closed form, and nothing is followed.
+        // With μ = 1 no other state can exist in addition to the closed form, and no motion is followed.
         Ok(SystemResponse::Continuous(_)) if scene.stiction <= 1.0 => 1,
         Ok(SystemResponse::Continuous(_) | SystemResponse::StickSlip(_)) => followed,
         Ok(SystemResponse::Stuck(_)) => followed.div_ceil(4),

@@ -1,4 +1,4 @@
-//! A curve of the response.
+//! The curve of a response along frequency.
 
 use super::point::CurvePoint;
 use super::request::CurveStart;
@@ -7,54 +7,54 @@ use crate::{Error, Regime};
 /// A response along frequency at one friction ratio.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// β.
+    /// Friction ratio β.
     pub beta: f64,
-    /// Where the motion of each point starts.
+    /// The start of the motion at each point.
     pub start: CurveStart,
-    /// What is joined, with ascending r.
+    /// The pieces of the curve, with ascending r. Points of one piece may be joined.
     pub pieces: Vec<Piece>,
-    /// Where there is no answer.
+    /// The ranges without a response.
     pub gaps: Vec<Gap>,
-    /// Whether straight lines stray no farther than was asked; otherwise the work that one curve may take was done before.
+    /// True if straight lines are within the requested accuracy. False means that the bound on work was reached first.
     pub refined: bool,
 }
 
-/// A part of a curve in one regime, whose points may be joined.
+/// An interval of a curve in one regime, whose points may be joined.
 #[derive(Clone, Debug)]
 pub struct Piece {
-    /// The regime.
+    /// Regime of all points.
     pub regime: Regime,
-    /// Its points, with ascending r.
+    /// The points, with ascending r.
     pub points: Vec<CurvePoint>,
-    /// Why it starts where it does.
+    /// The reason why the piece starts at its first point.
     pub start: End,
-    /// Why it ends where it does.
+    /// The reason why the piece ends at its last point.
     pub end: End,
 }
 
-/// Why a piece of a curve ends.
+/// The reason why a piece of a curve ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum End {
-    /// The range ends.
+    /// The requested range ends.
     Range,
     /// The regime changes.
     Boundary,
     /// The amplitude grows without bound.
     Pole,
-    /// The amplitude changes at once: another motion begins.
+    /// The amplitude jumps, because another motion begins.
     Jump,
-    /// There is no answer beyond.
+    /// There is no response beyond.
     NoAnswer,
 }
 
-/// Where a curve has no answer.
+/// A range of a curve without a response.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
-    /// The lowest r without an answer.
+    /// The lowest r without a response.
     pub from: f64,
-    /// The highest.
+    /// The highest r without a response.
     pub to: f64,
-    /// Why the first has none.
+    /// The reason why there is no response at the lowest r.
     pub reason: Error,
 }

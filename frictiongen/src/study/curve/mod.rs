@@ -1,7 +1,8 @@
-//! Responses along frequency, in every regime, as finely as they bend.
+//! Responses along frequency in every regime, with points as close as the curve bends.
 //!
-//! A curve is cut where the regime changes, at poles, at jumps and where there is no answer, and is refined between. Cuts are
-//! found to rounding, so that no picture joins what is not joined.
+//! A curve consists of pieces. It is cut where the regime changes, at poles, at jumps and where there is no response.
+//! Between the cuts it is refined. Cuts are located to rounding, so that a picture never joins points on two sides of a
+//! cut.
 
 mod answer;
 mod pieces;
@@ -21,8 +22,8 @@ use rayon::prelude::*;
 use refine::Refine;
 
 impl System {
-    /// The response along frequency at one friction ratio: closed form where the contact slides all the time, steady
-    /// states with stops, the stuck response.
+    /// Returns the response along frequency at one friction ratio. The points come from the closed form where the
+    /// contact slides all the time, from steady states with stops, and from the stuck response.
     ///
     /// ```
     /// use frictiongen::study::CurveRequest;
@@ -38,7 +39,7 @@ impl System {
     /// .parse()?;
     /// let curve = block.curve(&CurveRequest::new(0.1, 2.5, &[Of::Mass(0)]), 1.25)?;
     /// let regimes: Vec<Regime> = curve.pieces.iter().map(|piece| piece.regime).collect();
-    /// // It moves with its base up to r = √β, then it slips.
+    /// // The block moves with its base up to r = √β, then it slips.
     /// assert_eq!(regimes[..2], [Regime::Stuck, Regime::StickSlip]);
     /// let departure = curve.pieces[1].points[0].r;
     /// assert!((departure - 1.25_f64.sqrt()).abs() < 1e-12);
@@ -46,9 +47,10 @@ impl System {
     /// # }
     /// ```
     ///
-    /// With [`CurveStart::Up`] and [`CurveStart::Down`] each point starts where the last one ended, as a sweep in a
-    /// laboratory does.  Displacements and velocities of the masses go over unchanged when the frequency changes.  A curve
-    /// is cut with [`End::Jump`] where its state ends and the motion settles to another one.
+    /// With [`CurveStart::Up`] and [`CurveStart::Down`] the motion at each point starts from the steady state of the
+    /// last point, as in a laboratory sweep. Displacements and velocities of the masses carry over unchanged when the
+    /// frequency changes. A curve is cut with [`End::Jump`] where its state ceases to exist and the motion settles to
+    /// another one.
     ///
     /// ```
     /// use frictiongen::study::{CurveRequest, CurveStart};
@@ -66,7 +68,7 @@ impl System {
     /// let mut request = CurveRequest::new(0.9, 1.3, &[Of::Mass(0)]);
     /// request.start = CurveStart::Up;
     /// let up = block.curve(&request, 0.65)?;
-    /// // The block moves with its base up to r² = μβ, less what holds it off its centre; then it slides.
+    /// // The block moves with its base up to r² = μβ − |offset|. Then it slides.
     /// let held = up.pieces[0].points.last().ok_or("a point")?;
     /// assert_eq!(held.regime, Regime::Stuck);
     /// assert!((held.r * held.r + held.offset.abs() - 1.3).abs() < 1e-6);
@@ -75,12 +77,13 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`CurveError`] for what cannot be asked. Where there is no answer, a [`Gap`] says why.
+    /// [`CurveError`] for an invalid request. Where there is no response, a [`Gap`] gives the reason.
     pub fn curve(&self, request: &CurveRequest, beta: f64) -> Result<Curve, CurveError> {
         self.curve_from(request, beta, request.start)
     }
 
-    /// Several curves side by side, each at its own friction ratio and start in place of the request's.
+    /// Returns several curves, computed in parallel. Each pair of friction ratio and start replaces those of the
+    /// request.
     ///
     /// # Errors
     /// Same errors as [`curve`](Self::curve).

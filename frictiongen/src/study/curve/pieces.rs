@@ -1,4 +1,4 @@
-//! Puts the nodes of a curve together.
+//! Joins the nodes of a curve to pieces and gaps.
 
 use super::answer::{Curve, End, Gap, Piece};
 use super::point::CurvePoint;
@@ -6,7 +6,7 @@ use super::refine::Node;
 use super::request::CurveStart;
 use crate::Error;
 
-/// The pieces and gaps of nodes in their order.
+/// Returns the curve of nodes in ascending order.
 pub(super) fn curve(
     (beta, start): (f64, CurveStart),
     nodes: impl Iterator<Item = Node>,
@@ -32,7 +32,7 @@ pub(super) fn curve(
     }
 }
 
-/// Puts nodes together.
+/// Collects nodes in ascending order to pieces and gaps.
 #[derive(Default)]
 struct Builder {
     pieces: Vec<Piece>,
@@ -45,7 +45,7 @@ struct Builder {
 impl Builder {
     fn point(&mut self, point: CurvePoint) {
         self.in_gap = false;
-        // On a boundary rounding may put a point into the regime beyond.
+        // On a boundary, rounding may put a point into the regime beyond.
         if self
             .open
             .last()

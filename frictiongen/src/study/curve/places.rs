@@ -1,28 +1,29 @@
-//! Where a curve is cut, and where its refinement starts.
+//! Selects the places of a curve: frequency ratios at which the curve is cut, or between which its refinement starts.
 
 use super::answer::End;
 use super::request::CurveRequest;
 use crate::study::system::System;
 use crate::{Of, Regime};
 
-/// Intervals of the first grid.
+/// Number of intervals of the first grid.
 const INTERVALS: usize = 160;
-/// The odd sub-harmonics of a resonance that are looked at, at most.
+/// Largest number of odd sub-harmonics of a resonance that become places.
 const MOST_SUBHARMONICS: usize = 25;
-/// How near, relatively, a curve goes to a pole.
+/// Relative distance from a pole to the nearest points of the curve.
 const NEAR_POLE: f64 = 1e-5;
-/// Where it is seen whether there is one.
+/// Relative distance from a resonance at which the test for a pole evaluates the amplitude.
 const POLE: f64 = 1e-9;
-/// Steps of a search for a regime between places of another: each keeps 0.62 of an interval.
+/// Number of steps in a search for a hidden regime. Each step keeps 0.62 of an interval.
 const STEPS: usize = 60;
 
-/// A place in r.
+/// A frequency ratio at which a curve is computed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub r: f64,
-    /// Why the curve is cut between here and the next place, if it is.
+    /// The reason for a cut between this place and the next, if there is one.
     pub cut: Option<End>,
-    /// True for a sub-harmonic of a resonance that lies beside no cut.  A curve leaves it out when the work runs short.
+    /// True for a sub-harmonic of a resonance that is not next to a cut. A curve leaves it out when the work runs
+    /// short.
     pub spare: bool,
 }
 
@@ -43,7 +44,8 @@ impl Place {
     }
 }
 
-/// The places of a curve, ascending: both ends, resonances, their sub-harmonics, a grid, and on both sides of every cut.
+/// Returns the places of a curve in ascending order: both ends of the range, resonances, their sub-harmonics, a grid,
+/// and both sides of every cut.
 pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<Place> {
     let search = Search { system, beta };
     let (mut poles, mut subharmonics) = (Vec::new(), Vec::new());
@@ -59,7 +61,7 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
     }
     grid.extend(&subharmonics);
     let sides = |pole: &f64| [pole * (1.0 - NEAR_POLE), pole * (1.0 + NEAR_POLE)];
-    // Nothing lies nearer to a pole than its two sides.
+    // No place is nearer to a pole than the two sides of the pole.
     let beside = |r: &f64| poles.iter().any(|pole| (r / pole - 1.0).abs() <= NEAR_POLE);
     grid.retain(|r| request.from <= *r && *r <= request.to && !beside(r));
     let sides = poles.iter().flat_map(sides);
@@ -78,16 +80,16 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
     places
 }
 
-/// Evenly spaced places, both ends among them.
+/// Returns a grid of evenly spaced frequency ratios with both ends, and geometrically spaced ones at low r.
 fn grid(request: &CurveRequest) -> Vec<f64> {
     let width = request.to - request.from;
     let wanted = request.widest.map_or(0.0, |widest| (width / widest).ceil());
-    // A grid asked for that is too fine for any memory is refused by the command; here it is bounded.
+    // The command refuses a grid that is too fine for memory. Other callers get this bound.
     let count = wanted.max(INTERVALS as f64).min(1e7) as usize;
     let inner = (1..count).map(|i| request.from + width * i as f64 / count as f64);
     let mut grid: Vec<f64> = inner.collect();
     grid.extend([request.from, request.to]);
-    // Towards r = 0 what happens is spaced as the sub-harmonics are.
+    // Sub-harmonics crowd towards r = 0, so the spacing shrinks with r.
     let mut low = request.from * 1.05;
     while low < request.to * 0.1 && grid.len() < count + 200 {
         grid.push(low);
@@ -102,14 +104,14 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Frequency ratios of the resonances of the chain, and of the chain with its contact held.
+    /// Returns the resonances of the chain, free and with its contact stuck, as frequency ratios.
     fn resonances(&self) -> Vec<f64> {
         let held = self.system.dynamics().held;
         let free = self.system.resonances().iter().copied();
         free.chain(held.iter().map(|mode| mode.frequency)).collect()
     }
 
-    /// Whether an amplitude grows without bound towards a resonance.
+    /// Returns true if an amplitude grows without bound towards a resonance.
     fn is_pole(&self, resonance: f64, of: &[Of]) -> bool {
         let largest = |distance: f64| -> Option<f64> {
             let r = resonance * (1.0 - distance);
@@ -120,14 +122,14 @@ impl Search<'_> {
             Some(sizes.fold(0.0, f64::max))
         };
         match (largest(10.0 * POLE), largest(POLE)) {
-            // Of a pole the amplitude is ten times as large there.
+            // At a pole the amplitude grows tenfold from the farther point to the nearer one.
             (Some(far), Some(near)) => 5.0 * far < near,
             _ => false,
         }
     }
 
-    /// ln(β/β_lim) and ln(β/β*_lim): the closed form exists where the first is negative, a stuck state where the second is
-    /// not.
+    /// Returns ln(β/β_lim) and ln(β/β*_lim). The closed form exists where the first is negative. A stuck state exists
+    /// where the second is not negative.
     fn margins(&self, r: f64) -> (f64, f64) {
         match self.system.at(r) {
             Ok(at) => {
@@ -143,7 +145,7 @@ impl Search<'_> {
         self.system.at(r).ok()?.limits().regime(self.beta).ok()
     }
 
-    /// The places, with those at which the regime changes.
+    /// Returns the places, with both sides of every regime boundary and pole.
     fn cut(&self, grid: &[f64], is_pole: impl Fn(f64, f64) -> bool) -> Vec<Place> {
         let mut all = grid.to_vec();
         all.extend(self.hidden(grid));
@@ -165,7 +167,7 @@ impl Search<'_> {
         places
     }
 
-    /// Adds the first of two places, and the sides of every boundary between it and the second.
+    /// Adds the first of two places, and both sides of every boundary between the two.
     fn change(
         &self,
         left: f64,
@@ -183,12 +185,12 @@ impl Search<'_> {
         }
         places.push(Place::cut(low, End::Boundary));
         if high < right {
-            // From the continuous regime to the stuck one there may be stick-slip between.
+            // Stick-slip may lie between the continuous and the stuck regime, so the search continues.
             self.change(high, right, [self.regime(high), second], places);
         }
     }
 
-    /// The neighbouring numbers between which the regime of the first place ends.
+    /// Returns the neighbouring numbers between which the regime at `low` ends.
     fn boundary(&self, mut low: f64, mut high: f64, regime: Option<Regime>) -> (f64, f64) {
         loop {
             let middle = 0.5 * (low + high);
@@ -203,7 +205,7 @@ impl Search<'_> {
         }
     }
 
-    /// Places of another regime between three neighbours of one.
+    /// Returns places of another regime that lie between three neighbouring places of one regime.
     fn hidden(&self, grid: &[f64]) -> Vec<f64> {
         let margins: Vec<_> = grid.iter().map(|r| self.margins(*r)).collect();
         let mut found = Vec::new();
@@ -218,7 +220,7 @@ impl Search<'_> {
                 (sliding, -1.0),
             ] {
                 let [a, b, c] = [a, b, c].map(|margins| sign * read(margins));
-                // All on one side of the limit, the middle nearest to it.
+                // All three are on one side of the limit, and the middle one is nearest to the limit.
                 if a < 0.0 && b < 0.0 && c < 0.0 && a <= b && c <= b {
                     found.extend(self.beyond(left, right, read, sign));
                 }
@@ -227,7 +229,7 @@ impl Search<'_> {
         found
     }
 
-    /// Where a margin is largest between two places, if it is positive there.
+    /// Returns a place between `low` and `high` at which a margin has the opposite sign, if a search finds one.
     fn beyond(&self, mut low: f64, mut high: f64, read: Read, sign: f64) -> Option<f64> {
         let value = |r: f64| sign * read(self.margins(r));
         let golden = 0.618_033_988_749_894_8;
@@ -245,7 +247,7 @@ impl Search<'_> {
     }
 }
 
-/// One of the two margins.
+/// A function that selects one of the two margins.
 type Read = fn((f64, f64)) -> f64;
 
 fn continuous(margins: (f64, f64)) -> f64 {

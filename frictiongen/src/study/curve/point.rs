@@ -5,51 +5,51 @@ use crate::study::response::{Size, Swing, SystemResponse};
 use crate::study::units::reversed_phase;
 use crate::{Complex, Of, Regime};
 
-/// The response at one frequency ratio.
+/// The response at one frequency ratio of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvePoint {
-    /// r.
+    /// Frequency ratio r.
     pub r: f64,
-    /// The regime.
+    /// Regime of the response.
     pub regime: Regime,
-    /// How often the contact stops in a period.
+    /// Number of stops of the contact in a period.
     pub stops: usize,
-    /// After how many cycles of the excitation the motion repeats.
+    /// Number of cycles of the excitation after which the motion repeats.
     pub period: u32,
-    /// Whether it repeats; otherwise the values are of its last 64 cycles.
+    /// True if the motion repeats. Otherwise the values belong to its last 64 cycles.
     pub settled: bool,
-    /// Whether it is one of a continuum of steady states.
+    /// True if the state is one of a continuum of steady states.
     pub marginal: bool,
-    /// Whether motion from rest ends in it; false for another state, where motion from rest does not settle.
+    /// True if motion from rest ends in this state. False means that motion from rest does not settle and this is
+    /// another state.
     pub from_rest: bool,
-    /// The middle of the contact's motion, over P/k₁, for base motion over Y.
+    /// The offset of the contact's motion, over P/k₁, for base motion over Y.
     pub offset: f64,
-    /// The motions asked for, in their order.
+    /// The requested motions, in the order of the request.
     pub movements: Vec<Movement>,
     /// The largest friction force over P, for base motion over k₁Y.
     pub contact_force: f64,
-    /// The work that friction takes out of a cycle, over P²/k₁, for base motion over k₁Y².
+    /// The work of friction in one cycle of the excitation, over P²/k₁, for base motion over k₁Y².
     pub friction_work: f64,
 }
 
-/// How the contact or a mass moves.
+/// The motion of the contact or of a mass at one point of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Movement {
-    /// Amplitude and phase.
+    /// Amplitude and phase of the largest displacement.
     pub swing: Swing,
-    /// Half the distance between the least and the largest x̄, over P/k₁, for base motion over Y: the amplitude of a motion
-    /// off its centre about its own middle.
+    /// Centred amplitude, half the distance between the least and the largest x̄, over P/k₁, for base motion over Y.
     pub centred: f64,
-    /// The lag of the fundamental component behind the excitation, rad, in (−π, π]; none for what does not move.
+    /// Lag of the fundamental component behind the excitation, rad, in (−π, π]. `None` where nothing moves.
     pub fundamental_phase: Option<f64>,
-    /// The largest |dx̄/dτ| and |d²x̄/dτ²|, if they were asked for.
+    /// The largest |dx̄/dτ| and the largest |d²x̄/dτ²|, if they were requested.
     pub rates: Option<(f64, f64)>,
-    /// The harmonics asked for, in their order.
+    /// The requested harmonics, in the order of the request.
     pub harmonics: Vec<Complex<f64>>,
 }
 
 impl CurvePoint {
-    /// What a response says; none where it lacks what is asked.
+    /// Builds the point of a response. `None` if the response lacks a requested motion.
     pub(super) fn of(
         r: f64,
         response: &SystemResponse<'_>,
@@ -103,7 +103,7 @@ impl Movement {
         })
     }
 
-    /// The contact's motion with the opposite sign.
+    /// Returns the contact's motion with the opposite sign.
     fn turned(mut self, response: &SystemResponse<'_>) -> Self {
         self.swing.phase = response.reversed_contact_phase();
         self.fundamental_phase = self.fundamental_phase.map(reversed_phase);

@@ -1,6 +1,7 @@
-//! Points between two places, as many as the curve bends.
+//! Adds points where a curve bends, between its places. A place is a frequency ratio of the first grid.
 //!
-//! All intervals are halved in turn, the widest first, so that a bound on the work leaves the whole range equally fine.
+//! All open intervals are halved in turn, wide ones before narrow ones, so that a bound on the work leaves the whole
+//! range equally fine.
 
 use super::answer::{Curve, End};
 use super::pieces;
@@ -14,46 +15,48 @@ use crate::study::work::work;
 use crate::{Error, OutOfDomain, Regime};
 use rayon::prelude::*;
 
-/// Two places nearer than this, relatively, that still differ are on two sides of a jump.
+/// If two points within this relative distance still differ, they are on two sides of a jump.
 pub(super) const NARROW: f64 = 1e-7;
-/// The same where amplitudes scatter: of motions that do not settle, and where the motion from rest ends in one or another
-/// of several steady states, however near its neighbours are.
+/// Relative distance in place of `NARROW` where amplitudes scatter. Motions that do not settle scatter. So does motion
+/// from rest that ends in one or another of several steady states, however close its neighbours are.
 pub(super) const NARROW_SCATTERED: f64 = 1e-3;
-/// So many intervals between two places of the first grid may each bend or hold a jump; beyond, the motion scatters.
+/// Largest number of intervals between two places of the first grid that may still be open. With more open intervals
+/// the motion counts as scattered.
 const MOST_BENT: usize = 32;
-/// Up to which distance, relatively, the place is sought at which the contact begins to stop in another way.
+/// Relative width down to which a change of the contact's pattern of stops is located.
 pub(super) const NARROW_PATTERN: f64 = 1e-4;
-/// Up to which distance, relatively, the end of a gap is sought.
+/// Relative width down to which the end of a gap is located.
 const NARROW_GAP: f64 = 1e-7;
-/// Below this share of the largest amplitude of the first grid a bend is not followed.
+/// A bend in an amplitude below this share of the median amplitude of the first grid is not followed.
 const SMALL: f64 = 1e-3;
 /// Number of spare places that are answered between two checks of the work.
 const AT_ONCE: usize = 16;
-/// A motion below this share of another is none.
+/// A motion below this share of another motion counts as rounding.
 const ROUNDING: f64 = 1e-6;
 
-/// A place with its response.
+/// A frequency ratio with its response.
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     pub r: f64,
     pub answer: Result<CurvePoint, Error>,
-    /// Why the curve is cut between here and the next node, if it is.
+    /// The reason for a cut between this node and the next, if there is one.
     pub cut: Option<End>,
     pub work: usize,
 }
 
-/// An interval that may have to be halved, between two of the nodes.
+/// An interval between two nodes that may have to be halved.
 #[derive(Clone, Copy, Debug)]
 struct Interval {
     left: usize,
     right: usize,
-    /// Whether the one that it is a half of was straight: in the middle alone a bend may pass by chance.
+    /// True if the parent interval was straight. A bend may escape one test, as its middle may be on the line by
+    /// chance.
     was_straight: bool,
-    /// The interval of the first grid that it is a part of.
+    /// Index of the interval of the first grid that contains this one.
     part: usize,
 }
 
-/// Refines one curve.
+/// The refinement of one curve.
 pub(super) struct Refine<'a> {
     pub system: &'a System,
     pub request: &'a CurveRequest,
@@ -81,7 +84,7 @@ impl<'a> Refine<'a> {
         }
     }
 
-    /// The response at a place.
+    /// Returns the response at a place.
     pub(super) fn node(&self, place: &Place) -> Node {
         let (answer, work) = self.answer(place.r);
         Node {
@@ -103,24 +106,26 @@ impl<'a> Refine<'a> {
         (point, work)
     }
 
-    /// Amplitudes count against those of the first nodes: against their median, which a pole leaves alone.
+    /// Returns the smallest amplitude that counts, for each motion. It is a share of the median over the first nodes,
+    /// as a pole does not change the median.
     pub(super) fn scales(&self, nodes: &[Node]) -> Vec<f64> {
         let median = |index: usize| {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
             let sizes =
                 points.filter_map(|point| Some(point.movements.get(index)?.swing.amplitude));
-            // What is stuck says nothing of how large a motion is.
+            // Points without motion say nothing about the size of a motion.
             let mut sizes: Vec<f64> = sizes.filter(|size| 0.0 < *size).collect();
             sizes.sort_by(f64::total_cmp);
             SMALL * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
         };
         let scales: Vec<f64> = (0..self.request.of.len()).map(median).collect();
-        // What a stuck contact cuts off moves by rounding only, whose bends nobody wants.
+        // A motion that a stuck contact isolates consists of rounding, and its bends must not be followed.
         let least = ROUNDING * scales.iter().copied().fold(0.0, f64::max);
         scales.into_iter().map(|scale| scale.max(least)).collect()
     }
 
-    /// The nodes of the first grid, and whether the work that is asked for allowed all of them: spare places come last.
+    /// Returns the nodes of the first grid, and whether the requested work sufficed for all of them. Spare places come
+    /// last.
     fn grid(&self, places: &[Place]) -> (Vec<Node>, bool) {
         let (spare, needed): (Vec<Place>, Vec<Place>) =
             places.iter().partition(|place| place.spare);
@@ -137,7 +142,7 @@ impl<'a> Refine<'a> {
         (found, true)
     }
 
-    /// The curve through the places of the first grid and those that have to lie between them.
+    /// Returns the curve through the places of the first grid and as many points between as it needs.
     pub(super) fn refined(mut self, places: &[Place]) -> Curve {
         let (mut nodes, mut refined) = self.grid(places);
         let mut left = self.request.work.saturating_sub(spent(&nodes));
@@ -173,7 +178,8 @@ impl<'a> Refine<'a> {
         pieces::curve((self.beta, self.request.start), nodes.into_iter(), refined)
     }
 
-    /// Those of the intervals that are not narrow enough, with their middles; the others are cut where their ends differ.
+    /// Returns the open intervals that are not yet narrow, with their middles. Cuts narrow intervals whose two points
+    /// are on different curves.
     fn worth_halving(&self, open: &[Interval], nodes: &mut [Node]) -> Vec<(Interval, f64)> {
         let mut in_part = std::collections::HashMap::new();
         for interval in open {
@@ -192,7 +198,7 @@ impl<'a> Refine<'a> {
                     NARROW
                 }
                 (Ok(_), Ok(_)) => NARROW_SCATTERED,
-                // Answers of no place between are of no use.
+                // Points between two equal errors give no new information.
                 (Err(a), Err(b)) if a == b => continue,
                 _ => NARROW_GAP,
             };
@@ -207,14 +213,14 @@ impl<'a> Refine<'a> {
         halved
     }
 
-    /// Whether two settled points are of a state that no other stands beside, or of the closed form: they do not scatter, however
-    /// steep the curve is.
+    /// Returns true if two settled points do not scatter, however steep the curve is. They belong to the closed form,
+    /// or no other state exists with μ ≤ 1.
     fn is_one_state(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let slides = |point: &CurvePoint| point.regime == Regime::Continuous;
         self.system.scene().stiction <= 1.0 || (slides(a) && slides(b))
     }
 
-    /// Cuts the curve between the ends of intervals that are not of one curve.
+    /// Cuts the curve within intervals whose two points are not on one curve.
     fn cut_apart(&self, intervals: &[(Interval, f64)], nodes: &mut [Node]) {
         for (interval, _) in intervals {
             let ends = [interval.left, interval.right].map(|end| nodes.get(end));
@@ -228,7 +234,8 @@ impl<'a> Refine<'a> {
         }
     }
 
-    /// The halves of an interval, once its middle is known; none where it is straight, as the one that it is a half of.
+    /// Stores the middle of an interval and returns both halves. Returns none where the interval and its parent are
+    /// straight.
     fn halves(&self, interval: Interval, middle: Node, nodes: &mut Vec<Node>) -> Vec<Interval> {
         let (Some(a), Some(b)) = (nodes.get(interval.left), nodes.get(interval.right)) else {
             return Vec::new();
@@ -257,13 +264,13 @@ impl<'a> Refine<'a> {
     }
 }
 
-/// The work of some nodes.
+/// Returns the total work of some nodes.
 pub(super) fn spent(nodes: &[Node]) -> usize {
     nodes.iter().map(|node| node.work).sum()
 }
 
-/// How many of the intervals, in their order, the work that is left suffices for, if a middle takes as much as the
-/// dearer end.
+/// Returns the number of intervals, in their order, for which the remaining work suffices. The middle of an interval is
+/// estimated to take as much work as the dearer of its two points.
 fn affordable(intervals: &[(Interval, f64)], nodes: &[Node], left: usize) -> usize {
     let work = |end: usize| nodes.get(end).map_or(0, |node| node.work);
     let mut sum = 0_usize;

@@ -1,51 +1,53 @@
-//! What is asked of a curve.
+//! The request of a curve.
 
 use crate::Of;
 
-/// The work of a curve: some seconds.
+/// Default bound on the work of a curve, a few seconds.
 const WORK: usize = 200_000;
 
-/// Where the motion of each point of a curve starts.
+/// The start of the motion at each point of a curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum CurveStart {
-    /// From rest, point by point: every mass at x = 0 without velocity where the excitation is at its maximum.
+    /// Each point starts from rest: every mass at x = 0 without velocity, the excitation at its maximum.
     #[default]
     Rest,
-    /// From the steady state of the point before, with ascending frequency; the first point starts from rest.
+    /// Each point starts from the steady state of the last point, with ascending frequency. The first point starts from
+    /// rest.
     Up,
-    /// From the steady state of the point before, with descending frequency; the first point starts from rest.
+    /// Each point starts from the steady state of the last point, with descending frequency. The first point starts
+    /// from rest.
     Down,
 }
 
-/// What is asked of a curve.
+/// The range, motions, accuracy and work of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurveRequest {
     /// The lowest frequency ratio r, above 0.
     pub from: f64,
-    /// The highest, finite.
+    /// The highest frequency ratio r, finite.
     pub to: f64,
-    /// Whose motions.
+    /// The motions that each point contains.
     pub of: Vec<Of>,
-    /// How far a straight line between two neighbours may stray from the curve, relative to it.
+    /// The largest deviation of a straight line between two neighbouring points from the curve, relative to the curve.
     pub accuracy: f64,
-    /// How far apart neighbours are at most, in r.
+    /// The largest distance of neighbouring points, in r.
     pub widest: Option<f64>,
-    /// Which harmonics each point has.
+    /// The orders of the harmonics that each point contains.
     pub harmonics: Vec<u32>,
-    /// Whether each point has velocities and accelerations.
+    /// True if each point contains velocities and accelerations.
     pub rates: bool,
-    /// Whether the contact's motion is wanted with the opposite sign, as
-    /// [`System::contact_is_reversed`](crate::study::System::contact_is_reversed) asks for.
+    /// True if the contact's motion is wanted with the opposite sign, for the case
+    /// [`System::contact_is_reversed`](crate::study::System::contact_is_reversed).
     pub turned: bool,
-    /// How much work the curve may take, in units of some 10 µs.  It is counted, so that a curve is the same on every machine.
-    /// The places where the curve is cut and those of an even grid are answered whatever they take.
+    /// Bound on the work of the curve, in units of about 10 µs. Work is counted, so that a curve is the same on every
+    /// machine. The points at cuts and on an even grid are computed whatever their work.
     pub work: usize,
-    /// Where the motion of each point starts.
+    /// The start of the motion at each point.
     pub start: CurveStart,
 }
 
 impl CurveRequest {
-    /// The amplitudes and phases of some motions over a range of r, to a two-thousandth.
+    /// Requests amplitudes and phases of some motions over a range of r, with an accuracy of 5e-4.
     #[must_use]
     pub fn new(from: f64, to: f64, of: &[Of]) -> Self {
         Self {
@@ -63,7 +65,7 @@ impl CurveRequest {
     }
 
     pub(super) fn check(&self, masses: usize) -> Result<(), CurveError> {
-        // Of normal numbers only, between which there are others.
+        // Subnormal numbers are refused, because they leave too few numbers between the bounds.
         if !(f64::MIN_POSITIVE <= self.from && self.to.is_finite() && self.from < self.to) {
             return Err(CurveError::Range);
         }
@@ -81,19 +83,19 @@ impl CurveRequest {
     }
 }
 
-/// Why there is no curve.
+/// The reason why there is no curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CurveError {
-    /// The range of r has no width, or does not lie between 0 and ∞.
+    /// The range of r has no width, or is not between 0 and ∞.
     Range,
     /// The accuracy is not between 10⁻⁹ and 1.
     Accuracy,
-    /// The largest distance of neighbours is not above 0.
+    /// The largest distance of neighbouring points is not above 0.
     Widest,
-    /// The friction ratio is not a finite number from 0 on.
+    /// The friction ratio is negative or not finite.
     Friction,
-    /// The scene has no mass at this place.
+    /// The scene has no mass with this index.
     NoSuchMass(usize),
 }
 

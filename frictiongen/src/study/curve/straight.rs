@@ -1,30 +1,30 @@
-//! Whether points of a curve may be joined by straight lines.
+//! Decides whether points of a curve may be joined by straight lines.
 
 use super::point::CurvePoint;
 use crate::Regime;
 use crate::study::response::Swing;
 use std::f64::consts::PI;
 
-/// What counts as straight.
+/// The criteria by which a curve counts as straight.
 #[derive(Clone, Debug)]
 pub(super) struct Straight {
-    /// How far a straight line may stray, relative to the curve.
+    /// The largest deviation of a straight line, relative to the curve.
     pub accuracy: f64,
-    /// The amplitudes that count, for each motion.
+    /// The smallest amplitude that counts, for each motion.
     pub scales: Vec<f64>,
-    /// True if the offset of a stuck contact jumps by a slip from place to place, which happens with μ > 1 or without damping:
-    /// no point more would mend that, and the centred amplitude counts.
+    /// True with μ > 1 or without damping. The offset of a stuck contact then jumps from place to place, as it depends
+    /// on every slip. More points do not help, so the centred amplitude counts instead.
     pub offsets_jump: bool,
 }
 
 impl Straight {
-    /// Whether a straight line from a to b passes m as closely as is asked.
+    /// Returns true if the straight line from a to b passes m within the requested accuracy.
     pub(super) fn is_straight(&self, a: &CurvePoint, m: &CurvePoint, b: &CurvePoint) -> bool {
         let accuracy = self.accuracy;
         self.swings([a, m, b]).all(|([a, m, b], scale)| {
             let stray = (m.amplitude - 0.5 * (a.amplitude + b.amplitude)).abs();
             let bends = accuracy * m.amplitude.abs().max(scale);
-            // A phase counts as its motion does, which vanishes with the amplitude.
+            // A phase matters as much as its motion, so it does not count for a vanishing amplitude.
             let phases = match (a.phase, m.phase, b.phase) {
                 (Some(a), Some(m), Some(b)) => 0.5 * (turn(a, m) + turn(b, m)).abs(),
                 _ => 0.0,
@@ -34,7 +34,7 @@ impl Straight {
         })
     }
 
-    /// Whether two points next to each other are of one curve.
+    /// Returns true if two neighbouring points belong to one curve without a jump.
     pub(super) fn touch(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let reach = 100.0 * self.accuracy;
         self.swings([a, b]).all(|([a, b], scale)| {
@@ -43,7 +43,7 @@ impl Straight {
         })
     }
 
-    /// Motion by motion, the swings at several points, and the amplitude that counts.
+    /// Returns, for each motion, its swings at several points and the smallest amplitude that counts.
     fn swings<'p, const N: usize>(
         &'p self,
         points: [&'p CurvePoint; N],
@@ -65,7 +65,7 @@ impl Straight {
     }
 }
 
-/// Whether the contact does the same at three points.
+/// Returns true if stops, period and settling are the same at three points.
 pub(super) fn alike(points: [&CurvePoint; 3]) -> bool {
     let pattern = |point: &CurvePoint| (point.stops, point.period, point.settled);
     points
@@ -73,7 +73,7 @@ pub(super) fn alike(points: [&CurvePoint; 3]) -> bool {
         .all(|point| pattern(point) == pattern(points[0]))
 }
 
-/// Phase differences in (−π, π].
+/// Returns the difference of two phases, reduced by whole turns to a value between −π and π.
 fn turn(a: f64, b: f64) -> f64 {
     let difference = a - b;
     difference - 2.0 * PI * (difference / (2.0 * PI)).round()

@@ -1,4 +1,5 @@
-//! Curves whose points start where the last one ended, as in a laboratory.
+//! Curves whose points start from the steady state of the last point, as in a laboratory sweep. A place is a frequency
+//! ratio that the sweep reaches in any case.
 
 use super::answer::{Curve, End};
 use super::pieces;
@@ -11,26 +12,26 @@ use crate::study::settled::Carried;
 use crate::study::work::work;
 use crate::{Error, OutOfDomain};
 
-/// So many jumps between two places are each located; beyond, the motion scatters.
+/// Largest number of jumps that are each located between two places. With more jumps the motion counts as scattered.
 const MOST_JUMPS: u32 = 4;
 
-/// A point of a sweep, with the state that the next one starts from.
+/// A point of a sweep, with the state from which the next point starts.
 struct Step {
     node: Node,
     carried: Option<Carried>,
 }
 
 impl Refine<'_> {
-    /// The curve through the places, swept from the first to the last of the asked direction.
+    /// Returns the curve through the places, swept in the requested direction.
     pub(super) fn swept(mut self, places: &[Place]) -> Curve {
         let down = self.request.start == CurveStart::Down;
-        // A sweep follows every motion twice, and does without what is spare.
+        // A sweep follows every motion twice, so it leaves out spare places.
         let places = places.iter().filter(|place| !place.spare);
         let mut places: Vec<Place> = places.copied().collect();
         if down {
             places.reverse();
         }
-        // A pole's cut is noted at the place below it.
+        // The cut of a pole is stored with the place below the pole.
         let poles: Vec<bool> = places
             .windows(2)
             .map(|pair| {
@@ -52,7 +53,7 @@ impl Refine<'_> {
         let mut nodes: Vec<Node> = steps.into_iter().map(|step| step.node).collect();
         if down {
             nodes.reverse();
-            // Each cut lies between a node and the one below it now.
+            // After the reversal each cut belongs to the lower of its two nodes.
             let cuts: Vec<Option<End>> = nodes.iter().skip(1).map(|node| node.cut).collect();
             for (node, cut) in nodes.iter_mut().zip(cuts.into_iter().chain([None])) {
                 node.cut = cut;
@@ -62,7 +63,7 @@ impl Refine<'_> {
         pieces::curve(asked, nodes.into_iter(), left.is_some())
     }
 
-    /// The places alone, for the sizes that count.
+    /// Returns the nodes at the places alone. They give the scale of each amplitude.
     fn coarse(&self, places: &[Place]) -> Vec<Node> {
         let mut carried = None;
         let nodes = places.iter().map(|place| {
@@ -73,7 +74,7 @@ impl Refine<'_> {
         nodes.collect()
     }
 
-    /// The response at r of a motion that starts from a state, or from rest.
+    /// Returns the response at r of a motion that starts from a state, or from rest.
     fn step(&self, r: f64, start: Option<&Carried>) -> Step {
         let found = self.system.at(r).map_err(Error::from).and_then(|at| {
             let (response, carried) = at.response_from(self.beta, start)?;
@@ -83,7 +84,7 @@ impl Refine<'_> {
         });
         let (answer, carried, work) = match found {
             Ok((point, carried, work)) => (Ok(point), Some(carried), work),
-            // Where there is no answer, the state of the last point goes on.
+            // Where there is no response, the state of the last point carries on.
             Err(error) => (Err(error), start.cloned(), work(self.system, r, Err(error))),
         };
         Step {
@@ -97,9 +98,10 @@ impl Refine<'_> {
         }
     }
 
-    /// Goes on from the last step to r, in steps as small as the curve bends.  A step that ends in another state is halved
-    /// until the place of the jump is known, so that no large step alone makes the motion jump.  `left` is the work that is
-    /// left; where it is spent, steps go from place to place.
+    /// Continues from the last step to r, in steps as small as the curve bends.
+    ///
+    /// A step that ends in another state is halved until the jump is located, so that a large step alone never causes a
+    /// jump. `left` is the remaining work. Without remaining work each step goes directly to the next place.
     fn reach(&self, r: f64, pole: bool, steps: &mut Vec<Step>, left: &mut Option<usize>) {
         let mut targets = vec![r];
         let mut jumps = 0;
@@ -144,7 +146,7 @@ impl Refine<'_> {
         }
     }
 
-    /// Why the curve is cut between two neighbours, if it is.
+    /// Returns the reason for a cut between two neighbours, if there is one.
     fn cut(&self, last: &Node, next: &Node, pole: bool) -> Option<End> {
         match (&last.answer, &next.answer) {
             _ if pole => Some(End::Pole),

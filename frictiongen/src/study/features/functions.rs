@@ -1,43 +1,43 @@
-//! The functions of frequency whose zeros are features, over y = 1/r: V, H, U of the contact and of one motion.
+//! The functions of frequency whose zeros are features, over y = 1/r: V, H and U of the contact and of one motion.
 //!
-//! Every sum here is the thesis's over y² = 1/r², which takes away what all terms share: V = y² Σ wp/d with
-//! d = x² − 1 + 2iζx and x = √λ y, H likewise, U = y² Σ w² tan(πx/2)/x without damping.
+//! Every sum here is the thesis's sum over y² = 1/r², a factor of all its terms. With d = x² − 1 + 2iζx and x = √λ y, V
+//! = y² Σ wp/d, and H likewise. Without damping U = y² Σ w² tan(πx/2)/x.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::interval::{Interval, Number};
 use frictiongen_model::modal::Modal;
 
-/// What is asked of a mode.
+/// The data of a mode in the sums.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mode<T> {
     pub resonance: T,
     pub zeta: T,
-    /// φᵀp.
+    /// Load φᵀp of the mode.
     pub load: T,
-    /// φᵀw.
+    /// Contact component φᵀw of the mode.
     pub contact: T,
-    /// φ of the mass in question; φᵀw if it is the contact.
+    /// Component φ of the requested mass, or φᵀw for the contact.
     pub shape: T,
 }
 
-/// A chain and one motion of it, in one kind of number.
+/// The data of a chain and of one of its motions, in one number type.
 #[derive(Clone, Debug)]
 pub(super) struct Numbers<T> {
     pub modes: Vec<Mode<T>>,
-    /// wᵀK̄⁻¹p − 1, where the contact rubs on the moving base.
+    /// The static motion wᵀK̄⁻¹p − 1, for a contact with the moving base.
     pub on_base: Option<T>,
-    /// m*.
+    /// Inverse effective mass m* of the contact.
     pub inverse_mass: T,
-    /// μ.
+    /// μ, static over kinetic friction force.
     pub stiction: T,
-    /// Whether the motion is the contact's.
+    /// True if the motion is the contact's.
     pub is_contact: bool,
     pub damped: bool,
 }
 
 impl<T> Numbers<T> {
-    /// Of the contact, or of a mass.
+    /// Returns the data for the contact, or for a mass.
     pub fn of<F: Float>(modal: &Modal<F>, mass: Option<usize>, to: impl Fn(F) -> T) -> Self {
         let none = F::constant(0.0);
         let at = |list: &[F], place: usize| list.get(place).copied().unwrap_or(none);
@@ -69,7 +69,7 @@ impl<T> Numbers<T> {
     }
 }
 
-/// Which function.
+/// The function whose zeros are wanted.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Target<T> {
     /// V_k, the motion without friction.
@@ -82,29 +82,29 @@ pub(super) enum Target<T> {
     Quadrature,
     /// V U_k − 2 V_k U (6.10).
     Estimate,
-    /// V_k U + (2/π) H_k V; of the contact U + (2/π) H.
+    /// V_k U + (2/π) H_k V. For the contact, U + (2/π) H.
     Fundamental,
-    /// V − βμH; with damping |V|² − (βμ)²|H|² (6.13).
+    /// V − βμH. With damping |V|² − (βμ)²|H|² (6.13).
     Sliding(T),
-    /// V² − β²(U² + (μm*/r²)²), without damping: β_lim without search.
+    /// V² − β²(U² + (μm*/r²)²), without damping. Its zeros are those of β_lim without search minus β.
     Continuous(T),
 }
 
-/// A place where modes have a pole in y, and which of the odd multiples each of them has there.
+/// A pole p in y of one or more modes. `members` lists each mode with the odd value of x that it has at the pole.
 #[derive(Clone, Debug)]
 pub(super) struct Pole {
     pub y: f64,
     pub members: Vec<(usize, f64)>,
 }
 
-/// A pole within an interval: y − p, and what a mode's functions times it are, for those that have it.
+/// A pole within an interval: y − p, and the functions of a mode times y − p.
 pub(super) struct Near<T> {
     gap: T,
-    /// By mode: 1/d and tan/x, times the gap.
+    /// For each mode with the pole, 1/d and tan(πx/2)/x, both times the gap. `None` for the other modes.
     own: Vec<Option<[T; 2]>>,
 }
 
-/// One sum over modes.
+/// A sum over the modes.
 #[derive(Clone, Copy)]
 enum Sum<T> {
     V,
@@ -113,7 +113,7 @@ enum Sum<T> {
     HOf,
     U,
     UOf,
-    /// V − level·H, mode by mode: where a mode drops out of it, its pole does too.
+    /// V − level·H, summed mode by mode. A mode with a vanishing term then has no pole either.
     Against(T),
 }
 
@@ -150,7 +150,8 @@ impl<T: Number> Numbers<T> {
                     }
                 }
             };
-            // v − 1 = (1 − 2iζx)/d instead of v, beside the static motion, so that nothing cancels for large r.
+            // Next to the static motion the sum takes v − 1 = (1 − 2iζx)/d instead of v, so that nothing cancels for
+            // large r.
             let [re, im] = match (which, self.on_base.is_some()) {
                 (Sum::V, true) => {
                     let turn = two * mode.zeta * x;
@@ -176,7 +177,8 @@ impl<T: Number> Numbers<T> {
         sum
     }
 
-    /// A function at y, beside a pole times y − p, to the function's order in what has poles.
+    /// Returns the function at y. With `near`, the value is multiplied by a power of y − p, whose exponent is the
+    /// function's order in sums with poles.
     pub fn value(&self, target: Target<T>, y: T, near: Option<&Near<T>>) -> T {
         let sum = |which| self.sum(which, y, near);
         let real = |which| sum(which)[0];
@@ -216,7 +218,8 @@ impl<T: Number> Numbers<T> {
 }
 
 impl Numbers<Interval> {
-    /// What stands for the poles of these modes within an interval of y; none where it is too wide for that.
+    /// Returns the gap y − p over an interval of y, and the functions of the pole's modes times this gap. `None` if the
+    /// interval is too wide for an enclosure.
     pub fn near(&self, y: Interval, pole: &Pole) -> Option<Near<Interval>> {
         let two_over_pi = Interval::rounded(std::f64::consts::FRAC_2_PI);
         let half_pi = Interval::rounded(std::f64::consts::FRAC_PI_2);
@@ -246,11 +249,11 @@ impl Numbers<Interval> {
     }
 }
 
-/// Poles of different modes nearer to each other than this are one.
+/// Poles of different modes within this relative distance count as one.
 const SAME: f64 = 4e-15;
 
 impl Target<Dd> {
-    /// Whether a mode has a pole at x = 1, and at the other odd x.
+    /// Returns whether a mode has a pole at x = 1, and whether it has poles at the other odd x.
     fn poles_of(&self, numbers: &Numbers<Dd>, mode: &Mode<Dd>) -> [bool; 2] {
         let drives = |a: Dd, b: Dd| !(a.is_zero() || b.is_zero());
         let undamped = mode.zeta.is_zero();
@@ -271,7 +274,7 @@ impl Target<Dd> {
         }
     }
 
-    /// Whether the function is nothing at every frequency.
+    /// Returns true if the function is 0 at every frequency.
     pub fn vanishes(&self, numbers: &Numbers<Dd>) -> bool {
         let none = |share: fn(&Mode<Dd>) -> Dd| numbers.modes.iter().all(|m| share(m).is_zero());
         match self {
@@ -287,7 +290,7 @@ impl Target<Dd> {
         }
     }
 
-    /// The poles between two y, ascending; none if there are more than `most`.
+    /// Returns the poles between two values of y, ascending. `None` if there are more than `most`.
     pub fn poles(
         &self,
         numbers: &Numbers<Dd>,

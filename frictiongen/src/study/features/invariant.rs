@@ -1,5 +1,5 @@
-//! Frequencies at which friction does not change a motion, ranges in which it enlarges it, and those at which the motion
-//! vanishes without friction.  All without damping.
+//! Frequencies at which friction does not change a motion, ranges in which it enlarges the motion, and frequencies at
+//! which the motion vanishes without friction. All three exist only for chains without damping.
 
 use super::functions::Target;
 use super::isolate::{Crowded, Function, Zero};
@@ -8,85 +8,85 @@ use super::{FeatureError, Features, check_range};
 use crate::Of;
 use frictiongen_kernel::number::dd::Dd;
 
-/// What is measured of a motion.
+/// The quantity of a motion that friction may leave unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Measured {
-    /// The amplitude: of the contact's motion exact (6.9), of another mass the estimate (5.50, 6.10).
+    /// The amplitude. For the contact's motion it is exact (6.9), for another mass it is the estimate (5.50, 6.10).
     Amplitude,
-    /// The fundamental component, exact: the frequency-based transmissibility (4.4).
+    /// The fundamental component, exact. It is the frequency-based transmissibility (4.4).
     Fundamental,
 }
 
-/// What makes a point invariant.
+/// The equation that makes a point invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Condition {
     /// U = 0 or U_k = 0 (6.9).
     Quadrature,
     /// V U_k = 2 V_k U (6.10).
     Estimate,
-    /// H_k = 0: the mass does not answer to a harmonic force in the contact.
+    /// H_k = 0. The mass does not respond to a harmonic force in the contact.
     Receptance,
-    /// V_k U = −(2/π) H_k V; of the contact U = −(2/π)H.
+    /// V_k U = −(2/π) H_k V. For the contact, U = −(2/π)H.
     Balance,
 }
 
-/// A frequency at which every friction that lets the contact slide all the time gives the same.
+/// A frequency at which every friction with a continuously sliding contact gives the same value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvariantPoint {
-    /// r.
+    /// Frequency ratio r.
     pub r: f64,
-    /// In Hz under a load.
+    /// Frequency, in Hz under a load.
     pub frequency: Sensed,
-    /// Why.
+    /// Equation that the point satisfies.
     pub condition: Condition,
-    /// Whether the phase is invariant too: of the contact's motion at U = 0 it is 0 or π.
+    /// True if the phase is invariant too. The phase of the contact's motion at U = 0 is 0 or π.
     pub phase_too: bool,
-    /// |V_k|, the amplitude there: in m under a load.
+    /// The amplitude |V_k| at the point, in m under a load.
     pub amplitude: f64,
-    /// β_lim there, up to which it holds: in N under a load.
+    /// β_lim at the point, in N under a load. The point is invariant up to this friction.
     pub continuous_limit: f64,
-    /// Whether the condition's function crosses 0 there; otherwise it touches it, or two points are 1e-9 apart.
+    /// True if the function of the condition crosses 0. False if it touches 0, or if two points are within 1e-9.
     pub simple: bool,
 }
 
-/// What is at the end of a range in which friction enlarges a motion.
+/// The kind of bound of a range in which friction enlarges a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Edge {
-    /// The end of the range asked for.
+    /// The bound of the requested range.
     Range,
     /// An invariant point.
     Invariant,
     /// A pole of the damping function or of the response.
     Pole,
-    /// V = 0: the contact is still without friction, and stops with any.
+    /// V = 0. Without friction the contact does not move, and any friction stops it.
     Still,
 }
 
 /// A range in which more friction enlarges a motion, as long as the contact slides all the time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inversion {
-    /// Its lower end, r.
+    /// Lower bound, as frequency ratio r.
     pub from: f64,
-    /// What is there.
+    /// Kind of the lower bound.
     pub from_edge: Edge,
-    /// Its upper end, r.
+    /// Upper bound, as frequency ratio r.
     pub to: f64,
-    /// What is there.
+    /// Kind of the upper bound.
     pub to_edge: Edge,
 }
 
-/// A frequency at which a motion vanishes without friction: the thesis's ω₀ of a mass, ω_z0 of the contact.
+/// A frequency at which a motion vanishes without friction. The thesis calls it ω₀ for a mass and ω_z0 for the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Antiresonance {
-    /// r.
+    /// Frequency ratio r.
     pub r: f64,
-    /// In Hz under a load.
+    /// Frequency, in Hz under a load.
     pub frequency: Sensed,
 }
 
-/// Below this β_lim no friction at all lets the contact slide: V is 0 to rounding.
+/// If β_lim is below this value, V is 0 to rounding, and no friction lets the contact slide.
 const STILL: f64 = 1e-10;
-/// Points of two conditions nearer to each other than this share of r are one.
+/// Points of two conditions within this relative distance count as one.
 const SAME: f64 = 1e-13;
 
 fn targets(measured: Measured, is_contact: bool) -> &'static [(Condition, Target<Dd>)] {
@@ -104,11 +104,12 @@ fn targets(measured: Measured, is_contact: bool) -> &'static [(Condition, Target
 }
 
 impl Features<'_> {
-    /// Where V_k = 0 (of the contact V = 0): without friction the motion vanishes.  Ascending, all of them.
+    /// Returns all frequencies at which the motion vanishes without friction, ascending. V_k = 0 there, or V = 0 for
+    /// the contact.
     ///
     /// # Errors
-    /// [`FeatureError::Damped`]: then it is smallest, not 0.  [`FeatureError::Range`], [`FeatureError::UnknownMass`],
-    /// [`FeatureError::Crowded`].
+    /// [`FeatureError::Damped`], because a damped motion is only smallest there, not 0. [`FeatureError::Range`],
+    /// [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
     pub fn antiresonances(
         &self,
         of: Of,
@@ -123,12 +124,13 @@ impl Features<'_> {
         Ok(zeros.into_iter().map(of).collect())
     }
 
-    /// Where what is measured of a motion does not depend on friction, as long as the contact slides all the time:
-    /// ascending, all of them in the range.  None for a motion that friction does not reach.
+    /// Returns all invariant points of a motion in the range, ascending. At each of them `measured` does not depend on
+    /// friction, as long as the contact slides all the time. The list is empty for a motion that friction does not
+    /// reach.
     ///
     /// # Errors
-    /// [`FeatureError::Damped`]: see [`crossings`](Self::crossings) for two frictions.  [`FeatureError::Range`],
-    /// [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
+    /// [`FeatureError::Damped`]: for a damped chain see the [`crossings`](Self::crossings) of two frictions.
+    /// [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
     pub fn invariant_points(
         &self,
         of: Of,
@@ -151,7 +153,7 @@ impl Features<'_> {
                     frequency: self.variations.of_zero(&function, &zero, None),
                     condition: *condition,
                     phase_too: mass.is_none() && measured == Measured::Amplitude,
-                    // Over r² in the function's own terms.
+                    // In the function's sums the amplitude has a factor r².
                     amplitude: self.variations.length(free.at(r).abs() / (r * r)),
                     continuous_limit: self.variations.friction(limit),
                     simple: zero.crosses,
@@ -159,7 +161,7 @@ impl Features<'_> {
             }
         }
         points.sort_by(|a, b| a.r.total_cmp(&b.r));
-        // U_k = U of a mass that rubs on the moving base: then (6.10) holds wherever (6.9) does.
+        // For a mass in contact with the moving base U_k = U, so (6.10) is satisfied wherever (6.9) is.
         points.dedup_by(|b, a| {
             let same = a.condition != b.condition && (b.r - a.r).abs() <= SAME * a.r;
             if same && b.condition == Condition::Quadrature {
@@ -170,12 +172,13 @@ impl Features<'_> {
         Ok(points)
     }
 
-    /// The ranges in which more friction enlarges what is measured of a motion, as long as the contact slides all the time:
-    /// ascending, all of them.  Within a range may lie single frequencies at which nothing slides all the time, poles of U:
-    /// β_lim is 0 there.
+    /// Returns all ranges in which more friction enlarges `measured`, ascending. The contact slides all the time.
+    ///
+    /// A range may contain single frequencies at which no friction lets the contact slide all the time. They are poles
+    /// of U, with β_lim = 0.
     ///
     /// # Errors
-    /// As of [`invariant_points`](Self::invariant_points).
+    /// Same errors as [`invariant_points`](Self::invariant_points).
     pub fn inversions(
         &self,
         of: Of,
@@ -206,7 +209,7 @@ impl Features<'_> {
         let [from, to] = range;
         edges.retain(|(r, _)| from < *r && *r < to);
         edges.extend([(from, Edge::Range), (to, Edge::Range)]);
-        // Of two at one place the one that keeps the motion from being there counts.
+        // If two edges coincide, the one that prevents the motion counts.
         let rank = |edge: &Edge| match edge {
             Edge::Still => 0,
             Edge::Pole => 1,
@@ -228,11 +231,11 @@ impl Features<'_> {
                 .map_or(f64::NAN, |function| function.at(r));
             let second = functions.get(1).map(|function| function.at(r));
             match (measured, second) {
-                // −U².
+                // The growth is −U².
                 (Measured::Amplitude, None) => -1.0,
-                // U_k (V U_k − 2 V_k U)/V.
+                // The growth is U_k (V U_k − 2 V_k U)/V.
                 (Measured::Amplitude, Some(second)) => first * second / own.at(r),
-                // H_k (V_k U + (2/π) H_k V)/V; of the contact H (U + (2/π) H).
+                // The growth is H_k (V_k U + (2/π) H_k V)/V, for the contact H (U + (2/π) H).
                 (Measured::Fundamental, Some(second)) if mass.is_some() => {
                     first * second / own.at(r)
                 }
@@ -249,7 +252,7 @@ impl Features<'_> {
                 continue;
             }
             match found.last_mut() {
-                // It grows on both sides.
+                // The motion grows with friction on both sides of the edge.
                 Some(last) if last.to == from => {
                     (last.to, last.to_edge) = (to, to_edge);
                 }
@@ -264,7 +267,7 @@ impl Features<'_> {
         Ok(found)
     }
 
-    /// A function of a motion over a range.
+    /// Returns a function of a motion. Checks the range and that the chain is undamped.
     fn function(
         &self,
         of: Of,
@@ -281,7 +284,7 @@ impl Features<'_> {
     }
 }
 
-/// The places of a function's zeros.
+/// Returns the frequency ratios of a function's zeros.
 fn places(function: &Function<'_>, range: [f64; 2]) -> Result<impl Iterator<Item = f64>, Crowded> {
     Ok(function.zeros(range)?.into_iter().map(|zero| zero.r()))
 }

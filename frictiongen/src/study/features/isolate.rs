@@ -1,8 +1,10 @@
-//! All zeros of a function between two frequencies, by intervals: none is missed, and no pole is taken for one.
+//! Finds all zeros of a function between two frequencies by interval arithmetic. No zero is missed, and no pole is
+//! mistaken for a zero.
 //!
-//! An interval of y = 1/r is given up where its enclosure leaves out 0.  Without a pole in it, it has at most one zero
-//! where the enclosure of the slope leaves out 0; the signs at its ends tell.  With one pole, the function times y − p is
-//! enclosed, which is finite.  What is undecided is cut.  So every zero lies in an interval that was kept.
+//! An interval of y = 1/r is discarded if the enclosure of the function excludes 0. Without a pole it has at most one
+//! zero if the enclosure of the slope excludes 0. The signs at both bounds then decide. With one pole p, the search
+//! encloses the function times y − p, which is finite. An undecided interval is cut in two. Every zero therefore lies
+//! in an interval that was kept.
 
 use super::functions::{Numbers, Pole, Target};
 use frictiongen_kernel::number::dd::Dd;
@@ -10,25 +12,26 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::interval::{Interval, Jet};
 use frictiongen_model::modal::Modal;
 
-/// No more poles than this in a range, and no more intervals than twenty times as many.
+/// Largest number of poles in a range. The largest number of intervals is twenty times as many.
 pub(super) const MOST_POLES: usize = 20_000;
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
-/// A zero nearer to a pole than this share of its place is one with it: neither shows in the function.
+/// A zero nearer to a pole than this relative distance cancels with the pole. Neither of the two shows in the function.
 const CANCELLED: f64 = 1e-13;
-/// Two zeros nearer to each other than this share of their place, or of their distance from a pole, may be a touch.
+/// Two zeros within this distance count as one touch of 0. The distance is relative to y, or to the distance from a
+/// pole.
 const TOUCH: f64 = 1e-9;
-/// Touches nearer to each other than this are one.
+/// Touching zeros within this relative distance count as one.
 const ONE_TOUCH: f64 = 1e-6;
-/// Where an interval is cut, off its middle, on which symmetric scenes like to have something.
+/// An interval is cut at this share of its width. The middle itself is often a special point of a symmetric scene.
 const CUT: f64 = 0.487_3;
-/// A bracket is halved to this width before Newton's method takes over.
+/// A bracket is halved to this relative width before Newton's method takes over.
 const NEAR: f64 = 1e-6;
 
-/// Too many poles or intervals.
+/// The error that a range has too many poles or intervals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Crowded;
 
-/// A function of one motion of a chain, in the numbers that the search needs.
+/// A function of one motion of a chain, in the number types that the search needs.
 pub(super) struct Function<'m> {
     pub target: Target<Dd>,
     modal: &'m Modal,
@@ -39,14 +42,15 @@ pub(super) struct Function<'m> {
     sloped: Numbers<Jet>,
 }
 
-/// A zero.
+/// A zero of a function.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Zero {
-    /// 1/r.
+    /// Position y = 1/r.
     pub y: Dd,
-    /// df/dy there.
+    /// Slope df/dy at the zero.
     pub slope: Dd,
-    /// Whether the sign changes; otherwise the function touches 0 to rounding, or two zeros are that near.
+    /// True if the sign changes. False if the function touches 0 to rounding, or if two zeros are too close to
+    /// separate.
     pub crosses: bool,
 }
 
@@ -56,7 +60,7 @@ impl Zero {
     }
 }
 
-/// The same target in another number.
+/// Converts a target to another number type.
 fn converted<T>(target: Target<Dd>, to: impl Fn(Dd) -> T) -> Target<T> {
     match target {
         Target::Free => Target::Free,
@@ -71,7 +75,7 @@ fn converted<T>(target: Target<Dd>, to: impl Fn(Dd) -> T) -> Target<T> {
 }
 
 fn enclosed(value: Dd) -> Interval {
-    // What is nothing is nothing: its slope is too.
+    // An exact 0 stays exact, so that its slope is exactly 0 too.
     if value.is_zero() {
         Interval::point(0.0)
     } else {
@@ -97,7 +101,7 @@ impl<'m> Function<'m> {
         self.target.vanishes(&self.exact)
     }
 
-    /// The value at a frequency, over some power of r.
+    /// Returns the function at a frequency ratio, times a power of r.
     pub fn at(&self, r: f64) -> f64 {
         let target = converted(self.target, |beta| beta.to_f64());
         self.plain.value(target, 1.0 / r, None)
@@ -107,7 +111,7 @@ impl<'m> Function<'m> {
         self.held.value(converted(self.target, enclosed), y, None)
     }
 
-    /// Enclosures of value and slope, the first drawn together by the value in the middle.
+    /// Returns enclosures of value and slope. The mean value form tightens the enclosure of the value.
     fn jet(&self, y: Interval) -> Jet {
         let target = converted(self.target, |beta| Jet::fixed(enclosed(beta)));
         let jet = self.sloped.value(target, Jet::variable(y), None);
@@ -119,14 +123,14 @@ impl<'m> Function<'m> {
         }
     }
 
-    /// The function times y − p over an interval that holds the pole.
+    /// Returns the function times y − p over an interval that contains the pole p.
     fn without_pole(&self, y: Interval, pole: &Pole) -> Option<Interval> {
         let near = self.held.near(y, pole)?;
         let target = converted(self.target, enclosed);
         Some(self.held.value(target, y, Some(&near)))
     }
 
-    /// The poles between two frequencies, as y, ascending in y.
+    /// Returns the poles between two frequencies, as y, ascending in y.
     pub fn poles(&self, [from, to]: [f64; 2]) -> Result<Vec<Pole>, Crowded> {
         let poles = self
             .target
@@ -134,7 +138,7 @@ impl<'m> Function<'m> {
         poles.ok_or(Crowded)
     }
 
-    /// All zeros between two frequencies, ascending in r.
+    /// Returns all zeros between two frequencies, ascending in r.
     pub fn zeros(&self, range: [f64; 2]) -> Result<Vec<Zero>, Crowded> {
         if self.vanishes() {
             return Ok(Vec::new());
@@ -169,7 +173,7 @@ impl<'m> Function<'m> {
         Ok(zeros)
     }
 
-    /// Value and slope in double-double.
+    /// Returns value and slope in double-double.
     fn exactly(&self, y: Dd) -> Dual<Dd> {
         let numbers = Numbers::of(self.modal, self.mass, Dual::fixed);
         let target = converted(self.target, Dual::fixed);
@@ -181,7 +185,7 @@ impl<'m> Function<'m> {
         Zero { y, slope, crosses }
     }
 
-    /// The zero that is at y to rounding.
+    /// Returns the zero that is at y to rounding.
     fn polished(&self, y: f64) -> Zero {
         let mut place = Dd::from(y);
         for _ in 0..3 {
@@ -194,7 +198,7 @@ impl<'m> Function<'m> {
         self.zero(place, true)
     }
 
-    /// The zero between two y where the function rises or falls throughout.
+    /// Returns the zero between two values of y where the function rises or falls throughout.
     fn refined(&self, [low, high]: [f64; 2], rising: bool) -> Zero {
         let target = converted(self.target, |beta| beta.to_f64());
         let above = |y: f64| (0.0 < self.plain.value(target, y, None)) == rising;
@@ -241,12 +245,12 @@ impl<'m> Function<'m> {
         }
     }
 
-    /// ∂f/∂p at a zero, from a modal analysis that carries it and β with its own.
+    /// Returns ∂f/∂p at a zero. The modal analysis `along` and `beta` carry the derivatives with respect to p.
     pub fn moved(&self, zero: &Zero, along: &Modal<Dual<Dd>>, beta: Dual<Dd>) -> Dd {
         let numbers = Numbers::of(along, self.mass, |value| value);
         let target = match self.target {
             Target::Sliding(value) => {
-                // The sign of the level is the target's own.
+                // The level keeps the sign that it has in the target.
                 let sign = if value < Dd::ZERO { -Dd::ONE } else { Dd::ONE };
                 Target::Sliding(beta * Dual::fixed(sign))
             }
@@ -293,7 +297,7 @@ impl Search<'_, '_> {
         Ok(())
     }
 
-    /// An interval with one pole.
+    /// Treats an interval with one pole.
     fn about(&self, pole: &Pole, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
         let value = self.function.without_pole(Interval::new(low, high), pole);
         let excluded = value.is_some_and(|value| !value.holds_zero());
@@ -312,7 +316,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// An interval without a pole.
+    /// Treats an interval without a pole.
     fn between(&mut self, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
         let jet = self.function.jet(Interval::new(low, high));
         if !jet.value.holds_zero() {
@@ -322,7 +326,7 @@ impl Search<'_, '_> {
         if rises != 0 {
             let at = |y: f64| self.function.over(Interval::point(y)).sign();
             match (at(low), at(high)) {
-                // To rounding the zero is the end.
+                // The zero is at the bound, to rounding.
                 (0, _) => self.zeros.push(self.function.polished(low)),
                 (_, 0) => self.zeros.push(self.function.polished(high)),
                 (first, last) if first != last => {
@@ -349,7 +353,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// y, or the distance to the next pole where that is less.
+    /// Returns y, or the distance to the nearest pole if that is less.
     fn room(&self, low: f64, high: f64) -> f64 {
         let next = self.poles.partition_point(|pole| pole.y < low);
         let above = self.poles.get(next).map_or(high, |pole| pole.y - high);

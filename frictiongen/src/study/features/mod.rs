@@ -1,8 +1,9 @@
-//! The features of a scene's response: thresholds, ends, invariant points, inversions, resonances of the stuck chain,
-//! sliding ranges, regimes along frequency, peaks.
+//! The features of a scene's response: thresholds, limits for r → 0 and r → ∞, invariant points, inversions, resonances
+//! of the stuck chain, sliding ranges, regimes along frequency, peaks.
 //!
-//! Zeros of functions in closed form are found by intervals ([`Certainty::Proven`]); what rests on a search over the half
-//! period, or on steady states with stops, is sampled in steps of a stated length and refined ([`Certainty::Sampled`]).
+//! Zeros of functions in closed form are found by interval arithmetic ([`Certainty::Proven`]). Features that depend on
+//! a search over the half period, or on steady states with stops, are sampled in steps of a stated length and refined
+//! ([`Certainty::Sampled`]).
 
 mod functions;
 mod invariant;
@@ -25,42 +26,44 @@ use sensed::Variations;
 pub use sensed::{ParameterSlope, Sensed};
 pub use sliding::{HeldResonance, SlidingRange};
 
-/// What stands behind a list of features.
+/// The completeness of a list of features.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Certainty {
-    /// Every one in the range is found, by a closed form or by intervals: two nearer to each other than 1e-9 of their
-    /// place may count as one, and one within 1e-13 of a pole does not show.
+    /// Every feature in the range is found, by a closed form or by interval arithmetic. Two features with a relative
+    /// distance below 1e-9 may count as one. A feature within 1e-13 of a pole does not appear.
     Proven,
-    /// Sampled and refined: every stretch that is longer than one of so many equal parts of the range, over 1/r, is found.  Of
-    /// shorter ones those are found that lie where the function comes near to its level between three samples, or beside a
-    /// resonance or an odd sub-harmonic of one.
+    /// The features are sampled and refined. The samples divide the range into `steps` equal steps over 1/r. Every
+    /// interval longer than one step is found.
+    ///
+    /// A shorter interval is found only in two cases. The function comes near its level at the middle one of three
+    /// samples, or the interval is next to a resonance or an odd sub-harmonic of a resonance.
     Sampled {
-        /// The parts.
+        /// The number of equal steps of the range.
         steps: u32,
     },
 }
 
 impl Certainty {
-    /// The parts of a range that is sampled.
+    /// The number of steps of a range that is sampled.
     pub const STEPS: u32 = 8192;
 
-    /// What stands behind a list that is sampled.
+    /// The completeness of every list that is sampled.
     pub const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
 }
 
-/// Why there are no features.
+/// The reason why there are no features.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FeatureError {
-    /// The range of r is not from above 0 to a larger, finite r.
+    /// The range of r does not go from above 0 to a larger, finite r.
     Range,
     /// A friction ratio is negative, not finite or NaN.
     Friction,
     /// There is no such mass.
     UnknownMass(UnknownMass),
-    /// With damping there are no such points: whatever the friction, something moves them.
+    /// The chain is damped. The requested points exist only without damping.
     Damped,
-    /// Towards r = 0 they crowd: the range holds more than can be listed.
+    /// The range contains more poles or zeros than can be listed, because they crowd towards r = 0.
     Crowded,
 }
 
@@ -94,47 +97,48 @@ impl From<isolate::Crowded> for FeatureError {
 
 /// The features of a system, in groups or under a load: see [`System::features`].
 ///
-/// Frequencies are asked for as r and frictions as β.  Every answer has r, and as [`Sensed`] the number in its unit with
-/// its derivatives: under a load Hz, N and m at constant forces and lengths, otherwise r, β and multiples of P/k₁ (for base
-/// motion Y) at constant groups.
+/// Requests take frequencies as r and frictions as β. Every result has r, and a [`Sensed`] number in its unit with
+/// derivatives. Under a load the units are Hz, N and m, at constant forces and lengths. Otherwise they are r, β and
+/// multiples of P/k₁ (for base motion Y), at constant groups.
 pub struct Features<'s> {
     system: &'s System,
     variations: Variations,
 }
 
-/// A resonance of the chain, and the friction below which it is not bounded.
+/// A resonance of the chain, with the friction below which it is unbounded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resonance {
-    /// √λ_i.
+    /// Frequency ratio √λ_i.
     pub r: f64,
-    /// In Hz under a load.
+    /// Frequency of the resonance, in Hz under a load.
     pub frequency: Sensed,
-    /// ζ_i.
+    /// Modal damping ratio ζ_i.
     pub damping_ratio: f64,
-    /// β_n,i (6.2, 6.26), of the chain without its damping; none for a mode that the contact does not drive.
+    /// Threshold β_n,i (6.2, 6.26) of the chain without its damping. `None` for a mode that the contact does not drive.
     pub threshold: Option<Sensed>,
-    /// β_lim there: without damping the same, with damping what (7.62) estimates.
+    /// β_lim at the resonance, in N under a load. Without damping it equals the threshold. With damping, (7.62) is an
+    /// estimate of it.
     pub continuous_limit: f64,
 }
 
-/// Both limits at an end of the frequency range.
+/// Both limits for r → 0 or for r → ∞.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimitsAtEnd {
-    /// β_lim.
+    /// Limit of continuous motion, β_lim.
     pub continuous: Sensed,
-    /// β*_lim.
+    /// Limit of sliding, β*_lim.
     pub sliding: Sensed,
 }
 
-/// The range about the resonances: from this share of the lowest, to this multiple of the highest, and no more below that than
-/// this.
+/// The default range of r begins at `BELOW` times the lowest resonance, but not below `FAR_BELOW` times the highest. It
+/// ends at `ABOVE` times the highest resonance.
 const BELOW: f64 = 0.55;
 const ABOVE: f64 = 1.5;
 const FAR_BELOW: f64 = 0.02;
 
 impl System {
-    /// The range of r from below the lowest resonance to above the highest: where nothing else is asked for.  Far below the
-    /// highest, where its sub-harmonics crowd, it begins later.
+    /// Returns the default range of r, from below the lowest resonance to above the highest. It begins later where the
+    /// highest resonance is far above the lowest, because sub-harmonics of the highest crowd at low r.
     #[must_use]
     pub fn about_resonances(&self) -> [f64; 2] {
         let all = self.resonances();
@@ -143,7 +147,7 @@ impl System {
         [(BELOW * lowest).max(FAR_BELOW * highest), ABOVE * highest]
     }
 
-    /// The features of the response, under a load with their numbers in Hz, N and m.
+    /// Returns the features of the response. Under a load their numbers are in Hz, N and m.
     ///
     /// ```
     /// use frictiongen::Of;
@@ -158,12 +162,12 @@ impl System {
     /// }"
     /// .parse()?;
     /// let features = chain.features(None)?;
-    /// // Two frequencies at which no friction changes the amplitude in the contact.
+    /// // No friction changes the amplitude in the contact at these two frequencies.
     /// let points = features.invariant_points(Of::Contact, Measured::Amplitude, [0.55, 3.0])?;
     /// let places: Vec<f64> = points.iter().map(|point| point.r).collect();
     /// assert!((places[0] - 5_f64.sqrt() / 4.0).abs() < 1e-15);
     /// assert!((places[1] - 5_f64.sqrt() / 2.0).abs() < 1e-15);
-    /// // Stuck, it is one mass on one spring.
+    /// // With its contact stuck, the chain is one mass on one spring.
     /// assert!((features.held_resonances()[0].r - 1.0).abs() < 1e-15);
     /// # Ok(())
     /// # }
@@ -180,13 +184,13 @@ impl System {
 }
 
 impl Features<'_> {
-    /// The system.
+    /// Returns the system.
     #[must_use]
     pub fn system(&self) -> &System {
         self.system
     }
 
-    /// Every resonance of the chain with its threshold, ascending.
+    /// Returns every resonance of the chain with its threshold, ascending.
     #[must_use]
     pub fn resonances(&self) -> Vec<Resonance> {
         let modal = self.system.modal();
@@ -215,7 +219,7 @@ impl Features<'_> {
         .collect()
     }
 
-    /// x̄ of every mass for r → 0 at β (6.5), with its derivatives; none where the contact is stuck there.
+    /// Returns x̄ of every mass for r → 0 at β (6.5), with its derivatives. `None` where the contact is stuck at r = 0.
     ///
     /// # Errors
     /// [`FeatureError::Friction`].
@@ -236,7 +240,7 @@ impl Features<'_> {
         Ok(Some(each.collect()))
     }
 
-    /// Both limits for r → 0: β_lim is 0 there.
+    /// Returns both limits for r → 0. β_lim is 0.
     #[must_use]
     pub fn limits_at_rest(&self) -> LimitsAtEnd {
         let ends = self.system.modal().ends();
@@ -253,7 +257,7 @@ impl Features<'_> {
         }
     }
 
-    /// β_∞ and β*_∞ (6.28): both limits for r → ∞, infinite on a moving base.
+    /// Returns both limits for r → ∞, β_∞ and β*_∞ (6.28). They are infinite on a moving base.
     #[must_use]
     pub fn limits_at_infinity(&self) -> LimitsAtEnd {
         let ends = self.system.modal().ends();
@@ -281,7 +285,7 @@ impl Features<'_> {
         at.map_or(f64::NAN, |at| at.sliding_limit())
     }
 
-    /// The mass of a motion; none for the contact and for the mass that moves as the contact does.
+    /// Returns the mass of a motion. `None` for the contact, and for a mass that moves as the contact does.
     fn mass_of(&self, of: Of) -> Result<Option<usize>, FeatureError> {
         let modal = self.system.modal();
         match of {
@@ -311,7 +315,7 @@ fn check_friction(beta: f64) -> Result<(), FeatureError> {
     }
 }
 
-/// β as the functions take it.
+/// Converts β to double-double.
 fn exact(beta: f64) -> Dd {
     Dd::from(beta)
 }

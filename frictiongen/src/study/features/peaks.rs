@@ -1,4 +1,4 @@
-//! Resonant peaks, estimated and true, and where the exact amplitudes of two frictions cross.
+//! Resonant peaks, estimated and true, and frequencies at which the exact amplitudes of two frictions cross.
 
 use super::places::{changes, merge, samples, steps};
 use super::sensed::Sensed;
@@ -11,57 +11,63 @@ use crate::{Of, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// The largest amplitude about a resonance.
+/// The largest amplitude near a resonance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TruePeak {
-    /// r.
+    /// Frequency ratio r.
     pub r: f64,
-    /// In Hz under a load; with its derivatives where the peak is smooth.
+    /// Frequency of the peak, in Hz under a load. It has derivatives where the peak is smooth.
     pub frequency: Sensed,
-    /// In m under a load; infinite on an undamped resonance below its threshold.
+    /// Amplitude at the peak, in m under a load. It is infinite on an undamped resonance below its threshold.
     pub amplitude: Sensed,
-    /// The regime there; none where it is infinite.
+    /// Regime at the peak. `None` where the amplitude is infinite.
     pub regime: Option<Regime>,
 }
 
 /// The peak of a motion at a resonance of the chain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResonantPeak {
-    /// The mode, counted from 0.
+    /// Index of the mode, counted from 0.
     pub mode: usize,
-    /// √λ_i.
+    /// Frequency ratio √λ_i of the resonance.
     pub resonance: f64,
-    /// The estimate for small ζ (7.60): in m under a load.  None without damping, for the contact's motion between two masses
-    /// or on a moving base, and where it is negative: friction has then taken the peak.
+    /// Estimate of the peak for small ζ (7.60), in m under a load.
+    ///
+    /// `None` without damping, and for the contact's motion between two masses or on a moving base. `None` also where
+    /// the estimate is negative, because friction has then removed the peak.
     pub estimate: Option<Sensed>,
-    /// The largest amplitude between the middles of the gaps to the neighbouring resonances, over all regimes; none if it is
-    /// largest at an end: then there is no peak.
+    /// The largest amplitude over all regimes, between the midpoints to the neighbouring resonances. `None` if the
+    /// largest amplitude is at a bound of this range, because there is then no peak.
     pub peak: Option<TruePeak>,
 }
 
-/// Where the exact amplitudes of two frictions are the same.
+/// A frequency at which the exact amplitudes of two frictions are equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossing {
-    /// r.
+    /// Frequency ratio r.
     pub r: f64,
-    /// In Hz under a load; with its derivatives, the friction's at a constant ratio of both.
+    /// Frequency of the crossing, in Hz under a load. The derivative with respect to friction is at a constant ratio of
+    /// the two frictions.
     pub frequency: Sensed,
-    /// The amplitude there: in m under a load.
+    /// The common amplitude, in m under a load.
     pub amplitude: f64,
 }
 
-/// Samples over each range in which both frictions let the contact slide all the time, beside the steps of the range.
+/// Number of samples over each range in which the contact slides all the time with both frictions. The steps of the
+/// whole range are added.
 const SAMPLES: usize = 128;
-/// The step of a difference beside a peak, of r.
+/// Step of a finite difference near a peak, relative to r.
 const BESIDE: f64 = 1e-6;
-/// Beside a smooth peak the slope grows in proportion to the distance, to this part.
+/// Near a smooth peak the slope is proportional to the distance from the peak. This is the tolerance of that test.
 const STRAIGHT: f64 = 0.1;
 
 impl Features<'_> {
-    /// The peak of a motion at every resonance of the chain, at β: what (7.60) estimates and the largest amplitude itself,
-    /// over all regimes.  The true peaks are sampled and refined: closely about the resonances of the chain and of the chain
-    /// with its contact stuck and about their odd sub-harmonics, and at 96 places between.  An amplitude that is steady over
-    /// frequency costs much where the motion stops; no resolution is promised.
+    /// Returns the peak of a motion at every resonance of the chain, at β: the estimate (7.60) and the largest
+    /// amplitude over all regimes.
+    ///
+    /// The true peaks are sampled and refined. The samples are close together near the resonances of the chain, free
+    /// and with its contact stuck, and near sub-harmonics of both. Further samples are evenly spaced in 96 steps. A
+    /// steady amplitude takes much work where the contact stops, so no resolution is promised.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::UnknownMass`].
@@ -71,7 +77,7 @@ impl Features<'_> {
         let modal = self.system.modal();
         let estimated = match of {
             Of::Mass(mass) => Some(mass),
-            // The contact's motion is that of its mass, against a support at rest.
+            // Against a support at rest, the contact's motion is the motion of its mass.
             Of::Contact if modal.on_moving_base => None,
             Of::Contact => modal.rubbing().or(mass),
         };
@@ -96,7 +102,7 @@ impl Features<'_> {
         Ok(peaks)
     }
 
-    /// (7.60), if it is positive.
+    /// Returns the estimate (7.60), if it is positive.
     fn estimated(&self, mode: usize, mass: usize, beta: f64) -> Option<Sensed> {
         let value = self.system.resonant_peak_estimate(mode, mass, beta)?;
         if !(0.0 < value) {
@@ -121,7 +127,7 @@ impl Features<'_> {
             slopes: Vec::new(),
         };
         if best.value.is_infinite() {
-            // It stays on its resonance.
+            // An infinite peak stays on its resonance.
             let frequency = self
                 .variations
                 .of_frequency(best.r, Some(beta), |variation| {
@@ -141,7 +147,8 @@ impl Features<'_> {
         let response = self.system.at(r).ok()?.response(beta).ok()?;
         let scale = self.variations.scale;
         let value = self.variations.length(best.value);
-        // At a peak the amplitude does not change with r: its derivatives are those at a constant r, or at a constant Hz.
+        // At a peak the amplitude does not change with r. Its derivatives at the peak are therefore those at a constant
+        // r, or at a constant frequency in Hz.
         let amplitude = self.variations.sensed(value, Some(beta), |variation| {
             let friction = variation.beta(beta, scale);
             let r = Dual::fixed(Dd::from(r));
@@ -156,7 +163,7 @@ impl Features<'_> {
                 amplitude,
                 regime,
             },
-            // On a kink, where the regime changes, the peak moves along it.
+            // A kink is where the regime changes. A peak on a kink follows the boundary, so it gets no derivatives.
             None => TruePeak {
                 r,
                 frequency: self.variations.of_frequency(r, Some(beta), |_| None),
@@ -166,9 +173,11 @@ impl Features<'_> {
         })
     }
 
-    /// The place of a smooth peak near r, and how it moves; none where the amplitude has a kink.
+    /// Returns the frequency ratio of a smooth peak near r, and the frequency with its derivatives. `None` where the
+    /// amplitude has a kink.
     ///
-    /// ∂A/∂r is 0 there, so that dr/dp = −(∂²A/∂r∂p)/(∂²A/∂r²).  Second derivatives are differences of exact first ones.
+    /// At the peak ∂A/∂r is 0, so that dr/dp = −(∂²A/∂r∂p)/(∂²A/∂r²). Second derivatives are finite differences of
+    /// exact first ones.
     fn smooth(&self, of: Of, beta: f64, r: f64) -> Option<(f64, Sensed)> {
         let slope = |varied: &Varied, r: Sensitive, beta: Sensitive| {
             let at = self.system.at(r.value.to_f64()).ok()?;
@@ -190,7 +199,8 @@ impl Features<'_> {
             return None;
         }
         let bend = (above - below) / (2.0 * step);
-        // The amplitude itself is flat and tells the place to half of the digits only.
+        // The flat amplitude determines the peak to half of the digits only. The zero of its slope determines it
+        // better.
         let r = r - along(r)? / bend;
         let scale = self.variations.scale;
         let frequency = self.variations.of_frequency(r, Some(beta), |variation| {
@@ -202,12 +212,14 @@ impl Features<'_> {
         Some((r, frequency))
     }
 
-    /// Where the exact amplitudes of a motion at two friction ratios cross, as long as the contact slides all the time at
-    /// both: ascending.  With damping too.  Sampled: two that are further apart than one of
-    /// [`Certainty::STEPS`](super::Certainty::STEPS) equal parts of the range, over 1/r, are told apart.
+    /// Returns the frequencies at which the exact amplitudes of a motion at two friction ratios cross, ascending. The
+    /// contact slides all the time at both friction ratios. Damped chains are allowed.
     ///
-    /// Each pair of frictions has its own crossings; of the contact's motion without damping they are the
-    /// [`invariant_points`](Self::invariant_points), where the amplitudes touch, and are not listed here.
+    /// The list is sampled. Two crossings are separated if their distance over 1/r exceeds one of
+    /// [`Certainty::STEPS`](super::Certainty::STEPS) equal steps of the range.
+    ///
+    /// Each pair of frictions has its own crossings. For the contact's motion without damping the amplitudes only
+    /// touch, at the [`invariant_points`](Self::invariant_points), which are not listed here.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
@@ -255,7 +267,7 @@ impl Features<'_> {
                 .copied()
                 .filter(|r| stretch.from < *r && *r < stretch.to)
                 .collect();
-            // The end of the regime belongs to another.
+            // At the bound of the range another regime begins, so the samples stay just inside.
             let ends = [stretch.from * (1.0 + 1e-12), stretch.to * (1.0 - 1e-12)];
             let mut places = samples(ends, SAMPLES, &marks);
             merge(&mut places, &steps);

@@ -1,13 +1,13 @@
-//! Where the sign of something changes that can only be sampled: refined where it comes near to 0.
+//! Sign changes of a function that can only be sampled. The search is refined where the function comes near 0.
 
 use super::Certainty;
 
-/// Of neighbouring samples, three of one sign whose middle is nearest to 0 may hide two changes: steps of the search there,
-/// each keeps 0.62 of an interval.
+/// Number of steps of a search for two hidden sign changes. Each step keeps 0.62 of an interval. Three samples of one
+/// sign may hide two changes if the middle one is nearest to 0.
 const STEPS: usize = 60;
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// Places between `from` and `to`: evenly over r and over 1/r, and about each of `marks`.
+/// Returns samples between `from` and `to`: evenly spaced over r and over 1/r, and close together near each of `marks`.
 pub(super) fn samples([from, to]: [f64; 2], count: usize, marks: &[f64]) -> Vec<f64> {
     let share = |i: usize| i as f64 / count as f64;
     let mut places = vec![from, to];
@@ -29,7 +29,7 @@ pub(super) fn samples([from, to]: [f64; 2], count: usize, marks: &[f64]) -> Vec<
     places
 }
 
-/// The ends of the equal parts of a range over 1/r, over which sub-harmonics are evenly spaced.
+/// Returns the inner bounds of equal steps of a range over 1/r. Sub-harmonics are evenly spaced over 1/r.
 pub(super) fn steps([from, to]: [f64; 2]) -> Vec<f64> {
     let count = Certainty::STEPS;
     let (first, last) = (1.0 / from, 1.0 / to);
@@ -48,7 +48,7 @@ pub(super) fn merge(places: &mut Vec<f64>, steps: &[f64]) {
     places.dedup();
 }
 
-/// Where a function changes its sign between samples, ascending; a place without a value belongs to neither sign.
+/// Returns the sign changes of a function between samples, ascending. A sample without a value has no sign.
 pub(super) fn changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     let values: Vec<f64> = places.iter().map(|r| f(*r)).collect();
     let mut all: Vec<(f64, f64)> = places.iter().copied().zip(values).collect();
@@ -77,7 +77,7 @@ pub(super) fn changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     pairs.collect()
 }
 
-/// A place where f is positive, where it is largest between two places; none if it is not.
+/// Searches for the largest value of f between two places. Returns the first place at which f is positive, if any.
 fn beyond([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> Option<f64> {
     for _ in 0..STEPS {
         let (a, b) = (high - (high - low) * GOLDEN, low + (high - low) * GOLDEN);
@@ -92,7 +92,7 @@ fn beyond([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> Option<f64> 
     None
 }
 
-/// The place where a sign ends, between neighbouring numbers.
+/// Bisects a sign change down to neighbouring numbers.
 fn bisected([mut low, mut high]: [f64; 2], at_low: f64, f: impl Fn(f64) -> f64) -> f64 {
     loop {
         let middle = 0.5 * (low + high);
@@ -111,7 +111,7 @@ fn bisected([mut low, mut high]: [f64; 2], at_low: f64, f: impl Fn(f64) -> f64) 
 mod tests {
     use super::{changes, samples};
 
-    /// Two changes between two neighbouring samples are found from the nearest of them.
+    /// Two sign changes between neighbouring samples are found from the sample nearest to them.
     #[test]
     fn a_narrow_pair() {
         let places = samples([1.0, 2.0], 16, &[]);

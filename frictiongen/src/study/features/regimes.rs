@@ -8,42 +8,44 @@ use super::sliding::Bound;
 use super::{Certainty, FeatureError, Features, check_friction, check_range, exact};
 use crate::Regime;
 
-/// What ends a range of one regime.
+/// The cause that ends a range of one regime.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RegimeEnd {
-    /// The end of the range asked for.
+    /// The requested range ends.
     Range,
-    /// β_lim = β: the frequency, in Hz under a load.
+    /// β_lim = β at this frequency, in Hz under a load.
     Continuous(Sensed),
-    /// β*_lim = β.
+    /// β*_lim = β at this frequency, in Hz under a load.
     Sliding(Sensed),
 }
 
 /// A range of r in one regime.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegimeRange {
-    /// Its lower end, r.
+    /// Lower bound, as frequency ratio r.
     pub from: f64,
-    /// Its upper end, r.
+    /// Upper bound, as frequency ratio r.
     pub to: f64,
-    /// The regime.
+    /// Regime in the range.
     pub regime: Regime,
-    /// What is at its upper end.
+    /// Cause of the upper bound.
     pub end: RegimeEnd,
 }
 
-/// Samples over each stretch in which β_lim may exceed β, beside the steps of the range.
+/// Number of samples over each interval in which β_lim may exceed β. The steps of the whole range are added.
 const SAMPLES: usize = 128;
-/// The odd sub-harmonics that are looked at closely, at most.
+/// Largest number of odd sub-harmonics near which samples are close together.
 const SUBHARMONICS: usize = 12;
 
 impl Features<'_> {
-    /// The regimes along r at β, ascending, and what stands behind the list.
+    /// Returns the regimes along r at β, ascending, and how complete the list is.
     ///
-    /// Where β*_lim = β is found by intervals.  β_lim rests on a search over the half period; without damping it is a closed
-    /// form for r ≥ √λ_N/2, and below it is at most one everywhere.  So without damping a range that lies above √λ_N/2 is
-    /// proven; otherwise stretches in which the closed form exceeds β are sampled.  There an island of a regime narrower
-    /// than one of [`Certainty::STEPS`] equal parts of the range, over 1/r, may be missed.
+    /// The frequencies with β*_lim = β are found by interval arithmetic. β_lim depends on a search over the half
+    /// period. Without damping it is a closed form for r ≥ √λ_N/2, and this form is an upper bound everywhere.
+    ///
+    /// A range above √λ_N/2 is therefore proven without damping. Otherwise the intervals in which the closed form
+    /// exceeds β are sampled. An island of a regime may be missed there if it is narrower than one of
+    /// [`Certainty::STEPS`] equal steps of the range over 1/r.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::Crowded`].
@@ -92,7 +94,7 @@ impl Features<'_> {
         Ok((found, certainty))
     }
 
-    /// The places where β_lim = β.
+    /// Returns the frequencies with β_lim = β.
     fn continuous_bounds(
         &self,
         beta: f64,
@@ -106,7 +108,7 @@ impl Features<'_> {
         let fastest = modal.resonances.last().map_or(0.0, |last| last.to_f64());
         let closed = if modal.is_damped() { to } else { 0.5 * fastest };
         let mut bounds = Vec::new();
-        // β_lim without search, which it is from there on.
+        // From `closed` on, β_lim is equal to β_lim without search.
         let function = Function::new(modal, None, Target::Continuous(exact(beta)));
         let mut edges = vec![from];
         let mut marks = Vec::new();
@@ -155,7 +157,7 @@ impl Features<'_> {
                 limits.is_ok_and(|limits| beta < limits.continuous)
             };
             if !modal.is_damped() && !upper(0.5 * (low + high)) {
-                // Even the larger one is below β all along.
+                // The upper bound is below β in the whole interval.
                 bounds.push(self.continuous_bound(low, beta));
                 continue;
             }
@@ -176,7 +178,7 @@ impl Features<'_> {
         Ok((bounds, Certainty::SAMPLED))
     }
 
-    /// A place where β_lim may be β, with its derivatives.
+    /// Returns a frequency at which β_lim may be β, with its derivatives.
     fn continuous_bound(&self, r: f64, beta: f64) -> Bound {
         let frequency = self.variations.of_place(r, beta, |varied, r, beta| {
             let limit = varied.at(r).ok()?.continuous_limit();

@@ -1,4 +1,5 @@
-//! How a feature moves with every parameter: implicit derivatives of zeros, and those of closed forms.
+//! Derivatives of a feature with respect to every parameter, from zeros by implicit differentiation and from closed
+//! forms.
 
 use super::isolate::{Function, Zero};
 use crate::study::parameter::{OperatingPoint, Parameter, parameters_of};
@@ -11,29 +12,29 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::sensitivity::Quantity;
 
-/// How a number moves with one parameter.
+/// The derivative of a number with respect to one parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterSlope {
-    /// p.
+    /// The parameter p.
     pub parameter: Parameter,
-    /// Its value, in its own unit.
+    /// The value of p, in its own unit.
     pub value: f64,
-    /// dX/dp.
+    /// The derivative dX/dp.
     pub derivative: f64,
 }
 
-/// A number with its derivatives with respect to every parameter that it has one for.
+/// A number X with its derivatives, one for each parameter that has one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensed {
-    /// X.
+    /// The value X.
     pub value: f64,
-    /// dX/dp.
+    /// The derivatives dX/dp.
     pub slopes: Vec<ParameterSlope>,
 }
 
 impl Sensed {
-    /// (p/X)·dX/dp: by how many per cent X changes for one per cent of p; none where X is 0 or the parameter has no
-    /// derivative here.
+    /// Returns the relative derivative (p/X)·dX/dp: the change of X in per cent for one per cent of p. `None` where X
+    /// is 0, or where the parameter has no derivative.
     #[must_use]
     pub fn relative(&self, parameter: Parameter) -> Option<f64> {
         let mut slopes = self.slopes.iter();
@@ -42,7 +43,7 @@ impl Sensed {
         relative.is_finite().then_some(relative)
     }
 
-    /// The parameter that moves it most for its own size, and by how much.
+    /// Returns the parameter with the largest relative derivative, and this relative derivative.
     #[must_use]
     pub fn strongest(&self) -> Option<(Parameter, f64)> {
         let relative = self
@@ -53,27 +54,27 @@ impl Sensed {
     }
 }
 
-/// A derivative below this share of X/p is what 30 digits leave of none.
+/// A derivative counts as 0 if p·dX/dp is below this share of X. 30 digits leave such a remainder by rounding.
 const NOTHING: f64 = 1e-18;
 
-/// One parameter varied: the scene, and the units.
+/// The scene and its units, with derivatives with respect to one parameter.
 pub(super) struct Variation {
     pub parameter: Parameter,
     pub value: f64,
     pub varied: Varied,
-    /// k₁Y or P; 1 in groups.
+    /// Unit of force: P or k₁Y; 1 in groups.
     pub force: Sensitive,
-    /// Y or P/k₁; 1 in groups.
+    /// Unit of length: P/k₁ or Y; 1 in groups.
     pub length: Sensitive,
-    /// rad/s or Hz over r; 1 in groups.
+    /// Frequency in Hz over r; 1 in groups.
     pub frequency: Sensitive,
 }
 
-/// The parameters of a system under a load, or in groups.
+/// The scene varied by each parameter, under a load or in groups.
 pub(super) struct Variations {
     pub scale: Option<LoadScale>,
     pub all: Vec<Variation>,
-    /// Nothing varied, for derivatives with respect to r.
+    /// The scene without a varied quantity, for derivatives with respect to r.
     pub unvaried: Varied,
 }
 
@@ -119,7 +120,8 @@ impl Variations {
         })
     }
 
-    /// A number that follows from the varied scene; none of its slopes where it has no answer.
+    /// Returns a number with the derivatives that follow from the varied scenes. A parameter without a finite
+    /// derivative is left out.
     pub fn sensed(
         &self,
         value: f64,
@@ -149,18 +151,18 @@ impl Variations {
         Sensed { value, slopes }
     }
 
-    /// β in N, or as it is.
+    /// Converts β to N under a load.
     pub fn friction(&self, beta: f64) -> f64 {
         self.scale.map_or(beta, |scale| scale.friction(beta))
     }
 
-    /// x̄ in m, or as it is.
+    /// Converts x̄ to m under a load.
     pub fn length(&self, amplitude: f64) -> f64 {
         self.scale
             .map_or(amplitude, |scale| scale.displacement(amplitude))
     }
 
-    /// A friction ratio, in N under a load.
+    /// Returns a friction ratio with its derivatives, in N under a load.
     pub fn of_friction(
         &self,
         value: f64,
@@ -170,7 +172,7 @@ impl Variations {
         self.sensed(self.friction(value), None, of)
     }
 
-    /// A frequency at r, in Hz under a load, from how r moves.
+    /// Returns the frequency at r with its derivatives, in Hz under a load. `of` returns the derivative of r.
     pub fn of_frequency(
         &self,
         r: f64,
@@ -193,7 +195,7 @@ impl Variations {
         })
     }
 
-    /// The frequency of a zero: dr/dp = r² (∂f/∂p)/(∂f/∂y).
+    /// Returns the frequency of a zero with its derivatives: dr/dp = r² (∂f/∂p)/(∂f/∂y).
     pub fn of_zero(&self, function: &Function<'_>, zero: &Zero, beta: Option<f64>) -> Sensed {
         self.of_frequency(zero.r(), beta, |variation| {
             if !zero.crosses {
@@ -205,7 +207,7 @@ impl Variations {
         })
     }
 
-    /// The frequency at which some function of r and β is 0, from the function.
+    /// Returns the frequency at which a function f of r and β is 0, with its derivatives from f.
     pub fn of_place(
         &self,
         r: f64,
@@ -227,7 +229,7 @@ impl Variations {
 }
 
 impl Variation {
-    /// β, at a constant friction force where the load is known.
+    /// Returns β with its derivative. Under a load the friction force is constant.
     pub fn beta(&self, beta: f64, scale: Option<LoadScale>) -> Sensitive {
         let own = self.parameter == Parameter::Friction;
         let number = |value: Dd| {
@@ -244,7 +246,7 @@ impl Variation {
     }
 }
 
-/// k₁Y or P, and Y or P/k₁, with their derivatives; 1 in groups.
+/// Returns the units of force (P or k₁Y) and of length (P/k₁ or Y) with their derivatives; 1 in groups.
 fn units(system: &System, load: Option<Load>, parameter: Parameter) -> [Sensitive; 2] {
     let number = |value: f64, own: bool| {
         if own {

@@ -9,35 +9,35 @@ use frictiongen_kernel::number::dd::Dd;
 /// A resonance of the chain with its contact stuck.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldResonance {
-    /// r, without its damping.
+    /// Undamped frequency ratio r.
     pub r: f64,
-    /// In Hz under a load.
+    /// Frequency, in Hz under a load.
     pub frequency: Sensed,
-    /// Its damping ratio.
+    /// Damping ratio of the mode.
     pub damping_ratio: f64,
-    /// Whether the stuck contact has a part in it; otherwise it is a mode of the chain that the contact does not touch.
+    /// True if the stuck contact changes the mode. False for a mode of the free chain that the contact does not touch.
     pub new: bool,
-    /// β*_lim there, in N under a load: infinite where the contact slides whatever the friction.
+    /// β*_lim at the resonance, in N under a load. It is infinite where the contact slides whatever the friction.
     pub sliding_limit: f64,
 }
 
 /// A range of r in which the contact slides at a friction, and at every smaller one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlidingRange {
-    /// Its lower end, r.
+    /// Lower bound, as frequency ratio r.
     pub from: f64,
-    /// In Hz under a load; none at the end of the range asked for.
+    /// Frequency of the lower bound, in Hz under a load. `None` at a bound of the requested range.
     pub from_frequency: Option<Sensed>,
-    /// Its upper end, r.
+    /// Upper bound, as frequency ratio r.
     pub to: f64,
-    /// In Hz under a load; none at the end of the range asked for.
+    /// Frequency of the upper bound, in Hz under a load. `None` at a bound of the requested range.
     pub to_frequency: Option<Sensed>,
 }
 
-/// On a resonance β*_lim is known to this share.
+/// Relative accuracy of β*_lim on a resonance.
 const ON_POLE: f64 = 1e-13;
 
-/// A place where a limit equals β.
+/// A frequency at which a limit equals β.
 #[derive(Clone, Debug)]
 pub(super) struct Bound {
     pub r: f64,
@@ -45,8 +45,8 @@ pub(super) struct Bound {
 }
 
 impl Features<'_> {
-    /// The resonances of the chain with its contact stuck, ascending: one between every two neighbouring resonances that the
-    /// contact takes part in, and the modes that it does not touch.
+    /// Returns the resonances of the chain with its contact stuck, ascending. One lies between every two neighbouring
+    /// resonances of modes that the contact drives. The others are the modes that the contact does not touch.
     #[must_use]
     pub fn held_resonances(&self) -> Vec<HeldResonance> {
         let dynamics = self.system.dynamics();
@@ -89,8 +89,8 @@ impl Features<'_> {
         all
     }
 
-    /// β*_lim on a resonance of the stuck chain.  Without damping H is what rounding leaves of 0 there: the limit is infinite
-    /// if it grows towards the resonance as 1 over the distance.
+    /// Returns β*_lim on a resonance of the stuck chain. Without damping H is only rounding there. The limit then
+    /// counts as infinite if it grows towards the resonance in inverse proportion to the distance.
     fn held_limit(&self, held: &HeldResonance) -> f64 {
         let limit = self.sliding_limit(held.r);
         if held.damping_ratio > 0.0 || !held.new {
@@ -104,7 +104,7 @@ impl Features<'_> {
         }
     }
 
-    /// The places where β*_lim = β: ascending, all of them.
+    /// Returns all frequencies with β*_lim = β, ascending.
     pub(super) fn sliding_bounds(
         &self,
         beta: f64,
@@ -128,7 +128,7 @@ impl Features<'_> {
                 });
             }
         }
-        // On an undamped resonance, where V and H have their poles, β*_lim may be β without a zero of V − βμH.
+        // V and H have poles on an undamped resonance. β*_lim may be β there without a zero of V − βμH.
         let resonances = modal.resonances.iter().zip(&modal.damping_ratios);
         for (resonance, zeta) in resonances {
             let r = resonance.to_f64();
@@ -144,8 +144,8 @@ impl Features<'_> {
         Ok(bounds)
     }
 
-    /// The ranges of r in which β < β*_lim (6.13 in general): there the contact slides, all the time or in turns, at this
-    /// friction and at every smaller one.  Ascending, all of them.
+    /// Returns all ranges of r in which β < β*_lim, ascending (6.13 in general). The contact slides there, all the time
+    /// or with stops, at this friction and at every smaller one.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::Crowded`].
@@ -173,7 +173,7 @@ impl Features<'_> {
                 continue;
             }
             match found.last_mut() {
-                // The limit only touches β there.
+                // The limit only touches β at the common bound.
                 Some(last) if last.to == *from => {
                     (last.to, last.to_frequency) = (*to, after.clone());
                 }

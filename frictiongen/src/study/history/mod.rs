@@ -1,7 +1,7 @@
 //! Motions over time: displacements, velocities and the friction force at evenly spaced instants, and every event.
 //!
-//! Samples are closed-form values, and events are exact. A history is a run from rest or from a state, or one period of a
-//! steady state. Displacement over velocity of the same samples is the phase portrait.
+//! Samples are values of the closed form, and events are exact. A history is a run from rest or from a state, or one
+//! period of a steady state. Displacement over velocity at the same samples is the phase portrait.
 
 mod run;
 mod spectrum;
@@ -13,31 +13,31 @@ use crate::{Error, Of, OutOfDomain};
 use frictiongen_kernel::simulation::{Contact, Event};
 use std::f64::consts::TAU;
 
-/// The most samples of all motions of a history together, and the most cycles that are skipped.
+/// Largest number of samples of all motions of a history together, and largest number of skipped cycles.
 pub const MOST_SAMPLES: u64 = 10_000_000;
 
-/// The most events of a history.
+/// Largest number of events of a history.
 const MOST_EVENTS: usize = 1_000_000;
 
-/// What is asked of a run in time.
+/// The motions, start and sampling of a run in time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HistoryRequest {
-    /// Whose motions.
+    /// The motions that are sampled.
     pub of: Vec<Of>,
-    /// The state at τ = 0, a maximum of the excitation: x̄ and dx̄/dτ of every mass. From rest where there is none.
+    /// The state at τ = 0, a maximum of the excitation: x̄ and dx̄/dτ of every mass. `None` starts from rest.
     pub from: Option<(Vec<f64>, Vec<f64>)>,
-    /// The load's amplitude in the scene's units, P or Y: the speeds of `friction: stribeck` need it.
+    /// Amplitude of the load in the scene's units, P or Y. The speeds of `friction: stribeck` need it.
     pub amplitude: Option<f64>,
-    /// How many cycles of the excitation are passed before the first sample.
+    /// Number of cycles of the excitation before the first sample.
     pub skip: u64,
-    /// How many cycles are sampled, at least 1.
+    /// Number of cycles that are sampled, at least 1.
     pub cycles: u32,
-    /// How many samples a cycle has: an even number.
+    /// Number of samples in a cycle, an even number.
     pub samples: u32,
 }
 
 impl HistoryRequest {
-    /// The first ten cycles from rest, with 200 samples each.
+    /// Requests the first ten cycles from rest, with 200 samples each.
     #[must_use]
     pub fn new(of: &[Of]) -> Self {
         Self {
@@ -51,23 +51,23 @@ impl HistoryRequest {
     }
 }
 
-/// Why there is no history.
+/// The reason why there is no history.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum HistoryError {
-    /// No cycle is asked for.
+    /// The request has no cycle.
     NoCycle,
-    /// The samples of a cycle are not an even number from 2 on.
+    /// The number of samples in a cycle is not an even number of at least 2.
     Samples,
-    /// More than [`MOST_SAMPLES`] samples of all motions together.
+    /// The motions together have more than [`MOST_SAMPLES`] samples.
     TooManySamples,
-    /// More than [`MOST_SAMPLES`] cycles are skipped.
+    /// The request skips more than [`MOST_SAMPLES`] cycles.
     TooManySkipped,
-    /// More than a million events, or so many free vibrations in a cycle that they cannot be followed.
+    /// The run has more than a million events, or too many free vibrations in a cycle to be followed.
     TooManyEvents,
-    /// The scene has no mass at this place.
+    /// The scene has no mass with this index.
     NoSuchMass(usize),
-    /// What a solver refuses: a frequency ratio of 0 or ∞, a state that is not finite, no steady state.
+    /// A solver refuses the request: r = 0 or r = ∞, a state that is not finite, or no steady state.
     Solver(Error),
 }
 
@@ -109,21 +109,21 @@ impl From<OutOfDomain> for HistoryError {
 
 /// A motion over time, at evenly spaced instants.
 ///
-/// The first sample is at a maximum of the excitation, the last one at another; between them are whole cycles.
+/// The first sample and the last one are each at a maximum of the excitation. They are a whole number of cycles apart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct History {
-    /// How many cycles were passed before the first sample; 0 for a steady state.
+    /// Number of cycles before the first sample. It is 0 for a steady state.
     pub skipped: u64,
-    /// How many cycles of the excitation it has: the period of a steady state.
+    /// Number of sampled cycles of the excitation. For a steady state it is the period.
     pub cycles: u32,
-    /// How many samples a cycle has.
+    /// Number of samples in a cycle.
     pub samples: u32,
-    /// The motions asked for, in their order.
+    /// The requested motions, in the order of the request.
     pub tracks: Vec<Track>,
-    /// The friction force over P at each sample, for base motion over k₁Y: the kinetic one while the contact slides, what
-    /// holds it while it sticks; positive against positive sliding.
+    /// The friction force over P at each sample, for base motion over k₁Y. It is the kinetic force while the contact
+    /// slides, and the holding force while the contact sticks. A positive force acts against positive sliding.
     pub friction: Vec<f64>,
-    /// Whether the contact sticks at each sample, or which way it slides.
+    /// State of the contact at each sample: stuck, or sliding forward or backward.
     pub contact: Vec<Contact>,
     /// Every stop, break-away and reversal between the first sample and the last.
     pub events: Vec<HistoryEvent>,
@@ -132,29 +132,29 @@ pub struct History {
 /// The motion of the contact or of a mass over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// Whose motion.
+    /// The contact or mass that moves.
     pub of: Of,
-    /// x̄ at each sample: over P/k₁, for base motion over Y.
+    /// x̄ at each sample, over P/k₁, for base motion over Y.
     pub displacement: Vec<f64>,
-    /// dx̄/dτ at each sample; times ω it is a velocity.
+    /// dx̄/dτ at each sample. The velocity in time is this value times ω.
     pub velocity: Vec<f64>,
 }
 
-/// An event of the contact.
+/// An event of the contact in a history.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HistoryEvent {
-    /// When: τ = ωt, from the start of the run.
+    /// Instant τ = ωt, from the start of the run.
     pub tau: f64,
-    /// What happens.
+    /// Kind of event.
     pub event: Event,
-    /// What the contact does from then on.
+    /// State of the contact from this instant on.
     pub contact: Contact,
-    /// x̄ of each motion asked for, in their order.
+    /// x̄ of each requested motion, in the order of the request.
     pub displacements: Vec<f64>,
 }
 
 impl History {
-    /// Room for whole cycles with their last instant.
+    /// Returns an empty history with room for whole cycles and their last instant.
     fn new(skipped: u64, cycles: u32, samples: u32, of: &[Of]) -> Self {
         let room = cycles as usize * samples as usize + 1;
         Self {
@@ -168,7 +168,7 @@ impl History {
         }
     }
 
-    /// Adds a sample; of the motions in their order, displacement and velocity.
+    /// Adds a sample: displacement and velocity of each motion in order, and the contact's state and force.
     fn push(&mut self, motions: impl Iterator<Item = (f64, f64)>, contact: (Contact, f64)) {
         for (track, (displacement, velocity)) in self.tracks.iter_mut().zip(motions) {
             track.displacement.push(displacement);
@@ -178,29 +178,29 @@ impl History {
         self.friction.push(contact.1);
     }
 
-    /// How many instants there are: those of all cycles, and the last one's end.
+    /// Returns the number of instants: the samples of all cycles, and the end of the last cycle.
     #[must_use]
     pub fn len(&self) -> usize {
         self.contact.len()
     }
 
-    /// Whether there are none, which never is so.
+    /// Returns true if there are no instants, which never happens.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.contact.is_empty()
     }
 
-    /// τ = ωt of a sample, from the start of the run.
+    /// Returns τ = ωt of a sample, from the start of the run.
     #[must_use]
     pub fn tau(&self, index: usize) -> f64 {
         let samples = u64::from(self.samples.max(1));
         let index = index as u64;
         let cycles = self.skipped.saturating_add(index / samples);
-        // The whole cycles apart, so that a sample has the same phase in each.
+        // Whole cycles are added separately, so that a sample has the same phase in every cycle.
         TAU * (cycles as f64) + phase(index % samples, samples)
     }
 
-    /// The motion of the contact or of a mass, if it was asked for.
+    /// Returns the motion of the contact or of a mass, if it was requested.
     #[must_use]
     pub fn track(&self, of: Of) -> Option<&Track> {
         self.tracks.iter().find(|track| track.of == of)
@@ -216,19 +216,19 @@ impl Track {
         }
     }
 
-    /// The displacements of whole cycles, the end of the last one left out.
+    /// Returns the displacements of whole cycles, without the end of the last cycle.
     fn whole(&self) -> &[f64] {
         self.displacement.split_last().map_or(&[], |(_, rest)| rest)
     }
 
-    /// The largest |x̄| of the samples, which may lie below that of the motion.
+    /// Returns the largest |x̄| of the samples, which may be below that of the motion.
     #[must_use]
     pub fn largest(&self) -> f64 {
         let sizes = self.displacement.iter().map(|value| value.abs());
         sizes.fold(0.0, f64::max)
     }
 
-    /// The root of the mean square of x̄ over the cycles.
+    /// Returns the root mean square of x̄ over the cycles.
     #[must_use]
     pub fn rms(&self) -> f64 {
         let values = self.whole();
@@ -237,12 +237,12 @@ impl Track {
     }
 }
 
-/// τ of a sample within its cycle.
+/// Returns τ of a sample within its cycle.
 fn phase(index: u64, samples: u64) -> f64 {
     TAU * (index as f64) / (samples as f64)
 }
 
-/// Nothing, if so many samples of these motions are to be had.
+/// Fails unless this number of cycles and samples of the motions is allowed and all masses exist.
 fn check(of: &[Of], masses: usize, cycles: u32, samples: u32) -> Result<(), HistoryError> {
     if cycles == 0 {
         return Err(HistoryError::NoCycle);

@@ -1,4 +1,4 @@
-//! A run from rest or from a state, stopped at every sample.
+//! A run from rest or from a state that stops at every sample.
 
 use super::{
     History, HistoryError, HistoryEvent, HistoryRequest, MOST_EVENTS, MOST_SAMPLES, check,
@@ -8,11 +8,11 @@ use crate::study::{System, SystemSimulation};
 use frictiongen_kernel::simulation::Event;
 use std::f64::consts::TAU;
 
-/// What is nearer than this to a sample, in τ, is at it: a few roundings of a phase.
+/// An instant within this distance of a sample, in τ, counts as the sample. The distance is a few roundings of a phase.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
 impl System {
-    /// The motion over time from rest or from a state, sampled, with every event.
+    /// Returns the sampled motion over time from rest or from a state, with every event.
     ///
     /// ```
     /// use frictiongen::kernel::simulation::Event;
@@ -30,10 +30,10 @@ impl System {
     /// let request = HistoryRequest { skip: 100, ..HistoryRequest::new(&[Of::Mass(0)]) };
     /// let history = block.history(0.3, 0.4, &request)?;
     /// assert_eq!(history.len(), 10 * 200 + 1);
-    /// // It stops twice a cycle.
+    /// // The contact stops twice a cycle.
     /// let stops = history.events.iter().filter(|event| event.event == Event::Stop);
     /// assert_eq!(stops.count(), 20);
-    /// // The phase portrait: displacement over velocity.
+    /// // The phase portrait shows displacement over velocity.
     /// let track = &history.tracks[0];
     /// let portrait: Vec<(f64, f64)> =
     ///     track.displacement.iter().copied().zip(track.velocity.iter().copied()).collect();
@@ -43,7 +43,7 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`HistoryError`] for what cannot be asked, and for r, β or a state outside the domain.
+    /// [`HistoryError`] for an invalid request, and for r, β or a state outside the domain.
     pub fn history(
         &self,
         r: f64,
@@ -92,14 +92,14 @@ impl System {
     }
 }
 
-/// A run that is followed, and what is noted of it.
+/// A run with the motions that are recorded from it.
 struct Follower<'a, 'o> {
     run: SystemSimulation<'a>,
     of: &'o [Of],
 }
 
 impl Follower<'_, '_> {
-    /// Goes on to a part of a cycle, from event to event; what has too many of them has no end.
+    /// Advances from event to event to the fraction `part` of a cycle. Fails if this takes too many events.
     fn pass(
         &mut self,
         cycle: u64,
@@ -107,7 +107,7 @@ impl Follower<'_, '_> {
         mut note: impl FnMut(&Self, Event) -> Result<(), HistoryError>,
     ) -> Result<(), HistoryError> {
         for _ in 0..MOST_EVENTS {
-            // From the run's own clock each time: no rounding adds up.
+            // Each step counts from the run's own clock, so that roundings do not add up.
             let whole = cycle as f64 - self.run.cycles() as f64;
             let left = whole * TAU + (TAU * part - self.run.phase());
             if !(NEAR < left) {

@@ -1,4 +1,4 @@
-//! What frequencies a motion has: exactly, of a steady state, or of the samples of a run.
+//! Spectra of motions. They are exact for a steady state, and come from samples for a run.
 
 use super::History;
 use crate::study::SystemResponse;
@@ -6,33 +6,33 @@ use crate::study::units::polar;
 use crate::{Complex, Of};
 use rustfft::FftPlanner;
 
-/// A motion as a sum of harmonics and what lies between them, x̄ = Re Σ X e^{inτ}.
+/// A motion as a sum of components, x̄ = Re Σ X e^{inτ}. They are harmonics, or orders n between harmonics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
-    /// Whose motion.
+    /// The contact or mass that moves.
     pub of: Of,
-    /// With ascending order, from the mean on.
+    /// The components in ascending order, from the mean on.
     pub lines: Vec<SpectralLine>,
 }
 
 /// One component of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectralLine {
-    /// n, its frequency over the excitation's.
+    /// Order n, the frequency over that of the excitation.
     pub order: f64,
-    /// X in Re(X e^{inτ}), where τ counts from a maximum of the excitation: over P/k₁, for base motion over Y. Of order 0
-    /// it is the mean.
+    /// Complex amplitude X in Re(X e^{inτ}), over P/k₁, for base motion over Y. τ counts from a maximum of the
+    /// excitation. The component of order 0 is the mean.
     pub component: Complex<f64>,
 }
 
 impl SpectralLine {
-    /// |X|, the amplitude of the cosine.
+    /// Returns |X|, the amplitude of the cosine.
     #[must_use]
     pub fn amplitude(&self) -> f64 {
         polar(self.component).0
     }
 
-    /// The lag of its maximum, rad of its own cycle, in (−π, π].
+    /// Returns the lag of the component's maximum, rad of the component's own cycle, in (−π, π].
     #[must_use]
     pub fn phase(&self) -> f64 {
         polar(self.component).1
@@ -40,13 +40,14 @@ impl SpectralLine {
 }
 
 impl History {
-    /// The spectrum of a motion from its samples, by a fast Fourier transform over whole cycles, which need no window; none
-    /// if the motion was not asked for.
+    /// Returns the spectrum of a motion from its samples. `None` if the motion was not requested.
     ///
-    /// Orders are multiples of 1 over the number of cycles, up to half the samples of a cycle. τ counts from the first
-    /// sample. What vibrates faster is folded back: where friction reverses, harmonics fall with the third power of their
-    /// order, and so does the error of a harmonic with the number of samples. Of a steady state
-    /// [`SystemResponse::spectrum`] is exact.
+    /// A fast Fourier transform over whole cycles computes it, so it needs no window. Orders are multiples of 1 over
+    /// the number of cycles, up to half the samples of a cycle. τ counts from the first sample.
+    ///
+    /// Faster vibrations are folded back (aliasing). Where friction reverses, harmonics fall with the third power of
+    /// their order. The error of a harmonic therefore falls with the third power of the number of samples. For a steady
+    /// state, [`SystemResponse::spectrum`] is exact.
     ///
     /// ```
     /// use frictiongen::study::HistoryRequest;
@@ -102,10 +103,12 @@ impl History {
 }
 
 impl SystemResponse<'_> {
-    /// X in Re(X e^{ikτ/p}), the component of order k/p of the contact or of a mass, where p is the
-    /// [`period`](Self::period) in cycles of the excitation; none if there is no such mass. Every p-th is a
-    /// [`harmonic`](Self::harmonic). τ counts from the maximum of the excitation next to where the relative motion in the
-    /// contact leaves its maximum.
+    /// Returns X in Re(X e^{ikτ/p}), the component of order k/p of the contact or of a mass. `None` if there is no such
+    /// mass.
+    ///
+    /// p is the [`period`](Self::period) in cycles of the excitation. Every p-th component is a
+    /// [`harmonic`](Self::harmonic). τ counts from the maximum of the excitation next to the instant at which the
+    /// contact's relative motion leaves its maximum.
     #[must_use]
     pub fn subharmonic(&self, of: Of, k: u32) -> Option<Complex<f64>> {
         match (self, of) {
@@ -115,8 +118,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// The spectrum of the contact or of a mass up to an order, exact; none if there is no such mass. Where the motion does
-    /// not settle it is that of its last 64 cycles, as if they repeated.
+    /// Returns the exact spectrum of the contact or of a mass up to an order. `None` if there is no such mass. Where
+    /// the motion does not settle, the spectrum is that of its last 64 cycles, as if they repeated.
     #[must_use]
     pub fn spectrum(&self, of: Of, highest: u32) -> Option<Spectrum> {
         let period = self.period();

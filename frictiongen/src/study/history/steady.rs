@@ -1,4 +1,4 @@
-//! One period of a steady state, from the closed forms and from the steady state with stops.
+//! One period of a steady state, from the closed form, from the steady state with stops or from the stuck response.
 
 use super::{History, HistoryError, HistoryEvent, check, phase};
 use crate::study::{SystemHeld, SystemMotion, SystemOrbit, SystemResponse};
@@ -7,7 +7,7 @@ use frictiongen_kernel::simulation::{Contact, Event};
 use std::f64::consts::{PI, TAU};
 
 impl SystemResponse<'_> {
-    /// After how many cycles of the excitation the motion repeats.
+    /// Returns the number of cycles of the excitation after which the motion repeats.
     #[must_use]
     pub fn period(&self) -> u32 {
         match self {
@@ -16,8 +16,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// One period of the steady state, sampled, with every event: τ counts from a maximum of the excitation, of several
-    /// from that of [`subharmonic`](Self::subharmonic).
+    /// Returns one sampled period of the steady state, with every event. τ counts from a maximum of the excitation. If
+    /// the period has several cycles, τ counts from the maximum that [`subharmonic`](Self::subharmonic) uses.
     ///
     /// ```
     /// use frictiongen::{Of, System};
@@ -32,7 +32,7 @@ impl SystemResponse<'_> {
     /// .parse()?;
     /// let response = block.at(0.3)?.response(0.4)?;
     /// let history = response.history(&[Of::Contact], 400)?;
-    /// // Two stops and two break-aways, and the last sample is the first.
+    /// // The period has two stops and two break-aways, and the last sample equals the first.
     /// assert_eq!(history.events.len(), 4);
     /// let contact = &history.tracks[0].displacement;
     /// assert!((contact[400] - contact[0]).abs() < 1e-14);
@@ -42,15 +42,15 @@ impl SystemResponse<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`HistoryError`] for what cannot be asked, for r = 0 and r = ∞, where there is no cycle, and where the motion does
-    /// not settle: there a run shows what it does.
+    /// [`HistoryError`] for an invalid request, and for r = 0 and r = ∞, where there is no cycle. [`HistoryError`] also
+    /// where the motion does not settle. A run from rest shows that motion.
     pub fn history(&self, of: &[Of], samples: u32) -> Result<History, HistoryError> {
         let (masses, r) = match self {
             Self::Continuous(motion) => {
                 let at = motion.at();
                 (at.scene().scene().masses.len(), at.frequency_ratio())
             }
-            // There is none at 0 and ∞.
+            // An orbit exists only where r is neither 0 nor infinite, so any valid r serves.
             Self::StickSlip(orbit) => (orbit.system.scene().masses.len(), 1.0),
             Self::Stuck(stuck) => {
                 let at = stuck.at();
@@ -74,14 +74,15 @@ impl SystemResponse<'_> {
     }
 }
 
-/// τ of all samples of so many cycles, and of their end.
+/// Returns τ of all samples of the history's cycles, and of the end of the last cycle.
 fn instants(history: &History) -> impl Iterator<Item = f64> + use<> {
     let samples = u64::from(history.samples);
     let all = 0..=samples * u64::from(history.cycles);
     all.map(move |index| TAU * ((index / samples) as f64) + phase(index % samples, samples))
 }
 
-/// The contact slides all the time, and turns at its maximum and its minimum.
+/// Adds the samples and events of a contact that slides all the time. It reverses at the maximum and the minimum of its
+/// motion.
 fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
     let friction = motion.friction();
     let (lag, beta) = (friction.phase, friction.beta);
@@ -93,7 +94,7 @@ fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
         })
         .collect();
     let sliding = |tau: f64| {
-        // Half-cycles since the maximum.
+        // The number of half cycles since the maximum.
         let half = ((tau - lag) / PI).floor();
         if half.rem_euclid(2.0) < 1.0 {
             (Contact::Backward, -beta)
@@ -124,7 +125,7 @@ fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
     history.events.sort_by(|a, b| a.tau.total_cmp(&b.tau));
 }
 
-/// The contact stops, or turns more than twice.
+/// Adds the samples and events of a contact that stops, or reverses more than twice.
 fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
     let origin = orbit.origin();
     let motions: Vec<_> = of
@@ -150,7 +151,7 @@ fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
         .intervals()
         .map(|(start, _, contact)| (start, contact))
         .collect();
-    // Each after the one before it, the first after the last.
+    // Each interval is paired with its predecessor. The predecessor of the first interval is the last one.
     let before = intervals.iter().cycle().skip(intervals.len().max(1) - 1);
     for ((tau, contact), (_, last)) in intervals.iter().zip(before) {
         let event = match (last, contact) {
@@ -172,7 +173,7 @@ fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
     history.events.sort_by(|a, b| a.tau.total_cmp(&b.tau));
 }
 
-/// The contact never slides.
+/// Adds the samples of a contact that never slides.
 fn held(history: &mut History, held: &SystemHeld<'_>, of: &[Of]) {
     let (force, constant) = (held.contact_force(), held.constant_force());
     let amplitudes: Vec<(Complex<f64>, f64)> = of
@@ -194,7 +195,7 @@ fn held(history: &mut History, held: &SystemHeld<'_>, of: &[Of]) {
     }
 }
 
-/// τ in [0, period).
+/// Returns τ reduced to [0, period).
 fn within(tau: f64, period: f64) -> f64 {
     let within = tau - (tau / period).floor() * period;
     if within < period { within } else { 0.0 }

@@ -1,4 +1,4 @@
-//! Where, between two points of a map, the contact begins to do something else.
+//! Friction ratios between two points of a map at which the pattern of the contact changes.
 
 use super::{Map, Pattern};
 use crate::study::at::SystemAt;
@@ -6,34 +6,36 @@ use crate::study::system::System;
 use crate::{Error, Limits, Regime};
 use rayon::prelude::*;
 
-/// A point of a boundary: at r, what the contact does changes at β.
+/// A point of a boundary: at r, the pattern of the contact changes at β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boundary {
-    /// r.
+    /// Frequency ratio r.
     pub r: f64,
-    /// β, the middle of what is left open.
+    /// Friction ratio β, the middle of the interval that contains the boundary.
     pub beta: f64,
-    /// How much is left open.
+    /// Width of this interval in β. It is 0 for an exact boundary.
     pub width: f64,
-    /// What it does below, or why there is no response.
+    /// Pattern below the boundary, or the reason why there is no response.
     pub below: Result<Pattern, Error>,
-    /// What it does above.
+    /// Pattern above the boundary, or the reason why there is no response.
     pub above: Result<Pattern, Error>,
 }
 
 impl System {
-    /// The boundaries that a map shows, at each of its frequency ratios. A boundary of the continuous or of the stuck
-    /// regime is its limit, exactly. Between them the contact stops and slides in turn; there two neighbouring β of the map
-    /// are looked at in their middle and quarters too, and every interval at whose ends the contact does something else is
-    /// halved until the boundary is known to `digits` significant digits. Where the middle is of a third kind both halves are
-    /// followed.
+    /// Returns the boundaries in a map, at each of its frequency ratios.
     ///
-    /// So all boundaries are found that the quarters of the map's steps tell apart, and those that halving comes upon. What
-    /// can be missed are two boundaries of one region within a quarter of a step, and what lies beside a limit within a 64th
-    /// of what it leaves of the step; a finer map has finer quarters. Where halving comes upon a third kind more than six
-    /// times between two neighbours, as where periods double on and on, only the lowest of the others are found.
+    /// A boundary of the continuous or of the stuck regime is the limit itself, exactly. Between the two limits the
+    /// contact stops and slides in turn. There the search also evaluates the middle and the quarters between two
+    /// neighbouring β of the map. It halves every interval whose two ends have different patterns, until the boundary
+    /// is known to `digits` significant digits. If the middle has a third pattern, the search continues in both halves.
     ///
-    /// Near a boundary a motion needs long to settle: ten digits take a hundred times as long as three.
+    /// The search finds all boundaries that are separated by a quarter of the map's step, and others that halving
+    /// meets. It can miss two boundaries of one region within a quarter of a step. It can also miss a boundary close to
+    /// a limit, within a 64th of the rest of the step. A finer map has finer quarters. If halving meets a third pattern
+    /// more than six times between two neighbours, as in a cascade of period doublings, only the lowest of the others
+    /// are found.
+    ///
+    /// Close to a boundary a motion settles slowly, so more digits take much longer.
     ///
     /// ```
     /// use frictiongen::study::MapRequest;
@@ -87,28 +89,28 @@ impl System {
     }
 }
 
-/// Both halves are looked at however alike their ends are, so often in turn.
+/// Number of times that both halves are evaluated although the two ends of the interval have the same pattern.
 const LOOKS: u32 = 2;
-/// In so many places between two neighbours both halves of an interval are followed.
+/// Largest number of third patterns between two neighbours at which both halves are followed.
 const MOST_BRANCHES: u32 = 6;
-/// How far beyond a limit the contact is looked at, of what the limit leaves of a step.
+/// Distance from a limit at which the pattern is evaluated, as a share of the step that the limits leave.
 const BESIDE: f64 = 1.0 / 64.0;
 
-/// What the contact does at β.
+/// A friction ratio β with the pattern of the contact.
 type Known = (f64, Result<Pattern, Error>);
 
-/// The boundaries between two neighbouring β.
+/// The search for the boundaries between two neighbouring β.
 struct Trace<'s> {
     at: &'s SystemAt<'s>,
     r: f64,
     precision: f64,
-    /// How often both halves may still be followed.
+    /// Number of times that both halves may still be followed.
     branches: u32,
     found: Vec<Boundary>,
 }
 
 impl Trace<'_> {
-    /// From one β of a map to the next.
+    /// Finds the boundaries from one β of a map to the next.
     fn step(&mut self, limits: &Limits<f64>, below: Known, above: Known) {
         if [Regime::Continuous, Regime::Stuck]
             .iter()
@@ -126,13 +128,13 @@ impl Trace<'_> {
         if let Some(limit) = from
             && to.is_none_or(|to| limit < to)
         {
-            // Beside the limit a motion takes too long to settle.
+            // Closer to the limit a motion takes too long to settle.
             low = self.known(limit + BESIDE * left);
             self.exact(limit, below.1, low.1);
         }
         if let Some(limit) = to {
             if from.is_some_and(|from| limit <= from) {
-                // No motion with stops between them.
+                // The limits leave no interval of motions with stops.
                 return self.exact(limit, below.1, above.1);
             }
             high = self.known(limit - BESIDE * left);
@@ -169,7 +171,7 @@ impl Trace<'_> {
         });
     }
 
-    /// The boundaries between two β, ascending.
+    /// Finds the boundaries between two β, ascending.
     fn between(&mut self, low: Known, high: Known, looks: u32) {
         if low.1 == high.1 && looks == 0 {
             return;

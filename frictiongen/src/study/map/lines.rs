@@ -1,25 +1,25 @@
-//! Both limits over frequency, as finely as they bend.
+//! Both limits over frequency, with points as close as the limits bend.
 
 use crate::study::system::System;
 use crate::{Limits, OutOfDomain};
 
-/// The places of the first grid.
+/// Number of intervals of the first grid.
 const PLACES: usize = 400;
-/// The odd sub-harmonics of a resonance, where an undamped β_lim vanishes, that are looked at.
+/// Largest number of odd sub-harmonics of a resonance that become points. An undamped β_lim vanishes there.
 const MOST_SUBHARMONICS: usize = 25;
-/// Two places nearer than this, relatively, are not parted.
+/// An interval below this relative width is not halved.
 const NARROW: f64 = 1e-9;
 
 /// Both limits over frequency.
 #[derive(Clone, Debug)]
 pub struct LimitLines {
-    /// r with the limits there, ascending. A limit may be infinite.
+    /// Pairs of r and both limits, with ascending r. A limit may be infinite.
     pub points: Vec<(f64, Limits<f64>)>,
 }
 
 impl System {
-    /// Both limits from one frequency ratio to another. A straight line between neighbours strays from β/(1 + β) by no
-    /// more than `accuracy`.
+    /// Returns both limits from one frequency ratio to another. A straight line between neighbouring points deviates by
+    /// at most `accuracy` in β/(1 + β).
     ///
     /// # Errors
     /// [`OutOfDomain`] unless 0 ≤ from < to < ∞.
@@ -71,7 +71,7 @@ impl System {
             accuracy < (m - 0.5 * (a + b)).abs()
         };
         let straight = !strays(|limits| limits.continuous) && !strays(|limits| limits.sliding);
-        // In the middle alone a kink may pass by chance.
+        // A kink may escape one test, as the middle may be on the line by chance.
         let done = straight && was_straight;
         if !done {
             self.between(left, middle, accuracy, straight, points)?;
@@ -84,7 +84,7 @@ impl System {
     }
 }
 
-/// β/(1 + β), 1 where a limit is infinite.
+/// Returns β/(1 + β), which is 1 for an infinite limit.
 fn share(beta: f64) -> f64 {
     1.0 - 1.0 / (1.0 + beta)
 }

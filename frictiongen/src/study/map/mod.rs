@@ -1,4 +1,4 @@
-//! Maps over frequency and friction: what the contact does at every point, and where that changes.
+//! Maps over frequency and friction: the pattern of the contact at every point, and the boundaries between patterns.
 
 mod boundary;
 mod lines;
@@ -11,77 +11,78 @@ use super::system::System;
 use crate::{Error, Limits, Of, OutOfDomain, Regime};
 use rayon::prelude::*;
 
-/// What is asked of a map.
+/// The grid and the motions of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapRequest {
     /// The frequency ratios r.
     pub r: Vec<f64>,
     /// The friction ratios β.
     pub beta: Vec<f64>,
-    /// Whose amplitudes.
+    /// The motions whose amplitudes each point contains.
     pub of: Vec<Of>,
 }
 
-/// What the contact does, as far as it can be counted.
+/// The pattern of the contact's motion: regime, stops, reversals and period.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pattern {
-    /// The regime.
+    /// Regime of the response.
     pub regime: Regime,
-    /// How often the contact stops in a period.
+    /// Number of stops of the contact in a period.
     pub stops: usize,
-    /// How often it changes its direction of sliding in a period without a stop.
+    /// Number of changes of the sliding direction without a stop, in a period.
     pub reversals: usize,
-    /// After how many cycles of the excitation the motion repeats; 0 where it does not settle.
+    /// Number of cycles of the excitation after which the motion repeats. It is 0 where the motion does not settle.
     pub period: u32,
 }
 
 /// The response at one point of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapPoint {
-    /// What the contact does.
+    /// Pattern of the contact's motion.
     pub pattern: Pattern,
-    /// The part of the period for which it sticks.
+    /// Fraction of the period for which the contact sticks.
     pub stuck_fraction: f64,
-    /// Whether small deviations die.
+    /// True if no small deviation grows.
     pub stable: bool,
-    /// Whether the state is a member of a continuum, or at its end.
+    /// True if the state is one of a continuum, or at the end of a continuum.
     pub marginal: bool,
-    /// Whether motion from rest ends in it; false for another state, where motion from rest does not settle.
+    /// True if motion from rest ends in this state. False means that motion from rest does not settle and this is
+    /// another state.
     pub from_rest: bool,
-    /// The middle of the contact's motion, over P/k₁, for base motion over Y.
+    /// The offset of the contact's motion, over P/k₁, for base motion over Y.
     pub offset: f64,
-    /// The amplitudes asked for, in their order: over P/k₁, for base motion over Y.
+    /// The requested amplitudes, in the order of the request, over P/k₁, for base motion over Y.
     pub amplitudes: Vec<f64>,
-    /// The amplitudes about each motion's own middle, in the same order.
+    /// The centred amplitudes, in the same order and unit.
     pub centred: Vec<f64>,
 }
 
-/// The responses at one frequency ratio.
+/// The responses of a map at one frequency ratio.
 #[derive(Clone, Debug)]
 pub struct MapColumn {
-    /// r.
+    /// Frequency ratio r.
     pub r: f64,
-    /// Both limits there.
+    /// Both limits at r.
     pub limits: Limits<f64>,
-    /// The response for each β, or why there is none.
+    /// The response for each β, or the reason why there is none.
     pub points: Vec<Result<MapPoint, Error>>,
 }
 
-/// Responses over frequency and friction.
+/// The responses over frequency and friction.
 #[derive(Clone, Debug)]
 pub struct Map {
     /// The friction ratios β.
     pub beta: Vec<f64>,
-    /// The columns that were computed, in the order of the request: all, unless it was cancelled.
+    /// The computed columns, in the order of the request. Columns are missing only if the map was cancelled.
     pub columns: Vec<MapColumn>,
 }
 
 impl Pattern {
-    /// Of a response.
+    /// Returns the pattern of a response.
     #[must_use]
     pub fn of(response: &SystemResponse<'_>) -> Self {
         let (stops, reversals, period) = match response {
-            // It turns twice.
+            // The contact of a closed form reverses twice in a cycle.
             SystemResponse::Continuous(_) => (0, 2, 1),
             SystemResponse::StickSlip(orbit) if orbit.is_settled() => {
                 (orbit.stops(), orbit.reversals(), orbit.period())
@@ -127,10 +128,10 @@ impl MapPoint {
 }
 
 impl System {
-    /// The response at every pair of a frequency ratio and a friction ratio, on all cores.
+    /// Returns the response at every pair of a frequency ratio and a friction ratio, computed on all cores.
     ///
-    /// Each point has the state that motion from rest ends in, as [`SystemAt::response`](super::SystemAt::response) gives it,
-    /// whatever its neighbours are.  With μ > 1 other steady states may exist beside it.
+    /// Each point has the state in which motion from rest ends, as [`SystemAt::response`](super::SystemAt::response)
+    /// returns it. Neighbouring points have no influence. With μ > 1 other steady states may exist at the same point.
     ///
     /// ```
     /// use frictiongen::study::MapRequest;
@@ -150,17 +151,19 @@ impl System {
     /// let stuck = map.points().filter(|(_, _, point)| {
     ///     point.as_ref().is_ok_and(|point| point.pattern.regime == Regime::Stuck)
     /// });
-    /// // β ≥ r².
+    /// // The contact is stuck where β ≥ r².
     /// assert_eq!(stuck.count(), 265);
     /// # Ok(())
     /// # }
     /// ```
     ///
-    /// `go_on` is told after each column how many are done, from any thread; where it says `false` the rest is left out.
+    /// After each column the map calls `go_on` with the number of finished columns, from any thread. If `go_on` returns
+    /// `false`, the remaining columns are left out.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a frequency ratio or a friction ratio that is negative, NaN or infinite, for a mass that the
-    /// scene does not have, and ("stribeck") for `friction: stribeck`.  Where a point has no response, its result says why.
+    /// [`OutOfDomain`] for a frequency ratio or a friction ratio that is negative, NaN or infinite, and for a mass that
+    /// the scene does not have. [`OutOfDomain`] ("stribeck") for `friction: stribeck`. A point without a response
+    /// contains the reason.
     pub fn map(
         &self,
         request: &MapRequest,
@@ -188,7 +191,8 @@ impl System {
             }
             Ok(column)
         };
-        // Neighbouring columns cost alike, and some a hundred times as much: one at a time.
+        // The cost of columns varies widely, and neighbours cost alike. Columns that are dealt out one at a time keep
+        // all cores busy.
         let columns = request.r.par_iter().with_max_len(1).map(column);
         let columns: Vec<Option<MapColumn>> = columns.collect::<Result<_, OutOfDomain>>()?;
         Ok(Map {
@@ -197,7 +201,8 @@ impl System {
         })
     }
 
-    /// A column, unless it is cancelled; an error if the scene has no answer at this frequency, whatever the friction.
+    /// Returns a column, or none if the map was cancelled. Fails if the scene has no answer at this frequency, whatever
+    /// the friction.
     fn column(
         &self,
         r: f64,
@@ -222,7 +227,7 @@ impl System {
 }
 
 impl Map {
-    /// All points, with r and β, column by column.
+    /// Returns all points, with r and β, column by column.
     pub fn points(&self) -> impl Iterator<Item = (f64, f64, &Result<MapPoint, Error>)> {
         self.columns.iter().flat_map(|column| {
             let points = self.beta.iter().zip(&column.points);

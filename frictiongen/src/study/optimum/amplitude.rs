@@ -1,4 +1,4 @@
-//! The amplitude to be made small, at one frequency and one friction ratio.
+//! The amplitude to be minimised, at one frequency and one friction ratio.
 
 use super::places::beside;
 use crate::study::physical::swing;
@@ -9,27 +9,27 @@ use crate::study::{Sensitive, SystemResponse};
 use crate::{Error, NoOrbit, NotContinuous, Of, Regime};
 use std::cell::Cell;
 
-/// How much friction there is.
+/// The amount of friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) enum Friction {
-    /// β.
+    /// Friction ratio β.
     Ratio(f64),
-    /// So much that the contact never slides.
+    /// Enough friction that the contact never slides.
     Locked,
 }
 
-/// The amplitude of one motion of a system.
+/// The amplitude of one motion of a system, with counts of its evaluations and their work.
 pub(in crate::study) struct Amplitude<'s> {
     pub system: &'s System,
     pub of: Of,
     unvaried: Varied,
-    /// How often it has been asked for.
+    /// Number of evaluations.
     pub asked: Cell<usize>,
-    /// The same, with those that take longer counted as often as they are long.
+    /// Work of the evaluations.
     work: Cell<usize>,
-    /// How much of that is allowed.
+    /// Bound on the work.
     most: Cell<usize>,
-    /// How often there was no answer.
+    /// Number of evaluations without a result.
     pub silent: Cell<usize>,
 }
 
@@ -54,12 +54,12 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// Whether the work that is allowed is done.
+    /// Returns true if the work has reached its bound.
     pub(super) fn is_spent(&self) -> bool {
         self.most.get() <= self.work.get()
     }
 
-    /// Allows so much work from here on.
+    /// Allows this much more work from now on.
     pub(super) fn allow(&self, work: usize) {
         self.most.set(self.work.get().saturating_add(work));
     }
@@ -72,9 +72,11 @@ impl<'s> Amplitude<'s> {
         self.work.set(self.work.get().saturating_add(work));
     }
 
-    /// The amplitude over P/k₁, for base motion over Y; infinite on a resonance that nothing bounds, NaN where there is no
-    /// answer.  Below both limits it is that of the closed form, also with μ > 1, where motion from rest may end in another
-    /// state: [`from_rest`](Self::from_rest) follows it.
+    /// Returns the amplitude over P/k₁, for base motion over Y. It is infinite on a resonance that nothing bounds, and
+    /// NaN where there is no response.
+    ///
+    /// Below both limits it is the amplitude of the closed form. With μ > 1, motion from rest may end in another state,
+    /// which [`followed`](Self::followed) finds.
     pub(super) fn at(&self, r: f64, friction: Friction) -> f64 {
         if let Friction::Ratio(beta) = friction
             && let Ok(at) = self.system.at(r)
@@ -92,7 +94,7 @@ impl<'s> Amplitude<'s> {
         self.followed(r, friction)
     }
 
-    /// The same as motion from rest decides.
+    /// Returns the amplitude of the state in which motion from rest ends.
     pub(super) fn followed(&self, r: f64, friction: Friction) -> f64 {
         self.asked.set(self.asked.get() + 1);
         let found = self.response(r, friction);
@@ -100,7 +102,7 @@ impl<'s> Amplitude<'s> {
         match found {
             Ok(response) => self.swing(&response),
             Err(Error::NotContinuous(NotContinuous::Unbounded)) => f64::INFINITY,
-            // Sliding or stuck.
+            // The motion is unbounded, or the contact is stuck on a resonance.
             Err(Error::NoOrbit(NoOrbit::Unbounded) | Error::StuckResonance(_)) => {
                 self.beside_resonance(r, friction)
             }
@@ -116,8 +118,8 @@ impl<'s> Amplitude<'s> {
         swing.map_or(f64::NAN, |swing| swing.amplitude)
     }
 
-    /// The amplitude on an undamped resonance of the chain with its contact stuck: finite where the load does not drive that
-    /// mode.
+    /// Returns the amplitude on an undamped resonance of the chain with its contact stuck. It is finite where the load
+    /// does not drive that mode.
     fn beside_resonance(&self, r: f64, friction: Friction) -> f64 {
         beside(r, |r| {
             let response = self.response(r, friction);
@@ -125,13 +127,13 @@ impl<'s> Amplitude<'s> {
         })
     }
 
-    /// What the contact does.
+    /// Returns the regime of the response.
     pub(super) fn regime(&self, r: f64, friction: Friction) -> Regime {
         self.response(r, friction)
             .map_or(Regime::Stuck, |response| response.regime())
     }
 
-    /// Exact derivatives with respect to r and β, where there are such.
+    /// Returns the exact derivatives with respect to r and β, where they exist.
     pub(super) fn slopes(&self, r: f64, beta: f64) -> Option<[f64; 2]> {
         let response = self.response(r, Friction::Ratio(beta)).ok()?;
         let (fixed_r, fixed_beta) = (Sensitive::fixed(r.into()), Sensitive::fixed(beta.into()));
@@ -153,7 +155,8 @@ mod tests {
     use crate::Of;
     use crate::study::System;
 
-    /// The contact does not touch the second mode, which nothing damps: with stops there is no steady state, and that counts.
+    /// The contact does not touch the second mode, and nothing damps it. With stops there is no steady state, and the
+    /// counter of missing results increases.
     #[test]
     fn what_has_no_answer_is_counted() {
         let text = "struct Chain { masses: { a: 1, b: 1, c: 1 }, contact: b - wall, excitation: a,

@@ -3,90 +3,92 @@
 use crate::Regime;
 use crate::study::parameter::Parameter;
 
-/// What limits the amplitude at the optimum.
+/// The reason why the amplitude at the optimum cannot be lower.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptimumKind {
-    /// Peaks of the same height: with more friction one rises, with less another.
+    /// Two peaks have the same height. More friction raises one of them, less friction the other.
     EqualPeaks,
-    /// One peak at its own minimum.
+    /// One peak is at its own minimum.
     SinglePeak,
-    /// Any friction makes it worse.
+    /// Any friction increases the amplitude.
     NoFriction,
-    /// The contact is best stuck: more friction changes nothing.
+    /// The contact is best stuck, and more friction changes nothing.
     Stuck,
 }
 
 /// A frequency at which the largest amplitude is reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OptimumPeak {
-    /// r.
+    /// Frequency ratio r.
     pub r: f64,
-    /// Over P/k₁, for base motion over Y.
+    /// Amplitude over P/k₁, for base motion over Y.
     pub amplitude: f64,
-    /// What the contact does there.
+    /// Regime at this frequency.
     pub regime: Regime,
-    /// Whether it is an end of the band.
+    /// True if the frequency is a bound of the band.
     pub at_end: bool,
-    /// dX/dβ of this peak; none where it is stuck or has no derivative.
+    /// Derivative dX/dβ of this peak. `None` where the contact is stuck or the peak has no derivative.
     pub slope: Option<f64>,
 }
 
-/// How far friction may be from the optimum.
+/// The interval of friction around the optimum for a given excess of the amplitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// By which share the largest amplitude is above the best at most.
+    /// Largest excess of the amplitude over the best, as a fraction.
     pub excess: f64,
-    /// β from here,
+    /// Lower bound of β.
     pub from: f64,
-    /// to here; infinite where more friction never does harm.
+    /// Upper bound of β. It is infinite where more friction never exceeds this amplitude.
     pub to: f64,
 }
 
-/// How the search for an optimum ended.
+/// The cause that ended the search for an optimum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptimumEnd {
-    /// At a least: friction is found to rounding where two peaks cross, to half of the digits where one is at its least.
+    /// The search converged to a minimum. Friction is found to rounding where two peaks cross, and to half of the
+    /// digits where one peak is at its minimum.
     Converged,
-    /// At a jump: on one side of the bracket another steady state is reached, with a larger amplitude.
+    /// The search ended at a jump. On one side of the bracket the motion reaches another steady state with a larger
+    /// amplitude.
     Jump,
-    /// The work that one search may take was done before: this is the best so far.
+    /// The search met its bound on work. The result is the best so far.
     WorkSpent,
 }
 
 /// The friction that keeps the largest amplitude smallest.
 #[derive(Clone, Debug)]
 pub struct Optimum {
-    /// β.
+    /// Best friction ratio β.
     pub beta: f64,
-    /// The largest amplitude of the band over P/k₁, for base motion over Y.
+    /// Largest amplitude of the band at this friction, over P/k₁, for base motion over Y.
     pub amplitude: f64,
-    /// What limits it.
+    /// The reason why the amplitude cannot be lower.
     pub kind: OptimumKind,
-    /// How the search ended.
+    /// The cause that ended the search.
     pub end: OptimumEnd,
-    /// β between which the least lies, as far as it was looked for: neighbours of the scan where it was not looked for
-    /// between them.
+    /// Interval of β that contains the least, as far as the search went. Where the search did not refine between points
+    /// of the scan, the bounds are the neighbours of the best one.
     pub bracket: [f64; 2],
-    /// Where it is reached.
+    /// Frequencies at which the largest amplitude is reached.
     pub peaks: Vec<OptimumPeak>,
-    /// Up to this β the amplitude at an undamped resonance of the band is unbounded; 0 where there is none.
+    /// β up to which the amplitude at an undamped resonance of the band is unbounded. It is 0 without such a resonance.
     pub unbounded_to: f64,
-    /// Up to this β nothing sticks anywhere in the band.
+    /// β up to which the contact never stops anywhere in the band.
     pub free_of_sticking: f64,
-    /// From this β on a stuck state exists all over the band; infinite if nothing holds the contact on a resonance of the
-    /// stuck chain.
+    /// β from which a stuck state exists over the whole band. It is infinite if no friction keeps the contact stuck on
+    /// a resonance of the stuck chain.
     pub locked: f64,
-    /// The largest amplitude without friction; infinite on an undamped resonance.
+    /// Largest amplitude without friction. It is infinite on an undamped resonance.
     pub without_friction: f64,
-    /// The largest amplitude with the contact stuck all over the band.
+    /// Largest amplitude with the contact stuck over the whole band.
     pub with_contact_locked: f64,
-    /// How flat the optimum is: 1, 5 and 10 per cent above the best.
+    /// Intervals of friction for 1, 5 and 10 per cent above the best amplitude. They show how flat the optimum is.
     pub tolerances: Vec<Tolerance>,
-    /// d ln X/d ln p of the amplitude at the optimum, which friction follows: for each parameter but friction and frequency.
-    /// Empty without a load and where there are no derivatives.
+    /// Relative derivatives d ln X/d ln p of the optimum's amplitude X, while friction stays optimal. The list has each
+    /// parameter p except friction and frequency. It is empty without a load, and where there are no derivatives.
     pub sensitivities: Vec<(Parameter, f64)>,
-    /// How many amplitudes were computed.
+    /// Number of amplitudes that were computed.
     pub evaluations: usize,
-    /// How many of them had no answer: a motion with too many stops in a cycle, or none that was found.
+    /// Number of amplitudes without a result. Either the motion has too many stops in a cycle, or no motion was found.
     pub unanswered: usize,
 }

@@ -1,14 +1,14 @@
-//! Where a limit is met within a band, and the extremes of both limits.
+//! Frequency ratios of a band at which a limit equals β, and the extremes of both limits.
 
 use super::line;
 use super::peaks::{Band, PLACE, POLE};
 use super::places::limits;
 
-/// Steps in which the place is found at which a limit is met.
+/// Number of bisection steps for a frequency ratio at which a limit equals β.
 const HALVINGS: usize = 36;
 
 impl Band<'_> {
-    /// Both sides of where a limit is β.
+    /// Returns both sides of every frequency ratio at which a limit equals β.
     pub(super) fn bounds(&self, beta: f64) -> Vec<f64> {
         let system = self.amplitude.system;
         let mut bounds = Vec::new();
@@ -37,8 +37,8 @@ impl Band<'_> {
         bounds
     }
 
-    /// The smallest friction ratio of the band at which the contact stops somewhere, and the smallest from which on a stuck
-    /// state exists all over the band.
+    /// Returns two friction ratios. From the first on, the contact stops somewhere in the band. From the second on, a
+    /// stuck state exists over the whole band.
     pub(super) fn limits(&self) -> [f64; 2] {
         let system = self.amplitude.system;
         let extreme = |sign: f64, of: &dyn Fn(&[f64; 2]) -> f64| {
@@ -72,7 +72,7 @@ impl Band<'_> {
         ]
     }
 
-    /// The sliding limit that half of the places exceed; 1 where that is none.
+    /// Returns the median of the finite sliding limits over the places, or 1 if it is not positive.
     pub(super) fn middle_limit(&self) -> f64 {
         let limits = self.places.iter().map(|place| place.limits[1]);
         let mut limits: Vec<f64> = limits.filter(|limit| limit.is_finite()).collect();

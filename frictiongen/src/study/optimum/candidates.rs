@@ -1,16 +1,16 @@
-//! Friction ratios that may be the best, and where between those of a scan others may lie.
+//! Friction ratios that may be the best, and intervals of a scan that may contain better ones.
 
 use super::creep::meeting;
 use super::scan::Scanned;
 use std::cmp::Ordering;
 
-/// A place between two of the scan is looked into if their tangents meet below this share of the best.
+/// An interval of the scan is searched if its tangents meet below this factor of the best.
 const WORTH: f64 = 1.05;
-/// So many of them are looked into, those that promise most.
+/// Largest number of intervals that are searched, in the order of their promise.
 const MOST_LOOKED_INTO: usize = 6;
-/// No minimum is expected below this share of the values beside it.
+/// No minimum is expected below this share of the values next to it.
 const SHARE: f64 = 0.7;
-/// A closer look finds no more if it is by less than this share.
+/// A closer look has found a higher peak only if the value rises by more than this share.
 pub(super) const HOLDS: f64 = 1e-9;
 
 /// A friction ratio that may be the best.
@@ -18,7 +18,7 @@ pub(super) const HOLDS: f64 = 1e-9;
 pub(super) struct Candidate {
     pub at: Scanned,
     pub bracket: [f64; 2],
-    /// Whether it was not looked for between friction ratios of the scan.
+    /// True if the friction ratio is a point of the scan and was not refined.
     pub of_scan: bool,
 }
 
@@ -35,18 +35,20 @@ pub(super) fn of_scan(scan: &[Scanned]) -> Vec<Candidate> {
     complete.map(candidate).collect()
 }
 
-/// The least friction ratio of the scan from which on nothing changes, with the amplitude there.
+/// Returns the least friction ratio of the scan from which on the amplitude no longer changes, with the amplitude.
 pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
     let last = scan.last().filter(|last| last.complete)?;
     let same = |scanned: &&Scanned| {
         scanned.complete && (scanned.value - last.value).abs() <= HOLDS * last.value
     };
     let first = scan.iter().rev().take_while(same).last()?;
-    // Held by so much that no more changes anything, or by the last of the scan alone.
+    // A whole last point has the friction that keeps the contact stuck over the band. Otherwise the first of the equal
+    // points counts.
     Some((if last.whole { last.beta } else { first.beta }, last.value))
 }
 
-/// Of equal ones first that from which on nothing changes, then that of the least friction.
+/// Orders candidates by amplitude. Among equal ones, the friction from which on nothing changes comes first, then the
+/// least friction.
 pub(super) fn before(a: &Candidate, b: &Candidate, stays: Option<(f64, f64)>) -> Ordering {
     let rank = |candidate: &Candidate| {
         let Scanned { beta, value, .. } = candidate.at;
@@ -65,7 +67,7 @@ pub(super) fn before(a: &Candidate, b: &Candidate, stays: Option<(f64, f64)>) ->
     order.then(a.2.total_cmp(&b.2))
 }
 
-/// Neighbours of the scan between which there is a minimum that may be the least.
+/// Returns neighbours of the scan between which there is a minimum that may be the least.
 pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
     let pairs = scan.windows(2).filter_map(|pair| match pair {
         [below, above] => Some((below, above)),
@@ -77,13 +79,13 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
                 return None;
             }
             if !below.value.is_finite() {
-                // Beyond the friction that bounds a resonance.
+                // The resonance is unbounded at the lower friction ratio and bounded at the upper one.
                 return Some((0.0, (below.clone(), above.clone())));
             }
             let falls = below.slope < 0.0;
-            // Where steady states change, a slope of a place says nothing of the next.
+            // Where steady states change, the slope at one point says nothing about the next.
             let least = SHARE * below.value.min(above.value);
-            // Where the tangents do not meet between, the amplitude is not convex there, and they tell nothing.
+            // If the tangents do not meet in the interval, the amplitude is not convex and its tangents give no bound.
             let low = meeting(below, above).map_or(least, |(_, value)| value.max(least));
             (falls && low <= WORTH * best).then(|| (low, (below.clone(), above.clone())))
         })
@@ -96,7 +98,7 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
         .collect()
 }
 
-/// Friction ratios of the scan that are no worse than their neighbours and promise to be the best.
+/// Returns friction ratios of the scan that are no worse than their neighbours and may be the best.
 pub(super) fn valleys(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned, Scanned)> {
     let triples = scan.windows(3).filter_map(|triple| match triple {
         [below, at, above] => {

@@ -1,18 +1,18 @@
-//! The friction ratio between two at which the peaks of both are smallest, each followed to where it moves.
+//! Finds the friction ratio between two others at which their peaks are smallest. Each peak is followed as it moves.
 
 use super::amplitude::Friction;
 use super::look::Look;
 use super::peaks::{Band, Peak};
 use super::scan::{Scanned, slope, with_slope};
 
-/// So many peaks are followed.
+/// Largest number of peaks that are followed from each side.
 const MOST_FOLLOWED: usize = 6;
-/// Steps towards a minimum at most.
+/// Largest number of steps towards a minimum.
 const STEPS: usize = 40;
-/// Peaks that differ by less are equal.
+/// Peaks within this share count as equal.
 const EQUAL: f64 = 2e-13;
 
-/// Where the tangents meet, and at what.
+/// Returns the friction ratio at which the tangents meet, and the value there.
 pub(super) fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
     let rise = below.slope - above.slope;
     let beta =
@@ -21,17 +21,17 @@ pub(super) fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
     (below.beta < beta && beta < above.beta).then_some((beta, value))
 }
 
-/// Where following the peaks of both sides has led.
+/// The result of following the peaks of both sides.
 pub(super) struct Crept {
     pub best: Scanned,
-    /// Where the amplitude still falls, and where it rises.
+    /// Last friction ratios at which the amplitude falls, and at which it rises.
     pub below: Scanned,
     pub above: Scanned,
-    /// Whether it is the least of these peaks.
+    /// True if the best friction ratio is the minimum of these peaks.
     pub done: bool,
 }
 
-/// The minimum of the peaks that either side has.
+/// Returns the minimum of the peaks of both sides.
 pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option<Crept> {
     let (mut below, mut above) = (below.clone(), above.clone());
     let mut best: Option<Scanned> = None;
@@ -44,7 +44,7 @@ pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option
         }
         let inside = |beta: &f64| below.beta < *beta && *beta < above.beta;
         let met = meeting(&below, &above);
-        // One peak on both sides: the zero of its slope; two: where they are equal.
+        // One peak on both sides has its minimum at the zero of its slope. Two peaks have it where they are equal.
         let (a, b) = (below.peaks.first(), above.peaks.first());
         let one = matches!((a, b), (Some(a), Some(b)) if (a.r - b.r).abs() <= 0.02 * a.r);
         let zero = below.beta - below.slope * width / (above.slope - below.slope);
@@ -82,7 +82,7 @@ pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option
             break;
         }
         let falls = here.slope < 0.0 || !here.value.is_finite();
-        // The peak that goes the other way, and where the two are equal.
+        // The partner moves against the highest peak. The minimum is where both are equal.
         let other = if falls { &above } else { &below };
         let partner = other.peaks.first().and_then(|known| {
             let distance = |peak: &&Peak| (peak.r - known.r).abs();
@@ -103,7 +103,7 @@ pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option
                 next = Some(beta - apart / (here.slope - other_slope));
             }
         } else if one {
-            // The slope's zero from this side, once both sides are near.
+            // The next step uses the zero of the slope instead.
             next = None;
         }
         let before = width;
@@ -134,7 +134,7 @@ pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option
     })
 }
 
-/// Places of which no two lead to the same peak, as far as they tell.
+/// Removes frequency ratios that probably lead to the same peak as another.
 fn distinct(mut places: Vec<f64>) -> Vec<f64> {
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| (*a - *b).abs() <= 1e-3 * a.abs());

@@ -1,4 +1,4 @@
-//! How flat an optimum is.
+//! The intervals of friction around an optimum, which show how flat it is.
 
 use super::amplitude::Friction;
 use super::answer::Tolerance;
@@ -6,22 +6,23 @@ use super::peaks::Band;
 use super::scan::Scanned;
 use super::search::{End, Least};
 
-/// Steps to an end of an interval at most.
+/// Largest number of steps towards a bound of an interval.
 const STEPS: usize = 40;
-/// How near to it, relative to β,
+/// Relative tolerance of a bound in β.
 const NEAR: f64 = 1e-8;
-/// and where the optimum itself is not known to all digits.
+/// Relative tolerance of a bound where the optimum itself is not known to all digits.
 const ROUGHLY: f64 = 1e-3;
-/// So many peaks are followed of each friction ratio that is known.
+/// Number of peaks that are followed from each known friction ratio.
 const MOST_FOLLOWED: usize = 3;
-/// The work of one end.
+/// Bound on the work for one bound of an interval.
 const WORK: usize = 12_000;
 
-/// The interval around the optimum within which the largest amplitude is at most so much above the best.
+/// Returns the interval of friction around the optimum in which the largest amplitude is at most `excess` above the
+/// best.
 pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Tolerance {
     let level = least.at.value * (1.0 + excess);
     if level == 0.0 {
-        // At rest: nothing but rest is within a share of it.
+        // The optimum is rest, and a share of 0 is 0.
         let (from, to) = (least.at.beta, f64::INFINITY);
         return Tolerance { excess, from, to };
     }
@@ -38,7 +39,7 @@ pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Toleranc
     let mut above = above.filter(|scanned| least.at.beta < scanned.beta);
     let to = match edge(band, &least.at, &mut above, (level, near)) {
         Some(to) => to,
-        // Nothing beyond is above it: the contact stuck all over the band is not either.
+        // No point of the scan beyond is above the level. The contact stuck over the whole band is not above it either.
         None if least.locked_from.is_finite() => f64::INFINITY,
         None => least
             .scan
@@ -50,7 +51,7 @@ pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Toleranc
     Tolerance { excess, from, to }
 }
 
-/// Where the level is met on the way from the optimum outwards.
+/// Returns the friction ratio at which the amplitude reaches the level, on the way from the optimum outwards.
 fn edge<'a>(
     band: &Band<'_>,
     best: &'a Scanned,
@@ -78,7 +79,7 @@ fn edge<'a>(
     };
     let (mut a, mut at_a) = (inside.beta, inside.value - level);
     let (mut b, mut at_b) = (outside.beta, outside.value - level);
-    // Regula falsi with the Illinois rule; by halves towards what is unbounded.
+    // Regula falsi with the Illinois rule. Towards an unbounded amplitude it bisects.
     for _ in 0..STEPS {
         if (b - a).abs() <= near * b.abs() || band.amplitude.is_spent() {
             break;

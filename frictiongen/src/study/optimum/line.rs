@@ -1,12 +1,13 @@
-//! The largest value of a function of one variable between two places.
+//! Finds the largest value of a function of one variable in an interval.
 
-/// The golden section's smaller part.
+/// The smaller share of a golden section.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
-/// Steps at most; each keeps at most 0.62 of the interval.
+/// Largest number of steps. A golden section keeps at most 0.62 of the interval.
 const STEPS: usize = 90;
 
-/// Where a function is largest on [a, b], from a place within, by Brent's method: parabolas, and golden sections where those
-/// do not serve.  `relative` is how near to the place it goes; what has no value counts as least.
+/// Returns the position and value of a function's maximum on [a, b], by Brent's method from a position within. The
+/// method fits parabolas, and uses golden sections where they fail. `relative` is the tolerance of the position. `f`
+/// returns −∞ where it has no value.
 pub(super) fn largest(
     mut f: impl FnMut(f64) -> f64,
     [mut a, mut b]: [f64; 2],
@@ -93,7 +94,7 @@ mod tests {
         let roof = |x: f64| -(x - 0.3).abs();
         let (x, _) = largest(roof, [0.0, 1.0], (0.5, roof(0.5)), 1e-12);
         assert!((x - 0.3).abs() < 1e-9, "{x}");
-        // At an end.
+        // The maximum is at a bound.
         let (x, _) = largest(|x| x, [0.0, 1.0], (0.5, 0.5), 1e-12);
         assert!(x > 1.0 - 1e-9, "{x}");
     }

@@ -1,45 +1,48 @@
-//! What a look at a band sees at one friction ratio.
+//! Looks at a band. A look evaluates the amplitude over the band at one friction ratio and finds its local maxima.
+//!
+//! The first look at a friction ratio takes some places only. A whole look takes all of them.
 
 use super::amplitude::Friction;
 use super::peaks::{PLACE, Peak};
 use super::places::Place;
 
-/// Up to this ratio of two friction ratios an amplitude is expected to change by this factor at most:
+/// Largest ratio of two friction ratios for which the second number, a factor, bounds the expected change of amplitude.
 const FIRST: [f64; 2] = [1.5, 2.0];
-/// the same where the whole band is looked at,
+/// The same two numbers as in `FIRST`, for a whole look.
 const WHOLE: [f64; 2] = [1.1, 4.0];
-/// and by this one where less is known.
+/// Factor for an amplitude that is known only at a more distant friction ratio.
 const UNKNOWN: f64 = 5.0;
 
-/// How closely a band is looked at.
+/// The precision of a look at a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Closely {
     /// Enough to compare friction ratios.
     First,
-    /// At all places, each maximum to rounding.
+    /// All places, with each maximum to rounding.
     Whole,
 }
 
-/// What a look at a band saw.
+/// The result of a look at a band.
 #[derive(Clone, Debug)]
 pub(super) struct Look {
-    /// From the largest down.
+    /// The local maxima found, in descending order.
     pub peaks: Vec<Peak>,
-    /// Whether these are all; otherwise the largest is larger than what was asked for, or the work was spent.
+    /// True if the look was completed. Otherwise the largest amplitude exceeds the cutoff, or the work was spent.
     pub complete: bool,
 }
 
-/// What is known of the amplitude at a place before the motion is followed there.
+/// The amplitude at a place that is known before the motion is followed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known {
-    /// The friction ratio at which it was followed last; NaN before.
+    /// The friction ratio of the last followed motion at this place. NaN before the first.
     pub beta: f64,
-    /// The amplitude there; before, the larger one of those without friction and with the contact stuck.
+    /// The amplitude of that motion. Before the first, it is the larger amplitude of the chain without friction and
+    /// with its contact stuck.
     pub value: f64,
 }
 
 impl Known {
-    /// The largest amplitude that is to be expected at another friction ratio.
+    /// Returns the largest amplitude that is expected at another friction ratio.
     pub fn promise(self, friction: Friction, closely: Closely) -> f64 {
         let Friction::Ratio(beta) = friction else {
             return self.value;
@@ -56,7 +59,7 @@ impl Known {
     }
 }
 
-/// A place with its value.
+/// A place with its amplitude, NaN before the motion is followed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seen {
     pub place: Place,
@@ -69,24 +72,26 @@ pub(super) struct Open {
     pub friction: Friction,
     pub seen: Vec<Seen>,
     pub peaks: Vec<Peak>,
-    /// The largest amplitude of the closed form: the largest of all is no smaller.
+    /// The largest amplitude of the closed form, a lower bound on the largest of all.
     pub floor: f64,
-    /// The same with places at which a stuck state exists as if it were reached.
+    /// Estimate of the largest amplitude. It is the larger of `floor` and the stuck amplitudes at places where a stuck
+    /// state exists.
     pub expected: f64,
 }
 
 impl Open {
-    /// The largest value.
+    /// Returns the largest known amplitude.
     pub fn most(&self) -> f64 {
         let values = self.seen.iter().map(|seen| seen.value);
         values.fold(0.0, f64::max)
     }
 }
 
-/// Between which places there is a maximum, none along a plateau; and the place with its value.
+/// A local maximum: the two places that enclose it, `None` on a plateau, and its own place with the value.
 pub(super) type Top = (Option<[f64; 2]>, (f64, f64));
 
-/// Local maxima of at least so much: with `closed` those between closed forms, otherwise the others.
+/// Returns the local maxima of at least `least`. With `closed` they are those between closed forms, otherwise the
+/// others.
 pub(super) fn tops(seen: &[Seen], least: f64, closed: bool) -> Vec<Top> {
     let mut found = Vec::new();
     for (index, own) in seen.iter().enumerate() {
@@ -105,7 +110,7 @@ pub(super) fn tops(seen: &[Seen], least: f64, closed: bool) -> Vec<Top> {
     found
 }
 
-/// From the largest down, each once.
+/// Returns the peaks in descending order, without duplicates.
 pub(super) fn sorted(mut peaks: Vec<Peak>) -> Vec<Peak> {
     peaks.retain(|peak| !peak.value.is_nan());
     peaks.sort_by(|a, b| b.value.total_cmp(&a.value));

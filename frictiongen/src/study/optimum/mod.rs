@@ -23,24 +23,25 @@ use problem::Problem;
 pub use request::{FrequencyBand, OptimumError, OptimumRequest};
 pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 
-/// The work of a search.
+/// Default bound on the work of a search, in units of about 10 µs.
 const WORK: usize = 1_000_000;
 
 impl System {
-    /// The friction that keeps the largest amplitude of a motion over a band of frequencies smallest, over all regimes: the
-    /// closed form where the contact slides all the time, steady states where it stops, the stuck response.
+    /// Returns the friction that keeps the largest amplitude of a motion over a band of frequencies smallest. All
+    /// regimes count: the closed form where the contact slides all the time, steady states with stops, and the stuck
+    /// response.
     ///
-    /// The largest amplitude over the band is looked for about every resonance, of the chain and of the chain with its
-    /// contact stuck, their sub-harmonics, on both sides of changes of regime and on a grid between, the least over friction by
-    /// a scan between none and so much that nothing slides.  What has a closed form comes first; a friction ratio at which that
-    /// exceeds the best so far is left, and motions are followed where they may be the largest.
+    /// At one friction ratio the search evaluates the amplitude near every resonance of the chain, free and with its
+    /// contact stuck. It also evaluates sub-harmonics, both sides of regime changes and a grid. A scan over friction,
+    /// from none to so much that nothing slides, finds the least of the largest amplitudes. Closed forms are evaluated
+    /// first. If they exceed the best amplitude so far by a margin, the friction ratio is rejected. Motions are
+    /// followed only where they may be the largest.
     ///
-    /// The work of a search is bounded and counted: the answer is the same on every machine.  Most frames take less than a
-    /// second; those whose motions jump and do not settle take up to twenty.  Where the
-    /// bound is met, or the least is at a jump to another steady state, [`Optimum::end`] says so, and
-    /// [`Optimum::bracket`] between which friction ratios the least lies.
+    /// The work of a search is bounded and counted, so the result is the same on every machine. Motions that jump and
+    /// do not settle take most work. [`Optimum::end`] reports whether the search met the bound, or ended at a jump to
+    /// another steady state. [`Optimum::bracket`] then contains the best friction ratio.
     ///
-    /// With μ > 1 the search takes the closed form where β is below both limits, and follows the motion from rest at the
+    /// With μ > 1 the search takes the closed form where β is below both limits. It follows the motion from rest at the
     /// largest peaks of the result.
     ///
     /// ```
@@ -67,14 +68,13 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`OptimumError`]: for a band, a motion, a load or a quantity that makes no sense, and where no friction bounds the
-    /// amplitude.
+    /// [`OptimumError`] for an invalid band, motion, load or quantity, and where no friction bounds the amplitude.
     pub fn optimum(&self, request: &OptimumRequest) -> Result<Optimum, OptimumError> {
         self.optimum_within(request, WORK)
     }
 
-    /// Searches as [`optimum`](Self::optimum) does, with another bound on the work, in units of some 10 µs.  A search that meets the
-    /// bound ends with [`OptimumEnd::WorkSpent`].
+    /// Searches as [`optimum`](Self::optimum) does, with another bound on the work, in units of about 10 µs. A search
+    /// that meets the bound ends with [`OptimumEnd::WorkSpent`].
     ///
     /// # Errors
     /// Same errors as [`optimum`](Self::optimum).

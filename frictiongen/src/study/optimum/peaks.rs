@@ -1,9 +1,11 @@
 //! The largest amplitude over a band of frequencies at one friction ratio.
 //!
-//! The band is looked at where an amplitude can bend: closely about the resonances of the chain and of the chain with its
-//! contact stuck and about their sub-harmonics, on both sides of where a limit is met, and on a grid between.  What has a
-//! closed form comes first: where that alone exceeds what is asked for, no motion is followed.  Every local maximum that may
-//! be the largest is refined.
+//! The band is evaluated where an amplitude can bend. Places are close together near the resonances of the chain, free
+//! and with its contact stuck, and near their sub-harmonics. They are on both sides of every point where a limit is
+//! equal to β, and on a grid.
+//!
+//! A look at the band evaluates closed forms first. If they exceed the cutoff, no motion is followed. Every local
+//! maximum that may be the largest is refined.
 
 use super::amplitude::{Amplitude, Friction};
 use super::line;
@@ -13,24 +15,24 @@ use crate::Of;
 use crate::study::system::System;
 use std::cell::{Cell, RefCell};
 
-/// A local maximum of the places below this share of the largest is not refined,
+/// A local maximum of the places below this share of the largest is not refined.
 const WORTH: f64 = 0.7;
-/// and not finely below this one.
+/// A local maximum below this share of the largest is not refined finely.
 const WORTH_FINELY: f64 = 0.95;
-/// So many local maxima of motions that have to be followed are refined.
+/// Largest number of local maxima of followed motions that are refined.
 const MOST_TOPS: usize = 8;
-/// How near to the place of a maximum a search goes: its value is then right to rounding.
+/// Relative tolerance in r of a refined maximum. The value of the maximum is then right to rounding.
 pub(super) const PLACE: f64 = 2e-9;
-/// The same where many friction ratios are compared,
+/// Relative tolerance in r where many friction ratios are compared.
 const NEARLY: f64 = 1e-5;
-/// and before it is known which maximum is the largest.
+/// Relative tolerance in r before it is known which maximum is the largest.
 const ROUGHLY: f64 = 1e-3;
-/// Where a maximum moves along, its first bracket.
+/// Relative width of the first bracket of a maximum that moves with friction.
 const NEIGHBOUR: f64 = 2e-3;
-/// An amplitude from which on it is no finite one.
+/// An amplitude from this value on counts as infinite.
 pub(super) const POLE: f64 = 1e9;
 
-/// Amplitudes that differ by a smaller share are the same.
+/// Amplitudes count as equal within this share.
 const SAME: f64 = 1e-9;
 
 /// A local maximum over the band.
@@ -38,22 +40,22 @@ const SAME: f64 = 1e-9;
 pub(in crate::study) struct Peak {
     pub r: f64,
     pub value: f64,
-    /// Whether it is at an end of the band.
+    /// True if the maximum is at a bound of the band.
     pub edge: bool,
 }
 
-/// A band of frequencies.
+/// A band of frequencies, with what is known of the amplitude in it.
 pub(in crate::study) struct Band<'s> {
     pub amplitude: Amplitude<'s>,
     from: f64,
     to: f64,
-    /// Where it is looked at whatever the friction is, ascending.
+    /// Places that are evaluated whatever the friction is, ascending.
     pub(super) places: Vec<Place>,
-    /// The amplitude there with the contact stuck.
+    /// Amplitudes at the places with the contact stuck.
     held: Vec<f64>,
-    /// What is known of the amplitude there.
+    /// Last known amplitudes at the places.
     known: Vec<Cell<Known>>,
-    /// Peaks that the first look passed over.
+    /// Frequency ratios of peaks that the first look passed over.
     learned: RefCell<Vec<f64>>,
 }
 
@@ -90,18 +92,18 @@ impl<'s> Band<'s> {
         [self.from, self.to]
     }
 
-    /// Has the first look take this place too.
+    /// Adds a frequency ratio to all further first looks.
     pub(super) fn learn(&self, r: f64) {
         self.learned.borrow_mut().push(r);
     }
 
-    /// The largest of the band: from the largest local maximum down.
+    /// Returns the local maxima of the band in descending order.
     pub(in crate::study) fn peaks(&self, friction: Friction) -> Vec<Peak> {
         let open = self.open(friction);
         self.look(open, f64::INFINITY, Closely::Whole).peaks
     }
 
-    /// What has a closed form.
+    /// Returns the band at one friction ratio, evaluated where the response has a closed form.
     pub(super) fn open(&self, friction: Friction) -> Open {
         let seen = |place: Place| {
             let closed = place.is_closed(friction);
@@ -140,7 +142,7 @@ impl<'s> Band<'s> {
         };
         let most = open.most();
         open.floor = most;
-        // On a resonance of the stuck chain that nothing damps its own rounding is all that bounds it.
+        // On an undamped resonance of the stuck chain, only rounding bounds the amplitude.
         let pole = friction == Friction::Locked && POLE <= most;
         if most.is_infinite() || pole {
             self.poles(&mut open, most);
@@ -148,7 +150,7 @@ impl<'s> Band<'s> {
             for (ends, start) in tops(&open.seen, WORTH * most, true) {
                 let peak = match ends {
                     Some(ends) => self.climbed(ends, start, friction, PLACE),
-                    // All along a plateau one place is as good.
+                    // On a plateau every place is as good as any other.
                     None if open.peaks.is_empty() => self.peak(start.0, start.1),
                     None => continue,
                 };
@@ -168,7 +170,7 @@ impl<'s> Band<'s> {
         open.floor = f64::INFINITY;
     }
 
-    /// What has to be followed too, until something exceeds `cutoff`.
+    /// Follows motions where there is no closed form, until an amplitude exceeds `cutoff`.
     pub(super) fn look(&self, mut open: Open, cutoff: f64, closely: Closely) -> Look {
         let friction = open.friction;
         if open.floor.is_infinite() {
@@ -198,7 +200,7 @@ impl<'s> Band<'s> {
                 continue;
             };
             if promise < most {
-                // Nor do those after it promise more.
+                // The order is descending, so no later place promises more.
                 break;
             }
             let r = seen.place.r;
@@ -240,7 +242,8 @@ impl<'s> Band<'s> {
         }
     }
 
-    /// With μ > 1 motion from rest decides also where the closed form exists: it is followed at the largest peaks.
+    /// Follows motion from rest at the largest peaks. With μ > 1 it decides the state also where the closed form
+    /// exists.
     fn follow_largest(&self, peaks: &mut Vec<Peak>, friction: Friction) {
         let most = peaks.first().map_or(0.0, |peak| peak.value);
         let largest = peaks.iter_mut().take(MOST_TOPS);
@@ -253,7 +256,7 @@ impl<'s> Band<'s> {
         *peaks = sorted(std::mem::take(peaks));
     }
 
-    /// Local maxima between their neighbours: all roughly, and those that may be the largest finely.
+    /// Refines local maxima between their neighbours: all of them roughly, and those that may be the largest finely.
     fn refined(&self, tops: Vec<Top>, friction: Friction, finely: f64, cutoff: f64) -> Vec<Peak> {
         let mut roughly: Vec<([f64; 2], Peak)> = Vec::new();
         for (ends, start) in tops {
@@ -282,7 +285,8 @@ impl<'s> Band<'s> {
         roughly.into_iter().map(finely).collect()
     }
 
-    /// Places at which the motion has to be followed, with the largest that is to be expected there, in descending order.
+    /// Returns places at which the motion has to be followed, with the largest amplitude expected there, in descending
+    /// order.
     fn promising(
         &self,
         open: &Open,
@@ -318,8 +322,8 @@ impl<'s> Band<'s> {
         }
     }
 
-    /// The largest local maxima from where they were at another friction ratio near by, and both ends; no more once one
-    /// exceeds `cutoff`.
+    /// Returns the amplitudes at both bounds, and the largest local maxima. Each maximum is followed from a frequency
+    /// ratio in `seeds`, its position at a similar friction ratio. The search ends when an amplitude exceeds `cutoff`.
     pub(super) fn followed(&self, friction: Friction, seeds: &[f64], cutoff: f64) -> Vec<Peak> {
         let value = |r: f64| self.amplitude.at(r, friction);
         let mut peaks: Vec<Peak> = [self.from, self.to]
@@ -327,7 +331,7 @@ impl<'s> Band<'s> {
             .to_vec();
         let mut tops: Vec<Top> = Vec::new();
         for seed in seeds.iter().filter(|seed| !self.is_edge(**seed)) {
-            // Uphill until there is a lower place on both sides.
+            // Climbs until there is a lower amplitude on both sides.
             let (mut middle, mut width) = (*seed, NEIGHBOUR * seed);
             let mut own = value(middle);
             let mut ends = [middle, middle];

@@ -1,4 +1,4 @@
-//! A question that makes sense, and what is told of the friction found.
+//! A valid request of an optimum, and the report of the friction that was found.
 
 use super::amplitude::Friction;
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
@@ -13,19 +13,19 @@ use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 use crate::{Of, Regime};
 
-/// Work of what is told of an optimum.
+/// Bound on the work of the report of an optimum.
 const WORK_OF_A_REPORT: usize = 60_000;
-/// How much above the best.
+/// Excesses over the best amplitude for which the report has a tolerance.
 const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
 /// Peaks within this share of the largest count as equal.
 const EQUAL: f64 = 1e-9;
 
-/// A question that makes sense.
+/// A valid request of an optimum.
 pub(super) struct Problem<'s> {
     pub system: &'s System,
     of: Of,
     load: Option<Load>,
-    /// r.
+    /// Bounds of the band, as frequency ratios r.
     ends: [f64; 2],
 }
 
@@ -73,7 +73,7 @@ impl<'s> Problem<'s> {
         Band::new(self.system, self.of, self.ends)
     }
 
-    /// The least over all friction, found with so much work at most.
+    /// Returns the least over all friction, found within a bound on work.
     pub(super) fn least(band: &Band<'_>, work: usize) -> Result<Least, OptimumError> {
         search::least(band, work).ok_or_else(|| {
             if band.amplitude.is_spent() {
@@ -90,7 +90,7 @@ impl<'s> Problem<'s> {
         self.told(&band, &least)
     }
 
-    /// Everything about a friction that was found.
+    /// Returns the full report of a friction that was found.
     pub(super) fn told(&self, band: &Band<'_>, least: &Least) -> Result<Optimum, OptimumError> {
         let largest = |friction: Friction| {
             let peaks = band.peaks(friction);
@@ -111,7 +111,7 @@ impl<'s> Problem<'s> {
         let peaks = equal_peaks(band, (&least.at, least.kind), friction);
         let sensitivities = match least.end {
             End::Converged => self.sensitivities(beta, &peaks).unwrap_or_default(),
-            // Friction does not follow a jump.
+            // The derivatives assume a minimum that moves smoothly with a parameter. A jump does not.
             End::Jump | End::Spent => Vec::new(),
         };
         let tolerances = EXCESSES
@@ -147,7 +147,8 @@ impl<'s> Problem<'s> {
         })
     }
 
-    /// d ln X/d ln p at the optimum: of one peak its own; of two equal ones what both agree on as friction follows.
+    /// Returns d ln X/d ln p at the optimum. For one peak it is the derivative of the peak. For two equal peaks it is
+    /// their common derivative, while friction keeps the peaks equal.
     fn sensitivities(&self, beta: f64, peaks: &[OptimumPeak]) -> Option<Vec<(Parameter, f64)>> {
         let all = self.slopes(self.load?, beta, peaks)?;
         let weights = weights(&all)?;
@@ -165,7 +166,7 @@ impl<'s> Problem<'s> {
         .collect()
     }
 
-    /// The derivatives of each peak under a load.
+    /// Returns the derivatives of each peak under a load.
     pub(super) fn slopes(
         &self,
         load: Load,
@@ -186,14 +187,15 @@ impl<'s> Problem<'s> {
     }
 }
 
-/// The derivative of a peak with respect to a parameter, with the parameter's value.
+/// Returns the derivative of a peak with respect to a parameter, with the parameter's value.
 pub(super) fn slope(of: &ResponseSensitivities, parameter: Parameter) -> Option<(f64, Slope)> {
     let mut found = of.parameters.iter();
     let found = found.find(|of| of.parameter == parameter)?;
     Some((found.value, found.amplitude))
 }
 
-/// With which weights the derivatives of equal peaks make that of their height, as friction follows.
+/// Returns the weights with which the derivatives of equal peaks add to the derivative of their common height, while
+/// friction keeps the peaks equal.
 pub(super) fn weights(all: &[ResponseSensitivities]) -> Option<Vec<f64>> {
     let along_friction = |of: &ResponseSensitivities| {
         let (value, slope) = slope(of, Parameter::Friction)?;
@@ -209,13 +211,13 @@ pub(super) fn weights(all: &[ResponseSensitivities]) -> Option<Vec<f64>> {
     }
 }
 
-/// The peaks that are as high as the highest.
+/// Returns the peaks that are as high as the highest.
 pub(super) fn equal_peaks(
     band: &Band<'_>,
     (at, kind): (&Scanned, Kind),
     friction: Friction,
 ) -> Vec<OptimumPeak> {
-    // Where the contact is stuck it may move with the base over a whole range.
+    // A stuck contact may move with the base over a whole range, where all places are equal peaks.
     let most = if kind == Kind::Held { 1 } else { 8 };
     let equal = at.peaks.iter();
     let equal = equal.filter(|peak| at.value * (1.0 - EQUAL) <= peak.value);

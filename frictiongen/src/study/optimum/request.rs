@@ -1,53 +1,53 @@
-//! What is asked of an optimum.
+//! The request of an optimum.
 
 use crate::Of;
 use crate::study::error::{InvalidScene, UnknownMass};
 use crate::study::units::{Load, LoadError};
 
-/// A band of frequencies.
+/// A band of frequencies, in frequency ratios or in Hz.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrequencyBand {
     /// Frequency ratios r of the scene as it is described.
     Ratio(f64, f64),
-    /// Hz.
+    /// Frequencies in Hz.
     Hertz(f64, f64),
 }
 
-/// What is asked.
+/// The motion, band and load of an optimum.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OptimumRequest {
-    /// Whose amplitude.
+    /// The motion whose amplitude is kept small.
     pub of: Of,
-    /// Over which frequencies, both ends included; above 0 and finite.
+    /// The band of frequencies, both ends included, above 0 and finite.
     pub band: FrequencyBand,
-    /// The load, where forces in N and lengths in m are wanted.
+    /// The load, if forces in N and lengths in m are wanted.
     pub load: Option<Load>,
 }
 
-/// Why there is no optimum.
+/// The reason why there is no optimum.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum OptimumError {
-    /// An end of the band is not above 0 and finite.
+    /// A bound of the band is not above 0 and finite.
     Band,
-    /// The band has no width, or its end is below its start.
+    /// The band has no width, or its upper bound is below its lower bound.
     Width,
     /// There is no such mass.
     UnknownMass(UnknownMass),
-    /// The load does not fit.
+    /// The load does not fit the scene.
     Load(LoadError),
-    /// Nothing damps this mode, counted from 0: the contact does not touch it, and the load drives it.
+    /// Nothing damps this mode, counted from 0. The contact does not touch it, and the load drives it.
     Undamped(usize),
-    /// At every friction a resonance within the band is unbounded.
+    /// A resonance within the band is unbounded at every friction.
     Unbounded,
     /// The motion does not depend on friction and is at rest.
     AtRest,
-    /// The work that [`System::optimum`](crate::study::System::optimum) may take was done before any friction was found that
-    /// bounds the amplitude.
+    /// The bound on the work of [`System::optimum`](crate::study::System::optimum) was met before any friction was
+    /// found that bounds the amplitude.
     TooLong,
-    /// The interval of a tuned number is not finite, has no width, or its end is below its start.
+    /// The interval of a tuned number is not finite, has no width, or its upper bound is below its lower bound.
     Interval,
-    /// With a tuned number at an end of its interval the scene makes no sense.
+    /// The scene is invalid with a tuned number at a bound of its interval.
     Scene(InvalidScene),
 }
 

@@ -1,55 +1,60 @@
-//! The largest amplitude over a band at friction ratios between none and so much that nothing slides, with its slope.
+//! Computes the largest amplitude over a band, with its slope, at friction ratios from none to so much that nothing
+//! slides.
 
 use super::amplitude::Friction;
 use super::look::{Closely, Look, Open};
 use super::peaks::{Band, Peak};
 use crate::study::system::System;
 
-/// Friction ratios of the scan, closer towards none,
+/// Number of intervals of the scan over friction. They are shorter near zero.
 const SCAN: usize = 40;
-/// and of that in geometric steps, from this share of the middle sliding limit on.
+/// Number of additional friction ratios in geometric steps. The first one is `LEAST` times the middle sliding limit.
 const GEOMETRIC: usize = 24;
 const LEAST: f64 = 0.02;
-/// With μ > 1 a motion from rest may go on sliding where a stuck state exists: up to these multiples of what holds all.
+/// With μ > 1 a motion from rest may slide although a stuck state exists. The scan therefore continues beyond the
+/// friction from which a stuck state exists over the whole band, to these multiples of it.
 const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
-/// Of a moving place a step of a difference.
+/// Relative step of a finite difference of a peak that moves.
 const DIFFERENCE: f64 = 1e-6;
-/// How often a scan without an end is made twice as long,
+/// Largest number of times that a scan without an upper bound doubles its range.
 const LONGER: usize = 12;
-/// unless the last of it exceed the best by this factor.
+/// A scan without an upper bound stops when each of its last four values rises with friction or exceeds the best by
+/// this factor.
 const FAR_ABOVE: f64 = 2.0;
-/// Beyond the friction that bounds all resonances, by shares of it.
+/// Friction ratios of the scan above the friction that bounds all resonances, as shares of it.
 const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
-/// A difference that says more than this change of the amplitude for one of friction is across a jump.
+/// A relative difference above this multiple of the relative change of friction is across a jump.
 const STEEPEST: f64 = 50.0;
-/// A least that is hidden between two of the scan is looked for so often by halves,
+/// Number of times that intervals of the scan which may hide a minimum are halved.
 const CLOSER: usize = 5;
-/// if the lower of the two is within this share of the best.
+/// An interval is halved only if the lower of its two values is within this factor of the best.
 const NEARLY: f64 = 1.2;
-/// More places at most in one go.
+/// Largest number of intervals that are halved in one round.
 const MOST_CLOSER: usize = 8;
-/// About the best friction ratio so often more are looked at,
+/// Number of rounds in which the scan is refined around the best friction ratio.
 const ABOUT: usize = 2;
-/// which cut the interval to each side into so many parts.
+/// Number of parts into which a round cuts the interval on each side.
 const PARTS: u32 = 5;
-/// A friction ratio is left as soon as an amplitude exceeds the best so far by this factor: more than any tolerance asks for.
+/// A friction ratio is rejected as soon as an amplitude exceeds the best so far by this factor. The factor exceeds
+/// every excess of a tolerance.
 const MARGIN: f64 = 1.2;
 
-/// The largest amplitude at one friction ratio.
+/// The largest amplitude over the band at one friction ratio.
 #[derive(Clone, Debug)]
 pub(super) struct Scanned {
     pub beta: f64,
-    /// Where the look is not complete, the largest is at least this.
+    /// Largest amplitude. It is a lower bound where the look is not complete.
     pub value: f64,
-    /// Its derivative with respect to β; NaN where the amplitude is unbounded.
+    /// Derivative with respect to β. NaN where the amplitude is unbounded.
     pub slope: f64,
     pub peaks: Vec<Peak>,
     pub complete: bool,
-    /// Whether all places have been looked at.
+    /// True if all places of the band were evaluated.
     pub whole: bool,
 }
 
-/// Up to this friction ratio the amplitude at an undamped resonance of the band is unbounded; 0 where there is none.
+/// Returns the friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. It is 0
+/// without such a resonance.
 pub(super) fn unbounded_to(system: &System, [from, to]: [f64; 2]) -> f64 {
     let modal = system.modal();
     let modes = modal.damping_ratios.iter().zip(system.resonances());
@@ -60,13 +65,13 @@ pub(super) fn unbounded_to(system: &System, [from, to]: [f64; 2]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The least of those that are complete; infinite if none is.
+/// Returns the least value of complete looks, or infinity if none is complete.
 pub(super) fn best(scan: &[Scanned]) -> f64 {
     let complete = scan.iter().filter(|scanned| scanned.complete);
     complete.fold(f64::INFINITY, |best, scanned| best.min(scanned.value))
 }
 
-/// The scan.
+/// Returns the scan over friction.
 pub(super) fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
     let system = band.amplitude.system;
     let unbounded_to = unbounded_to(system, band.ends());
@@ -89,7 +94,8 @@ pub(super) fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Sc
         .filter(|beta| *beta < top);
     add(band, &mut scan, betas);
     if !locked_from.is_finite() {
-        // Beside a resonance of the stuck chain nothing holds the contact: until friction no longer helps.
+        // Next to a resonance of the stuck chain no friction holds the contact. The scan ends where more friction no
+        // longer helps.
         for _ in 0..LONGER {
             let more = [1.0, 1.25, 1.5, 1.75].map(|share| top * share);
             add(band, &mut scan, more.into_iter());
@@ -118,8 +124,8 @@ pub(super) fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Sc
     scan
 }
 
-/// Adds friction ratios to the scan, first those at which the least is expected: most of the others are left after what has a
-/// closed form.
+/// Adds friction ratios to the scan, in the order of their expected amplitude. With a low amplitude known first, the
+/// closed form alone then rejects most others.
 pub(super) fn add(band: &Band<'_>, scan: &mut Vec<Scanned>, betas: impl Iterator<Item = f64>) {
     let opened = betas.map(|beta| (beta, band.open(Friction::Ratio(beta))));
     let mut opened: Vec<(f64, Open)> = opened.collect();
@@ -137,8 +143,8 @@ pub(super) fn add(band: &Band<'_>, scan: &mut Vec<Scanned>, betas: impl Iterator
     scan.dedup_by(|a, b| a.beta == b.beta);
 }
 
-/// More places where a least is hidden: where the amplitude falls from one of two neighbours, and the other is higher
-/// although it falls there too; and the other way round.
+/// Adds friction ratios where a minimum may be hidden. The amplitude falls from one of two neighbours, and the second
+/// is higher although the amplitude falls there too. The mirrored case counts as well.
 pub(super) fn closer(band: &Band<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..CLOSER {
         let best = best(scan);
@@ -163,8 +169,8 @@ pub(super) fn closer(band: &Band<'_>, scan: &mut Vec<Scanned>) {
     }
 }
 
-/// More places about the best, to both sides up to its neighbours: with μ > 1 the amplitude jumps with friction, and what it is
-/// between two places of the scan no slope tells.
+/// Adds friction ratios around the best one, up to its neighbours on both sides. With μ > 1 the amplitude jumps with
+/// friction, and slopes do not show its values between points of the scan.
 pub(super) fn about_best(band: &Band<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..ABOUT {
         let best = best(scan);
@@ -191,7 +197,7 @@ pub(super) fn about_best(band: &Band<'_>, scan: &mut Vec<Scanned>) {
     }
 }
 
-/// One friction ratio, until an amplitude exceeds `cutoff`.
+/// Returns the result at one friction ratio. The look ends when an amplitude exceeds `cutoff`.
 pub(super) fn scanned_at(band: &Band<'_>, beta: f64, cutoff: f64) -> Scanned {
     let open = band.open(Friction::Ratio(beta));
     let look = band.look(open, cutoff, Closely::First);
@@ -215,14 +221,14 @@ pub(super) fn with_slope(beta: f64, look: Look, slope: impl Fn(&Peak) -> f64) ->
     }
 }
 
-/// The derivative of a peak's height with respect to β.
+/// Returns the derivative of a peak's height with respect to β.
 pub(super) fn slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
     if let Some([along_r, along_beta]) = band.amplitude.slopes(peak.r, beta)
         && (peak.edge || is_smooth(band, beta, peak, along_r))
     {
         return along_beta;
     }
-    // It moves along a jump: as it is followed.
+    // The peak is on a jump, and moves with the jump. A finite difference therefore follows it.
     let h = DIFFERENCE * beta;
     let at = |beta: f64| {
         let peaks = band.followed(Friction::Ratio(beta), &[peak.r], f64::INFINITY);
@@ -235,7 +241,7 @@ pub(super) fn slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
     (at(beta + h) - at(beta - h)) / (h + h)
 }
 
-/// Whether a maximum is one of a smooth function: beside it the tangent tells nothing.
+/// Returns true if the amplitude is smooth at a maximum. At a kink a tangent says nothing about the peak.
 fn is_smooth(band: &Band<'_>, beta: f64, peak: &Peak, along_r: f64) -> bool {
     if along_r.abs() * peak.r <= 1e-7 * peak.value {
         return true;
@@ -246,7 +252,7 @@ fn is_smooth(band: &Band<'_>, beta: f64, peak: &Peak, along_r: f64) -> bool {
     along_r.abs() * step <= 0.1 * fallen
 }
 
-/// The same by a difference at the peak's place; NaN across a jump.
+/// Returns the derivative from a finite difference at the peak's frequency. NaN across a jump.
 fn rough_slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
     let at = |beta: f64| band.amplitude.at(peak.r, Friction::Ratio(beta));
     if beta == 0.0 {

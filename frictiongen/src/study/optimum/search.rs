@@ -1,9 +1,12 @@
-//! The friction ratio at which the largest amplitude over a band is smallest.
+//! Finds the friction ratio at which the largest amplitude over a band is smallest.
 //!
-//! That amplitude is a maximum of smooth branches, one for each peak, with jumps where another steady state is reached.  A scan
-//! over friction gives its value and slope; where the slope changes from falling to rising there is a minimum between.  It is
-//! a crossing of two peaks, found by Newton's method on their difference, or one peak's own minimum, the zero of its slope.
-//! Where neither is found, the bracket about the least seen is made narrower by golden sections, which need no slopes.
+//! The largest amplitude is the maximum of smooth branches, one for each peak. It jumps where the motion reaches
+//! another steady state. A scan over friction gives value and slope. Where the slope changes from falling to rising,
+//! there is a minimum.
+//!
+//! A minimum is either a crossing of two peaks or one peak's own minimum. Newton's method on the difference of the
+//! peaks finds a crossing. The zero of the slope is a peak's own minimum. Where neither is found, golden sections,
+//! which need no slopes, narrow the bracket around the least.
 
 use super::amplitude::Friction;
 use super::candidates::{Candidate, HOLDS, before, between, of_scan, stays, valleys};
@@ -13,36 +16,36 @@ use super::peaks::{Band, Peak};
 use super::scan::{Scanned, about_best, add, best, closer, scanned, scanned_at, slope, with_slope};
 use crate::Regime;
 
-/// A minimum in which a higher peak turns up is looked for again so often.
+/// Largest number of attempts at one minimum. A further attempt follows if a higher peak appears in the minimum.
 const AGAIN: usize = 4;
-/// A least at which a closer look finds more is looked for again so often.
+/// Largest number of checks of the least over the whole band. A further check follows if a check finds a higher peak.
 const CHECKS: usize = 6;
-/// Steps of golden sections, and how narrow a bracket they leave.
+/// Largest number of golden-section steps, down to the relative width `NARROW` of a bracket.
 const SECTIONS: usize = 40;
 const NARROW: f64 = 1e-7;
-/// The smaller part of a golden section.
+/// The smaller share of a golden section.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
-/// A peak is at its own minimum if a change of friction by a share changes it by less than so much of that.
+/// A peak counts as stationary if its relative change is below this multiple of the relative change of friction.
 const STATIONARY: f64 = 1e-4;
-/// Work of one of the many searches of a tuning: some seconds.
+/// Bound on the work of one of the many searches of a tuning, a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
-/// Looking closely at what was found may take this part of it more, however much the search took.
+/// The final check may take the bound of the search divided by this number, in addition to the search.
 const OF_A_CHECK: usize = 6;
 
-/// What kind of a minimum it is.
+/// The kind of a minimum over friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// Two peaks are equal: one falls with friction, the other rises.
+    /// Two peaks are equal. One falls with friction, the other rises.
     Crossing,
-    /// One peak at its own minimum, or where it jumps.
+    /// One peak is at its own minimum, or jumps.
     Smooth,
-    /// No friction.
+    /// The minimum is at zero friction.
     Without,
-    /// The contact stuck at the frequency of the peak, or all over the band.
+    /// The contact is stuck at the frequency of the peak, or over the whole band.
     Held,
 }
 
-/// How the search ended.
+/// The cause that ended the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
     Converged,
@@ -50,21 +53,21 @@ pub(super) enum End {
     Spent,
 }
 
-/// The friction ratio found.
+/// The friction ratio that the search found.
 #[derive(Clone, Debug)]
 pub(super) struct Least {
     pub at: Scanned,
     pub kind: Kind,
     pub end: End,
-    /// β between which the least lies, as far as it was looked for.
+    /// Interval of β that contains the least, as far as the search went.
     pub bracket: [f64; 2],
     pub scan: Vec<Scanned>,
-    /// From here on a stuck state exists over the whole band.
+    /// β from which a stuck state exists over the whole band.
     pub locked_from: f64,
     pub free_to: f64,
 }
 
-/// The least over all friction, if some friction bounds the amplitude.
+/// Returns the least over all friction, if some friction bounds the amplitude.
 pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     band.amplitude.allow(work);
     let [free_to, locked_from] = band.limits();
@@ -75,7 +78,7 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     }
     let mut candidates = of_scan(&scan);
     let top = best(&scan);
-    // Nothing is less than rest; just below the friction that holds all, motions too small to settle lead there.
+    // No amplitude is below 0. Just below the friction that holds the contact, motions too small to settle approach 0.
     if 0.0 < top {
         let mut top = top;
         for (below, above) in between(&scan, top) {
@@ -112,7 +115,7 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     })
 }
 
-/// The least between two friction ratios near by, if the amplitude falls from one and rises to the other.
+/// Returns the least between two nearby friction ratios, if the amplitude falls from the first and rises to the second.
 pub(super) fn near(band: &Band<'_>, ends: [f64; 2]) -> Option<Least> {
     band.amplitude.allow(WORK_OF_ONE);
     let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));
@@ -133,12 +136,13 @@ pub(super) fn near(band: &Band<'_>, ends: [f64; 2]) -> Option<Least> {
     })
 }
 
-/// The bracket with the friction ratio in it: where the least is stationary both ends are nearer than it is known.
+/// Extends the bracket to contain β. At a stationary minimum both bounds may be nearer to each other than the accuracy
+/// of β.
 fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
     [from.min(beta), to.max(beta)]
 }
 
-/// The least of the candidates, once all places have been looked at.
+/// Returns the least of the candidates, after a look at all places of the band.
 fn checked(
     band: &Band<'_>,
     scan: &mut Vec<Scanned>,
@@ -169,7 +173,7 @@ fn checked(
         if holds || spent {
             continue;
         }
-        // There are peaks that the first look passed over.
+        // The first look passed over these peaks.
         for peak in &least.at.peaks {
             band.learn(peak.r);
         }
@@ -186,7 +190,8 @@ fn checked(
     least.filter(|least| least.at.value.is_finite())
 }
 
-/// The minimum between two friction ratios, looked at once more over the whole band; none if it is not below `best`.
+/// Returns the minimum between two friction ratios after another look at the whole band. `None` if the minimum is not
+/// below `best`.
 fn minimum(
     band: &Band<'_>,
     mut below: Scanned,
@@ -222,7 +227,7 @@ fn minimum(
             let seen = look.complete.then_some(found.best);
             return Some(narrowed(band, (&found.below, &found.above), seen));
         }
-        // A peak that neither side has had.
+        // The look found a peak that neither side has.
         let look = Look {
             complete: look.complete,
             peaks: look.peaks,
@@ -250,8 +255,10 @@ fn minimum(
     found.at.complete.then_some(found)
 }
 
-/// The least between two friction ratios by golden sections about the best seen: where steady states come and go, peaks
-/// cannot be followed and slopes tell nothing.  One that is no better is left as soon as an amplitude says so.
+/// Returns the least between two friction ratios, by golden sections around the best one so far.
+///
+/// Where steady states appear and disappear, peaks cannot be followed and slopes are useless. A friction ratio is
+/// rejected as soon as one amplitude shows that it is no better.
 fn narrowed(
     band: &Band<'_>,
     (below, above): (&Scanned, &Scanned),

@@ -12,25 +12,29 @@ pub use number::{Tunable, UnknownTunable};
 use tried::Search;
 
 impl System {
-    /// The friction and the value of one number of the description - a stiffness, a mass, a damping ratio - that together
-    /// keep the largest amplitude of a motion over a band of frequencies smallest. Band, load and friction force are held in
-    /// Hz, N and m, also while m₁ or k₁ moves.
+    /// Returns the friction and the value of one number of the description that together are best. They keep the
+    /// largest amplitude of a motion over a band of frequencies smallest. The number is a stiffness, a mass, a damping
+    /// ratio, a damping factor or μ. Band, load and friction force keep their values in Hz, N and m, also if m₁ or k₁
+    /// varies.
     ///
-    /// For 17 values, both ends among them, the best friction is looked for as [`optimum`](Self::optimum) does, over all
-    /// friction, and with it the derivative of its amplitude along the number, by which friction follows. The values are in
-    /// geometric steps, of an interval from 0 on in quadratic ones. Between two neighbours where the amplitude first falls and
-    /// then rises its least is found: by the zero of the derivative, or where two branches cross. There friction is
-    /// looked for near that of the neighbours, and over all friction once more in the end.
+    /// For 17 values, both bounds among them, the search finds the best friction as [`optimum`](Self::optimum) does,
+    /// over all friction. It also computes the derivative of the amplitude with respect to the number, while friction
+    /// stays optimal. The values are in geometric steps, or in quadratic steps if the interval starts at 0 or below.
     ///
-    /// So the result is the least of all that the scan sees. What is not seen is a valley between two neighbours at which
-    /// the amplitude rises towards it or falls beyond it. Where the least is sharp, value and friction are found to 9 digits;
-    /// where it is flat, to half of the digits of the amplitude. It takes about ten times as long as [`optimum`](Self::optimum).
+    /// Between two neighbours where the amplitude first falls and then rises, the search finds the minimum. It is the
+    /// zero of the derivative, or a crossing of two branches. Friction is searched for near that of the neighbours, and
+    /// once more over all friction at the end.
+    ///
+    /// The result is the least of everything that the scan sees. It misses a valley between two neighbours if the
+    /// amplitude rises from the first or falls to the second. Where the minimum is sharp, value and friction have 9
+    /// digits. Where it is flat, they have half of the digits of the amplitude. The call takes several times as long as
+    /// [`optimum`](Self::optimum).
     ///
     /// ```no_run
     /// use frictiongen::study::{FrequencyBand, OptimumRequest, System, Tuning};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-    /// // Stiffer to the wall, a block that its base drives and rubs on moves less.
+    /// // The base drives the block and is its contact partner. A stiffer spring to the wall reduces the motion.
     /// let block: System = "struct Block {
     ///     masses: { block: 1 },
     ///     springs: { base - block: 1, block - wall: 1 },
@@ -53,8 +57,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`OptimumError`]: as of [`optimum`](Self::optimum), for an interval that makes no sense, for an end of it with which
-    /// the scene makes none, and where no value has an answer.
+    /// Same errors as [`optimum`](Self::optimum). [`OptimumError`] also for an invalid interval, for a bound of the
+    /// interval with which the scene is invalid, and where no value has a result.
     pub fn tuned_optimum(
         &self,
         request: &OptimumRequest,

@@ -12,16 +12,16 @@ use frictiongen_model::sensitivity::Quantity;
 pub enum Tunable {
     /// A mass, a stiffness, μ, the damping ratio of one mode, or a factor of C = aM + bK.
     Quantity(Quantity),
-    /// The damping ratios of all modes alike.
+    /// The common damping ratio of all modes.
     DampingRatios,
 }
 
-/// No number of this name.
+/// The error that no number of the description has this name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownTunable {
-    /// What was asked for.
+    /// The name in the request.
     pub name: String,
-    /// What there is.
+    /// The names of all numbers.
     pub known: Vec<String>,
 }
 
@@ -39,7 +39,8 @@ impl std::fmt::Display for UnknownTunable {
 impl std::error::Error for UnknownTunable {}
 
 impl Tunable {
-    /// Its symbol, as derivatives have it: `m upper`, `k base - lower`, `zeta 1`, `a`, `mu`; `zeta` of all modes.
+    /// Returns the symbol, as derivatives have it: `m upper`, `k base - lower`, `zeta 1`, `a`, `mu`. The symbol of the
+    /// common damping ratio is `zeta`.
     #[must_use]
     pub fn symbol(&self, scene: &Scene) -> String {
         match self {
@@ -48,7 +49,7 @@ impl Tunable {
         }
     }
 
-    /// Its unit in SI; empty for a ratio.
+    /// Returns the SI unit. The unit of a ratio is empty.
     #[must_use]
     pub fn unit(&self) -> &'static str {
         match self {
@@ -60,7 +61,7 @@ impl Tunable {
         }
     }
 
-    /// The quantities that move with it.
+    /// Returns the quantities that vary with this number.
     pub(super) fn quantities(self, scene: &Scene) -> Vec<Quantity> {
         match self {
             Self::Quantity(quantity) => vec![quantity],
@@ -70,7 +71,7 @@ impl Tunable {
         }
     }
 
-    /// The scene with this value; none if it does not say such a number.
+    /// Returns the scene with this value. `None` if the description does not have such a number.
     fn applied(self, scene: &Scene, value: f64) -> Option<Scene> {
         let mut scene = scene.clone();
         match self {
@@ -104,7 +105,7 @@ impl Tunable {
     }
 }
 
-/// a and b of C = aM + bK; none of a scene with damping ratios.
+/// Returns a and b of C = aM + bK. `None` for a scene with damping ratios.
 fn factors(scene: &Scene) -> Option<[f64; 2]> {
     match scene.damping {
         Damping::None => Some([0.0; 2]),
@@ -113,7 +114,7 @@ fn factors(scene: &Scene) -> Option<[f64; 2]> {
     }
 }
 
-/// The damping ratio of each mode; none of a scene with C = aM + bK.
+/// Returns the damping ratio of each mode. `None` for a scene with C = aM + bK.
 fn ratios(scene: &Scene) -> Option<Vec<f64>> {
     let masses = scene.masses.len();
     match &scene.damping {
@@ -125,8 +126,8 @@ fn ratios(scene: &Scene) -> Option<Vec<f64>> {
 }
 
 impl System {
-    /// The numbers that may be chosen together with the friction: masses, springs, what the description can say of damping,
-    /// and μ. Where it says nothing of damping, ratios and C = aM + bK are both free; otherwise what it has.
+    /// Returns the numbers that may be chosen together with the friction: masses, springs, damping and μ. An undamped
+    /// description allows both damping ratios and C = aM + bK. A damped one allows its own kind of damping only.
     #[must_use]
     pub fn tunables(&self) -> Vec<Tunable> {
         let scene = self.scene();
@@ -147,11 +148,12 @@ impl System {
         all
     }
 
-    /// The number of this symbol: `m upper`, `k base - lower`, `zeta` of all modes, `zeta 1`, `a`, `b`, `mu`; the ends of a
-    /// spring in either order. `k2` is the second spring of the description, `m1` its first mass.
+    /// Returns the number with this symbol: `m upper`, `k base - lower`, `zeta` of all modes, `zeta 1`, `a`, `b`, `mu`.
+    /// The two nodes of a spring may be in either order. `k2` is the second spring of the description, and `m1` its
+    /// first mass.
     ///
     /// # Errors
-    /// [`UnknownTunable`] if there is none.
+    /// [`UnknownTunable`] if no number has this symbol.
     pub fn tunable_named(&self, name: &str) -> Result<Tunable, UnknownTunable> {
         let scene = self.scene();
         let all = self.tunables();
@@ -181,7 +183,7 @@ impl System {
         })
     }
 
-    /// The same scene with another value of one number.  The damping ratios of modes stay with their order.
+    /// Returns the same scene with another value of one number. Each damping ratio stays with the order of its mode.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -200,7 +202,7 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`InvalidScene`] if that makes no sense, and for a number that the description does not say.
+    /// [`InvalidScene`] if the value makes no physical sense, and for a number that the description does not have.
     pub fn with_value(&self, tunable: Tunable, value: f64) -> Result<Self, InvalidScene> {
         let scene = self.scene();
         let varied = tunable.applied(scene, value).ok_or_else(|| InvalidScene {
@@ -219,7 +221,7 @@ fn reversed(scene: &Scene, spring: &Spring) -> String {
     format!("k {to} - {from}")
 }
 
-/// With one space between words, and on either side of a hyphen.
+/// Returns the name with one space between words and on either side of a hyphen.
 fn spaced(name: &str) -> String {
     let name = name.replace('-', " - ");
     name.split_whitespace().collect::<Vec<_>>().join(" ")

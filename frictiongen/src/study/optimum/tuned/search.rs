@@ -1,4 +1,4 @@
-//! The value of the number at which the least of the largest amplitude over all friction is least.
+//! Finds the value of the number at which the least amplitude over all friction is smallest.
 
 use super::answer::{TunedOptimum, TunedPoint, Tuning};
 use super::tried::{Groups, Search, Tried, near};
@@ -8,19 +8,19 @@ use crate::study::optimum::problem::Problem;
 use crate::study::optimum::search::{Least, WORK_OF_ONE};
 use std::sync::atomic::Ordering;
 
-/// Steps of the scan.
+/// Number of intervals of the scan.
 const STEPS: usize = 16;
-/// A place between two of the scan is looked into if their tangents meet below this share of the best.
+/// An interval of the scan is searched if its tangents meet below this factor of the best.
 const WORTH: f64 = 1.05;
-/// So many of them are looked into, those that promise most.
+/// Largest number of intervals that are searched, in the order of their promise.
 const MOST_LOOKED_INTO: usize = 3;
-/// Steps towards a minimum at most.
+/// Largest number of steps towards a minimum.
 const MOST_STEPS: usize = 40;
-/// How near to it, relative to the interval between two of the scan.
+/// Tolerance of a minimum, relative to an interval of the scan.
 const NEAR: f64 = 1e-10;
-/// No more than this share of the amplitude is to be gained.
+/// The search ends if the amplitude cannot fall by more than this share.
 const GAIN: f64 = 2e-13;
-/// A minimum at which another friction turns up is looked for again so often.
+/// Largest number of repeated searches. A search repeats if another friction is better at the minimum found.
 const AGAIN: usize = 3;
 
 impl Search<'_> {
@@ -37,7 +37,7 @@ impl Search<'_> {
             let varied = self.with(best.value)?;
             let problem = Problem::new(&varied, &self.request_for(&varied))?;
             let band = problem.band();
-            // Over all friction, whatever the neighbours had.
+            // This search covers all friction, whatever the neighbours had.
             let mut least = Problem::least(&band, WORK_OF_ONE)?;
             self.count(band.amplitude.asked.get());
             if let Some(found) = best.found.clone()
@@ -100,7 +100,7 @@ impl Search<'_> {
         }
     }
 
-    /// The least of all that was tried, and of the minima between.
+    /// Returns the least of all tried values and of the minima between them.
     fn best(&self, tried: &[Tried]) -> Option<Tried> {
         let finite = tried.iter().filter(|tried| tried.amplitude.is_finite());
         let mut best = finite
@@ -128,7 +128,7 @@ impl Search<'_> {
         Some(best)
     }
 
-    /// The minimum between a value from which the amplitude falls and one from which it rises.
+    /// Returns the minimum between a value from which the amplitude falls and a value to which it rises.
     fn crept(&self, mut below: Tried, mut above: Tried) -> Tried {
         let width = above.value - below.value;
         let mut best = if below.amplitude < above.amplitude {
@@ -147,7 +147,8 @@ impl Search<'_> {
             if left <= NEAR * width || enough {
                 break;
             }
-            // Of one branch the zero of its derivative; of two where they cross, a little beyond once a side stays.
+            // One branch has its minimum at the zero of its derivative. Two branches have it at their crossing. If one
+            // side stays, the step goes a little beyond the crossing.
             let one = below.peaks.len() == above.peaks.len()
                 && below
                     .peaks
@@ -179,7 +180,7 @@ impl Search<'_> {
             } else {
                 above = here;
             }
-            // Twice on one side: the next step is to pass the minimum by as much as this one was off.
+            // After two steps on one side, the next step passes the minimum by the error of this step.
             beyond = match meeting(&below, &above) {
                 Some((next, _)) if last == Some(side) => next - value,
                 _ => 0.0,
@@ -206,7 +207,7 @@ fn rises(tried: &Tried) -> bool {
     0.0 < tried.slope
 }
 
-/// Where the tangents meet, and at what.
+/// Returns the value at which the tangents meet, and the amplitude there.
 fn meeting(below: &Tried, above: &Tried) -> Option<(f64, f64)> {
     let rise = below.slope - above.slope;
     let sum =
@@ -216,20 +217,20 @@ fn meeting(below: &Tried, above: &Tried) -> Option<(f64, f64)> {
     (below.value < value && value < above.value).then_some((value, low))
 }
 
-/// What the tangents promise between two values; no less than half of what they have.
+/// Returns the amplitude at which the tangents meet, but at least half of the smaller amplitude.
 fn promised(below: &Tried, above: &Tried) -> f64 {
     let least = 0.5 * below.amplitude.min(above.amplitude);
     meeting(below, above).map_or(least, |(_, low)| low.max(least))
 }
 
-/// Each value's answer, in order.
+/// Applies a function to each value, in order and on all cores.
 #[cfg(feature = "desk")]
 fn on_all_cores<T: Send>(values: Vec<f64>, f: impl Fn(f64) -> T + Sync + Send) -> Vec<T> {
     use rayon::prelude::*;
     values.into_par_iter().with_max_len(1).map(f).collect()
 }
 
-/// Each value's answer, in order.
+/// Applies a function to each value, in order.
 #[cfg(not(feature = "desk"))]
 fn on_all_cores<T>(values: Vec<f64>, f: impl Fn(f64) -> T) -> Vec<T> {
     values.into_iter().map(f).collect()

@@ -1,4 +1,4 @@
-//! The best friction at one value of the number, and how its amplitude moves with it.
+//! The best friction at one value of the number, and the derivative of its amplitude with respect to the number.
 
 use super::answer::Tuning;
 use crate::study::optimum::amplitude::Friction;
@@ -12,14 +12,14 @@ use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A peak that moves more, relatively, with what it should be stationary in has no derivative.
+/// A peak has a derivative only if its relative slope along a variable that should be stationary is below this value.
 const STATIONARY: f64 = 1e-4;
-/// The step of a difference, relative to the value.
+/// Step of a finite difference, relative to the value.
 const DIFFERENCE: f64 = 1e-5;
-/// How far beyond the frictions of both neighbours friction is looked for, relatively, at least.
+/// Smallest relative margin beyond the frictions of both neighbours in which friction is searched for.
 const MARGIN: f64 = 1e-3;
 
-/// A question that makes sense.
+/// A valid request of a tuned optimum.
 pub(super) struct Search<'s> {
     pub(super) described: &'s System,
     request: &'s OptimumRequest,
@@ -27,21 +27,21 @@ pub(super) struct Search<'s> {
     pub(super) asked: AtomicUsize,
 }
 
-/// The best friction at one value.
+/// The best friction at one value of the number.
 #[derive(Clone, Debug)]
 pub(super) struct Tried {
     pub value: f64,
     pub amplitude: f64,
-    /// The derivative of the amplitude with respect to the value; NaN where it is not known.
+    /// Derivative of the amplitude with respect to the value. NaN where it is not known.
     pub slope: f64,
-    /// β of the scene as it is described.
+    /// β in groups of the scene as it is described.
     pub beta: f64,
-    /// The frequencies of its peaks, r of the scene as it is described.
+    /// Frequencies of the peaks, as r of the scene as it is described.
     pub peaks: Vec<f64>,
     pub found: Option<Least>,
 }
 
-/// What the groups of the scene as it is described are of those with a value of the number.
+/// Ratios of the groups of the scene as it is described to those of the scene with another value of the number.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Groups {
     pub r: f64,
@@ -99,7 +99,7 @@ impl<'s> Search<'s> {
         for end in [from, to] {
             described.with_value(of, end).map_err(OptimumError::Scene)?;
         }
-        // What is wrong with the rest of the question does not depend on the value.
+        // Other faults of the request do not depend on the value of the number.
         if let Err(error) = Problem::new(described, request)
             && !matches!(error, OptimumError::Undamped(_))
         {
@@ -122,7 +122,7 @@ impl<'s> Search<'s> {
         varied.map_err(OptimumError::Scene)
     }
 
-    /// The same band in the groups of another value.
+    /// Returns the request with the same band in the groups of another value.
     pub(super) fn request_for(&self, varied: &System) -> OptimumRequest {
         let groups = Groups::new(self.described, varied);
         let ratio = |r: f64| r / groups.r;
@@ -137,7 +137,7 @@ impl<'s> Search<'s> {
         }
     }
 
-    /// The load, or one of 1 if none is asked for: what is best does not depend on it.
+    /// Returns the requested load, or one of amplitude 1. The optimum does not depend on it.
     fn load(&self) -> Load {
         self.request
             .load
@@ -147,7 +147,7 @@ impl<'s> Search<'s> {
             })
     }
 
-    /// The best friction at a value, over all friction or near some.
+    /// Returns the best friction at a value, over all friction or within a window.
     pub(super) fn tried(
         &self,
         value: f64,
@@ -165,7 +165,7 @@ impl<'s> Search<'s> {
         Ok(tried)
     }
 
-    /// The same without a difference where the derivative is not known.
+    /// Returns the best friction at a value. The slope is NaN where there is no exact derivative.
     fn height(&self, value: f64, window: Option<[f64; 2]>) -> Result<Tried, OptimumError> {
         let mut tried = Tried {
             value,
@@ -206,12 +206,12 @@ impl<'s> Search<'s> {
         Ok(tried)
     }
 
-    /// The derivative of the least amplitude with respect to the value, as friction follows.
+    /// Returns the derivative of the least amplitude with respect to the value, while friction stays optimal.
     fn slope(&self, problem: &Problem<'_>, band: &Band<'_>, least: &Least) -> Option<f64> {
         let held = least.kind == Kind::Held;
         let beta = least.at.beta;
         let peaks = equal_peaks(band, (&least.at, least.kind), Friction::Ratio(beta));
-        // More friction changes nothing, and with it there is no doubt about the regime.
+        // More friction changes nothing here, and makes the regime certain.
         let beta = if held && least.locked_from <= beta {
             2.0 * beta
         } else {
@@ -230,14 +230,14 @@ impl<'s> Search<'s> {
         }
         let weights = weights(&all)?;
         match weights.as_slice() {
-            // Friction holds it where it is, or there is none.
+            // A peak at its own minimum must be stationary in friction. Otherwise there is no derivative.
             [_] if least.kind == Kind::Smooth => {
                 if STATIONARY < relative(0, Parameter::Friction)?.abs() {
                     return None;
                 }
             }
             [_] => {}
-            // One falls and one rises.
+            // One peak falls with friction and the other rises.
             weights if weights.iter().all(|weight| 0.0 <= *weight) => {}
             _ => return None,
         }
@@ -252,7 +252,7 @@ impl<'s> Search<'s> {
     }
 }
 
-/// Between which frictions the best is looked for between two values.
+/// Returns the window of frictions that is searched between two values.
 pub(super) fn near(below: &Tried, above: &Tried) -> [f64; 2] {
     let [low, high] = [below.beta.min(above.beta), below.beta.max(above.beta)];
     let margin = (0.25 * (high - low)).max(MARGIN * high);
