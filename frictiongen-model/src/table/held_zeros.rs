@@ -1,4 +1,4 @@
-//! The responses while the contact is held: their exact values, and their zeros and poles in double-double.
+//! Exact values of the responses while the contact is stuck, with their zeros and poles in double-double.
 
 use super::proportional::Proportional;
 use super::zeros::{EQUAL, NONE, Zero, Zeros, classified, guesses, poles};
@@ -8,30 +8,32 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 
-/// Closer to a resonance of its own, as a share of its stiffness, a chain's sums lose half of 30 digits.
+/// Distance from a resonance of the chain, relative to its stiffness, below which the sums lose half of their 30
+/// digits.
 const ON_RESONANCE: f64 = 1e-12;
 
-/// How many corrections of zeros in double precision, and below which share they end; then in double-double.  Near the end each
-/// is about the cube of the one before: what follows a correction of 10⁻²³ is rounding.
+/// Upper bounds on the number of corrections of zeros, and the relative correction at which they end: first in double
+/// precision, then in double-double. Near convergence each correction is about the cube of the previous one, so after
+/// 10⁻²³ only rounding is left.
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
 
-/// A rational function by its zeros and poles, but for a factor.
+/// A rational function, by its zeros and poles, up to a constant factor.
 #[derive(Clone, Debug)]
 pub(super) struct Rational {
     pub zeros: Vec<Zero>,
     pub poles: Vec<Zero>,
 }
 
-/// A response while the contact is held.
+/// A response while the contact is stuck.
 #[derive(Clone, Debug)]
 pub(super) enum Response {
-    /// The same at every r.
+    /// A constant response.
     Fixed(f64),
     Rational(Rational),
 }
 
-/// s² + 2ζσs + σ² of a mode.
+/// Returns s² + 2ζσs + σ² of a mode.
 fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>> {
     let sigma = *modal.resonances.get(mode)?;
     let rate = Dd::from(2.0) * *modal.damping_ratios.get(mode)? * sigma;
@@ -42,14 +44,14 @@ fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>
     ))
 }
 
-/// A chain at one frequency while its contact is held, to the last digits.
+/// A chain at one frequency while its contact is stuck, to the last digits.
 pub(super) struct HeldAt {
-    /// V/H.
+    /// V/H, the force that holds the contact.
     pub force: Complex<Dd>,
-    /// Whether the digits hold: on an undamped resonance of the chain itself what a mode moves by is a quotient of what
-    /// rounding leaves.  The responses have nothing special there.
+    /// False on an undamped resonance of the chain itself. There the modal amplitude is a quotient of rounding errors,
+    /// although the responses are regular.
     pub known: bool,
-    /// What each mode moves by.
+    /// Amplitude of each mode.
     modes: Vec<Complex<Dd>>,
 }
 
@@ -63,7 +65,7 @@ impl HeldAt {
         let drives = || modal.loads.iter().zip(&modal.contacts);
         let modes = modal.resonances.iter().zip(&modal.damping_ratios);
         for ((sigma, zeta), (load, contact)) in modes.zip(drives()) {
-            // In two factors, which keep their digits beside the resonance.
+            // The two factors keep their digits near the resonance.
             let re = (*sigma - r) * (*sigma + r);
             let im = two * *zeta * *sigma * r;
             let size = re.abs() + im.abs();
