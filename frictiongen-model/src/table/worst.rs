@@ -1,6 +1,6 @@
 //! The largest error of a table.
 
-/// An error and where it is.
+/// An error and its frequency ratio.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Worst {
     /// The error.
