@@ -5,14 +5,14 @@ use core::fmt;
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Ident, Span};
 
-/// One error in a text.
+/// An error in a text, with its position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// The line, counted from 1.
+    /// The line of the error, counted from 1.
     pub line: usize,
-    /// The column, counted in characters from 1.
+    /// The column of the error, counted in characters from 1.
     pub column: usize,
-    /// The error and what to write instead.
+    /// The message: the error and what to write instead.
     pub message: String,
 }
 
@@ -25,7 +25,7 @@ impl fmt::Display for Diagnostic {
 /// All errors in a text, in the order of the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
-    /// The errors, at least one.
+    /// The errors of the text, at least one.
     pub list: Vec<Diagnostic>,
 }
 
@@ -48,7 +48,7 @@ impl core::error::Error for Diagnostics {}
 pub struct Failure {
     /// All errors, each on the token that caused it.
     pub errors: syn::Error,
-    /// The fields that could be read in spite of the errors.
+    /// The fields of the description that could be read in spite of the errors.
     pub partial: Partial,
 }
 
@@ -59,9 +59,9 @@ pub struct Partial {
     pub attributes: Vec<syn::Attribute>,
     /// The visibility of the struct.
     pub visibility: syn::Visibility,
-    /// The name of the struct, if it is usable.
+    /// The name of the struct; `None` if it is not usable.
     pub name: Option<Ident>,
-    /// The path of the facade.
+    /// The path under which the user's crate imports the facade crate `frictiongen`.
     pub facade: syn::Path,
     /// The masses whose names are valid method names.
     pub mass_names: Vec<Ident>,

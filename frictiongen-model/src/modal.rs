@@ -26,7 +26,7 @@ pub struct Modal<T = Dd> {
     pub contacts: Vec<T>,
     /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
     pub inverse_mass: T,
-    /// wᵀΓ⁻¹p, the relative acceleration in the contact due to the load.
+    /// wᵀΓ⁻¹p, the component of the load along the contact direction, weighted with the inverse masses.
     pub inertial_load: T,
     /// wᵀK̄⁻¹p − s, the static relative motion.
     pub static_motion: T,
@@ -48,7 +48,7 @@ fn dd(value: f64) -> Dd {
     Dd::from(value)
 }
 
-/// Returns the contact direction w as (mass, sign) pairs. Of two masses, the earlier one has the minus sign.
+/// Returns the contact direction w as (mass, sign) pairs. The earlier of two masses has the minus sign.
 fn direction(contact: Contact) -> Vec<(usize, f64)> {
     match (contact.from, contact.to) {
         (Node::Mass(a), Node::Mass(b)) => vec![(a.min(b), -1.0), (a.max(b), 1.0)],

@@ -85,7 +85,7 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
         } else {
             (b, at_b) = (c, at_c);
         }
-        // The same bound was kept twice, so its weight is halved.
+        // One bound was kept twice in a row, so its weight is halved.
         if last == Some(lower) {
             if lower {
                 at_b = at_b * half;

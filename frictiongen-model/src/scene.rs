@@ -6,7 +6,7 @@
 pub enum Node {
     /// A mass, by its zero-based index in [`Scene::masses`].
     Mass(usize),
-    /// The support that moves when the excitation is base motion.
+    /// The support that moves if the excitation is a base motion.
     Base,
     /// A support that never moves.
     Wall,
@@ -16,9 +16,9 @@ pub enum Node {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mass {
-    /// The name, a Rust identifier.
+    /// The name of the mass, a Rust identifier.
     pub name: String,
-    /// The mass, in the scene's own units (kg in SI). The first mass is the reference m₁.
+    /// The value of the mass, in the scene's own units (kg in SI). The first mass is the reference m₁.
     pub value: f64,
 }
 
@@ -26,11 +26,11 @@ pub struct Mass {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spring {
-    /// The node written first.
+    /// The node of the spring that is written first.
     pub from: Node,
-    /// The node written second.
+    /// The node of the spring that is written second.
     pub to: Node,
-    /// The stiffness, in the scene's own units (N/m in SI). The first spring is the reference k₁.
+    /// The stiffness of the spring, in the scene's own units (N/m in SI). The first spring is the reference k₁.
     pub stiffness: f64,
 }
 
@@ -38,9 +38,9 @@ pub struct Spring {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contact {
-    /// The side written first.
+    /// The side of the contact that is written first.
     pub from: Node,
-    /// The side written second.
+    /// The side of the contact that is written second.
     pub to: Node,
 }
 
@@ -54,22 +54,22 @@ pub enum Excitation {
     Base,
 }
 
-/// Viscous damping.
+/// The viscous damping of a scene.
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Damping {
     /// No damping.
     #[default]
     None,
-    /// The same modal damping ratio in every mode.
+    /// One modal damping ratio for all modes.
     Uniform(f64),
     /// A modal damping ratio for each mode, in ascending order of natural frequency.
     Modal(Vec<f64>),
-    /// C = aM + bK, in the scene's own units.
+    /// Rayleigh damping C = aM + bK, in the scene's own units.
     Rayleigh {
-        /// The factor of the mass matrix.
+        /// The factor a of the mass matrix.
         mass: f64,
-        /// The factor of the stiffness matrix.
+        /// The factor b of the stiffness matrix.
         stiffness: f64,
     },
 }
@@ -78,7 +78,7 @@ pub enum Damping {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Precision {
-    /// `f64`.
+    /// `f64`, double precision.
     #[default]
     F64,
     /// `f32`, without any `f64` operation.
@@ -89,7 +89,7 @@ pub enum Precision {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Provide {
-    /// Both limits and the regime.
+    /// Both limits and the regime at a frequency ratio.
     Limits,
     /// The continuous motion of the contact, and of every mass (`None`) or of the named masses.
     Motion(Option<Vec<usize>>),
@@ -107,7 +107,7 @@ pub enum Provide {
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Accuracy {
-    /// Exact formulas.
+    /// Exact formulas, without tables.
     #[default]
     Exact,
     /// The largest relative error, over the scene's `range`.
@@ -118,7 +118,7 @@ pub enum Accuracy {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
-    /// Either side.
+    /// Either side of the exact limits.
     #[default]
     Near,
     /// β_lim is never above the exact one, and β*_lim is never below the exact one.
@@ -151,9 +151,9 @@ pub enum Proving {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Range {
-    /// Smallest and largest frequency ratio.
+    /// Smallest and largest frequency ratio r.
     pub r: (f64, f64),
-    /// Smallest and largest friction ratio.
+    /// Smallest and largest friction ratio β.
     pub beta: (f64, f64),
 }
 
@@ -161,9 +161,9 @@ pub struct Range {
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Declared {
-    /// The accuracy.
+    /// The accuracy of the emitted limits, motions and responses.
     pub accuracy: Accuracy,
-    /// The range of the accuracy; `None` if the scene is exact.
+    /// The range of r and β for the accuracy; `None` if the scene is exact.
     pub range: Option<Range>,
     /// The side of the exact limits on which the emitted limits may lie.
     pub side: Side,
@@ -240,21 +240,21 @@ pub struct Scene {
     pub masses: Vec<Mass>,
     /// The springs. The first is the reference.
     pub springs: Vec<Spring>,
-    /// The contact.
+    /// The contact of the scene.
     pub contact: Contact,
-    /// The excitation.
+    /// The excitation of the scene.
     pub excitation: Excitation,
-    /// The damping.
+    /// The damping of the scene.
     pub damping: Damping,
     /// μ, static over kinetic friction force, at least 1.
     pub stiction: f64,
-    /// The scalar of the emitted code.
+    /// The floating-point type of the emitted code.
     pub precision: Precision,
     /// The items to emit.
     pub provide: Vec<Provide>,
-    /// The declared accuracy.
+    /// The declared accuracy, with its range.
     pub declared: Declared,
-    /// The friction law.
+    /// The law of the kinetic friction force.
     #[cfg_attr(feature = "serde", serde(default))]
     pub friction: FrictionLaw,
     /// The stepper's step, input and loads.

@@ -27,13 +27,13 @@ pub enum Quantity {
     Stiction,
     /// √λ of a mode, as a frequency ratio. All other modal data stay fixed.
     Resonance(usize),
-    /// ζ of a mode.
+    /// ζ, the modal damping ratio of a mode.
     DampingRatio(usize),
     /// φᵀp, the modal load of a mode.
     Load(usize),
     /// φᵀw, the component of the contact direction in a mode.
     Contact(usize),
-    /// The component of a mode's shape at a mass.
+    /// The component of a mode shape at a mass.
     Shape {
         /// The index of the mode, ascending.
         mode: usize,
@@ -151,7 +151,7 @@ fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>
 struct Change {
     masses: Vec<Dd>,
     springs: Vec<Dd>,
-    /// d(√(k₁/m₁))/√(k₁/m₁).
+    /// d(√(k₁/m₁))/√(k₁/m₁), the relative change of the reference frequency.
     reference: Dd,
 }
 

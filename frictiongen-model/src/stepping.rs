@@ -24,8 +24,8 @@ pub struct Steps<S> {
     pub input: Input,
     /// The points of the friction law; empty for Coulomb's law.
     pub law: Vec<[S; 2]>,
-    /// The velocity at which dz̄/dτ is 1 for r = 1 and a load of amplitude 1: √(k₁/m₁), divided by k₁ if the load is a
-    /// force.
+    /// The velocity at which dz̄/dτ is 1 for r = 1 and a load of amplitude 1. It is √(k₁/m₁), divided by k₁ if the load
+    /// is a force.
     pub speed: S,
 }
 

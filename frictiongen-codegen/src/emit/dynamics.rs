@@ -1,5 +1,5 @@
-//! Emits the constants of the time-domain solvers: all modes of the chain and all modes with the
-//! contact stuck.
+//! Emits the constants of the time-domain solvers: all modes of the chain, and its *held modes*,
+//! which are those with the contact stuck.
 
 use super::constants::{kind, mode_constant, rubbing};
 use super::emission::{Emission, Wanted, rounded};

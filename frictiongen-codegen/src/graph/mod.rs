@@ -20,7 +20,7 @@ pub use expr::{Condition, Expr};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Id(pub(crate) usize);
 
-/// An operand: a recorded operation or a number.
+/// An operand of an operation: a recorded operation or a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operand {
     /// A recorded operation.
@@ -74,15 +74,15 @@ pub enum Node {
     Unary(Unary, Operand),
     /// An operation on two numbers.
     Binary(Binary, Operand, Operand),
-    /// (sin πh, cos πh), a pair.
+    /// The pair (sin πh, cos πh).
     SinCosPi(Operand),
-    /// (sin π(h − d), cos π(h − d)), a pair.
+    /// The pair (sin π(h − d), cos π(h − d)).
     SinCosPiMinus(Operand, Operand),
     /// The first or the second of a pair.
     Part(Id, bool),
-    /// a < b.
+    /// The comparison a < b.
     Less(Operand, Operand),
-    /// a = 0.
+    /// The comparison a = 0.
     IsZero(Operand),
     /// `yes` where the condition is true, else `no`.
     Select(Id, Operand, Operand),

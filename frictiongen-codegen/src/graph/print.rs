@@ -26,9 +26,9 @@ enum Binds {
 
 /// Printed statements, and the expressions of the outputs.
 pub struct Printed {
-    /// The `let` statements.
+    /// The `let` statements that bind shared and named values.
     pub statements: TokenStream,
-    /// One expression for each output.
+    /// One expression for each output of the graph.
     pub outputs: Vec<TokenStream>,
 }
 

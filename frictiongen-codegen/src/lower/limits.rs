@@ -5,7 +5,7 @@ use frictiongen_model::validate::MOST_MASSES;
 /// Limits on the size of a scene and on the work for its tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// The largest number of masses.
+    /// The largest number of masses of a scene.
     pub masses: usize,
     /// True if the tables of a declared accuracy are built.
     pub tables: bool,

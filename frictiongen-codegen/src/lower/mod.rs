@@ -31,13 +31,13 @@ pub struct Description {
     pub visibility: syn::Visibility,
     /// The name of the struct.
     pub name: Ident,
-    /// The path of the facade, `::frictiongen` unless the description says otherwise.
+    /// The path of the facade crate, `::frictiongen` unless the description gives another one.
     pub facade: syn::Path,
-    /// The scene.
+    /// The scene that the description defines.
     pub scene: Scene,
     /// The names of the masses with the user's spans, in the order of [`Scene::masses`].
     pub mass_names: Vec<Ident>,
-    /// The tables of a declared accuracy.
+    /// The tables of a declared accuracy; `None` for an exact scene.
     pub tables: Option<SceneTables>,
 }
 
@@ -63,9 +63,9 @@ impl Description {
 /// Tables in the scene's scalar.
 #[derive(Clone, Debug)]
 pub enum SceneTables {
-    /// In double precision.
+    /// Tables in double precision.
     Double(Tables<f64>),
-    /// In single precision.
+    /// Tables in single precision.
     Single(Tables<f32>),
 }
 

@@ -13,7 +13,7 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// Returns a number of this arithmetic that encloses the exact value.
+    /// Returns the given number in this arithmetic.
     fn number(value: f64) -> Self;
     /// Returns π.
     fn pi() -> Self;

@@ -97,7 +97,7 @@ impl<S: Float> Cover<'_, '_, S> {
                 if seen.error > worst.error {
                     worst = seen;
                 }
-                // Of pieces that round to the same start, the last one counts.
+                // The last one counts of several pieces that round to the same start.
                 if pieces
                     .last()
                     .is_some_and(|last: &Fitted<S>| last.from == piece.from)

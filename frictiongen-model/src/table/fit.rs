@@ -60,7 +60,7 @@ pub(super) fn terms(accuracy: f64) -> usize {
 /// Settings of a fit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Form {
-    /// Number of functions.
+    /// Number of functions that share the pieces.
     pub functions: usize,
     /// Number of coefficients of each function.
     pub terms: usize,

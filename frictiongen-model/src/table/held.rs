@@ -17,9 +17,9 @@ pub enum HeldForm<S> {
     Damped {
         /// The constant factor.
         gain: S,
-        /// The zeros.
+        /// The zeros of the response, as factors.
         numerator: Vec<Root<S>>,
-        /// The poles.
+        /// The poles of the response, as factors.
         denominator: Vec<Root<S>>,
     },
 }
@@ -27,7 +27,7 @@ pub enum HeldForm<S> {
 /// The responses of a scene while its contact is stuck.
 #[derive(Clone, Debug)]
 pub struct Held<S> {
-    /// x̄* of each mass.
+    /// x̄*, the response of each mass, in the order of the masses.
     pub masses: Vec<HeldForm<S>>,
     /// V/H, the force that holds the contact.
     pub force: HeldForm<S>,
@@ -82,7 +82,7 @@ impl<S: Float> HeldForm<S> {
                 let products = [numerator, denominator];
                 let joined = products.map(|factors| factors.len().saturating_sub(1));
                 // A complex product takes six operations, and the product with the gain two. The reciprocal of the
-                // poles takes eight and two divisions.
+                // poles takes eight operations and two divisions.
                 let joined: usize = 6 * joined.iter().sum::<usize>() + 2;
                 if denominator.is_empty() {
                     (own + joined, 0)

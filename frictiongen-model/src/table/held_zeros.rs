@@ -105,8 +105,8 @@ fn carried(modal: &Modal) -> Dd {
     Dd::from(if modal.on_moving_base { 1.0 } else { 0.0 })
 }
 
-/// A pole of the chain with its contact stuck, with its residue for each mass. Of a conjugate pair, it is the pole with
-/// y > 0.
+/// A pole of the chain with its contact stuck, with its residue for each mass. A conjugate pair is represented by its
+/// pole with y > 0.
 struct Pole {
     zero: Zero,
     residues: Vec<Complex<Dd>>,

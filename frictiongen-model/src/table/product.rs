@@ -6,13 +6,13 @@ use frictiongen_kernel::table::{Factor, Quotient};
 /// The kernel's [`Quotient`], with owned vectors.
 #[derive(Clone, Debug)]
 pub struct Product<S> {
-    /// The constant factor.
+    /// The constant factor of the product.
     pub gain: S,
     /// True if the factors describe the square of the function.
     pub squared: bool,
-    /// The zeros.
+    /// The zeros of the product, as factors.
     pub numerator: Vec<Factor<S>>,
-    /// The poles.
+    /// The poles of the product, as factors.
     pub denominator: Vec<Factor<S>>,
 }
 

@@ -93,7 +93,7 @@ impl Proportional {
             }
             return 1;
         }
-        // Of four zeros ±x ± iy, −s² is y² − x² ∓ 2ixy. One of the two values gives the conjugates of the other.
+        // The four zeros ±x ± iy have −s² = y² − x² ∓ 2ixy. One of the two values gives the conjugates of the other.
         let square = (
             (zero.y - zero.x) * (zero.y + zero.x),
             -(Dd::from(2.0) * zero.x * zero.y),

@@ -5,17 +5,18 @@ use frictiongen_kernel::Float;
 
 /// The coarsest accuracy that is useful.
 pub const COARSEST: f64 = 0.1;
-/// The finest accuracy of a table in double precision.
+/// The finest accuracy of a table in double precision, relative.
 pub const FINEST: f64 = 1e-12;
 /// The finest accuracy for which a proof of β_lim is attempted. Finer tables are checked only.
 pub const FINEST_PROVEN: f64 = 1e-6;
-/// The finest accuracy of a table in single precision, some of its roundings.
+/// The finest accuracy of a table in single precision, relative. It is some roundings of that
+/// precision.
 pub const FINEST_SINGLE: f64 = 2e-6;
 
 /// A request for tables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
-    /// Smallest and largest frequency ratio.
+    /// Smallest and largest frequency ratio r of the table.
     pub r: (f64, f64),
     /// The largest relative error of an answer, or for a phase the largest error in radians.
     pub accuracy: f64,

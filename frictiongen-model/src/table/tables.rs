@@ -44,14 +44,14 @@ pub struct Report {
 /// Tables of a scene in the scalar `S`.
 #[derive(Clone, Debug)]
 pub struct Tables<S> {
-    /// The request.
+    /// The request for which the tables were built.
     pub request: Request,
     /// Number of functions that share the pieces. These are β_lim, with a motion a, with damping g and arg V, and if
     /// every mode is damped |V|.
     pub functions: usize,
     /// Number of coefficients of each polynomial.
     pub terms: usize,
-    /// The pieces, ascending.
+    /// The pieces of β_lim and of the other functions, ascending in r.
     pub pieces: Vec<Fitted<S>>,
     /// The index by which a piece is found.
     pub index: Index<S>,

@@ -3,8 +3,8 @@
 /// An error and its frequency ratio.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Worst {
-    /// The error.
+    /// The error, in the unit that the containing field or function states.
     pub error: f64,
-    /// The frequency ratio.
+    /// The frequency ratio r of the error.
     pub at: f64,
 }

@@ -26,7 +26,7 @@ const LEAST_ANGLE: f64 = 0.1;
 /// are far apart.
 const ANGLES: f64 = 0.7;
 
-/// A zero s = x + iy, in double-double. Of a conjugate pair, it is the one with y > 0.
+/// A zero s = x + iy, in double-double. A conjugate pair is represented by its zero with y > 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Zero {
     pub x: Dd,

@@ -1,4 +1,5 @@
-//! Modes of the chain with its contact stuck, and the participation of the free modes in them.
+//! Held modes, which are the modes of the chain with its contact stuck, and the participation of the free modes in
+//! them.
 //!
 //! A pair of roots s² + 2αs + ω² is one oscillator (y, u), with u = ẏ/ω in the time t√(k₁/m₁). While only this
 //! oscillator moves, mode i has η_i = g_i y + h_i u. Here w_i/(s² + 2ζ_iσ_i s + λ_i) = g_i + (h_i/ω)s modulo the

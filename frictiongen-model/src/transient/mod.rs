@@ -1,5 +1,5 @@
-//! Data for the motion in time in addition to the modal analysis: every mode, and the chain with its contact stuck. The
-//! data do not depend on the frequency.
+//! Data for the motion in time in addition to the modal analysis: every mode, and the *held modes*, which are those of
+//! the chain with its contact stuck. The data do not depend on the frequency.
 
 mod held;
 mod plain;
@@ -57,7 +57,7 @@ pub struct Transient<S> {
     pub shapes: Vec<S>,
     /// φᵀΓ for each mode, one component a mass, mode after mode.
     pub weights: Vec<S>,
-    /// The modes of the chain with its contact stuck.
+    /// The held modes, which are those of the chain with its contact stuck.
     pub held: Vec<HeldMode<S>>,
     /// Participation of each mode in each held mode, held mode after held mode.
     pub participations: Vec<[S; 2]>,
@@ -118,9 +118,9 @@ impl<S: Scalar> Transient<S> {
         }
     }
 
-    /// Returns the relative loss of a motion between the free modes and the held ones
-    /// ([`held_loss`](Dynamics::held_loss)), if it exceeds half of the digits of the scalar. No time-domain result is
-    /// then useful. This occurs only with modes near critical damping or above.
+    /// Returns the relative loss of a motion between the free modes and the held modes
+    /// ([`held_loss`](Dynamics::held_loss)). Returns `None` unless the loss exceeds half of the digits of the scalar.
+    /// No time-domain result is then useful. Such a loss occurs only with modes near critical damping or above.
     #[must_use]
     pub fn excess_loss(&self) -> Option<S>
     where
@@ -159,8 +159,8 @@ impl Transient<Dual<Dd>> {
     /// Builds the data from modal data with derivatives, including those of the held modes. The weights get no
     /// derivatives, because they only give first guesses of a state here.
     ///
-    /// Returns `None` if single modes have no derivative. This is so if two equal modes that the contact drives
-    /// separate, if two held modes are equal, or if the contact begins to touch a mode.
+    /// Returns `None` if single modes have no derivative, in three cases. Two equal modes that the contact drives
+    /// separate, two held modes are equal, or the contact begins to touch a mode.
     #[must_use]
     pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {
         let plain = plain_modes(modal);

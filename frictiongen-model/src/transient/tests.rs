@@ -95,7 +95,7 @@ fn many_masses_spread_over_twelve_decades() {
     }
 }
 
-/// A motion must survive the change to held modes and back. If it does not, the transient must report the loss.
+/// A motion must survive the change to held modes and back. Where it does not, the transient must report the loss.
 #[test]
 fn a_loss_is_seen() {
     let uneven = |n: u32, zeta: f64| {

@@ -5,13 +5,13 @@
 pub enum Path {
     /// The scene as a whole.
     Scene,
-    /// The list of masses.
+    /// The list of masses as a whole.
     Masses,
     /// The value of a mass.
     Mass(usize),
     /// The name of a mass.
     MassName(usize),
-    /// The list of springs.
+    /// The list of springs as a whole.
     Springs,
     /// The stiffness of a spring.
     Spring(usize),
@@ -25,23 +25,23 @@ pub enum Path {
     ContactFrom,
     /// The second side of the contact.
     ContactTo,
-    /// The excitation.
+    /// The excitation of the scene.
     Excitation,
     /// The damping as a whole, or one of its numbers.
     Damping(Option<usize>),
     /// The ratio μ of static to kinetic friction.
     Stiction,
-    /// The list of what to emit, or one of its items.
+    /// The list of items to provide, or one of its items.
     Provide(Option<usize>),
-    /// The accuracy.
+    /// The declared accuracy.
     Accuracy,
     /// The range of the declared accuracy.
     Range,
-    /// The range of the frequency ratio.
+    /// The declared range of the frequency ratio.
     RangeOfRatio,
-    /// The list of items to provide, or one of its items.
+    /// The declared range of the friction ratio.
     RangeOfFriction,
-    /// The side of the exact limits.
+    /// The declared side of the exact limits.
     Side,
     /// The number of bytes in place of an accuracy.
     Budget,
@@ -51,7 +51,7 @@ pub enum Path {
     Proof,
     /// The friction law as a whole, or one of its numbers: speed and level of each point in turn.
     Friction(Option<usize>),
-    /// The stepper's step.
+    /// The step of the stepper.
     Step,
     /// The behaviour of the stepper's input between samples.
     Input,

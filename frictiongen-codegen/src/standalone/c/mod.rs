@@ -62,7 +62,8 @@ pub fn c_header<S: Float>(scene: &Scene, tables: &Tables<S>, name: &str) -> Stri
     )
 }
 
-/// Returns a number for the header's guard that differs between different tables: the FNV-1a hash of all coefficients.
+/// Returns a number for the header's guard that differs between different tables. It is the FNV-1a hash of all
+/// coefficients, of the start and origin of each piece, and of the summary.
 fn mark<S: Float>(tables: &Tables<S>) -> String {
     let pieces = tables.pieces.iter().flat_map(|piece| {
         let coefficients = piece.coefficients.iter().flatten();

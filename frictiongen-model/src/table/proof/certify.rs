@@ -112,8 +112,8 @@ impl Cells<'_> {
         seen.size.value() * more / (self.level_over.value() + seen.constraint.value())
     }
 
-    /// Returns whether D, or D/τ, is positive where its second derivative is at least `bend`: D ≥ D(τ_w) − D′(τ_w)²/(2
-    /// min D″).
+    /// Returns whether D, or D/τ, is positive where its second derivative is at least `bend`. The criterion is D ≥
+    /// D(τ_w) − D′(τ_w)²/(2 min D″).
     fn is_least(&self, bend: f64) -> bool {
         let (seen_at, seen_over) = (self.part.seen_at, self.part.seen_over);
         let above = self.above();

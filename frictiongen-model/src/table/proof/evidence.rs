@@ -41,7 +41,7 @@ impl Work {
 /// Result of a proof of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proof {
-    /// The evidence.
+    /// The evidence for the accuracy: proven, partly proven or checked.
     pub evidence: Evidence,
     /// Upper bound on the relative error where it is proven, with the r at which this bound is largest.
     pub bound: Worst,

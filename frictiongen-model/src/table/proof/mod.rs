@@ -144,7 +144,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut length = (end - start).abs() / FIRST;
         let shortest = SHORTEST * start.max(end);
         let mut skip = shortest;
-        // The motion has its own step. It is compared again only at this distance from the start.
+        // The motion has its own open length. An interval must prove the motion only from the distance `again` from the
+        // start on.
         let (mut skip_motion, mut again) = (0.0_f64, 0.0_f64);
         let from_zero = zero.is_some();
         while place != end {

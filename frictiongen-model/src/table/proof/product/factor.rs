@@ -19,10 +19,11 @@ const NORMAL: f64 = 2.3e-308;
 /// terms with a wide margin.
 const MORE: f64 = 1.01;
 const LESS: f64 = 0.99;
-/// Relative error of a zero's position, rounded once to double precision, with a few roundings of its magnitude. It is
-/// a hundred roundings.
+/// Bound on the relative error of a zero's position, rounded once to double precision, with a few further roundings.
+/// The bound is a hundred roundings.
 const PLACE: f64 = 1e-14;
-/// Relative error of a difference of squares or of positions. It is millions of roundings; a few occur.
+/// Bound on the relative error of a difference of squares or of positions, which is off by a few roundings. The bound
+/// is millions of roundings.
 const DIFFERENCE: f64 = 1e-9;
 /// Relative change of a factor whose zero shifts by d, over d divided by the distance from the zero. To first order it
 /// is four, from ±ir − z and the conjugate terms. The excess covers the second order.
