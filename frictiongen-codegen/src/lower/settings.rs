@@ -100,7 +100,8 @@ impl<'s> Lowering<'s, '_> {
         let Slot::Given(Placed { list, .. }) = &fields.provide else {
             return default();
         };
-        // An empty list is an error only if the description has no entry in it.
+        // A list whose entries are all faulty counts as missing. Only a list without any written
+        // entry is an error.
         if list.entries.is_empty() && !list.complete {
             return default();
         }

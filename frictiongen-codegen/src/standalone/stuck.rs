@@ -32,7 +32,7 @@ pub(super) struct Stuck {
 }
 
 impl Stuck {
-    /// Builds the expressions of a scene.
+    /// Builds the expressions of a scene for one number format.
     pub fn of<S: Float>(numbers: Numbers, scene: &Scene, held: &Held<S>) -> Self {
         let sets = held.pole_sets();
         let poles = sets.iter().enumerate().filter_map(|(place, form)| {

@@ -64,8 +64,8 @@ fn driven_by_the_base() {
     }
 }
 
-/// With the second of two masses stuck to the wall, the first is on two springs: 1/(2 − r²). The second mass transmits
-/// this force to the wall.
+/// With the second of two masses stuck to the wall, the first is on two springs: 1/(2 − r²). The holding force has the
+/// same value.
 #[test]
 fn two_masses_by_hand() {
     let held = Held::<f64>::of(&scene("Wall", 2, 0.0, 1.0), RANGE).unwrap();

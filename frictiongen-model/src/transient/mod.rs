@@ -120,7 +120,7 @@ impl<S: Scalar> Transient<S> {
 
     /// Returns the relative loss of a motion between the free modes and the held modes
     /// ([`held_loss`](Dynamics::held_loss)). Returns `None` unless the loss exceeds half of the digits of the scalar.
-    /// No time-domain result is then useful. Such a loss occurs only with modes near critical damping or above.
+    /// With such a loss no time-domain result is useful. It occurs only with modes near critical damping or above.
     #[must_use]
     pub fn excess_loss(&self) -> Option<S>
     where

@@ -51,7 +51,7 @@ pub(super) struct Known {
     pub zero: Zero,
     /// Largest error of the zero's position.
     pub off: f64,
-    /// Distance of the nearest number of the scalar that is included.
+    /// Distance from the zero to the nearest number of the scalar that the proof includes.
     pub nearest: f64,
 }
 
