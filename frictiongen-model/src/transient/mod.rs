@@ -1,5 +1,5 @@
-//! Data for the motion in time in addition to the modal analysis: every mode, and the *held modes*, which are those of
-//! the chain with its contact stuck. The data do not depend on the frequency.
+//! Data for the motion in time in addition to the modal analysis: every mode, and the *held modes*. Held modes are
+//! those of the chain with its contact stuck. The data do not depend on the frequency.
 
 mod held;
 mod plain;
