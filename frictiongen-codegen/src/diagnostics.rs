@@ -1,18 +1,18 @@
-//! Errors of a description: collected while it is read, handed out all at once.
+//! Errors of a description. The reader collects them and returns all at once.
 
 use core::fmt;
 
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Ident, Span};
 
-/// One error in a text.
+/// An error in a text, with its position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// The line, counted from 1.
+    /// The line of the error, counted from 1.
     pub line: usize,
-    /// The column in characters, counted from 1.
+    /// The column of the error, counted in characters from 1.
     pub column: usize,
-    /// What is wrong and what to write instead.
+    /// The message: the error and what to write instead.
     pub message: String,
 }
 
@@ -22,10 +22,10 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// Every error in a text, in the order of the text.
+/// All errors in a text, in the order of the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
-    /// The errors; at least one.
+    /// The errors of the text, at least one.
     pub list: Vec<Diagnostic>,
 }
 
@@ -43,35 +43,35 @@ impl fmt::Display for Diagnostics {
 
 impl core::error::Error for Diagnostics {}
 
-/// Why the tokens of a macro call are no scene.
+/// Errors of a macro call whose tokens are not a valid scene.
 #[derive(Debug)]
 pub struct Failure {
-    /// Every error, each on the token it is about.
+    /// All errors, each on the token that caused it.
     pub errors: syn::Error,
-    /// What could be read all the same.
+    /// The fields of the description that could be read in spite of the errors.
     pub partial: Partial,
 }
 
-/// What could be read of a faulty description: enough for a macro to emit something of the right
-/// shape, so that the calls to it do not add errors of their own.
+/// The fields of a faulty description that could be read. They are enough for a macro to emit a
+/// type with the expected methods, so that calls to those methods do not add errors.
 pub struct Partial {
     /// The attributes before the struct.
     pub attributes: Vec<syn::Attribute>,
-    /// Its visibility.
+    /// The visibility of the struct.
     pub visibility: syn::Visibility,
-    /// Its name, if it has a usable one.
+    /// The name of the struct; `None` if it is not usable.
     pub name: Option<Ident>,
-    /// The path of the facade.
+    /// The path under which the user's crate imports the facade crate `frictiongen`.
     pub facade: syn::Path,
-    /// The masses whose names can name methods.
+    /// The masses whose names are valid method names.
     pub mass_names: Vec<Ident>,
-    /// The scalar.
+    /// The scalar type of the scene.
     pub precision: Precision,
-    /// Whether the base is excited.
+    /// True if the base is excited.
     pub on_base: bool,
-    /// The masses that the stepper may load, by their places among `mass_names`.
+    /// The masses that the stepper may load, as indices into `mass_names`.
     pub forces: Vec<usize>,
-    /// Whether a step is declared.
+    /// True if the description declares a step.
     pub has_step: bool,
 }
 
@@ -85,25 +85,25 @@ impl fmt::Debug for Partial {
     }
 }
 
-/// Where a token stands: in the source that the compiler reads, or in a text of our own.
+/// Position of a token in the compiler's source or in a text that this crate reads.
 ///
-/// Inside a macro, tokens made from a text all carry the span of the call, so a text's lines and
-/// columns are kept beside the span.
+/// Inside a macro, all tokens made from a text carry the span of the call. `Text` therefore keeps
+/// the line and column in that text.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Place {
     /// A token from the compiler.
     Span(Span),
-    /// A place in a text, both counted from 1.
+    /// A position in a text. Line and column count from 1.
     Text {
-        /// The line.
+        /// The line, counted from 1.
         line: usize,
-        /// The column, in characters.
+        /// The column, counted in characters from 1.
         column: usize,
     },
 }
 
 impl Place {
-    /// The span that emitted tokens carry.
+    /// Returns the span for emitted tokens.
     pub(crate) fn span(self) -> Span {
         match self {
             Self::Span(span) => span,
@@ -124,7 +124,7 @@ struct Problem {
     message: String,
 }
 
-/// That an error has been reported and the caller need not do so again.
+/// Marks an error as reported, so that the caller does not report it again.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reported;
 
@@ -135,7 +135,7 @@ pub(crate) struct Problems {
 }
 
 impl Problems {
-    /// Takes note of an error.
+    /// Adds an error to the list.
     pub(crate) fn report(&mut self, place: Place, message: impl Into<String>) -> Reported {
         self.list.push(Problem {
             place,
@@ -144,17 +144,18 @@ impl Problems {
         Reported
     }
 
-    /// Whether there is none.
+    /// Returns whether the list has no error.
     pub(crate) fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
-    /// Whether there are so many that working out advice for more is no help to anyone.
+    /// Returns whether the list has more than 100 errors. Advice for further errors would then help
+    /// nobody.
     pub(crate) fn are_many(&self) -> bool {
         self.list.len() > 100
     }
 
-    /// The errors as a list of lines and columns, in the order of the text.
+    /// Returns the errors with lines and columns, in the order of the text.
     pub(crate) fn into_diagnostics(self) -> Diagnostics {
         let mut list: Vec<_> = self
             .list
@@ -172,7 +173,8 @@ impl Problems {
         Diagnostics { list }
     }
 
-    /// The errors as one that becomes a `compile_error!` for each, in the order of the source.
+    /// Returns the errors as one `syn::Error`, which becomes a `compile_error!` for each, in the
+    /// order of the source.
     pub(crate) fn into_error(mut self) -> syn::Error {
         self.list
             .sort_by_cached_key(|problem| problem.place.line_column());

@@ -1,5 +1,7 @@
-//! What the macro expands to: a description in place or in a file, and after errors something of
-//! the same shape, so that the rest of the user's crate does not drown in follow-up errors.
+//! Expands the macro, for a description in place or in a file.
+//!
+//! After errors it emits a type of the same shape, so that the user's crate does not report
+//! follow-up errors.
 
 use crate::diagnostics::{Failure, Partial};
 use crate::lower::{Description, Limits, parse_text, parse_tokens};
@@ -12,7 +14,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use std::path::{Path, PathBuf};
 use syn::LitStr;
 
-/// The expansion of a macro call, whatever stands in it.
+/// Returns the expansion of a macro call for any input.
 #[must_use]
 pub fn expand(input: TokenStream) -> TokenStream {
     match syn::parse2::<LitStr>(input.clone()) {
@@ -24,8 +26,8 @@ pub fn expand(input: TokenStream) -> TokenStream {
     }
 }
 
-/// `friction_system!("frame.friction")`: the file is named from the folder of Cargo.toml, and the
-/// call is expanded again when the file changes.
+/// Expands `friction_system!("frame.friction")`. The path starts at the folder of Cargo.toml. The
+/// compiler expands the call again when the file changes.
 fn expand_file(path: &LitStr) -> TokenStream {
     let relative = path.value();
     let folder = std::env::var_os("CARGO_MANIFEST_DIR")
@@ -47,7 +49,7 @@ fn expand_file(path: &LitStr) -> TokenStream {
         Ok(description) => tokens.extend(emit(&description)),
         Err(diagnostics) => {
             tokens.extend(file_errors(path, &relative, &diagnostics));
-            // What can be read of it all the same has the right names.
+            // The names that could be read prevent follow-up errors in the user's crate.
             let partial = text.parse().ok().and_then(|tokens| {
                 parse_tokens(tokens, &Limits::MACRO)
                     .err()
@@ -59,7 +61,7 @@ fn expand_file(path: &LitStr) -> TokenStream {
     tokens
 }
 
-/// Makes the compiler look at the file again when it changes.
+/// Emits code that makes the compiler watch the file for changes.
 fn tracked(relative: &str) -> TokenStream {
     if Path::new(relative).is_absolute() {
         return code!(
@@ -74,7 +76,7 @@ fn tracked(relative: &str) -> TokenStream {
     }
 }
 
-/// Each error of a file on the path, with its place in the text.
+/// Emits each error of a file at the path argument, with its line and column in the text.
 fn file_errors(path: &LitStr, relative: &str, diagnostics: &Diagnostics) -> TokenStream {
     let errors = diagnostics.list.iter().map(|diagnostic| {
         syn::Error::new(path.span(), format!("{relative}:{diagnostic}")).to_compile_error()
@@ -82,15 +84,15 @@ fn file_errors(path: &LitStr, relative: &str, diagnostics: &Diagnostics) -> Toke
     errors.collect()
 }
 
-/// The errors, and something of the right shape.
+/// Emits the errors and a replacement type of the same shape.
 fn emit_failure(failure: Failure) -> TokenStream {
     let mut tokens = failure.errors.to_compile_error();
     tokens.extend(stand_in(failure.partial));
     tokens
 }
 
-/// The solver of a plain chain with the names of a faulty description.  It never runs: the errors
-/// beside it end the build.
+/// Emits the solver of a plain chain with the names of a faulty description. It never runs, because
+/// the errors emitted with it end the build.
 fn stand_in(partial: Partial) -> Option<TokenStream> {
     let Partial {
         attributes,
@@ -115,7 +117,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
             value: 1.0,
         })
         .collect();
-    // The excited mass is the first that `force` does not name.
+    // The excited mass is the first mass that `force` does not name.
     let excited = (0..masses.len()).find(|mass| !forces.contains(mass));
     let excitation = match excited {
         Some(mass) if !on_base => Excitation::Force(mass),

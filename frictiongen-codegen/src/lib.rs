@@ -1,9 +1,10 @@
 //! Parses scene descriptions and emits specialised Rust solvers for them.
 //!
-//! `parse` reads text or tokens into a spanned syntax tree, `lower` makes a scene of it, `graph`
-//! records the closed forms as code, and `emit` writes the items of a solver.
+//! `parse` reads text or tokens into a spanned syntax tree, and `lower` turns that tree into a
+//! scene. `graph` records the closed forms as code, and `emit` writes the items of a solver.
 
-/// Emitted code: like `quote!`, with names that neither capture the user's nor are captured.
+/// Emits code as `quote!` does, with names that neither capture the user's names nor are captured
+/// by them.
 macro_rules! code {
     ($($tokens:tt)*) => {
         ::quote::quote_spanned!(::proc_macro2::Span::mixed_site()=> $($tokens)*)
@@ -24,19 +25,20 @@ pub use expand::expand;
 pub use lower::{Description, Limits, SceneTables, parse_text, parse_tokens};
 
 #[cfg(feature = "pretty")]
-/// The solver of a description as formatted source text.
+/// Returns the solver of a description as formatted source text.
 ///
 /// # Errors
-/// A message, should the emitted tokens not be Rust; that would be a defect of this crate.
+/// Returns a message if the emitted tokens are not valid Rust, which would be a defect of this
+/// crate.
 pub fn pretty(description: &Description) -> Result<String, String> {
     formatted(emit(description))
 }
 
 #[cfg(feature = "pretty")]
-/// Emitted tokens as formatted source text.
+/// Returns emitted tokens as formatted source text.
 ///
 /// # Errors
-/// A message, should the tokens not be Rust.
+/// Returns a message if the tokens are not valid Rust.
 pub fn formatted(tokens: proc_macro2::TokenStream) -> Result<String, String> {
     let file: syn::File = syn::parse2(tokens).map_err(|error| error.to_string())?;
     Ok(prettyplease::unparse(&file))

@@ -1,13 +1,14 @@
-//! A recorded graph, interpreted, is the arithmetic that it records: whatever is a number, whatever folds.
+//! Tests that interpreting a recorded graph gives the results of the recorded arithmetic, for any mix of known numbers
+//! and inputs.
 
 use frictiongen_codegen::graph::interpret::interpret;
 use frictiongen_codegen::graph::{Expr, Graph};
 use frictiongen_kernel::Scalar;
 
-/// Values at which signs, zeros and ones matter; all sums, products and quotients of them are exact but a few.
+/// Values at which signs, zeros and ones matter. All but a few of their sums, products and quotients are exact.
 const VALUES: [f64; 9] = [-2.5, -1.0, -0.75, 0.0, 0.125, 0.5, 1.0, 3.0, 8.0];
 
-/// Every formula of two values, over any scalar.
+/// Returns every formula of two values, over any scalar.
 fn formulas<S: Scalar>(a: S, b: S) -> Vec<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let choose = |condition| S::select(condition, a, b + one);
@@ -55,7 +56,7 @@ fn interpreted_as_recorded() {
     for a in VALUES {
         for b in VALUES {
             let expected = formulas(a, b);
-            // Each of the two from outside, or known when the graph is recorded.
+            // Each value is an input of the graph or a number known during recording.
             for (known_a, known_b) in [(false, false), (true, false), (false, true), (true, true)] {
                 let graph = Graph::new(2);
                 let of = |known, name: &str, value| {
@@ -71,7 +72,7 @@ fn interpreted_as_recorded() {
                 let found = interpret(&graph, &outputs, input).expect("both inputs");
                 assert_eq!(found.len(), expected.len());
                 for (index, (found, expected)) in found.iter().zip(&expected).enumerate() {
-                    // Folding may lose the sign of a zero, nothing else.
+                    // Folding may only lose the sign of a zero.
                     assert!(
                         found == expected || found.is_nan() && expected.is_nan(),
                         "formula {index} of {a}, {b}: {found} for {expected}"

@@ -1,4 +1,4 @@
-//! No pattern of emitted code can be taken for a constant of the user's.
+//! Tests that no pattern of emitted code can refer to a constant of the user.
 
 #![allow(
     clippy::expect_used,
@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use syn::visit::Visit;
 
-/// The names that patterns bind, and the functions that hide what the user may have called so.
+/// The names that patterns bind, and the functions that hide constants of the same names.
 #[derive(Default)]
 struct Seen {
     bound: BTreeSet<String>,
@@ -32,7 +32,7 @@ impl<'ast> Visit<'ast> for Seen {
     }
 }
 
-/// A chain of masses, each held to the base or the wall in turn, so that no two modes are alike.
+/// Returns a chain of masses. Each is joined to the base or the wall in turn, so that no two modes are alike.
 fn scene(masses: usize, contact: &str, excitation: &str, rest: &str) -> String {
     let mut text = String::from("struct Scene { masses: {");
     for mass in 0..masses {
@@ -54,7 +54,8 @@ fn scene(masses: usize, contact: &str, excitation: &str, rest: &str) -> String {
     text
 }
 
-/// Of one scene: how many names are bound, and which of them nothing hides.
+/// Checks one scene, and returns the number of bound names. Collects the names that the scene hides with functions of
+/// its own.
 fn check(text: &str, emitted: &mut BTreeSet<String>) -> usize {
     let description =
         parse_text(text, &Limits::MACRO).unwrap_or_else(|told| panic!("{told}\n{text}"));
@@ -100,7 +101,8 @@ fn every_name_that_a_pattern_binds_is_hidden() {
             pictures.push((format!("a0 - a{last}"), format!("a{middle}")));
         }
         for (picture, (contact, excitation)) in pictures.iter().enumerate() {
-            // All that can be combined where modes are written out; beyond, where they are not, in turn.
+            // Up to four masses, where modes are written out, all combinations are tested. Beyond that, combinations
+            // are tested in turn.
             let all = masses <= 4;
             for (kind, damping) in DAMPING.iter().enumerate() {
                 for (item, provide) in PROVIDE.iter().enumerate() {
@@ -110,7 +112,7 @@ fn every_name_that_a_pattern_binds_is_hidden() {
                         continue;
                     }
                     let scalar = ["f64", "f32"][(kind + item) % 2];
-                    // Motions in time of many critically damped modes are refused.
+                    // Time-domain solvers of many critically damped modes are refused.
                     let crowded = masses > 4 && *damping == "modal(1)";
                     let provide = if crowded { CROWDED } else { provide };
                     let rest = format!(

@@ -1,4 +1,4 @@
-//! What can be written, and that both doors read it alike.
+//! Tests the language, and that the text parser and the token parser read it alike.
 #![allow(
     clippy::expect_used,
     clippy::panic,
@@ -12,7 +12,7 @@ use frictiongen_model::scene::{
     StepInput, Stepping,
 };
 
-/// Reads a text through both doors.
+/// Reads a text with both parsers.
 fn read(text: &str) -> Description {
     let from_text = parse_text(text, &Limits::MACRO).unwrap_or_else(|errors| panic!("{errors}"));
     let tokens = text.parse().expect("the text is made of tokens");
@@ -24,7 +24,7 @@ fn read(text: &str) -> Description {
     from_text
 }
 
-/// A scene of two masses with more fields.
+/// Returns a scene of two masses with more fields.
 fn scene(fields: &str) -> Scene {
     read(&format!(
         "struct S {{ masses: {{ a: 1, b: 2 }}, springs: {{ base - a: 1, a - b: 1 }}, \

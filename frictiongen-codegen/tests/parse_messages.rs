@@ -1,5 +1,5 @@
-//! What is told where the catalogue of messages (`generated-tests/tests/messages`) shows another cause of the same
-//! message: a nested comment, a second place, the other end of a range.
+//! Tests further causes of messages in the catalogue (`generated-tests/tests/messages`): a nested comment, a second
+//! position, the other bound of a range.
 #![allow(clippy::expect_used, reason = "a test may fail")]
 
 use frictiongen_codegen::{Limits, parse_text, parse_tokens};
@@ -16,14 +16,14 @@ pub struct Frame {
 }
 ";
 
-/// The errors of the frame after each first string in it has become the second.
+/// Returns the errors of the frame after the first string of each pair is replaced by the second.
 fn errors(changes: &[(&str, &str)]) -> Vec<String> {
     let text = changes.iter().fold(FRAME.to_owned(), |text, (from, to)| {
         assert!(text.contains(from), "{from} is not in the frame");
         text.replacen(from, to, 1)
     });
     let diagnostics = parse_text(&text, &Limits::MACRO).expect_err("the text is faulty");
-    // The other door, where it can be entered at all: what is no token never reaches a macro.
+    // A text that does not consist of Rust tokens never reaches the token parser.
     if let Ok(tokens) = text.parse() {
         let failure = parse_tokens(tokens, &Limits::MACRO).expect_err("the tokens are faulty");
         let messages: Vec<_> = failure

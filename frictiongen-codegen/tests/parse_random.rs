@@ -1,4 +1,4 @@
-//! That no text whatever makes the parser panic or go on for ever, and that both doors agree.
+//! Tests that no text makes the parser panic or loop for ever, and that both parsers agree.
 #![allow(
     clippy::expect_used,
     clippy::panic,
@@ -50,7 +50,7 @@ fn mutate(text: &mut Vec<char>, random: &mut Random) {
     }
 }
 
-/// Both doors: no panic, and the same verdict wherever the text is made of Rust's tokens.
+/// Checks that neither parser panics. Both must give the same verdict on a text of Rust tokens.
 fn check(text: &str) -> bool {
     let from_text = parse_text(text, &Limits::RUN_TIME);
     if let Err(diagnostics) = &from_text {
@@ -89,7 +89,7 @@ fn no_mutation_panics() {
         }
         valid += usize::from(check(&text.iter().collect::<String>()));
     }
-    // Some mutations touch comments or digits only: the test would be blind were there none.
+    // Some mutations change only comments or digits. Without valid texts the test would be blind.
     assert!((100..9_000).contains(&valid), "{valid}");
 }
 

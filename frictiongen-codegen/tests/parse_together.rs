@@ -1,4 +1,4 @@
-//! That one mistake hides no other, that none is told twice, and what a macro can still make of a
+//! Tests that one error neither hides another nor is reported twice. Also tests what a macro can still emit for a
 //! faulty description.
 #![allow(
     clippy::expect_used,
@@ -13,7 +13,7 @@ use quote::ToTokens;
 
 fn errors(text: &str) -> Vec<String> {
     let diagnostics = parse_text(text, &Limits::MACRO).expect_err("the text is faulty");
-    // What is printed is what is listed, a line for each.
+    // `Display` prints the list, one error in a line.
     let printed: Vec<_> = diagnostics.to_string().lines().map(str::to_owned).collect();
     let listed: Vec<_> = diagnostics.list.iter().map(ToString::to_string).collect();
     assert_eq!(printed, listed);
@@ -67,28 +67,29 @@ fn every_error_is_told_at_once() {
 #[test]
 fn an_unreadable_part_gives_no_second_error() {
     for (from, to) in [
-        // An unreadable list of masses: no name is then unknown, no mass unheld, no damping short.
+        // With an unreadable list of masses, no name is unknown, no mass lacks a support, and no damping list is too
+        // short.
         ("{ a: 1, b: 2 }", "[1, 2]"),
         ("b: 2 }", "(b): 2 }"),
-        // Unreadable springs: nothing floats, nothing is out of reach.
+        // With unreadable springs, no mass is unsupported or out of reach.
         ("{ base - a: 1, a - b: 1 }", "1.0"),
         ("a - b: 1", "a = b: 1"),
         ("a - b: 1", "a - c: 1"),
         ("a - b: 1", "a - b: kg"),
-        // An unreadable contact or excitation: nothing is out of reach.
+        // With an unreadable contact or excitation, no mass is out of reach.
         ("b - wall", "b"),
         ("b - wall", "x - wall"),
         ("excitation: a", "excitation: x"),
-        // What is declared by halves, and what is not built, is told once.
+        // An incomplete declaration, or one of an item that is not built, is reported once.
         ("stiction: 1", "range: 0"),
         ("stiction: 1", "range: { r: 0.1..1, beta: 0..1 }"),
         ("stiction: 1", "range: { r: 0..1 }, accuracy: 1e-4"),
         ("stiction: 1", "provide: [stepper], step: 0"),
-        // Where what to provide is unreadable, nothing is short of the stepper.
+        // With an unreadable list of provided items, no field is reported for want of the stepper.
         ("stiction: 1", "provide: stepper, step: 1"),
         ("stiction: 1", "provide: [steper], friction: stribeck(1: 1)"),
         ("stiction: 1", "provide: [stepper, limit], force: { b }"),
-        // A law, an input or a load that cannot be read is told once.
+        // An unreadable law, input or load is reported once.
         ("stiction: 1", "provide: [stepper], friction: stribeck(1)"),
         (
             "stiction: 1",
@@ -105,7 +106,7 @@ fn an_unreadable_part_gives_no_second_error() {
             "stiction: 1",
             "stiction: 0.5, provide: [stepper], friction: stribeck(1: 0.9)",
         ),
-        // Unreadable items leave the list empty, which is no error of its own.
+        // Unreadable items leave an empty list, which is not a separate error.
         ("stiction: 1", "provide: [limit]"),
         ("stiction: 1", "provide: [motion(c)]"),
         ("stiction: 1", "accuracy: good"),
@@ -159,7 +160,7 @@ fn a_failure_keeps_what_a_macro_can_use() {
     );
     assert_eq!(partial.attributes.len(), 1);
 
-    // Whether the base moves, what may be loaded and whether there is a step: the input's fields, and `STEP`.
+    // The moving base, the loaded masses and the step decide the fields of the input and `STEP`.
     let stepped = "struct Frame { masses: { a: 1, b: 1, c: 1 }, springs: { base - a: 1 }, contact: c - wall, \
         excitation: b, provide: [stepper], force: { c, b, a, x }, step: 1e }";
     let partial = failure(stepped).partial;

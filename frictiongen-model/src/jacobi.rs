@@ -1,34 +1,35 @@
-//! One-sided Jacobi: singular values and right singular vectors, in double-double.
+//! One-sided Jacobi method: singular values and right singular vectors, in double-double.
 //!
-//! The natural frequencies are the singular values of G = diag(√κ)·E·diag(1/√γ).  Jacobi on the
-//! columns of G keeps all of them to full relative accuracy however far masses and stiffnesses
-//! spread, which forming K̄ = GᵀG and calling an eigensolver does not.
+//! The natural frequencies are the singular values of G = diag(√κ)·E·diag(1/√γ). The Jacobi method
+//! on the columns of G keeps all of them to full relative accuracy, for any spread of masses and
+//! stiffnesses. An eigensolver on K̄ = GᵀG does not.
 
 use frictiongen_kernel::number::dd::Dd;
 
-/// A matrix by columns.
+/// A matrix, stored by columns.
 pub type Columns = Vec<Vec<Dd>>;
 
-/// Two columns count as orthogonal when their cosine is below this.
+/// Largest cosine of two columns that count as orthogonal.
 const ORTHOGONAL: f64 = 1e-30;
-/// Quadratic convergence ends long before; the bound only guards against an endless loop.
+/// Upper bound on sweeps. Convergence is quadratic and ends long before; the bound only prevents an
+/// endless loop.
 const MAX_SWEEPS: usize = 60;
 
-/// Sum of products.
+/// Returns the scalar product of two vectors.
 pub fn dot(a: &[Dd], b: &[Dd]) -> Dd {
     a.iter()
         .zip(b)
         .fold(Dd::from(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// Singular values in ascending order and the right singular vectors, one a column.
+/// Returns the singular values in ascending order, and the right singular vectors as columns.
 pub fn singular(mut g: Columns) -> (Vec<Dd>, Columns) {
     let n = g.len();
     let (zero, one) = (Dd::from(0.0), Dd::from(1.0));
     let mut v: Columns = (0..n)
         .map(|i| (0..n).map(|j| if i == j { one } else { zero }).collect())
         .collect();
-    // Large columns first: the rotations then stay small where the small values live.
+    // With large columns first, the rotations stay small where the small singular values are.
     let mut norms: Vec<Dd> = g.iter().map(|column| dot(column, column)).collect();
     sort(&mut g, &mut v, &mut norms, |a, b| b < a);
     for _ in 0..MAX_SWEEPS {
@@ -47,7 +48,7 @@ pub fn singular(mut g: Columns) -> (Vec<Dd>, Columns) {
     (norms, v)
 }
 
-/// Makes two columns orthogonal; false if they are already.
+/// Rotates two columns to make them orthogonal. Returns false if they already are.
 fn rotate(g: &mut Columns, v: &mut Columns, left: usize, right: usize) -> bool {
     let (Some(a), Some(b)) = (g.get(left), g.get(right)) else {
         return false;
@@ -81,7 +82,7 @@ fn turn(columns: &mut Columns, left: usize, right: usize, c: Dd, s: Dd) {
     }
 }
 
-/// Stable insertion sort of the columns by their norms.
+/// Sorts the columns by their norms with a stable insertion sort.
 fn sort(g: &mut Columns, v: &mut Columns, norms: &mut [Dd], before: impl Fn(Dd, Dd) -> bool) {
     for end in 1..norms.len() {
         let mut at = end;

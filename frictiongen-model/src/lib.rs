@@ -1,5 +1,5 @@
-//! Scenes of mass-spring chains with one Coulomb contact: what they say, whether it makes sense,
-//! and their modal analysis in double-double.
+//! Scenes of mass-spring chains with one Coulomb contact: their description, their validation, and
+//! their modal analysis in double-double.
 
 pub mod interval;
 pub mod jacobi;

@@ -1,4 +1,4 @@
-//! The modal data of a scene: everything that needs linear algebra, done once, in double-double.
+//! Modal data of a scene. All linear algebra is done here, once, in double-double.
 
 use crate::jacobi::{self, Columns, dot};
 use crate::scene::{Contact, Damping, Excitation, Node, Scene};
@@ -6,40 +6,41 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::Ends;
 
-/// Below this share of the largest that it could be, a residue is rounding noise: exactly zero.
+/// Largest residue that counts as rounding noise, as a fraction of its largest possible value. A smaller one is set to
+/// exactly zero.
 pub(crate) const NOISE: f64 = 1e-26;
 
-/// A scene in modal coordinates (section 2 of `docs/derivation.md`), to about 30 digits: numbers, or numbers with their
-/// derivatives ([`Modal::along`]).
+/// A scene in modal coordinates (section 2 of `docs/derivation.md`), to about 30 digits. `T` is a number, or a number
+/// with its derivative ([`Modal::along`]).
 #[derive(Clone, Debug)]
 pub struct Modal<T = Dd> {
-    /// √λ_i, ascending: the frequency ratios of the undamped resonances.
+    /// √λ_i, the frequency ratios of the undamped resonances, ascending.
     pub resonances: Vec<T>,
-    /// ζ_i.
+    /// ζ_i, the modal damping ratios.
     pub damping_ratios: Vec<T>,
-    /// φ, by mode and mass, with φᵀΓφ = 1.
+    /// φ, the mode shapes by mode and mass, with φᵀΓφ = 1.
     pub shapes: Vec<Vec<T>>,
-    /// φᵀp for each mode.
+    /// φᵀp, the modal load of each mode.
     pub loads: Vec<T>,
-    /// φᵀw for each mode.
+    /// φᵀw, the component of the contact direction in each mode.
     pub contacts: Vec<T>,
-    /// m* = wᵀΓ⁻¹w.
+    /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
     pub inverse_mass: T,
-    /// wᵀΓ⁻¹p.
+    /// wᵀΓ⁻¹p, the component of the load along the contact direction, weighted with the inverse masses.
     pub inertial_load: T,
     /// wᵀK̄⁻¹p − s, the static relative motion.
     pub static_motion: T,
-    /// wᵀK̄⁻¹w.
+    /// wᵀK̄⁻¹w, the static receptance of the contact.
     pub static_receptance: T,
-    /// Whether the contact rubs on the moving base (s = 1).
+    /// True if the contact rubs on the moving base (s = 1).
     pub on_moving_base: bool,
-    /// √(k₁/m₁), rad/s in the scene's own units.
+    /// √(k₁/m₁), the reference frequency, rad/s in the scene's own units.
     pub reference: T,
-    /// μ.
+    /// μ, static over kinetic friction force.
     pub stiction: T,
-    /// The contact's two masses (A < B), or its one.
+    /// The two masses of the contact (A < B), or its single mass.
     pub contact: (usize, Option<usize>),
-    /// Whether masses beyond the contact can absorb ([`Scene::has_absorber`]).
+    /// True if masses beyond the contact can act as an absorber ([`Scene::has_absorber`]).
     pub has_absorber: bool,
 }
 
@@ -47,7 +48,7 @@ fn dd(value: f64) -> Dd {
     Dd::from(value)
 }
 
-/// The contact's direction w as (mass, sign) pairs, the earlier mass of two with the minus sign.
+/// Returns the contact direction w as (mass, sign) pairs. The earlier of two masses has the minus sign.
 fn direction(contact: Contact) -> Vec<(usize, f64)> {
     match (contact.from, contact.to) {
         (Node::Mass(a), Node::Mass(b)) => vec![(a.min(b), -1.0), (a.max(b), 1.0)],
@@ -56,17 +57,17 @@ fn direction(contact: Contact) -> Vec<(usize, f64)> {
     }
 }
 
-/// The matrices of a scene before its modal analysis.
+/// Matrices and vectors of a scene before its modal analysis.
 struct Assembled {
-    /// √γ_i.
+    /// √γ_i, the square roots of the mass ratios.
     root_gamma: Vec<Dd>,
-    /// √(k₁/m₁).
+    /// √(k₁/m₁), the reference frequency.
     reference: Dd,
-    /// G = diag(√κ)·E·diag(1/√γ), by columns, whose singular values are the √λ.
+    /// G = diag(√κ)·E·diag(1/√γ), by columns. Its singular values are the √λ.
     g: Columns,
-    /// The load vector p over √γ.
+    /// The load vector p divided by √γ.
     p_scaled: Vec<Dd>,
-    /// The contact direction w over √γ.
+    /// The contact direction w divided by √γ.
     w_scaled: Vec<Dd>,
 }
 
@@ -139,7 +140,7 @@ impl Assembled {
 }
 
 impl Modal {
-    /// The modal analysis of a valid scene, in double-double.
+    /// Returns the modal analysis of a valid scene, in double-double.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let mut assembled = Assembled::of(scene);
@@ -147,9 +148,9 @@ impl Modal {
         Self::assembled(scene, &assembled, resonances, &vectors, NOISE)
     }
 
-    /// The same from a solver of the caller's: it is given G by columns and answers with the
-    /// singular values, ascending, and the right singular vectors, one a column.  What is below
-    /// `noise` of the largest that it could be counts as zero.
+    /// Returns the modal analysis with the caller's solver. The solver receives G by columns. It returns the singular
+    /// values in ascending order, and the right singular vectors as columns. A value below `noise` times its largest
+    /// possible value becomes zero.
     #[must_use]
     pub fn solved_by(
         scene: &Scene,
@@ -180,7 +181,7 @@ impl Modal {
             ..
         } = assembled;
         let reference = *reference;
-        // In coordinates scaled by √γ the mode shapes are orthonormal.
+        // Divided by √γ, the solver's orthonormal vectors become the mode shapes.
         let n = vectors.len();
         let mut shapes = Vec::with_capacity(n);
         let (mut loads, mut contacts) = (Vec::with_capacity(n), Vec::with_capacity(n));
@@ -245,14 +246,14 @@ impl Modal {
 }
 
 impl<T: Float> Modal<T> {
-    /// The mass that rubs on a support; none where two masses rub on each other.
+    /// Returns the mass that rubs on a support, or `None` if two masses rub on each other.
     #[must_use]
     pub fn rubbing(&self) -> Option<usize> {
         let (mass, other) = self.contact;
         other.is_none().then_some(mass)
     }
 
-    /// ω_i, rad/s in the scene's own units.
+    /// Returns ω_i, the natural frequencies, rad/s in the scene's own units.
     #[must_use]
     pub fn natural_frequencies(&self) -> Vec<T> {
         self.resonances
@@ -261,8 +262,9 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// The undamped resonances that the load drives: there the continuous motion is unbounded.  Of
-    /// `invisible` modes, which the contact does not touch, even the motion with a stuck contact.
+    /// Returns the undamped resonances that the load drives, at which the continuous motion is unbounded. With
+    /// `invisible`, returns only those of modes that the contact does not touch. There even the motion with a stuck
+    /// contact is unbounded.
     #[must_use]
     pub fn unbounded(&self, invisible: bool) -> Vec<T> {
         let zero = T::constant(0.0);
@@ -280,13 +282,13 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// Whether any mode is damped, or would be if the variable of a derivative moved.
+    /// Returns whether any mode is damped, or becomes damped when the variable of a derivative changes.
     #[must_use]
     pub fn is_damped(&self) -> bool {
         self.damping_ratios.iter().any(|zeta| !zeta.vanishes())
     }
 
-    /// The limits at r = 0 and r = ∞.
+    /// Returns the limits at r = 0 and r = ∞.
     #[must_use]
     pub fn ends(&self) -> Ends<T> {
         let mu = self.stiction;
@@ -309,12 +311,12 @@ impl<T: Float> Modal<T> {
     }
 }
 
-/// A projection on a unit vector, exactly zero where only noise is left of it.
+/// Returns the projection on a unit vector, or exactly zero if only noise remains.
 fn projected(vector: &[Dd], on: &[Dd], noise: f64) -> Dd {
     cleaned(dot(vector, on), dot(on, on).sqrt(), noise)
 }
 
-/// wᵀK̄⁻¹p − s and wᵀK̄⁻¹w.
+/// Returns wᵀK̄⁻¹p − s and wᵀK̄⁻¹w.
 pub(crate) fn static_sums<T: Float>(
     carried: T,
     resonances: &[T],
@@ -342,7 +344,7 @@ fn cleaned<T: Float>(value: T, size: T, noise: f64) -> T {
     }
 }
 
-/// ζ = (a/ω + bω)/2 of a mode, for C = aM + bK.
+/// Returns ζ = (a/ω + bω)/2 of a mode, for C = aM + bK.
 pub(crate) fn rayleigh<T: Float>(mass: T, stiffness: T, omega: T) -> T {
     (mass / omega + stiffness * omega) * T::constant(0.5)
 }

@@ -1,4 +1,4 @@
-//! What the steady response needs of a scene, in a solver's own scalar; and the kernel's scene over it.
+//! Modal data for the steady response, in a solver's own scalar, and the kernel's scene made from them.
 
 use crate::modal::Modal;
 use frictiongen_kernel::Float;
@@ -10,32 +10,32 @@ use frictiongen_kernel::response::{
     Continuous, Ends, Numbers, ProvidesMotion, ProvidesStuck, Scene, Stuck,
 };
 
-/// The kernel's [`Numbers`], with their vectors.
+/// The kernel's [`Numbers`], with owned vectors.
 #[derive(Clone, Debug)]
 pub struct Reduced<S> {
     /// The modes that the load or the contact drives, ascending.
     pub modes: Vec<Mode<S>>,
-    /// φ of those modes, mass after mass.
+    /// φ of the modes in `modes`, mass after mass.
     pub shapes: Vec<S>,
-    /// What the scene says beyond its modes.
+    /// Properties of the scene that are not modal.
     pub chain: Chain<S>,
-    /// The limits at the ends of the frequency range.
+    /// The limits at r = 0 and r = ∞.
     pub ends: Ends<S>,
-    /// The mass that rubs on a support; none where two masses rub on each other.
+    /// The mass that rubs on a support; `None` if two masses rub on each other.
     pub rubbing: Option<usize>,
-    /// Whether masses beyond the contact may absorb.
+    /// True if masses beyond the contact may act as an absorber.
     pub absorbs: bool,
     /// The undamped resonances that the load drives.
     pub unbounded: Vec<S>,
-    /// Those of them that the contact does not touch.
+    /// The resonances in `unbounded` whose modes the contact does not touch.
     pub invisible: Vec<S>,
-    /// Whether the contact's sums may take two modes at once: the same bits, 0.97 of the time where code is optimised, twice
-    /// and more where it is not.
+    /// True if the contact's sums may take two modes at once. The results are the same to the last bit. Optimised code
+    /// is then faster, but code without optimisation is slower.
     pub two_at_once: bool,
 }
 
 impl<S> Reduced<S> {
-    /// The components of a mass in the modes' shapes; empty if there is no such mass.
+    /// Returns the components of a mass in the mode shapes. The slice is empty if the mass does not exist.
     #[must_use]
     pub fn shape(&self, mass: usize) -> &[S] {
         let mut shapes = self.shapes.chunks_exact(self.modes.len().max(1));
@@ -44,7 +44,7 @@ impl<S> Reduced<S> {
 }
 
 impl<T: Float> Modal<T> {
-    /// The modal data in a scalar, rounded once from double-double by `to`.
+    /// Returns the modal data in another scalar. `to` rounds each number once from double-double.
     #[must_use]
     pub fn reduced<S>(&self, to: impl Fn(T) -> S) -> Reduced<S> {
         let zero = T::constant(0.0);
@@ -98,7 +98,7 @@ impl<T: Float> Modal<T> {
     }
 }
 
-/// The constants of a mode in a scalar, rounded once by `to`.
+/// Returns the constants of a mode in another scalar. `to` rounds each number once.
 pub(crate) fn mode<T: Float, S>(
     resonance: T,
     zeta: T,
@@ -127,7 +127,7 @@ pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
     if zeta.vanishes() {
         return Kind::Undamped;
     }
-    // By the value that is rounded to, so that the form and the constant agree.
+    // The rounded ζ decides, so that the formula and the constant agree.
     let zeta = zeta.to_f64();
     if zeta < 0.5 {
         Kind::Light
@@ -141,7 +141,7 @@ pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
 }
 
 impl<S: Float> Reduced<S> {
-    /// The same as the kernel reads it.
+    /// Returns the data as the kernel reads them.
     #[must_use]
     pub fn numbers(&self) -> Numbers<'_, S> {
         Numbers {

@@ -1,14 +1,14 @@
-//! The frequencies of the chain with its contact held: the roots of Σ c_i/(s² + 2ζ_iσ_i s + λ_i).
+//! Natural frequencies of the chain with its contact stuck: the roots of Σ c_i/(s² + 2ζ_iσ_i s + λ_i).
 //!
-//! Without damping they lie one between each pair of neighbouring resonances; with damping they are
-//! followed from there by the simultaneous iteration of Aberth and Ehrlich.
+//! Without damping, one root lies between each pair of neighbouring resonances. With damping, the simultaneous
+//! iteration of Aberth and Ehrlich starts from those roots.
 
 use frictiongen_kernel::Complex;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 
-/// A mode that the contact drives: σ = √λ, ζ, and its part c of the inverse effective mass of the contact.
+/// A mode that the contact drives: σ = √λ, ζ, and its contribution c to the inverse effective mass of the contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Driven {
     pub sigma: Dd,
@@ -16,16 +16,16 @@ pub(crate) struct Driven {
     pub inverse_mass: Dd,
 }
 
-/// Two roots as s² + 2αs + ω².
+/// Two roots, as the factor s² + 2αs + ω².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pair {
-    /// ω.
+    /// ω, the natural frequency.
     pub omega: Dd,
-    /// α/ω.
+    /// α/ω, the damping ratio.
     pub zeta: Dd,
 }
 
-/// The roots, in pairs, ascending by ω.  `modes` ascend and differ.
+/// Returns the roots in pairs, ascending by ω. `modes` must be ascending and distinct.
 pub(crate) fn pairs(modes: &[Driven]) -> Vec<Pair> {
     let zero = Dd::ZERO;
     let undamped: Vec<Dd> = modes
@@ -44,13 +44,13 @@ pub(crate) fn pairs(modes: &[Driven]) -> Vec<Pair> {
     paired(roots)
 }
 
-/// The undamped root between two neighbouring resonances: Σ c_i/(λ_i − ω²) rises from −∞ to ∞.
-/// Regula falsi on the sum times both neighbouring denominators, with the Illinois rule.
+/// Returns the undamped root between two neighbouring resonances, between which Σ c_i/(λ_i − ω²) rises from −∞ to ∞.
+/// Applies regula falsi with the Illinois rule to the sum times both neighbouring denominators.
 fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
     let value = |omega: Dd| {
         modes.iter().fold(Dd::ZERO, |sum, mode| {
             let gap = |sigma: Dd| (sigma - omega) * (sigma + omega);
-            // Of the neighbours' terms one denominator cancels.
+            // In the terms of the two neighbours, one denominator cancels.
             let weight = if mode.sigma == low {
                 gap(high)
             } else if mode.sigma == high {
@@ -67,7 +67,8 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
     let mut last = None;
     for step in 0..200 {
         let mut c = b - at_b * (b - a) / (at_b - at_a);
-        // The two weights of very different modes would hold one end for long.
+        // If the two modes have very different weights, regula falsi keeps one bound for many steps. Every eighth step
+        // therefore bisects.
         if step % 8 == 7 || !(a < c && c < b) {
             c = (a + b) * half;
         }
@@ -84,7 +85,7 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
         } else {
             (b, at_b) = (c, at_c);
         }
-        // The same end kept twice: its weight is halved.
+        // One bound was kept twice in a row, so its weight is halved.
         if last == Some(lower) {
             if lower {
                 at_b = at_b * half;
@@ -100,8 +101,8 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
     (a + b) * half
 }
 
-/// First guesses: the undamped frequencies, with the damping that their shapes see.  Slightly uneven,
-/// so that a pair that becomes two decays can part.
+/// Returns first guesses: the undamped frequencies, with the damping that their shapes imply. Their slight asymmetry
+/// lets a pair separate into two real roots.
 fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
     let mut roots = Vec::new();
     for (index, omega) in undamped.iter().enumerate() {
@@ -141,7 +142,8 @@ fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
     roots
 }
 
-/// The zeros of `direct` + Σ c_i/(s² + 2ζ_iσ_i s + λ_i), as many as there are guesses; the first `known` stay.
+/// Finds as many zeros of `direct` + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) as there are guesses. The first `known` roots stay
+/// fixed.
 pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], known: usize) {
     fn steps<S: Float>(
         modes: &[Driven],
@@ -161,19 +163,22 @@ pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], 
     steps::<Dd>(modes, direct, roots, known, LAST_STEPS);
 }
 
-/// How many corrections in double precision, and below which share they end; then in double-double.
+/// Upper bounds on the number of corrections, and the relative correction at which they end: first in double precision,
+/// then in double-double.
 const FIRST_STEPS: (usize, f64) = (100, 1e-14);
 const LAST_STEPS: (usize, f64) = (60, 1e-29);
 
-/// A root with a smaller imaginary part than this share of its size is real: iterated roots have roundings of it.
+/// Largest imaginary part of a real root, relative to its modulus. Iterated real roots have imaginary parts from
+/// rounding.
 const REAL: f64 = 1e-13;
 
-/// A double-double in another scalar.
+/// Converts a double-double to another scalar.
 pub(crate) fn to<S: Float>(value: Dd) -> S {
     S::constant(value.hi) + S::constant(value.lo)
 }
 
-/// Simultaneous corrections of all roots of a polynomial P, each by Newton's method without the others, from P′/P.
+/// Corrects all roots of a polynomial P simultaneously. Each correction is Newton's, from P′/P, with the other roots
+/// divided out.
 pub(crate) fn iterate<S: Float>(
     roots: &mut [Complex<Dd>],
     known: usize,
@@ -219,7 +224,7 @@ pub(crate) fn iterate<S: Float>(
     }
 }
 
-/// P′/P of the polynomial P = (direct + Σ c_i/d_i) Π d_i, with d = s² + 2ζσs + σ².
+/// Returns P′/P of the polynomial P = (direct + Σ c_i/d_i) Π d_i, with d = s² + 2ζσs + σ².
 fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> Complex<S> {
     let zero = complex::real(S::constant(0.0));
     let (mut value, mut slope, mut others) = (complex::real(direct), zero, zero);
@@ -242,9 +247,9 @@ fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> 
     Complex::new(others.re - own.re, others.im - own.im)
 }
 
-/// Conjugate roots joined, real ones two by two in the order of their size.
-/// Two decays that started as a pair are one: a decay of one mode with that of another would be a pair
-/// whose contributions are nearly dependent.
+/// Joins conjugate roots into pairs, and real roots into pairs by size. Two real roots that started as a pair stay
+/// together. Otherwise a pair could join real roots of two different modes, and its two contributions would be nearly
+/// dependent.
 fn paired(started: Vec<Complex<Dd>>) -> Vec<Pair> {
     let is_real = |root: &Complex<Dd>| {
         let size = complex::modulus(*root, true);

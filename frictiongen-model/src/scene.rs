@@ -1,12 +1,12 @@
-//! A scene: what a description says, in its own units, before anything is computed from it.
+//! A scene as described, in its own units, before any computation.
 
-/// One end of a spring, or the far side of a contact.
+/// An end of a spring, or a side of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Node {
-    /// A mass, by its zero-based place in [`Scene::masses`].
+    /// A mass, by its zero-based index in [`Scene::masses`].
     Mass(usize),
-    /// The support that moves when the excitation is base motion.
+    /// The support that moves if the excitation is a base motion.
     Base,
     /// A support that never moves.
     Wall,
@@ -16,9 +16,9 @@ pub enum Node {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mass {
-    /// Its name, a Rust identifier.
+    /// The name of the mass, a Rust identifier.
     pub name: String,
-    /// Its mass, in the scene's own units (kg in SI); the first mass is the reference m₁.
+    /// The value of the mass, in the scene's own units (kg in SI). The first mass is the reference m₁.
     pub value: f64,
 }
 
@@ -26,21 +26,21 @@ pub struct Mass {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spring {
-    /// Where it starts, as written.
+    /// The node of the spring that is written first.
     pub from: Node,
-    /// Where it ends, as written.
+    /// The node of the spring that is written second.
     pub to: Node,
-    /// Its stiffness, in the scene's own units (N/m in SI); the first spring is the reference k₁.
+    /// The stiffness of the spring, in the scene's own units (N/m in SI). The first spring is the reference k₁.
     pub stiffness: f64,
 }
 
-/// The one Coulomb contact.
+/// The single Coulomb contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contact {
-    /// The side written first.
+    /// The side of the contact that is written first.
     pub from: Node,
-    /// The side written second.
+    /// The side of the contact that is written second.
     pub to: Node,
 }
 
@@ -54,44 +54,44 @@ pub enum Excitation {
     Base,
 }
 
-/// Viscous damping.
+/// The viscous damping of a scene.
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Damping {
-    /// None.
+    /// No damping.
     #[default]
     None,
-    /// The same modal damping ratio in every mode.
+    /// One modal damping ratio for all modes.
     Uniform(f64),
     /// A modal damping ratio for each mode, in ascending order of natural frequency.
     Modal(Vec<f64>),
-    /// C = aM + bK, in the scene's own units.
+    /// Rayleigh damping C = aM + bK, in the scene's own units.
     Rayleigh {
-        /// The factor of the mass matrix.
+        /// The factor a of the mass matrix.
         mass: f64,
-        /// The factor of the stiffness matrix.
+        /// The factor b of the stiffness matrix.
         stiffness: f64,
     },
 }
 
-/// The precision of the emitted code.
+/// The floating-point type of the emitted code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Precision {
-    /// `f64`.
+    /// `f64`, double precision.
     #[default]
     F64,
-    /// `f32`, without a single `f64`.
+    /// `f32`, without any `f64` operation.
     F32,
 }
 
-/// What is to be emitted.
+/// An item to emit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Provide {
-    /// Both limits and the regime.
+    /// Both limits and the regime at a frequency ratio.
     Limits,
-    /// The motion in the continuous regime of every mass, or of those named; the contact's always.
+    /// The continuous motion of the contact, and of every mass (`None`) or of the named masses.
     Motion(Option<Vec<usize>>),
     /// The response while the contact is stuck.
     Stuck,
@@ -103,101 +103,101 @@ pub enum Provide {
     Stepper,
 }
 
-/// How exact the emitted code has to be.
+/// The accuracy of the emitted code.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Accuracy {
-    /// Every formula exact.
+    /// Exact formulas, without tables.
     #[default]
     Exact,
-    /// Within this relative error, over the scene's `range`.
+    /// The largest relative error, over the scene's `range`.
     Relative(f64),
 }
 
-/// On which side of the exact limits approximate ones may be.
+/// The side of the exact limits on which approximate limits may lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
-    /// On either.
+    /// Either side of the exact limits.
     #[default]
     Near,
-    /// β_lim never above and β*_lim never below the exact one.
+    /// β_lim is never above the exact one, and β*_lim is never below the exact one.
     Safe,
 }
 
-/// What happens outside the range for which an accuracy is declared.
+/// The behaviour outside the range of a declared accuracy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Beyond {
-    /// Nothing is answered.
+    /// The emitted code returns an error.
     #[default]
     Error,
-    /// The exact formulas answer.
+    /// The exact formulas are used.
     Exact,
 }
 
-/// How long the macro may look for a proof of the tables.
+/// Time that the macro may spend on a proof of the tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Proving {
-    /// A second or so: what needs longer is checked.
+    /// About a second. Tables that need longer are checked but not proven.
     #[default]
     Quick,
-    /// As long as a command would: some seconds, where nothing is optimised.
+    /// As long as a command would search: some seconds in code without optimisation.
     Whole,
 }
 
-/// The values of r and β for which an accuracy is asked.
+/// The range of r and β for a declared accuracy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Range {
-    /// Smallest and largest frequency ratio.
+    /// Smallest and largest frequency ratio r.
     pub r: (f64, f64),
-    /// Smallest and largest friction ratio.
+    /// Smallest and largest friction ratio β.
     pub beta: (f64, f64),
 }
 
-/// How exact the emitted code has to be, and where.
+/// The declared accuracy of the emitted code, and its range.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Declared {
-    /// The accuracy.
+    /// The accuracy of the emitted limits, motions and responses.
     pub accuracy: Accuracy,
-    /// Where it holds, if it is not exact.
+    /// The range of r and β for the accuracy; `None` if the scene is exact.
     pub range: Option<Range>,
-    /// On which side of the exact limits the emitted ones may be.
+    /// The side of the exact limits on which the emitted limits may lie.
     pub side: Side,
-    /// In place of an accuracy, so many bytes: the best accuracy that fits is taken.
+    /// Number of bytes for the tables, in place of an accuracy. The best accuracy that fits is chosen.
     pub budget: Option<f64>,
-    /// What happens outside the range.
+    /// The behaviour outside the range.
     pub beyond: Beyond,
-    /// How long the macro may look for a proof.
+    /// Time that the macro may spend on a proof.
     #[cfg_attr(feature = "serde", serde(default))]
     pub proof: Proving,
 }
 
 impl Declared {
-    /// Whether tables are asked for.
+    /// Returns whether the scene declares tables.
     #[must_use]
     pub fn is_tabled(&self) -> bool {
         self.accuracy != Accuracy::Exact || self.budget.is_some()
     }
 }
 
-/// How the kinetic friction force depends on the sliding speed.
+/// Dependence of the kinetic friction force on the sliding speed.
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FrictionLaw {
-    /// It does not: Coulomb's law with a static and a kinetic level.
+    /// Coulomb's law: a static level, and a kinetic level that does not depend on the speed.
     #[default]
     Coulomb,
-    /// Piecewise linear: at each speed, in the scene's own units, the level over F.  From 1 at rest to the first point,
-    /// constant beyond the last.
+    /// Piecewise linear kinetic level. Each point has a speed, in the scene's own units, and a level over F. The level
+    /// is 1 at rest, and constant beyond the last point.
     Stribeck(Vec<[f64; 2]>),
 }
 
 impl FrictionLaw {
-    /// The points (speed, level); none of Coulomb's law.
+    /// Returns the points (speed, level). Coulomb's law has none.
     #[must_use]
     pub fn points(&self) -> &[[f64; 2]] {
         match self {
@@ -207,54 +207,54 @@ impl FrictionLaw {
     }
 }
 
-/// What the stepper's input does between samples.
+/// The stepper's input between samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum StepInput {
-    /// It keeps the value of the sample over the step.
+    /// The input keeps the value of the sample over the step.
     Hold,
-    /// It goes on a straight line to the sample, which it reaches at the end of the step.
+    /// The input changes linearly, and reaches the sample at the end of the step.
     #[default]
     Linear,
 }
 
-/// What a scene says of its stepper.
+/// The stepper settings of a scene.
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stepping {
-    /// The step, if it is known: its tables are then constants.  In the unit of time that goes with the scene's, s in SI.
+    /// The step, if it is known, in the scene's unit of time (s in SI). Its tables are then constants.
     pub step: Option<f64>,
-    /// The input between samples.
+    /// The behaviour of the input between samples.
     pub input: StepInput,
-    /// The masses that may be loaded besides the excitation.
+    /// The masses that may be loaded in addition to the excitation.
     pub forces: Vec<usize>,
 }
 
-/// A whole description.
+/// A whole scene.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Scene {
-    /// The name of the type.
+    /// The name of the emitted type.
     pub name: String,
-    /// The masses; the first is the reference.
+    /// The masses. The first is the reference.
     pub masses: Vec<Mass>,
-    /// The springs; the first is the reference.
+    /// The springs. The first is the reference.
     pub springs: Vec<Spring>,
-    /// The contact.
+    /// The contact of the scene.
     pub contact: Contact,
-    /// The excitation.
+    /// The excitation of the scene.
     pub excitation: Excitation,
-    /// The damping.
+    /// The damping of the scene.
     pub damping: Damping,
-    /// μ = static over kinetic friction force, at least 1.
+    /// μ, static over kinetic friction force, at least 1.
     pub stiction: f64,
-    /// The scalar of the emitted code.
+    /// The floating-point type of the emitted code.
     pub precision: Precision,
-    /// What to emit.
+    /// The items to emit.
     pub provide: Vec<Provide>,
-    /// How exact.
+    /// The declared accuracy, with its range.
     pub declared: Declared,
-    /// The friction law.
+    /// The law of the kinetic friction force.
     #[cfg_attr(feature = "serde", serde(default))]
     pub friction: FrictionLaw,
     /// The stepper's step, input and loads.
@@ -263,7 +263,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Whether an item is provided, whatever masses it names.
+    /// Returns whether the scene provides an item, for any masses that the item names.
     #[must_use]
     pub fn provides(&self, item: &Provide) -> bool {
         let kind = core::mem::discriminant(item);
@@ -271,8 +271,8 @@ impl Scene {
         items.any(|item| core::mem::discriminant(item) == kind)
     }
 
-    /// Whether anything is provided that answers at a frequency: all but the stepper does, and but the simulation
-    /// where the kinetic level changes with the speed.
+    /// Returns whether any provided item is evaluated at a frequency. The stepper is not, nor is the simulation if the
+    /// kinetic level depends on the speed.
     #[must_use]
     pub fn needs_frequency(&self) -> bool {
         let constant = self.friction == FrictionLaw::Coulomb;
@@ -284,14 +284,14 @@ impl Scene {
         })
     }
 
-    /// Whether anything is provided that follows the motion in time.
+    /// Returns whether any provided item follows the motion in time.
     #[must_use]
     pub fn moves_in_time(&self) -> bool {
         let in_time = [Provide::Simulation, Provide::Orbit, Provide::Stepper];
         self.provide.iter().any(|item| in_time.contains(item))
     }
 
-    /// What a node is called in the description; `?` for a mass that does not exist.
+    /// Returns the name of a node in the description, or `?` for a mass that does not exist.
     #[must_use]
     pub fn node_name(&self, node: Node) -> &str {
         match node {
@@ -306,8 +306,8 @@ impl Scene {
 }
 
 impl Scene {
-    /// Whether masses beyond the contact can absorb: held contact, they are joined to the load by
-    /// nothing else, so that they resonate by themselves.
+    /// Returns whether masses beyond the contact can act as an absorber. While the contact is stuck, only the contact
+    /// joins such masses to the load, so that they resonate by themselves.
     #[must_use]
     pub fn has_absorber(&self) -> bool {
         let sides = [self.contact.from, self.contact.to];
@@ -319,7 +319,7 @@ impl Scene {
                 ends.contains(&Node::Base) && ends.contains(&Node::Mass(mass))
             }),
         };
-        // What the load reaches through free masses.
+        // Marks the masses that the load reaches through free masses.
         let mut reached: Vec<bool> = (0..self.masses.len())
             .map(|mass| !held(Node::Mass(mass)) && loaded(mass))
             .collect();

@@ -1,7 +1,7 @@
-//! How modal data move with a scene: first-order perturbation of the modes, in double-double.
+//! Derivatives of the modal data with respect to a scene, by first-order perturbation of the modes, in double-double.
 //!
-//! The modes are the eigenvectors of GᵀG.  With v = √Γφ, the change of GᵀG between modes i and j is
-//! vᵢᵀ(dGᵀG)vⱼ = Σ_e (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ, δ the elongations of the springs.
+//! The modes are the eigenvectors of GᵀG. With v = √Γφ, the change of GᵀG between modes i and j is vᵢᵀ(dGᵀG)vⱼ = Σ_e
+//! (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. Here δ are the elongations of the springs.
 
 mod equal;
 
@@ -12,32 +12,32 @@ use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// Something that a scene's answers depend on.
+/// A quantity on which the answers of a scene depend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
-    /// A mass, by its place in the description.
+    /// A mass, by its index in the description.
     Mass(usize),
-    /// The stiffness of a spring, by its place in the description.
+    /// The stiffness of a spring, by its index in the description.
     Stiffness(usize),
-    /// a of C = aM + bK.
+    /// The factor a of C = aM + bK.
     MassDamping,
-    /// b of C = aM + bK.
+    /// The factor b of C = aM + bK.
     StiffnessDamping,
     /// μ, static over kinetic friction force.
     Stiction,
-    /// √λ of a mode, as a frequency ratio; all other modal data stay.
+    /// √λ of a mode, as a frequency ratio. All other modal data stay fixed.
     Resonance(usize),
-    /// ζ of a mode.
+    /// ζ, the modal damping ratio of a mode.
     DampingRatio(usize),
-    /// φᵀp of a mode: how strongly the load drives it.
+    /// φᵀp, the modal load of a mode.
     Load(usize),
-    /// φᵀw of a mode: how strongly the contact drives it.
+    /// φᵀw, the component of the contact direction in a mode.
     Contact(usize),
-    /// The component of a mode's shape at a mass.
+    /// The component of a mode shape at a mass.
     Shape {
-        /// The mode, ascending.
+        /// The index of the mode, ascending.
         mode: usize,
-        /// The mass, by its place in the description.
+        /// The mass, by its index in the description.
         mass: usize,
     },
 }
@@ -55,7 +55,7 @@ fn fixed(values: &[Dd]) -> Vec<Dual<Dd>> {
 }
 
 impl Modal {
-    /// The modal data as numbers whose derivatives are 0.
+    /// Returns the modal data with derivatives of 0.
     #[must_use]
     pub fn fixed(&self) -> Modal<Dual<Dd>> {
         Modal {
@@ -76,8 +76,8 @@ impl Modal {
         }
     }
 
-    /// The modal data of `scene`, whose analysis this is, with their derivatives with respect to one
-    /// quantity, in its own unit.  None where the scene has no such quantity.
+    /// Returns the modal data with their derivatives with respect to one quantity, in its own unit. `scene` must be the
+    /// scene of this analysis. Returns `None` if the scene has no such quantity.
     #[must_use]
     pub fn along(&self, scene: &Scene, quantity: Quantity) -> Option<Modal<Dual<Dd>>> {
         let mut along = self.fixed();
@@ -121,7 +121,7 @@ impl Modal {
 }
 
 impl Modal<Dual<Dd>> {
-    /// ζ of every mode, for C = aM + bK.
+    /// Sets ζ of every mode, for C = aM + bK.
     fn damp(&mut self, a: Dual<Dd>, b: Dual<Dd>) {
         for (zeta, resonance) in self.damping_ratios.iter_mut().zip(&self.resonances) {
             *zeta = rayleigh(a, b, *resonance * self.reference);
@@ -129,7 +129,7 @@ impl Modal<Dual<Dd>> {
     }
 }
 
-/// a and b of Rayleigh damping, one of them the variable.
+/// Returns a and b of Rayleigh damping, one of which may be the variable.
 fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>)> {
     let Damping::Rayleigh { mass, stiffness } = scene.damping else {
         return None;
@@ -147,12 +147,11 @@ fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>
     ))
 }
 
-/// dγ/γ of each mass and dκ/κ of each spring: a change of the first mass or spring, which are the
-/// references, changes all others.
+/// dγ/γ of each mass and dκ/κ of each spring. A change of the first mass or spring, the references, changes all others.
 struct Change {
     masses: Vec<Dd>,
     springs: Vec<Dd>,
-    /// d(√(k₁/m₁))/√(k₁/m₁).
+    /// d(√(k₁/m₁))/√(k₁/m₁), the relative change of the reference frequency.
     reference: Dd,
 }
 
@@ -206,7 +205,7 @@ impl Change {
         let mut matrix = self.between(&shapes, &modal.resonances, scene, &gamma, &kappa);
         let turned = adapt_equal_modes(&mut matrix, &mut shapes, &modal.resonances);
 
-        // dφ = Σ φ_j (…)/(λ_i − λ_j) − ½ (dγ/γ) φ.
+        // dφ_i = Σ φ_j (…)/(λ_i − λ_j) − ½ (dγ/γ) φ_i.
         let half = dd(0.5);
         for i in 0..n {
             let root = at(&modal.resonances, i);
@@ -245,7 +244,7 @@ impl Change {
         }
     }
 
-    /// vᵢᵀ(dGᵀG)vⱼ for all i and j.
+    /// Returns vᵢᵀ(dGᵀG)vⱼ for all i and j.
     fn between(
         &self,
         shapes: &[Vec<Dd>],
@@ -289,7 +288,7 @@ impl Change {
             .collect()
     }
 
-    /// φᵀp, φᵀw and what follows from them.
+    /// Sets the derivatives of φᵀp, φᵀw and all values that follow from them.
     fn project(
         &self,
         modal: &Modal,
@@ -335,7 +334,8 @@ impl Change {
                 let products = shape.iter().zip(on);
                 let product = products.fold(zero, |sum, (a, b)| sum + *a * *b);
                 projection.slope = product.slope;
-                // The analysis has taken noise for zero; a mode that was turned is another one.
+                // Values stay those of the analysis, which has set noise to zero. A rotated mode is a different mode,
+                // so it takes its new value.
                 if *turned {
                     projection.value = product.value;
                 }

@@ -1,4 +1,4 @@
-//! What a stepper needs beyond the motion in time: units, loads, and the friction law.
+//! Data that a stepper needs in addition to the motion in time: units, loads and the friction law.
 
 use crate::modal::Modal;
 use crate::scene::{Excitation, FrictionLaw, Node, Precision, Scene, StepInput};
@@ -11,26 +11,27 @@ use frictiongen_kernel::stepper::{
 };
 use frictiongen_kernel::{Float, Scalar};
 
-/// What a scene says of its stepper, in a scalar.
+/// The stepper settings of a scene, in a scalar.
 #[derive(Clone, Debug)]
 pub struct Steps<S> {
-    /// What takes the groups to the scene's units.
+    /// Factors from non-dimensional groups to the scene's units.
     pub units: Units<S>,
-    /// Whether the base moves.
+    /// True if the base moves.
     pub on_base: bool,
-    /// The masses that a force acts on: the excited one, those of `force`, and what else was asked for.
+    /// The masses on which a force acts: the excited mass, those of `force`, and those that the caller adds.
     pub forces: Vec<usize>,
-    /// The input between samples.
+    /// The behaviour of the input between samples.
     pub input: Input,
-    /// The points of the friction law; none of Coulomb's.
+    /// The points of the friction law; empty for Coulomb's law.
     pub law: Vec<[S; 2]>,
-    /// The velocity for which dz̄/dτ is 1 where r and the load's amplitude are: √(k₁/m₁), under a force over k₁.
+    /// The velocity at which dz̄/dτ is 1 for r = 1 and a load of amplitude 1. It is √(k₁/m₁), divided by k₁ if the load
+    /// is a force.
     pub speed: S,
 }
 
 impl<S: Scalar> Steps<S> {
-    /// Of a scene, each number rounded once from double-double by `to`.  `more` are masses that may be loaded besides
-    /// those that the scene names.
+    /// Builds the settings of a scene. `to` rounds each number once from double-double. `more` lists masses that may be
+    /// loaded in addition to those that the scene names.
     #[must_use]
     pub fn of(
         scene: &Scene,
@@ -83,7 +84,7 @@ impl<S: Scalar> Steps<S> {
         }
     }
 
-    /// How many coefficients an input has over a step.
+    /// Returns the number of coefficients that describe an input over a step.
     #[must_use]
     pub fn coefficients(&self) -> usize {
         match (self.on_base, self.input) {
@@ -93,7 +94,7 @@ impl<S: Scalar> Steps<S> {
         }
     }
 
-    /// How many inputs there are: the base's motion, and a force for each loaded mass.
+    /// Returns the number of inputs: the motion of the base, and a force for each loaded mass.
     #[must_use]
     pub fn inputs(&self) -> usize {
         usize::from(self.on_base) + self.forces.len()
@@ -101,13 +102,13 @@ impl<S: Scalar> Steps<S> {
 }
 
 impl<S: Float> Steps<S> {
-    /// The friction law of a run in time at r, under a load of this amplitude.
+    /// Returns the friction law of a run in time at r, under a load of this amplitude.
     #[must_use]
     pub fn lines(&self, r: S, amplitude: S) -> Lines<'_, S> {
         Lines::under(&self.law, r, amplitude, self.speed)
     }
 
-    /// The same as the kernel reads it.
+    /// Returns the scene as the kernel reads it.
     #[must_use]
     pub fn scene<'a>(&'a self, dynamics: Dynamics<'a, S>) -> StepScene<'a, S> {
         StepScene {
@@ -121,10 +122,10 @@ impl<S: Float> Steps<S> {
     }
 }
 
-/// How the kernel cuts a step of a scene.
+/// Returns how the kernel divides a step of a scene.
 ///
 /// # Errors
-/// [`OutOfDomain`] for a step that it refuses.
+/// [`OutOfDomain`] for a step that the kernel refuses.
 pub fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDomain> {
     let (modes, held) = (scene.dynamics.modes.len(), scene.dynamics.held.len());
     let inputs = scene.channels();
@@ -143,8 +144,8 @@ pub fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutO
     )
 }
 
-/// The angle in rad by which the fastest oscillator turns in the scene's step, if that is one that a stepper cannot take;
-/// and from where to where it can.
+/// Returns the angle in rad by which the fastest oscillator turns in the scene's step, and the range of angles that a
+/// stepper accepts. Returns `None` if the stepper accepts the step.
 #[must_use]
 pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<(f64, [f64; 2])> {
     let step = scene.stepping.step?;

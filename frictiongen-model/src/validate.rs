@@ -1,7 +1,8 @@
-//! Whether a scene makes physical sense: every error at once, each with the place it belongs to.
+//! Checks that a scene makes physical sense. All errors are reported at once, each with the item
+//! that causes it.
 //!
-//! A description read from text and a scene built at run time pass through the same checks. The
-//! text's parser maps each [`Path`] back to the words that were typed.
+//! A description read from text and a scene built at run time pass the same checks. The text parser
+//! maps each [`Path`] back to the written words.
 
 mod checks;
 mod error;
@@ -25,15 +26,15 @@ use checks::check_node;
 /// Checks a complete scene.
 ///
 /// # Errors
-/// Every error of the scene, in the order of the fields.
+/// Returns every error of the scene, in the order of the fields.
 pub fn validate(scene: &Scene) -> Result<(), Vec<SceneError>> {
     validate_known(scene, &Checks::default())
 }
 
-/// Checks those parts of a scene that are known.
+/// Checks the known items of a scene.
 ///
 /// # Errors
-/// Every error of those parts, in the order of the fields.
+/// Returns every error of those items, in the order of the fields.
 pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneError>> {
     let mut errors = Vec::new();
     masses::check(scene, checks, &mut errors);
@@ -61,7 +62,7 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
     }
 }
 
-/// The contact joins two different nodes, and at least one of them can move on its own.
+/// Checks that the contact joins two different nodes, and that at least one of them can move.
 fn check_contact(scene: &Scene, errors: &mut Vec<SceneError>) {
     let contact = scene.contact;
     check_node(scene, contact.from, Path::ContactFrom, errors);

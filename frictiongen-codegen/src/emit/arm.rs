@@ -1,15 +1,16 @@
-//! An answer that depends on the mass, in straight lines for each.
+//! Emits a function body that depends on the mass, with straight-line code for each mass.
 
 use proc_macro2::{Literal, TokenStream};
 
-/// The lines of some masses that have the same.
+/// Code of one match arm, shared by all masses in `masses`.
 pub(super) struct Arm {
     pub masses: Vec<usize>,
     pub statements: TokenStream,
     pub value: TokenStream,
 }
 
-/// Statements, and the value; a function returns `None` from there for any other mass.
+/// Returns the statements and the value expression. The emitted function returns `None` for any
+/// mass without an arm.
 pub(super) fn chosen(arms: &[Arm]) -> (TokenStream, TokenStream) {
     let literals = |masses: &[usize]| -> Vec<Literal> {
         let masses = masses.iter().copied();

@@ -1,4 +1,4 @@
-//! The type itself and everything that does not depend on the frequency.
+//! Emits the scene's type and all constants that do not depend on the frequency.
 
 use super::emission::{Emission, Part, rounded};
 use super::limits;
@@ -39,7 +39,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             #visibility struct #at(#facade::kernel::#inner<#name>);
         }
     });
-    // A paragraph of its own, below what the scene says.
+    // An empty doc line separates the header from the scene's own documentation.
     let documented = attributes
         .iter()
         .any(|attribute| attribute.path().is_ident("doc"));
@@ -123,7 +123,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     part
 }
 
-/// What a question at a frequency rests on, and the way to one.
+/// Emits the constants of the frequency stage and the constructor `at`.
 fn at_frequency(emission: &Emission<'_>) -> Part {
     let Emission {
         scene,
@@ -185,7 +185,7 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
     }
 }
 
-/// The way to a frequency ratio.
+/// Emits `at`, which evaluates the scene at a frequency ratio.
 fn constructor(emission: &Emission<'_>) -> TokenStream {
     let Emission { at, scalar, .. } = emission;
     if !emission.is_tabled() {
@@ -218,7 +218,7 @@ fn constructor(emission: &Emission<'_>) -> TokenStream {
     }
 }
 
-/// The mass that rubs on a support, as a constant.
+/// Emits the mass that rubs on a support as an `Option` constant.
 pub(super) fn rubbing(mass: Option<usize>) -> TokenStream {
     match mass {
         None => code!(None),
@@ -229,7 +229,7 @@ pub(super) fn rubbing(mass: Option<usize>) -> TokenStream {
     }
 }
 
-/// A mode as a constant.
+/// Emits a mode as a constant.
 pub(super) fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>) -> TokenStream {
     let Mode {
         kind, in_contact, ..
@@ -257,7 +257,7 @@ pub(super) fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>) -> TokenS
     }
 }
 
-/// The name of a kind of decay.
+/// Emits the variant name of a damping kind.
 pub(super) fn kind(kind: Kind) -> TokenStream {
     match kind {
         Kind::Undamped => code!(Undamped),
@@ -268,7 +268,7 @@ pub(super) fn kind(kind: Kind) -> TokenStream {
     }
 }
 
-/// What can be asked at one frequency.
+/// Lists, for the documentation, the quantities available at one frequency.
 fn answers(emission: &Emission<'_>) -> String {
     let wanted = emission.wanted();
     let mut answers = vec!["limits", "regime"];
@@ -320,9 +320,11 @@ fn chain(emission: &Emission<'_>) -> TokenStream {
     }
 }
 
-/// FNV-1a over the scene as it was understood: the same text, however laid out, has the same one.
+/// Returns the FNV-1a hash of the parsed scene. Texts that differ only in layout have the same
+/// hash.
 fn fingerprint(scene: &Scene) -> u64 {
-    // What declares nothing keeps the fingerprint that it had before anything could be declared.
+    // A scene without declarations keeps the fingerprint from versions that did not have
+    // declarations.
     let exact = format!("declared: {:?}", Declared::default());
     let text = format!("{scene:?}").replace(&exact, "accuracy: Exact, range: None");
     let plain = format!(

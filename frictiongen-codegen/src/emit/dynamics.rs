@@ -1,4 +1,5 @@
-//! What the motion in time rests on, as constants: every mode, and the chain with its contact held.
+//! Emits the constants of the time-domain solvers: all modes of the chain, and its *held modes*,
+//! which are those with the contact stuck.
 
 use super::constants::{kind, mode_constant, rubbing};
 use super::emission::{Emission, Wanted, rounded};
@@ -8,12 +9,12 @@ use frictiongen_kernel::simulation::HeldMode;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Literal, TokenStream};
 
-/// The constants, and how many of what there are.
+/// Emitted constants of the time-domain solvers, with the sizes of their arrays.
 pub(super) struct Constants {
     pub associated: TokenStream,
-    /// Modes that the contact drives.
+    /// Number of modes that the contact drives.
     pub driven: usize,
-    /// All modes and all held modes.
+    /// Number of all modes and all held modes together.
     pub parts: usize,
 }
 
@@ -70,7 +71,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
     }
 }
 
-/// All modes: those of the steady response, if they are the same.
+/// Emits all modes. The constant `MODES` of the steady response is reused if it lists the same
+/// modes.
 fn modes(emission: &Emission<'_>, transient: &Transient<f64>) -> TokenStream {
     let all = |modes: &[Mode<f64>]| {
         let modes = modes.iter().map(|mode| mode_constant(emission, mode));
@@ -107,7 +109,7 @@ fn held(emission: &Emission<'_>, mode: &HeldMode<f64>) -> TokenStream {
     }
 }
 
-/// A count as a literal.
+/// Returns a count as a literal.
 pub(super) fn count(value: usize) -> Literal {
     Literal::usize_unsuffixed(value)
 }

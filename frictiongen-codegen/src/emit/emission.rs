@@ -1,4 +1,4 @@
-//! What the emitted items have in common, and what a file of them is made of.
+//! Defines the data that all emitted items share, and `Part`, the output of one file of this folder.
 
 use super::names::{local, names};
 use crate::Description;
@@ -9,21 +9,21 @@ use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{Precision, Provide, Scene};
 use proc_macro2::{Ident, TokenStream};
 
-/// From this many modes on the sums over modes in a motion are calls of the kernel instead of straight lines, of
-/// which each mass has its own.
+/// From this number of modes on, the emitted sums over the modes of a motion are calls of the kernel. Below it, each
+/// mass has its own straight-line code.
 const SUMS_FROM: usize = 3;
 
-/// Everything that the emitted items have in common.
+/// Data that all emitted items share.
 pub(super) struct Emission<'a> {
     pub description: &'a Description,
     pub scene: &'a Scene,
     pub modal: Modal,
-    /// The driven modes, in double-double bits rounded to the scene's precision, as `f64`.
+    /// The driven modes, rounded from double-double to the scene's precision and stored as `f64`.
     pub reduced: Reduced<f64>,
     pub precision: Precision,
-    /// `f64` or `f32`.
+    /// The scalar type, `f64` or `f32`.
     pub scalar: TokenStream,
-    /// How modes decay: `Undamped` or `Damped<f64>`.
+    /// The kernel type for the decay of the modes: `Undamped` or `Damped<f64>`.
     pub decay: TokenStream,
     pub name: Ident,
     pub at: Ident,
@@ -34,11 +34,11 @@ pub(super) struct Emission<'a> {
     pub stepper: Ident,
     pub input: Ident,
     pub facade: &'a syn::Path,
-    /// From this many modes on passes are emitted.
+    /// From this number of modes on, the frequency stage is emitted as passes.
     pub passes_from: usize,
 }
 
-/// What a scene asks for.
+/// The answers that a scene provides.
 pub(super) struct Wanted<'a> {
     pub motion: Option<Vec<(usize, &'a Ident)>>,
     pub stuck: bool,
@@ -48,7 +48,7 @@ pub(super) struct Wanted<'a> {
 }
 
 impl Wanted<'_> {
-    /// Whether something is asked of a mass at a frequency.
+    /// Returns whether a mass has an answer at one frequency, so that mode shapes are needed.
     pub fn shapes(&self) -> bool {
         let moves = |masses: &Vec<(usize, &Ident)>| !masses.is_empty();
         self.stuck || self.motion.as_ref().is_some_and(moves)
@@ -119,12 +119,12 @@ impl<'a> Emission<'a> {
         self.reduced.modes.len()
     }
 
-    /// `mode_1`, `mode_2`, …: the modes at a frequency.
+    /// Returns the names `mode_1`, `mode_2`, … of the modes at a frequency.
     pub fn mode_names(&self) -> Vec<Ident> {
         self.numbered("mode")
     }
 
-    /// `constants_1`, `constants_2`, …: the modes' constants.
+    /// Returns the names `constants_1`, `constants_2`, … of the modes' constants.
     pub fn constant_names(&self) -> Vec<Ident> {
         self.numbered("constants")
     }
@@ -134,23 +134,23 @@ impl<'a> Emission<'a> {
         modes.map(|mode| local(&format!("{name}_{mode}"))).collect()
     }
 
-    /// The statement that gives the modes' constants their names.
+    /// Emits the statement that binds the modes' constants to their names.
     pub fn constants(&self) -> TokenStream {
         let names = self.constant_names();
         code!(let [#(#names),*] = &Self::MODES;)
     }
 
-    /// Whether the frequency stage is emitted as passes over modes.
+    /// Returns whether the frequency stage is emitted as passes over the modes.
     pub fn in_passes(&self) -> bool {
         self.modes() >= self.passes_from
     }
 
-    /// Whether a mass's sums over modes are emitted as calls.
+    /// Returns whether the sums over the modes of a mass are emitted as calls of the kernel.
     pub fn in_sums(&self) -> bool {
         self.modes() >= SUMS_FROM.min(self.passes_from)
     }
 
-    /// Whether tables answer, of a declared accuracy.
+    /// Returns whether the scene declares an accuracy and has tables.
     pub fn is_tabled(&self) -> bool {
         self.description.tables.is_some()
     }
@@ -159,12 +159,12 @@ impl<'a> Emission<'a> {
         self.reduced.chain.damped
     }
 
-    /// Whether the motion of this mass is the contact's: it rubs on a support at rest.
+    /// Returns whether this mass moves as the contact does, because it rubs on a support at rest.
     pub fn moves_as_contact(&self, mass: usize) -> bool {
         self.reduced.chain.on_moving_base.is_none() && self.reduced.rubbing == Some(mass)
     }
 
-    /// Whether the load acts on the mass that rubs, so that V = H.
+    /// Returns whether the load acts on the mass that rubs, so that V = H.
     pub(super) fn loads_contact(&self) -> bool {
         let Reduced { chain, modes, .. } = &self.reduced;
         chain.loads_contact(modes)
@@ -218,13 +218,14 @@ impl<'a> Emission<'a> {
     }
 }
 
-/// Rounded once from double-double to the scene's scalar, as an `f64`.
+/// Rounds a double-double once to the scene's scalar and returns it as `f64`.
 #[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]
 pub(super) fn rounded(value: Dd, precision: Precision) -> f64 {
     match precision {
         Precision::F64 => value.hi,
         Precision::F32 => {
-            // An f64 halfway between two f32 would hide on which side the low part is: move it.
+            // A high part exactly halfway between two `f32` hides the sign of the low part. The shift by one `f64` step
+            // restores the direction of rounding.
             let moved = match value.lo.partial_cmp(&0.0) {
                 Some(std::cmp::Ordering::Greater) => value.hi.next_up(),
                 Some(std::cmp::Ordering::Less) => value.hi.next_down(),
@@ -240,14 +241,14 @@ pub(super) fn rounded(value: Dd, precision: Precision) -> f64 {
     }
 }
 
-/// What one file emits.
+/// Code that one file of this folder emits.
 #[derive(Default)]
 pub(super) struct Part {
-    /// In the user's module.
+    /// Types in the user's module.
     pub types: TokenStream,
-    /// In the one `impl` of the scene's type.
+    /// Items in the single `impl` of the scene's type.
     pub associated: TokenStream,
-    /// Beside that, hidden.
+    /// Hidden items outside that `impl`.
     pub items: TokenStream,
 }
 

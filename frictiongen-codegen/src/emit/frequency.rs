@@ -1,4 +1,4 @@
-//! The frequency stage: a scene at one r.
+//! Emits the frequency stage, which evaluates a scene at one frequency ratio r.
 
 use super::emission::Emission;
 use super::names::{field, local};
@@ -12,7 +12,8 @@ use frictiongen_kernel::number::complex::Complex;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use proc_macro2::{Literal, TokenStream};
 
-/// The frequency stage: methods of the kernel's `Scene`, and the function that they share.
+/// Code of the frequency stage: the methods of the kernel's `Scene` and the function that they
+/// share.
 pub(super) struct Stage {
     pub function: TokenStream,
     pub methods: TokenStream,
@@ -55,7 +56,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
             },
         };
     }
-    // Without damping G is 0.
+    // Without damping G is 0, so the parameter `WITH_G` is not emitted.
     let (choice, all, but_g) = if emission.damped() {
         (
             code!(<const WITH_G: bool>),
@@ -95,10 +96,10 @@ fn uniform_kind(modes: &[Mode<f64>]) -> Option<Kind> {
     modes.iter().all(|mode| mode.kind == kind).then_some(kind)
 }
 
-/// Names of the code around the formulas.
+/// Names that the code around the formulas already uses.
 const TAKEN: [&str; 3] = ["inverse_r", "contact", "modes"];
 
-/// One mode, which is its own scale.
+/// Emits the stage of a single mode. Its own size is the scale.
 fn single(emission: &Emission<'_>) -> (TokenStream, String) {
     let graph = Graph::new(1);
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
@@ -121,7 +122,7 @@ fn single(emission: &Emission<'_>) -> (TokenStream, String) {
     (body, count.to_string())
 }
 
-/// The functions of each mode, then the sums.
+/// Emits the functions of each mode, then the sums.
 fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
     let graph = Graph::new(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
@@ -145,7 +146,8 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
     (body, count.to_string())
 }
 
-/// The functions of each mode, the scale, and the modes at it: what sums over modes start from.
+/// Emits the functions of each mode, the scale, and the modes at that scale, from which the sums
+/// over the modes start.
 fn blocks(emission: &Emission<'_>) -> (TokenStream, Count) {
     let mut count = Count::default();
     let mut body = emission.constants();
@@ -158,7 +160,7 @@ fn blocks(emission: &Emission<'_>) -> (TokenStream, Count) {
     let graph = Graph::new(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let chain = &tracer.reduced.chain;
-    // E, of the modes that the contact drives.
+    // E, the common scale, is formed from the modes that the contact drives.
     let responses: Vec<_> = (1..=names.len())
         .map(|mode| tracer.response(&format!("mode_{mode}")))
         .collect();
@@ -206,7 +208,8 @@ fn mode_structure(outputs: &[TokenStream]) -> TokenStream {
     code!(ModeAt { #x, response: Complex { re: #re, im: #im }, #u, #g })
 }
 
-/// The same in two passes over the array of modes, each with the formula of one mode as its body.
+/// Emits the stage as two passes over the array of modes. The body of each pass is the formula of
+/// one mode.
 fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
     let Emission {
         precision, scalar, ..

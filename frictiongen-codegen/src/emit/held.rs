@@ -1,4 +1,4 @@
-//! The responses while the contact is stuck, of a scene of declared accuracy.
+//! Emits the stuck responses of a scene with a declared accuracy.
 
 use super::emission::{Emission, Part};
 use super::table::{factors, quotient_over};
@@ -9,7 +9,8 @@ use frictiongen_model::table::{Held, HeldForm, Tables};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 
-/// Products as constants, and what answers from them; nothing for an exact scene.
+/// Emits the products as constants and the functions that evaluate them. Emits nothing for an exact
+/// scene.
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
     match &emission.description.tables {
         None => Part::default(),
@@ -85,7 +86,7 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Part {
     }
 }
 
-/// The poles of the responses, each set once.
+/// The distinct pole sets of the stuck responses.
 struct Poles<'a, S> {
     sets: Vec<&'a HeldForm<S>>,
 }

@@ -1,4 +1,4 @@
-//! What the names in a frequency stage mean, for who reads it without the derivation at hand.
+//! Documents the names of an emitted frequency stage, for readers without the derivation at hand.
 
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 
@@ -46,7 +46,7 @@ const OVER: [&str; 4] = [
     " of which the one subtracted is at most two thirds of the others.",
 ];
 
-/// Of a frequency stage whose modes have functions of their own.
+/// Returns the legend of a frequency stage in which each mode has its own function.
 pub(super) fn sums(on_base: bool) -> Vec<&'static str> {
     if on_base {
         SUMS_ON_BASE.to_vec()
@@ -55,7 +55,7 @@ pub(super) fn sums(on_base: bool) -> Vec<&'static str> {
     }
 }
 
-/// Of a frequency stage in straight lines; `on_contact` says that the load acts on the mass that rubs.
+/// Returns the legend of a straight-line frequency stage. `on_contact` is true if the load acts on the mass that rubs.
 pub(super) fn lines(on_base: bool, on_contact: bool) -> Vec<&'static str> {
     let mut lines = sums(on_base);
     lines.push(AT_SCALE);
@@ -63,14 +63,14 @@ pub(super) fn lines(on_base: bool, on_contact: bool) -> Vec<&'static str> {
     lines
 }
 
-/// Of the function of a mode with this damping.
+/// Returns the legend of the function of a mode with this damping kind.
 pub(super) fn mode(kind: Kind) -> Vec<&'static str> {
     let mut lines = vec![EVERY];
     lines.extend(of(kind));
     lines
 }
 
-/// Of a frequency stage of one mode.
+/// Returns the legend of a frequency stage with one mode.
 pub(super) fn single(mode: &Mode<f64>, on_base: bool) -> Vec<&'static str> {
     let mut lines = sums(on_base);
     if mode.resonance == 1.0 {

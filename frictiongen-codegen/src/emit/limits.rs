@@ -1,4 +1,4 @@
-//! The formulas of both limits, and a slice of them.
+//! Emits the formulas of both limits, and the functions for slices of frequencies.
 
 use super::emission::Emission;
 use super::trace::Tracer;
@@ -6,7 +6,7 @@ use crate::graph::print::Printed;
 use crate::graph::{Expr, Graph};
 use proc_macro2::TokenStream;
 
-/// The limits' formulas, as methods of the kernel's `Scene`.
+/// Emits the formulas of both limits as methods of the kernel's `Scene`.
 pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
     let graph = Graph::new(emission.modes());
@@ -64,7 +64,7 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     }
 }
 
-/// Both limits from r on, and over a slice.
+/// Emits both limits as functions of r, and over a slice.
 pub(super) fn slices(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
     let (of, first) = if emission.is_tabled() {

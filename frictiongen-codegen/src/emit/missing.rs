@@ -1,4 +1,5 @@
-//! Methods that the scene does not provide: they cannot be called, and say what to add to `provide`.
+//! Emits uncallable methods for everything that the scene does not provide. Their messages state what to add to
+//! `provide`.
 
 use super::emission::{Emission, Wanted};
 use proc_macro2::{Ident, TokenStream};

@@ -1,4 +1,4 @@
-//! Emits a scene's solver: one file for each group of emitted items.
+//! Emits the solver of a scene. Each file emits one group of items.
 
 mod arm;
 mod constants;
@@ -31,18 +31,18 @@ use quote::format_ident;
 
 pub use trace::traces;
 
-/// From this many modes on the frequency stage is emitted as passes over an array of modes instead
-/// of straight lines, which are faster (1.1 to 1.5 times, 4 to 16 modes: `scripts/passes-trial`) but
-/// grow with the modes.
+/// From this number of modes on, the frequency stage is emitted as passes over an array of modes. Straight lines are
+/// faster but grow with the number of modes. `scripts/passes-trial` measures both.
 pub const PASSES_FROM: usize = 17;
 
-/// The solver of a description.
+/// Returns the solver of a description.
 #[must_use]
 pub fn emit(description: &Description) -> TokenStream {
     emit_in_passes(description, PASSES_FROM)
 }
 
-/// The same with passes from another number of modes on, for measuring where they begin to pay.
+/// Returns the solver of a description, with passes from another number of modes on. `scripts/passes-trial` uses it to
+/// measure where passes pay off.
 #[must_use]
 pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStream {
     let mut emission = Emission::of(description, passes_from);
@@ -64,7 +64,7 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
         .any(|name| IMPORTED.iter().any(|imported| *name == imported));
     let mut aliases = TokenStream::new();
     if clashes {
-        // Within the block the scene goes by other names than what is imported there.
+        // The scene's own names clash with imported names, so the block uses aliases.
         emission.rename(&format_ident!("Emitted{}", description.name));
         (_, items) = parts(&emission);
         for ((alias, own), _) in emission
@@ -107,7 +107,7 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     }
 }
 
-/// Everything that is emitted, types and what stays hidden.
+/// Returns all emitted code: the types, then the hidden items.
 fn parts(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let wanted = emission.wanted();
     let mut all = constants::emit(emission);

@@ -1,4 +1,5 @@
-//! The functions of one mode at one r: printed once for each kind of damping, called for each mode.
+//! Emits the functions of one mode at one frequency ratio r: one function for each damping kind, one call for each
+//! mode.
 
 use super::emission::Emission;
 use super::legend;
@@ -9,7 +10,7 @@ use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
 use proc_macro2::TokenStream;
 
-/// The functions of a mode, free of their pole: one function for each kind of damping, which several modes share.
+/// Emits the pole-free functions of a mode: one function for each damping kind, which several modes share.
 pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
     if emission.modes() == 1 {
         return TokenStream::new();
@@ -42,16 +43,16 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
     functions.collect()
 }
 
-/// Whether g is not 0.
+/// Returns whether g is not 0 for this damping kind.
 pub(super) fn has_g(kind: Kind) -> bool {
     kind != Kind::Undamped
 }
 
-/// The constant parameter that asks for g.  Limits without search need none; left to the compiler, they took a sixth more
-/// instructions on a Cortex-M4F with five damped modes.
+/// The constant parameter of emitted functions that requests g. Limits without search need no g. The compiler alone
+/// does not remove all of its computation.
 pub(super) const WITH_G: &str = "WITH_G";
 
-/// Each kind of damping: the function of its modes, and what that says of itself.
+/// The damping kinds, each with the name and the documentation of its function.
 const KINDS: [(Kind, &str, &str); 5] = [
     (
         Kind::Undamped,
@@ -80,7 +81,7 @@ const KINDS: [(Kind, &str, &str); 5] = [
     ),
 ];
 
-/// The function of such a mode; `with_g` says whether g is asked for.
+/// Emits the path of the function for this damping kind. `with_g` is the argument that requests g.
 pub(super) fn function_of(kind: Kind, with_g: &TokenStream) -> TokenStream {
     let function = KINDS.iter().find(|(of, ..)| *of == kind);
     let function = local(function.map_or("", |(_, function, _)| function));
@@ -91,12 +92,12 @@ pub(super) fn function_of(kind: Kind, with_g: &TokenStream) -> TokenStream {
     }
 }
 
-/// The call of a mode's function, and how many operations that is.
+/// Returns the call of a mode's function, and its number of operations.
 pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, Count) {
     let Some(mode) = emission.reduced.modes.get(index) else {
         return (TokenStream::new(), Count::default());
     };
-    // With the mode's own constants, which fold where the function is inlined.
+    // The count uses the mode's own constants, which fold where the function is inlined.
     let graph = Graph::new(1);
     let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
     let Some(constants) = tracer.reduced.modes.get(index) else {
@@ -109,7 +110,7 @@ pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, Count
     (code!(Self::#function(#constants, inverse_r)), count)
 }
 
-/// The outputs of a mode's functions, in the order in which they are emitted.
+/// Returns the outputs of a mode's functions, in the order in which they are emitted.
 pub(super) fn outputs(response: &ModeResponse<Expr<'_>>) -> Vec<Operand> {
     let ModeResponse {
         x,

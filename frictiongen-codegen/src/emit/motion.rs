@@ -1,4 +1,4 @@
-//! The continuous motion: of the contact, and of the masses that the scene asks for.
+//! Emits the continuous motion of the contact and of the masses that the scene provides.
 
 use super::arm::{self, Arm};
 use super::emission::{Emission, Part};
@@ -10,7 +10,7 @@ use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::response::coefficients::{Fundamental, ModalCoefficients};
 use proc_macro2::{Ident, Literal, TokenStream};
 
-/// Names of the code around the formulas.
+/// Names that the code around the formulas already uses.
 const TAKEN: [&str; 8] = [
     "at",
     "inverse_r",
@@ -22,7 +22,7 @@ const TAKEN: [&str; 8] = [
     "waves",
 ];
 
-/// The type of the motion, with a method for each mass.
+/// Emits the type of the motion, with a method for each mass.
 pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part {
     let Emission {
         description,
@@ -111,7 +111,7 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     }
 }
 
-/// The motions of a scene of few modes in straight lines, as methods of the kernel's `ProvidesMotion`.
+/// Emits the motions of a scene with few modes in straight lines, as methods of the kernel's `ProvidesMotion`.
 fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream {
     let scalar = &emission.scalar;
     let modes = emission.mode_names();
@@ -173,10 +173,10 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     }
 }
 
-/// The coefficients that all modes share, and each mode's.
+/// Coefficients of a motion: the common ones and those of each mode.
 struct Coefficients<'g> {
     fundamental: Fundamental<Expr<'g>>,
-    /// None for a mode that the contact does not drive.
+    /// Coefficients of each mode; `None` for a mode that the contact does not drive.
     modal: Vec<Option<ModalCoefficients<Expr<'g>>>>,
 }
 
@@ -208,7 +208,7 @@ fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> TokenStream {
     }
 }
 
-/// What the masses' motions have in common, and what each has of its own.
+/// Emits the common statements of the masses' motions, and the statements of each mass.
 fn of_masses(emission: &Emission<'_>, tracer: &Tracer<'_>, masses: &[usize]) -> TokenStream {
     let motions = masses.iter().map(|mass| {
         let coefficients = of_mass(tracer, *mass);
@@ -272,7 +272,7 @@ impl Coefficients<'_> {
         outputs.into_iter().map(Expr::operand).collect()
     }
 
-    /// The printed outputs as the fundamental component and the modes' waves.
+    /// Returns the printed outputs as the fundamental component and the waves of the modes.
     fn structures(
         &self,
         emission: &Emission<'_>,
@@ -303,7 +303,7 @@ impl Coefficients<'_> {
     }
 }
 
-/// How a mode decays.
+/// Emits the decay of a mode.
 fn decay(emission: &Emission<'_>, mode: usize) -> TokenStream {
     if !emission.damped() {
         return code!(Undamped);

@@ -1,9 +1,9 @@
-//! The names in emitted code.
+//! Defines the names in emitted code.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
-/// What emitted code imports: a scene may have the same name.
+/// Names that emitted code imports. A scene may have one of these names.
 pub(super) const IMPORTED: [&str; 91] = [
     "Complex",
     "Scalar",
@@ -98,7 +98,7 @@ pub(super) const IMPORTED: [&str; 91] = [
     "Transfer",
 ];
 
-/// The names of the emitted types.
+/// Returns the names of the emitted types.
 pub(super) fn names(scene: &Ident) -> [Ident; 8] {
     [
         scene.clone(),
@@ -118,12 +118,12 @@ fn suffixed(name: &Ident, suffix: &str) -> Ident {
     ident
 }
 
-/// A local name that the user's code cannot capture.
+/// Returns a local name that the user's code cannot capture.
 pub(super) fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 
-/// `field: value`, or `field` alone where the value has its name.
+/// Emits `field: value`, or `field` alone where the value has the same name.
 pub(super) fn field(name: &str, value: &TokenStream) -> TokenStream {
     let ident = local(name);
     if value.to_string() == name {

@@ -1,4 +1,4 @@
-//! The steady state in any regime.
+//! Emits the steady state in any regime.
 
 use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part};

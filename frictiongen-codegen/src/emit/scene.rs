@@ -1,4 +1,4 @@
-//! The scene as the kernel's response knows it: constants and specialised formulas.
+//! Emits the implementation of the kernel's `Scene`: constants and specialised formulas.
 
 use super::emission::{Emission, Part, Wanted};
 use super::{frequency, limits, mode, shapes};
@@ -81,7 +81,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
     }
 }
 
-/// The shapes of the masses of which something is asked: as a constant, and by methods of the kernel's `Scene`.
+/// Mode shapes of the masses that the scene provides: a constant, and methods of the kernel's `Scene`.
 struct Shapes {
     constant: Option<TokenStream>,
     methods: TokenStream,
@@ -116,7 +116,7 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Shapes {
         let moving = moving.iter().copied().map(Literal::usize_unsuffixed);
         code!(match mass { #(#moving => Some(&Self::SHAPES[#moving]),)* _ => None })
     };
-    // Where `stuck` has shapes of masses whose motion is not provided.
+    // `stuck` needs the shapes of all masses, including masses whose motion is not provided.
     let partly = wanted.stuck && wanted.motion.is_some() && moving.len() < masses;
     let moves = partly.then(|| {
         let moving = moving.into_iter().map(Literal::usize_unsuffixed);

@@ -1,9 +1,9 @@
-//! Mode shapes by masses, as the kernel reads them: out of `MODE_SHAPES`, where they are the same numbers.
+//! Emits mode shapes by masses, as the kernel reads them. `MODE_SHAPES` is reused where its numbers are the same.
 
 use super::emission::{Emission, rounded};
 use proc_macro2::{Literal, TokenStream};
 
-/// `[mass][mode]` of shapes that follow each other mass after mass.
+/// Emits `[mass][mode]` from shapes that are listed mass after mass.
 pub(super) fn by_masses(emission: &Emission<'_>, shapes: &[f64]) -> TokenStream {
     let masses = emission.scene.masses.len();
     let modes = shapes.len() / masses.max(1);
@@ -18,7 +18,7 @@ pub(super) fn by_masses(emission: &Emission<'_>, shapes: &[f64]) -> TokenStream 
             let places = places.into_iter().map(Literal::usize_unsuffixed);
             code!(transposed(&[#(Self::MODE_SHAPES[#places]),*]))
         }
-        // Equal modes are turned, so that the contact drives one of them alone.
+        // Equal modes are rotated so that the contact drives only one of them, so `MODE_SHAPES` has other numbers.
         None => {
             let masses = shapes.chunks(modes.max(1));
             let masses = masses.map(|shape| emission.list(shape.iter().copied()));
@@ -27,7 +27,7 @@ pub(super) fn by_masses(emission: &Emission<'_>, shapes: &[f64]) -> TokenStream 
     }
 }
 
-/// Where a shape stands in `MODE_SHAPES`.
+/// Returns the index of a shape in `MODE_SHAPES`.
 fn place<'a>(emission: &Emission<'_>, shape: impl Iterator<Item = &'a f64>) -> Option<usize> {
     let shape: Vec<u64> = shape.map(|component| component.to_bits()).collect();
     emission.modal.shapes.iter().position(|known| {

@@ -1,14 +1,15 @@
 //! Keeps the user's constants out of emitted patterns.
 //!
-//! A pattern `let r` means the constant `r` where there is one.  Functions of the same names hide it, and a
-//! pattern may in turn hide them.  The library has those of most scenes; the others are emitted.
+//! A pattern `let r` refers to a constant `r` if the user's module has one. A function of the same name hides that
+//! constant, and a pattern may hide the function. The library defines such functions for the names of most scenes. This
+//! file emits the remaining ones.
 
 use frictiongen_kernel::emitted::locals::NAMES;
 use frictiongen_model::validate::is_keyword;
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use std::collections::BTreeSet;
 
-/// Functions for the names in emitted items that the library does not have.
+/// Emits functions for the names in emitted items that the library does not define.
 pub(super) fn emit(items: &TokenStream) -> TokenStream {
     let mut names = BTreeSet::new();
     collect(items.clone(), &mut names);
@@ -26,26 +27,26 @@ pub(super) fn emit(items: &TokenStream) -> TokenStream {
         .collect()
 }
 
-/// Types that are written without a path; keywords are left out too.
+/// Types that emitted code writes without a path. Keywords are excluded elsewhere.
 const TYPES: [&str; 4] = ["bool", "f32", "f64", "usize"];
 
-/// `mode_3_decay`: nobody calls a constant so, and there are dozens of these for each mode.
+/// Returns whether a name has the form `mode_3_decay`. Users do not name constants so, and each mode has dozens of
+/// them.
 fn is_of_a_mode(text: &str) -> bool {
     let rest = text.strip_prefix("mode_").unwrap_or_default();
     let rest = rest.trim_start_matches(|letter: char| letter.is_ascii_digit());
     rest.starts_with('_')
 }
 
-/// Every word that a pattern may bind: it begins with a small letter, is no part of a path and neither called
-/// nor defined.
+/// Collects every word that a pattern may bind. Such a word begins with a small letter, is not in a path, and is
+/// neither called nor defined.
 fn collect(tokens: TokenStream, names: &mut BTreeSet<String>) {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let sign = |index: Option<usize>, sign: char| matches!(index.and_then(|index| tokens.get(index)), Some(TokenTree::Punct(punct)) if punct.as_char() == sign);
     for (index, token) in tokens.iter().enumerate() {
         let before = index.checked_sub(1);
         match token {
-            // What stands in an attribute binds nothing.
-            // Nor what is given to a macro.
+            // Attributes and the arguments of macros bind nothing.
             TokenTree::Group(group)
                 if !(sign(before, '!')
                     || group.delimiter() == Delimiter::Bracket && sign(before, '#')) =>

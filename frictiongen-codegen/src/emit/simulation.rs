@@ -1,4 +1,4 @@
-//! The exact motion in time.
+//! Emits the exact motion in time.
 
 use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part, rounded};
@@ -87,7 +87,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     }
 }
 
-/// How a run starts where the kinetic level is constant.
+/// Emits the constructors of a run where the kinetic friction force is constant.
 fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
     let Emission {
         name,
@@ -133,7 +133,7 @@ fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
     [starts, trait_of]
 }
 
-/// How a run starts where the kinetic level changes with the speed.
+/// Emits the constructors of a run where the kinetic friction force depends on the speed.
 fn starts_under(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
     let Emission {
         scene,

@@ -1,4 +1,4 @@
-//! What each oscillator does over a declared step: tables as constants, computed in double-double and rounded once.
+//! Emits the tables of a declared step. They describe each oscillator over the step, in double-double and rounded once.
 
 use super::dynamics::count;
 use super::emission::{Emission, rounded};
@@ -12,7 +12,7 @@ use frictiongen_model::stepping::Steps;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Literal, TokenStream};
 
-/// How many of what a table has.
+/// Array sizes of a step table.
 pub(super) struct Sizes {
     pub coefficients: usize,
     pub modes: usize,
@@ -21,7 +21,7 @@ pub(super) struct Sizes {
 }
 
 impl Sizes {
-    /// As arguments of the kernel's types.
+    /// Emits the sizes as arguments of the kernel's types.
     pub fn literals(&self) -> TokenStream {
         let sizes = [self.coefficients, self.modes, self.held, self.inputs];
         let [coefficients, modes, held, inputs] = sizes.map(count);
@@ -29,7 +29,7 @@ impl Sizes {
     }
 }
 
-/// The tables; none for a step that the kernel refuses, which `lower` has told.
+/// Emits the tables. Returns `None` for a step that the kernel refuses. `lower` has then reported the error.
 pub(super) fn emit(
     emission: &Emission<'_>,
     scene: &StepScene<'_, Dd>,
@@ -43,8 +43,8 @@ pub(super) fn emit(
     }
 }
 
-/// What rounding leaves of a sum of double-doubles that vanishes is less than this part of its terms: so much an input
-/// accelerates a contact that its force does not act on.
+/// Bound on the rounding error of a vanishing double-double sum, as a fraction of its terms. A smaller residue is set
+/// to 0, because the input's force does not act on the contact.
 const ROUNDING: f64 = 1e-26;
 
 fn table<const D: usize>(
@@ -59,7 +59,7 @@ fn table<const D: usize>(
     let mut loads = vec![Dd::ZERO; masses * inputs];
     let mut held_loads = vec![HeldLoad::zero(); sizes.held * inputs];
     let mut channels = vec![Channel::zero(); inputs];
-    // The step as the scene's scalar holds it.
+    // The step is rounded to the scene's scalar first, because the emitted code uses that value.
     let step = Dd::from(rounded(Dd::from(step), emission.precision));
     let pace = fill(
         scene,
@@ -84,7 +84,7 @@ fn table<const D: usize>(
     let pace = write.pace(&pace, terms);
     let modes = modes.iter().map(|mode| write.mode(mode));
     let held = held.iter().map(|mode| write.held(mode));
-    // A chunk of nothing would be none: a chain without held modes has none to begin with.
+    // `chunks` panics at size 0. A chain without held modes has no `held_loads`, so the list stays empty.
     let loads = loads.chunks(inputs.max(1)).map(|row| write.list(row));
     let held_loads = held_loads.chunks(inputs.max(1)).map(|row| {
         let row = row.iter().map(|load| write.load(load));
@@ -108,7 +108,7 @@ fn table<const D: usize>(
     })
 }
 
-/// How many terms of a power series the scene's scalar takes.
+/// Returns the number of power series terms that the scene's scalar needs.
 fn terms<S: Float>(emission: &Emission<'_>, step: Dd) -> Option<u32> {
     let to = |value: Dd| S::constant(rounded(value, emission.precision));
     let Emission { scene, modal, .. } = emission;

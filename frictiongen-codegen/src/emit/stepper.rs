@@ -1,4 +1,4 @@
-//! The stepper: a fixed step in physical time, under any input.
+//! Emits the stepper, which advances by a fixed step in physical time under any input.
 
 use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part, rounded};
@@ -148,7 +148,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     }
 }
 
-/// What a step costs.
+/// Returns documentation lines on the cost of a step.
 fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
     let fastest = scene.fastest().to_f64();
     let shown = if (0.1..1e7).contains(&fastest) {
@@ -168,7 +168,7 @@ fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
     ]
 }
 
-/// How many operations that is.
+/// Returns documentation lines on the number of operations of a step.
 fn operations(
     scene: &StepScene<'_, Dd>,
     step: Option<f64>,
@@ -203,7 +203,7 @@ fn operations(
         Precision::F32 => format!(
             "  A Cortex-M4F takes up to {each} instructions for each, and {beside} for a part."
         ),
-        // It has no registers for doubles.
+        // A Cortex-M4F has no registers for doubles, so no instruction count is given.
         Precision::F64 => String::new(),
     };
     vec![
@@ -215,7 +215,7 @@ fn operations(
     ]
 }
 
-/// The scene as constants.
+/// Emits the stepper's scene as constants.
 fn step_scene(
     emission: &Emission<'_>,
     steps: &Steps<Dd>,
@@ -261,7 +261,7 @@ fn step_scene(
     }
 }
 
-/// The stepper and its input.
+/// Emits the types of the stepper and of its input.
 fn types(
     emission: &Emission<'_>,
     steps: &Steps<Dd>,
@@ -331,7 +331,8 @@ fn types(
     }
 }
 
-/// The input's fields of the loaded masses: `force` of the excited one, of the others their names.
+/// Returns the fields of the input for the loaded masses: `force` for the excited mass, otherwise
+/// the name of the mass.
 fn force_fields(emission: &Emission<'_>, steps: &Steps<Dd>) -> Vec<Ident> {
     let places = steps.forces.iter().enumerate();
     let names = places.filter_map(|(place, mass)| {
@@ -343,7 +344,7 @@ fn force_fields(emission: &Emission<'_>, steps: &Steps<Dd>) -> Vec<Ident> {
     names.collect()
 }
 
-/// Where each mass is.
+/// Emits a method for each mass that returns its displacement and velocity.
 fn methods(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
     let names = emission.description.mass_names.iter().enumerate();

@@ -1,4 +1,4 @@
-//! The response while the contact is stuck.
+//! Emits the response while the contact is stuck.
 
 use super::arm::{self, Arm};
 use super::emission::{Emission, Part};
@@ -8,7 +8,7 @@ use crate::graph::{Expr, Graph};
 use frictiongen_model::scene::Excitation;
 use proc_macro2::{Literal, TokenStream};
 
-/// The type of the response, with a method for each mass.
+/// Emits the type of the stuck response, with a method for each mass.
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
     let Emission {
         description,
@@ -62,7 +62,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         }
     });
     let in_lines = (!emission.in_sums()).then(|| in_lines(emission));
-    // What the tables do not hold is the kernel's own.
+    // The kernel's `Stuck` computes the responses for which the scene has no table.
     let (exact, wraps) = if tabled {
         let wraps = code!(#facade::kernel::wraps!(#stuck, Sticking of tabled #name, Copy););
         (code!(Stuck<Self>), wraps)
@@ -90,7 +90,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     }
 }
 
-/// The response of a scene of few modes in straight lines, as a method of the kernel's `ProvidesStuck`.
+/// Emits the stuck response of a scene with few modes in straight lines, as a method of the kernel's `ProvidesStuck`.
 fn in_lines(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
     let modes = emission.mode_names();

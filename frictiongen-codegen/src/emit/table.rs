@@ -1,4 +1,4 @@
-//! The tables of a declared accuracy.
+//! Emits the tables of a declared accuracy.
 
 use super::emission::{Emission, Part};
 use crate::lower::SceneTables;
@@ -10,7 +10,8 @@ use frictiongen_model::table::{
 };
 use proc_macro2::{Literal, TokenStream};
 
-/// The tables as constants, and what answers from them; nothing for an exact scene.
+/// Emits the tables as constants and the functions that evaluate them. Emits nothing for an exact
+/// scene.
 pub(super) fn emit(emission: &Emission<'_>, motion: bool) -> Part {
     match &emission.description.tables {
         None => Part::default(),
@@ -112,7 +113,7 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
     }
 }
 
-/// The contact's motion.
+/// Emits the motion of the contact.
 fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream {
     let Emission {
         name,
@@ -208,7 +209,7 @@ pub(super) fn quotient<S: Float>(emission: &Emission<'_>, product: &Product<S>) 
     quotient_over(emission, product, &code!(&#denominator))
 }
 
-/// The same with its poles as an expression.
+/// Emits a quotient of products whose poles are the expression `denominator`.
 pub(super) fn quotient_over<S: Float>(
     emission: &Emission<'_>,
     product: &Product<S>,
@@ -227,7 +228,7 @@ pub(super) fn quotient_over<S: Float>(
     }
 }
 
-/// Factors as an array.
+/// Emits factors as an array.
 pub(super) fn factors<S: Float>(emission: &Emission<'_>, factors: &[Factor<S>]) -> TokenStream {
     let number = |value: S| emission.literal(value.to_f64());
     let factors = factors.iter().map(|factor| match *factor {
@@ -253,7 +254,8 @@ pub(super) fn factors<S: Float>(emission: &Emission<'_>, factors: &[Factor<S>]) 
     code!([#(#factors),*])
 }
 
-/// What the table holds, and how far it is from the exact values.
+/// Returns documentation lines on the content of the table and on its distance from the exact
+/// values.
 fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     let (low, high) = tables.request.r;
     let functions = match tables.functions {
@@ -285,7 +287,7 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
 }
 
 fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
-    // No work was done, and more of it might do.
+    // No work was spent on a proof, and more work might prove the table.
     let untried = tables.proof.work == Work(0) && FINEST_PROVEN <= tables.request.accuracy;
     let remedy = if untried {
         "  `proof: whole` in the scene asks for a proof."

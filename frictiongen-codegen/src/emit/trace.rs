@@ -1,4 +1,4 @@
-//! The formulas read as code: each emitted function as a graph with named outputs.
+//! Records the formulas as code: each emitted function becomes a graph with named outputs.
 
 use super::emission::rounded;
 use crate::graph::count::Count;
@@ -27,8 +27,8 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    /// The same where `constants_1`, `constants_2`, … are the modes' constants: residues and inverse masses go by their
-    /// names there, but for those that fold away.
+    /// Creates a tracer that names residues and inverse masses as fields of `constants_1`, `constants_2`, …. Numbers
+    /// that fold away (0, 1 and −1) stay numbers.
     pub fn over_constants(graph: &'g Graph, modal: &Modal, precision: Precision) -> Self {
         let mut tracer = Self::new(graph, modal, precision);
         let modes = &mut tracer.reduced.modes;
@@ -44,7 +44,7 @@ impl<'g> Tracer<'g> {
             };
             mode.inverse_mass = named(mode.inverse_mass, "inverse_mass");
             mode.static_residue = named(mode.static_residue, "static_residue");
-            // V and H are the same sum then.
+            // Equal residues and inverse masses mean that V and H are the same sum.
             mode.residue = if same {
                 mode.inverse_mass
             } else {
@@ -54,7 +54,7 @@ impl<'g> Tracer<'g> {
         tracer
     }
 
-    /// Whether formulas have names of constants in them.
+    /// Returns whether the recorded formulas refer to constants by name.
     pub fn names_constants(&self) -> bool {
         let mut modes = self.reduced.modes.iter();
         modes.any(|mode| {
@@ -110,7 +110,7 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    /// A mode's functions, free of their pole.
+    /// Returns the pole-free functions of a mode as inputs.
     pub fn response(&self, name: &str) -> ModeResponse<Expr<'g>> {
         let of = |field: &str| self.graph.input(format!("{name}.{field}"));
         ModeResponse {
@@ -140,7 +140,7 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    /// The whole frequency stage, unrolled, with what `g` makes of each mode's g.
+    /// Records the whole frequency stage, unrolled. `g` maps the g of each mode.
     pub fn frequency(
         &self,
         inverse_r: Expr<'g>,
@@ -169,7 +169,7 @@ impl<'g> Tracer<'g> {
         (contact, at)
     }
 
-    /// The sums over the modes' functions `mode_1` … and `at_1` ….
+    /// Records the sums over the modes' functions `mode_1` … and `at_1` ….
     pub fn joined(&self) -> ContactAt<Expr<'g>> {
         let Reduced { modes, chain, .. } = &self.reduced;
         let mut sum = ContactAt::zero(self.graph.input("scale"));
@@ -181,7 +181,7 @@ impl<'g> Tracer<'g> {
         chain.completed(&sum, self.graph.input("inverse_r"))
     }
 
-    /// Prints `outputs` for a function body in which `taken` are in use.
+    /// Prints `outputs` for a function body that already uses the names in `taken`.
     pub fn print(
         &self,
         outputs: &[Operand],
@@ -195,7 +195,7 @@ impl<'g> Tracer<'g> {
     }
 }
 
-/// The outputs of a contact's sums, in the order in which they are emitted.
+/// Returns the outputs of the contact's sums, in the order in which they are emitted.
 pub(super) fn contact_outputs(contact: &ContactAt<Expr<'_>>) -> Vec<Operand> {
     let ContactAt {
         scale,
@@ -210,15 +210,15 @@ pub(super) fn contact_outputs(contact: &ContactAt<Expr<'_>>) -> Vec<Operand> {
         .to_vec()
 }
 
-/// The outputs of a mode at a frequency, in the order in which they are emitted.
+/// Returns the outputs of a mode at a frequency, in the order in which they are emitted.
 pub(super) fn mode_outputs(at: &ModeAt<Expr<'_>>) -> Vec<Operand> {
     [at.x, at.response.re, at.response.im, at.u, at.g]
         .map(Expr::operand)
         .to_vec()
 }
 
-/// A numeric reading of a scene's traced functions, for comparing the recorded graph with the
-/// compiled code and with the run-time system.
+/// Evaluates a scene's traced functions in numbers. Tests compare the recorded graph with the compiled code and with
+/// the run-time system.
 pub fn traces<S: frictiongen_kernel::Float>(
     scene: &Scene,
     inverse_r: S,

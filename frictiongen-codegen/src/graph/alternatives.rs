@@ -1,4 +1,4 @@
-//! Prints several answers of which code gives one: what all of them need once, before the choice.
+//! Prints several alternatives of which the code evaluates one. Shared operations come before the choice.
 
 use super::print::{Printed, Printer};
 use super::{Graph, Id, Operand, Recorded, operands};
@@ -6,15 +6,15 @@ use frictiongen_model::scene::Precision;
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
 
-/// One of several answers, with the names that its formula gave.
+/// One of several alternatives, with the names that its formula gave.
 pub struct Alternative {
     nodes: Vec<Recorded>,
     outputs: Vec<Operand>,
 }
 
 impl Alternative {
-    /// What was recorded last.  The next formula names its operations anew: a value that two of them have in common may
-    /// stand for different things.
+    /// Takes the operations behind `outputs`, and clears the names. The next formula names its operations anew, because
+    /// a shared value may have another meaning there.
     #[must_use]
     pub fn of(graph: &Graph, outputs: Vec<Operand>) -> Self {
         let nodes = graph.reachable(&outputs);
@@ -29,7 +29,7 @@ impl Alternative {
     }
 }
 
-/// Equal alternatives once, with all that lead to each.
+/// Groups equal alternatives, with all keys that lead to each.
 pub fn grouped<T>(all: impl Iterator<Item = (T, Alternative)>) -> (Vec<Vec<T>>, Vec<Alternative>) {
     let (mut groups, mut alternatives): (Vec<Vec<T>>, Vec<Alternative>) = (Vec::new(), Vec::new());
     for (of, alternative) in all {
@@ -45,7 +45,7 @@ pub fn grouped<T>(all: impl Iterator<Item = (T, Alternative)>) -> (Vec<Vec<T>>, 
     (groups, alternatives)
 }
 
-/// The statements that come first, and each alternative with its own.
+/// Prints the shared statements first, then each alternative with its own statements.
 #[must_use]
 pub fn print(
     alternatives: &[Alternative],
@@ -55,7 +55,7 @@ pub fn print(
     let mut printer = Printer::new(precision, taken);
     let common = common(alternatives);
     let ids: BTreeSet<Id> = common.iter().map(|(id, ..)| *id).collect();
-    // Bound are those of them that the rest uses.
+    // Only shared operations that the remaining code uses are bound to a name.
     let mut border = BTreeSet::new();
     for Alternative { nodes, outputs } in alternatives {
         let rest = nodes.iter().filter(|(id, ..)| !ids.contains(id));
@@ -76,7 +76,7 @@ pub fn print(
     (statements, alternatives.collect())
 }
 
-/// What all alternatives need, under the same names; nothing if there is only one.
+/// Returns the operations that all alternatives need under the same names. The list is empty for a single alternative.
 fn common(alternatives: &[Alternative]) -> Vec<Recorded> {
     let [first, others @ ..] = alternatives else {
         return Vec::new();
@@ -86,7 +86,7 @@ fn common(alternatives: &[Alternative]) -> Vec<Recorded> {
     }
     let mut common: Vec<Recorded> = Vec::new();
     let mut ids = BTreeSet::new();
-    // Operands come before their users.
+    // Operands come before their users, so one pass finds them.
     for node in &first.nodes {
         let whole = operands(&node.1).iter().all(|id| ids.contains(id));
         if whole && others.iter().all(|other| other.has(node)) {

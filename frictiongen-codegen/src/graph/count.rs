@@ -1,14 +1,14 @@
-//! How many operations an emitted function performs, on its worst path.
+//! Counts the operations of an emitted function on its worst path.
 
 use super::{Binary, Graph, Id, Node, Operand, Unary};
 use std::collections::BTreeMap;
 
-/// Operations by kind.
+/// Number of operations of each kind.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Count(BTreeMap<&'static str, usize>);
 
 impl Count {
-    /// What `outputs` need.
+    /// Counts the operations that `outputs` need.
     #[must_use]
     pub fn of(graph: &Graph, outputs: &[Operand]) -> Self {
         let mut count = Self::default();
@@ -19,7 +19,8 @@ impl Count {
             matches!(node, Some((_, Node::Input(_), _)))
         };
         for (_, node, _) in &nodes {
-            // What a constant parameter decides is decided before the code runs.
+            // The compiler decides a choice by a constant parameter, so that the choice costs
+            // nothing at run time.
             if matches!(node, Node::Select(condition, ..) if is_input(condition)) {
                 continue;
             }
@@ -30,7 +31,7 @@ impl Count {
         count
     }
 
-    /// This and another, one after the other.
+    /// Returns the sum of this count and another.
     #[must_use]
     pub fn and(mut self, other: &Self) -> Self {
         for (kind, number) in &other.0 {
@@ -39,7 +40,7 @@ impl Count {
         self
     }
 
-    /// This, `times` times.
+    /// Returns this count multiplied by `times`.
     #[must_use]
     pub fn times(mut self, times: usize) -> Self {
         for number in self.0.values_mut() {
@@ -48,14 +49,14 @@ impl Count {
         self
     }
 
-    /// All operations together.
+    /// Returns the number of all operations.
     #[must_use]
     pub fn total(&self) -> usize {
         self.0.values().sum()
     }
 }
 
-/// For example `12: 5 ×, 3 +, 2 ÷, 1 √, 1 sin_cos_pi`.
+/// Writes, for example, `12: 5 ×, 3 +, 2 ÷, 1 √, 1 sin_cos_pi`.
 impl std::fmt::Display for Count {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{}", self.total())?;

@@ -1,35 +1,35 @@
-//! The scalar that records what is done with it.
+//! Defines the scalar that records the operations performed on it.
 
 use super::{Binary, Graph, Id, Node, Operand, Unary};
 use frictiongen_kernel::Scalar;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number known now, or one that the emitted code will have.
+/// A number that is known during emission, or a value that the emitted code computes.
 #[derive(Clone, Copy)]
 pub enum Expr<'g> {
-    /// Known now.
+    /// A known number.
     Number(f64),
     /// A recorded operation.
     Node(&'g Graph, Id),
 }
 
-/// The outcome of a comparison, known now or in the emitted code.
+/// The outcome of a comparison, known during emission or computed by the emitted code.
 #[derive(Clone, Copy)]
 pub enum Condition<'g> {
-    /// Known now.
+    /// A known outcome.
     Known(bool),
     /// A recorded comparison.
     Node(&'g Graph, Id),
 }
 
 impl Graph {
-    /// A value from outside, by the Rust expression that names it.
+    /// Records an external value by the Rust expression that names it.
     pub fn input(&self, text: impl Into<String>) -> Expr<'_> {
         Expr::Node(self, self.record(Node::Input(text.into())))
     }
 
-    /// A value of which code is only made where the constant parameter `flag` asks for it, otherwise 0; it takes the
-    /// value's name.
+    /// Records a value that the emitted code computes only if the constant parameter `flag` is true, and that is
+    /// otherwise 0. The choice takes the value's name.
     #[must_use]
     pub fn where_asked<'g>(&'g self, flag: &str, value: Expr<'g>) -> Expr<'g> {
         let Expr::Node(_, id) = value else {
@@ -48,7 +48,7 @@ impl Graph {
 }
 
 impl<'g> Expr<'g> {
-    /// The operand that stands for this value.
+    /// Returns the operand of this value.
     #[must_use]
     pub fn operand(self) -> Operand {
         match self {
@@ -88,7 +88,7 @@ impl<'g> Expr<'g> {
         }
     }
 
-    /// `-a` as the operation it is, so that a − (−b) can be told.
+    /// Returns a if this value was recorded as `-a`, so that a − (−b) is recognised.
     fn negated(self) -> Option<Self> {
         let Self::Node(graph, id) = self else {
             return None;

@@ -1,4 +1,4 @@
-//! Reads a graph in numbers, by the same operations, in the same order, as its emitted code.
+//! Evaluates a graph in numbers, with the operations and the order of its emitted code.
 
 use super::{Binary, Graph, Id, Node, Operand, Unary};
 use frictiongen_kernel::Float;
@@ -11,8 +11,8 @@ enum Value<S> {
     Truth(bool),
 }
 
-/// The values of `outputs`, where `input` gives the values from outside by their text.  None if
-/// an input is not known.
+/// Returns the values of `outputs`. `input` gives the external values by their text. Returns `None`
+/// if an input is not known.
 pub fn interpret<S: Float>(
     graph: &Graph,
     outputs: &[Operand],

@@ -1,9 +1,9 @@
-//! Numbers in emitted code.
+//! Writes numbers in emitted code.
 
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Literal, TokenStream};
 
-/// A number as a literal: the shortest text that reads back to the same bits.
+/// Returns a number as a literal: the shortest text that reads back to the same bits.
 #[must_use]
 pub fn literal(value: f64, precision: Precision) -> TokenStream {
     #[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]
@@ -28,7 +28,7 @@ pub fn literal(value: f64, precision: Precision) -> TokenStream {
     if negative { code!(-#number) } else { number }
 }
 
-/// `f64` or `f32`.
+/// Returns the type `f64` or `f32`.
 #[must_use]
 pub fn scalar(precision: Precision) -> TokenStream {
     match precision {

@@ -1,8 +1,8 @@
-//! The expression graph: what the closed forms become when they are read as code.
+//! The expression graph, which records the closed forms as code.
 //!
-//! [`Expr`] is a scalar like any other.  Evaluating a formula with it records the operations;
-//! constants fold on the way, equal operations are recorded once.  A recorded [`Graph`] can be
-//! interpreted in numbers ([`interpret`]), counted ([`count`]) and printed as Rust ([`mod@print`]; [`alternatives`]).
+//! [`Expr`] is a scalar like any other. Evaluating a formula with it records the operations. Constants fold during
+//! recording, and equal operations are recorded once. A recorded [`Graph`] can be interpreted in numbers
+//! ([`interpret`]), counted ([`count`]) and printed as Rust ([`mod@print`]; [`alternatives`]).
 
 pub mod alternatives;
 pub mod count;
@@ -16,11 +16,11 @@ use std::collections::HashMap;
 
 pub use expr::{Condition, Expr};
 
-/// The place of an operation in its graph; operands come before their users.
+/// The index of an operation in its graph. Operands come before their users.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Id(pub(crate) usize);
 
-/// An operand: a recorded operation or a number.
+/// An operand of an operation: a recorded operation or a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operand {
     /// A recorded operation.
@@ -68,27 +68,27 @@ pub enum Binary {
 /// A recorded operation.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// A value from outside, by the Rust expression that names it.
+    /// An external value, by the Rust expression that names it.
     Input(String),
     /// An operation on one number.
     Unary(Unary, Operand),
     /// An operation on two numbers.
     Binary(Binary, Operand, Operand),
-    /// (sin πh, cos πh), a pair.
+    /// The pair (sin πh, cos πh).
     SinCosPi(Operand),
-    /// (sin π(h − d), cos π(h − d)), a pair.
+    /// The pair (sin π(h − d), cos π(h − d)).
     SinCosPiMinus(Operand, Operand),
     /// The first or the second of a pair.
     Part(Id, bool),
-    /// a < b.
+    /// The comparison a < b.
     Less(Operand, Operand),
-    /// a = 0.
+    /// The comparison a = 0.
     IsZero(Operand),
-    /// `yes` where the condition holds, else `no`.
+    /// `yes` where the condition is true, else `no`.
     Select(Id, Operand, Operand),
 }
 
-/// A recorded operation with its place and its name.
+/// A recorded operation with its index and its name.
 pub(crate) type Recorded = (Id, Node, Option<String>);
 
 #[derive(Default)]
@@ -102,12 +102,12 @@ struct Inner {
 #[derive(Default)]
 pub struct Graph {
     inner: RefCell<Inner>,
-    /// Whether a mode's number belongs into the names of its values.
+    /// True if the names of a mode's values carry the mode's number.
     numbered: bool,
 }
 
 impl Graph {
-    /// An empty graph for a scene of `modes` modes.
+    /// Creates an empty graph for a scene with `modes` modes.
     #[must_use]
     pub fn new(modes: usize) -> Self {
         Self {
@@ -140,12 +140,12 @@ impl Graph {
         }
     }
 
-    /// Takes all names away: what is recorded from here on gives its own, also to operations that are there.
+    /// Removes all names. Formulas recorded afterwards name operations anew, including those already recorded.
     pub(crate) fn unname(&self) {
         self.inner.borrow_mut().names.fill(None);
     }
 
-    /// The recorded operations that `outputs` need, operands first.
+    /// Returns the recorded operations that `outputs` need, operands first.
     pub(crate) fn reachable(&self, outputs: &[Operand]) -> Vec<Recorded> {
         let inner = self.inner.borrow();
         let mut needed = vec![false; inner.nodes.len()];
@@ -172,7 +172,7 @@ fn operand_id(operand: &Operand) -> Option<Id> {
     }
 }
 
-/// The recorded operands of an operation.
+/// Returns the recorded operands of an operation.
 pub(crate) fn operands(node: &Node) -> Vec<Id> {
     let of = |list: &[&Operand]| {
         list.iter()

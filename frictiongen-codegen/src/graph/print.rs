@@ -1,4 +1,5 @@
-//! Prints a graph as Rust: `let` for what has a name or several uses, the rest in place.
+//! Prints a graph as Rust. Values with a name or with several uses become `let` statements; the others are written in
+//! place.
 
 use super::literal::literal;
 use super::{Binary, Graph, Id, Node, Operand, Recorded, Unary, operands};
@@ -6,7 +7,7 @@ use frictiongen_model::scene::Precision;
 use proc_macro2::{Ident, Span, TokenStream};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A printed expression and how tightly it binds.
+/// A printed expression and its operator precedence.
 #[derive(Clone)]
 struct Text {
     tokens: TokenStream,
@@ -23,15 +24,15 @@ enum Binds {
     Atom,
 }
 
-/// Statements, and the expressions of the outputs.
+/// Printed statements, and the expressions of the outputs.
 pub struct Printed {
-    /// The `let` statements.
+    /// The `let` statements that bind shared and named values.
     pub statements: TokenStream,
-    /// One expression for each output.
+    /// One expression for each output of the graph.
     pub outputs: Vec<TokenStream>,
 }
 
-/// Prints what `outputs` need.  `taken` are names that the surrounding code uses.
+/// Prints the operations that `outputs` need. `taken` lists names that the surrounding code uses.
 #[must_use]
 pub fn print(graph: &Graph, outputs: &[Operand], precision: Precision, taken: &[&str]) -> Printed {
     let mut printer = Printer::new(precision, taken);
@@ -39,7 +40,7 @@ pub fn print(graph: &Graph, outputs: &[Operand], precision: Precision, taken: &[
     printer.printed(outputs)
 }
 
-/// What is bound so far, and how it is called.
+/// The values bound so far, and their names.
 #[derive(Clone)]
 pub(super) struct Printer {
     precision: Precision,
@@ -62,7 +63,7 @@ impl Printer {
         }
     }
 
-    /// Binds what has a name, and what is used more than once if each output counts for so many uses.
+    /// Binds values that have a name or that are used more than once. Each output counts as `each` uses.
     pub(super) fn visit_all(&mut self, nodes: &[Recorded], outputs: &[Operand], each: usize) {
         let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
         for (_, node, _) in nodes {
@@ -97,7 +98,7 @@ impl Printer {
         }
     }
 
-    /// What was bound since the last call.
+    /// Returns the statements bound since the last call.
     pub(super) fn statements(&mut self) -> TokenStream {
         std::mem::take(&mut self.statements)
     }
@@ -184,7 +185,7 @@ impl Printer {
         }
     }
 
-    /// The operand, in parentheses unless it binds at least as tightly as `least`.
+    /// Returns the operand, in parentheses unless its precedence is at least `least`.
     fn within(&self, operand: &Operand, least: Binds) -> TokenStream {
         let text = self.text(operand);
         let tokens = text.tokens;
@@ -308,7 +309,7 @@ fn unary_name(op: Unary) -> &'static str {
     }
 }
 
-/// The tokens as if this crate had written them.
+/// Returns the tokens with the hygiene of code from this crate.
 fn mixed(tokens: TokenStream) -> TokenStream {
     tokens
         .into_iter()
@@ -319,7 +320,7 @@ fn mixed(tokens: TokenStream) -> TokenStream {
         .collect()
 }
 
-/// What a shared value without a name of its own is called.
+/// Returns the name of a shared value that has no name of its own.
 fn fallback(node: &Node) -> &'static str {
     match node {
         Node::Binary(Binary::Add, ..) => "sum",

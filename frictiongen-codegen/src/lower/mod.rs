@@ -1,4 +1,4 @@
-//! From what was written to a scene that makes physical sense.
+//! Turns a syntax tree into a scene that makes physical sense.
 
 mod limits;
 mod places;
@@ -23,26 +23,26 @@ use crate::parse::syntax::{AccuracyEntry, Syntax};
 
 pub use limits::Limits;
 
-/// A description that has been read and found to make physical sense.
+/// A description that was read and that makes physical sense.
 pub struct Description {
     /// The doc comments and attributes before the struct.
     pub attributes: Vec<syn::Attribute>,
-    /// Its visibility.
+    /// The visibility of the struct.
     pub visibility: syn::Visibility,
-    /// Its name.
+    /// The name of the struct.
     pub name: Ident,
-    /// The path of the facade, `::frictiongen` unless the description says otherwise.
+    /// The path of the facade crate, `::frictiongen` unless the description gives another one.
     pub facade: syn::Path,
-    /// The scene.
+    /// The scene that the description defines.
     pub scene: Scene,
     /// The names of the masses with the user's spans, in the order of [`Scene::masses`].
     pub mass_names: Vec<Ident>,
-    /// The tables of a declared accuracy.
+    /// The tables of a declared accuracy; `None` for an exact scene.
     pub tables: Option<SceneTables>,
 }
 
 impl Description {
-    /// What the doc comments before the struct say, line by line.
+    /// Returns the text of the doc comments before the struct, line by line.
     #[must_use]
     pub fn documentation(&self) -> String {
         let text = |attribute: &syn::Attribute| match &attribute.meta {
@@ -63,17 +63,17 @@ impl Description {
 /// Tables in the scene's scalar.
 #[derive(Clone, Debug)]
 pub enum SceneTables {
-    /// In double precision.
+    /// Tables in double precision.
     Double(Tables<f64>),
-    /// In single precision.
+    /// Tables in single precision.
     Single(Tables<f32>),
 }
 
 impl SceneTables {
-    /// What a scene declares; none if it is exact.
+    /// Builds the tables that a scene declares. Returns `None` for an exact scene.
     ///
     /// # Errors
-    /// Every [`TableError`].
+    /// Returns every [`TableError`].
     pub fn of(scene: &Scene) -> Result<Option<Self>, TableError> {
         Ok(match scene.precision {
             Precision::F64 => Tables::of(scene)?.map(Self::Double),
@@ -81,7 +81,7 @@ impl SceneTables {
         })
     }
 
-    /// The same with what is proven of them.
+    /// Returns the tables with a proof of their accuracy, as far as `work` allows.
     #[must_use]
     pub fn proven(self, scene: &Scene, work: Work) -> Self {
         let modal = Modal::of(scene);
@@ -91,7 +91,7 @@ impl SceneTables {
         }
     }
 
-    /// The same where the work is likely to do.
+    /// Returns the tables with a proof if `work` is likely to suffice, and otherwise without.
     fn proven_if_small(self, scene: &Scene, work: Work) -> Self {
         let modal = Modal::of(scene);
         match self {
@@ -112,7 +112,7 @@ impl fmt::Debug for Description {
 /// Reads the tokens of a macro call.
 ///
 /// # Errors
-/// Every error of the description, and what could be read all the same.
+/// Returns all errors of the description, and the fields that could be read.
 #[allow(
     clippy::result_large_err,
     reason = "once a macro call; the parts are for the caller to take"
@@ -126,11 +126,11 @@ pub fn parse_tokens(tokens: TokenStream, limits: &Limits) -> Result<Description,
     })
 }
 
-/// Reads a text: the same language as in a macro call. The names in the result carry the span of
-/// the call where there is one.
+/// Reads a text in the language of the macro call. The names in the result carry the span of the
+/// call, if there is a call.
 ///
 /// # Errors
-/// Every error of the text with its line and column.
+/// Returns all errors of the text, with line and column.
 pub fn parse_text(text: &str, limits: &Limits) -> Result<Description, Diagnostics> {
     let mut problems = Problems::default();
     match parse::text(text, &mut problems) {
@@ -140,7 +140,8 @@ pub fn parse_text(text: &str, limits: &Limits) -> Result<Description, Diagnostic
     .ok_or_else(|| problems.into_diagnostics())
 }
 
-/// The scene, or what a macro can still make of the syntax; the errors are then among `problems`.
+/// Returns the scene. If `problems` has errors, returns the fields from which a macro can still
+/// emit a type.
 fn lower(
     mut syntax: Syntax,
     limits: &Limits,
@@ -204,7 +205,7 @@ fn lower(
     }
     match (scene, syntax.name) {
         (Some(scene), Some(name)) if problems.is_empty() => Ok(Description {
-            // After all that may be wrong: it takes longest.
+            // The proof takes longest, so it runs after all checks.
             tables: tables.map(|tables| match scene.declared.proof {
                 _ if !limits.proof => tables,
                 Proving::Quick => tables.proven_if_small(&scene, Work::AT_EXPANSION),

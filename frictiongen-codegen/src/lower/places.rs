@@ -1,4 +1,4 @@
-//! Where in the description each part of a scene was written.
+//! Finds the position in the description of each item of a scene.
 
 use frictiongen_model::validate::Path;
 
@@ -8,19 +8,20 @@ use crate::parse::syntax::{
     AccuracyEntry, DampingKind, LawEntry, ProvideEntry, SpringEntry, Syntax,
 };
 
-/// The way back from a scene to what was written.
+/// Maps the items of a scene back to the description.
 pub(super) struct Places<'s> {
     pub(super) syntax: &'s Syntax,
-    /// What each spring of the scene was made of: some that were written are not in it.
+    /// The entry of each spring in the scene. Some written springs are not in the scene.
     pub(super) springs: Vec<&'s SpringEntry>,
-    /// The same for what to provide.
+    /// The entry of each provided item.
     pub(super) provide: Vec<&'s ProvideEntry>,
-    /// And for what may be loaded.
+    /// The name of each mass that may be loaded.
     pub(super) force: Vec<&'s Name>,
 }
 
 impl Places<'_> {
-    /// The place of a part; that of the scene's name if the part was not written.
+    /// Returns the position of an item, or the position of the scene's name if the item was not
+    /// written.
     pub(super) fn of(&self, path: Path) -> Place {
         self.find(path).unwrap_or(self.syntax.place)
     }

@@ -1,4 +1,4 @@
-//! Names become masses, and the scene is checked as far as it could be read.
+//! Resolves names to masses, and checks the scene as far as it could be read.
 
 use std::collections::{HashMap, HashSet};
 
@@ -12,7 +12,7 @@ use crate::parse::suggest;
 use crate::parse::syntax::{Fields, SpringEntry, Syntax};
 use crate::parse::{Name, Number};
 
-/// The scene of a description; whatever is wrong with it is reported.
+/// Returns the scene of a description and reports all errors.
 pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems) -> Scene {
     let fields = &syntax.fields;
     report_missing(syntax, problems);
@@ -71,7 +71,8 @@ pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems)
             force: force_entries,
         };
         for error in errors {
-            // A number that could not be read stands in the scene as NaN and has been reported.
+            // A number that could not be read is NaN in the scene, and its error is already
+            // reported.
             if !unread.contains(&error.path()) {
                 problems.report(places.of(error.path()), error.to_string());
             }
@@ -86,7 +87,7 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
         .name
         .as_ref()
         .map_or("the scene".to_owned(), |name| format!("`{}`", name.text));
-    // The advice should fit the scene: it speaks of a mass that is there.
+    // The advice names a mass that the scene has.
     let entries = fields
         .masses
         .given()
@@ -125,7 +126,7 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
     }
 }
 
-/// The masses by name; of two with the same name the first.
+/// The masses by name. If two masses have the same name, the first one counts.
 struct Names<'s> {
     index: HashMap<&'s str, usize>,
     order: Vec<&'s str>,
@@ -150,7 +151,7 @@ impl<'s> Names<'s> {
                 place
             });
         }
-        // With no mass at all, that is the error, not each name.
+        // A description without any mass gets one error for that, not one error for each name.
         let complete = masses.list.complete && !order.is_empty();
         Self {
             index,
@@ -160,17 +161,18 @@ impl<'s> Names<'s> {
     }
 }
 
-/// A scene in the making.
+/// A scene under construction.
 pub(super) struct Lowering<'s, 'p> {
     names: Names<'s>,
     pub(super) problems: &'p mut Problems,
     pub(super) checks: Checks,
-    /// Where numbers could not be read.
+    /// Paths of the numbers that could not be read.
     unread: HashSet<Path>,
 }
 
 impl<'s> Lowering<'s, '_> {
-    /// A number, or NaN with a note that its error is known.
+    /// Returns a number. An unread number becomes NaN, and its path is noted because its error is
+    /// already reported.
     pub(super) fn number(&mut self, number: Number, path: Path) -> f64 {
         number.value.unwrap_or_else(|| {
             self.unread.insert(path);
@@ -178,13 +180,13 @@ impl<'s> Lowering<'s, '_> {
         })
     }
 
-    /// The mass of a name; `supports` are the words that would have done as well.
+    /// Finds the mass with this name. `supports` lists the other words that are valid here.
     pub(super) fn mass(&mut self, name: &Name, supports: &[&str]) -> Result<usize, Reported> {
         let text = name.text.as_str();
         if let Some(&index) = self.names.index.get(text) {
             return Ok(index);
         }
-        // The name may be that of a mass which could not be read.
+        // The name may belong to a mass that could not be read, so no error is reported.
         if !self.names.complete {
             return Err(Reported);
         }
@@ -242,7 +244,7 @@ impl<'s> Lowering<'s, '_> {
             .collect()
     }
 
-    /// The springs whose ends exist, with what was written of each.
+    /// Returns the springs whose two nodes exist, with the entry of each.
     fn springs(&mut self, fields: &'s Fields) -> (Vec<Spring>, Vec<&'s SpringEntry>) {
         let (mut springs, mut entries) = (Vec::new(), Vec::new());
         let Some(written) = fields.springs.given() else {
@@ -251,7 +253,7 @@ impl<'s> Lowering<'s, '_> {
         };
         self.checks.springs = written.list.complete;
         for entry in &written.list.entries {
-            // Both ends are looked up before either error counts.
+            // Both nodes are looked up first, so that errors in both are reported.
             let (from, to) = (self.node(&entry.from), self.node(&entry.to));
             let (Ok(from), Ok(to)) = (from, to) else {
                 self.checks.springs = false;

@@ -1,4 +1,4 @@
-//! Damping and what to provide, from what was written.
+//! Turns the written damping, declarations and provided items into those of the scene.
 
 use std::collections::HashSet;
 
@@ -44,7 +44,8 @@ impl<'s> Lowering<'s, '_> {
             || matches!(fields.beyond, Slot::Broken)
             || matches!(fields.proof, Slot::Broken);
         if broken {
-            // Reported; without it nothing can be said of the rest.
+            // The error is reported. The other declarations cannot be judged without the broken
+            // field.
             return Declared::default();
         }
         let accuracy = match fields.accuracy.given() {
@@ -88,7 +89,7 @@ impl<'s> Lowering<'s, '_> {
         }
     }
 
-    /// The items that could be read, with what was written of each.
+    /// Returns the items that could be read, with the entry of each.
     pub(super) fn provide(&mut self, fields: &'s Fields) -> (Vec<Provide>, Vec<&'s ProvideEntry>) {
         let default = || (vec![Provide::Limits, Provide::Motion(None)], Vec::new());
         self.checks.provide = match &fields.provide {
@@ -99,7 +100,8 @@ impl<'s> Lowering<'s, '_> {
         let Slot::Given(Placed { list, .. }) = &fields.provide else {
             return default();
         };
-        // An empty list is an error only where nothing was written.
+        // A list whose entries are all faulty counts as missing. Only a list without any written
+        // entry is an error.
         if list.entries.is_empty() && !list.complete {
             return default();
         }
@@ -141,7 +143,7 @@ impl<'s> Lowering<'s, '_> {
                 Err(Reported) => sound = false,
             }
         }
-        // What is left of a faulty list may be empty, which is no error of its own.
+        // A faulty list may become empty, which is not a separate error.
         Provide::Motion((sound || !masses.is_empty()).then_some(masses))
     }
 }

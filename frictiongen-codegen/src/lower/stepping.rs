@@ -1,4 +1,4 @@
-//! The friction law and what is said of the stepper, from what was written.
+//! Turns the written friction law and stepper fields into those of the scene.
 
 use frictiongen_model::scene::{FrictionLaw, Stepping};
 use frictiongen_model::validate::Path;
@@ -25,7 +25,7 @@ impl<'s> Lowering<'s, '_> {
         FrictionLaw::Stribeck(points.collect())
     }
 
-    /// What is said of the stepper, and what was written of each mass that it may load.
+    /// Returns the stepper settings, and the entry of each mass that the stepper may load.
     pub(super) fn stepping(&mut self, fields: &'s Fields) -> (Stepping, Vec<&'s Name>) {
         let (mut forces, mut entries) = (Vec::new(), Vec::new());
         let written = fields.force.given();

@@ -1,4 +1,4 @@
-//! The fields that draw the picture: masses, springs, contact, excitation.
+//! Parses the fields that define the chain: masses, springs, contact, excitation.
 
 use proc_macro2::Delimiter;
 
@@ -8,7 +8,7 @@ use super::syntax::{ContactEntry, MassEntry, Placed, SpringEntry};
 use super::token::{Kind, Token};
 use crate::diagnostics::{Problems, Reported};
 
-/// `{ name: number, … }`
+/// Parses `{ name: number, … }`.
 pub(crate) fn masses(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Placed<MassEntry>> {
     let begins = |reader: &Reader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
     braces(
@@ -49,7 +49,7 @@ fn mass(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<MassEnt
     })
 }
 
-/// `{ node - node: number, … }`
+/// Parses `{ node - node: number, … }`.
 pub(crate) fn springs(
     reader: &mut Reader<'_>,
     problems: &mut Problems,
@@ -85,11 +85,11 @@ fn spring(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<Sprin
     })
 }
 
-/// What a list of contacts is told.
+/// The message for a list of contacts.
 pub(crate) const ONE_CONTACT: &str =
     "a scene has one contact, and its closed forms hold for no more";
 
-/// `mass - wall`, `mass - mass`, `mass - base`, either way round.
+/// Parses `mass - wall`, `mass - mass` or `mass - base`, in either order.
 pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<ContactEntry> {
     if let Some(Token {
         kind: Kind::Group { .. },
@@ -104,7 +104,7 @@ pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
         .into()
 }
 
-/// `node - node`
+/// Parses `node - node`.
 fn ends(
     reader: &mut Reader<'_>,
     problems: &mut Problems,
@@ -147,7 +147,7 @@ fn node(
     })
 }
 
-/// A mass or `base`.
+/// Parses a mass or `base`.
 pub(crate) fn excitation(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Name> {
     let place = reader.place();
     reader
@@ -162,7 +162,7 @@ pub(crate) fn excitation(reader: &mut Reader<'_>, problems: &mut Problems) -> Re
         .into()
 }
 
-/// A list in braces.
+/// Parses a list in braces.
 pub(crate) fn braces<T>(
     reader: &mut Reader<'_>,
     problems: &mut Problems,

@@ -1,4 +1,4 @@
-//! The fields that say how exact the emitted code has to be, and where.
+//! Parses the fields that declare the accuracy of the emitted code and its range.
 
 use frictiongen_model::scene::{Beyond, Proving, Side};
 use proc_macro2::Delimiter;
@@ -9,7 +9,7 @@ use super::suggest;
 use super::syntax::{AccuracyEntry, Choice, RangeEntry, Span};
 use crate::diagnostics::{Problems, Reported};
 
-/// `exact`, or a number.
+/// Parses `exact` or a number.
 pub(crate) fn accuracy(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<AccuracyEntry> {
     let place = reader.place();
     if !reader.is_word(0) {
@@ -32,7 +32,7 @@ pub(crate) fn accuracy(reader: &mut Reader<'_>, problems: &mut Problems) -> Read
     }
 }
 
-/// `{ r: a..b, beta: a..b }`
+/// Parses `{ r: a..b, beta: a..b }`.
 pub(crate) fn range(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<RangeEntry> {
     let place = reader.place();
     let Some(mut inside) = reader.take_group(Delimiter::Brace) else {
@@ -69,7 +69,7 @@ pub(crate) fn range(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Ra
     }
 }
 
-/// `r: a..b` or `beta: a..b`
+/// Parses `r: a..b` or `beta: a..b`.
 fn part(
     reader: &mut Reader<'_>,
     problems: &mut Problems,
@@ -110,7 +110,7 @@ fn part(
         );
         return Err(problems.report(dots, message));
     }
-    // `..=` means the same: both ends belong to the range.
+    // `..=` is accepted as `..`, because the range includes both bounds in either case.
     let _ = reader.take_punct('=');
     let high = number(reader, problems);
     if !high.clean {
@@ -122,7 +122,7 @@ fn part(
     Ok(())
 }
 
-/// `near` or `safe`
+/// Parses `near` or `safe`.
 pub(crate) fn side(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<Side>> {
     choice(
         reader,
@@ -132,13 +132,13 @@ pub(crate) fn side(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Cho
     )
 }
 
-/// `error` or `exact`
+/// Parses `error` or `exact`.
 pub(crate) fn beyond(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<Beyond>> {
     let choices = [("error", Beyond::Error), ("exact", Beyond::Exact)];
     choice(reader, problems, "beyond", choices)
 }
 
-/// `quick` or `whole`
+/// Parses `quick` or `whole`.
 pub(crate) fn proof(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<Proving>> {
     let choices = [("quick", Proving::Quick), ("whole", Proving::Whole)];
     choice(reader, problems, "proof", choices)

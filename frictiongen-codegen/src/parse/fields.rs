@@ -1,4 +1,4 @@
-//! The fields between the braces, in any order.
+//! Parses the fields between the braces, in any order.
 
 use frictiongen_model::scene::Precision;
 use frictiongen_model::validate::is_keyword;
@@ -13,7 +13,7 @@ use super::syntax::{Fields, Slot};
 use super::token::{Kind, Token};
 use crate::diagnostics::{Problems, Reported};
 
-/// A field by its name.
+/// A field of the description.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Field {
     Masses,
@@ -66,19 +66,20 @@ fn known(word: &str) -> Option<Field> {
         .map(|&(_, field)| field)
 }
 
-/// The names of the fields.
+/// Returns the names of the fields.
 fn names() -> impl Iterator<Item = &'static str> {
     FIELDS.iter().map(|&(name, _)| name)
 }
 
-/// Whether a field that exists begins here: `crate:` and `crate: ::path`, but not `crate::path`.
+/// Returns whether a known field begins here. `crate:` and `crate: ::path` begin one, but
+/// `crate::path` does not.
 pub(crate) fn begins(reader: &Reader<'_>) -> bool {
     matches!(reader.peek(0), Some(Token { kind: Kind::Word { text, .. }, .. }) if known(text).is_some())
         && reader.is_punct(1, ':')
         && (!reader.is_punct(2, ':') || reader.is_punct(3, ':'))
 }
 
-/// Reads all fields.
+/// Parses all fields.
 pub(crate) fn fields(reader: &mut Reader<'_>, problems: &mut Problems) -> Fields {
     let mut fields = Fields::default();
     reader.list(
@@ -110,7 +111,7 @@ fn field(
         let message = format!("{}; delete this one", chain::ONE_CONTACT);
         return Err(problems.report(place, message));
     }
-    // What is no field at all needs no colon either: one error is enough.
+    // An unknown field gets no second error for a missing colon.
     let field = recognise(&word, problems).ok_or(Reported)?;
     reader.take_colon(problems, "the name of a field and its value")?;
     match field {
@@ -178,7 +179,7 @@ fn field(
     }
 }
 
-/// What belongs to a question rather than to a scene, and what its author is told.
+/// Words that belong to a request for an answer and not to a scene, with the message for each.
 const ASKED: [(&[&str], &str); 3] = [
     (
         &["friction_force", "friction_ratio", "beta", "coulomb"],
@@ -191,8 +192,8 @@ const ASKED: [(&[&str], &str); 3] = [
     (&["mu", "static_friction"], "did you mean `stiction`?"),
 ];
 
-/// Which field a word names; a misspelt one is reported and then read as what it must have meant,
-/// so that it does not count as missing too.
+/// Returns the field that a word names. A misspelt word is reported and then read as the intended
+/// field, so that this field is not reported as missing too.
 fn recognise(word: &Name, problems: &mut Problems) -> Option<Field> {
     let text = word.text.as_str();
     if let Some((_, message)) = ASKED.iter().find(|(words, _)| words.contains(&text)) {
@@ -211,7 +212,7 @@ fn recognise(word: &Name, problems: &mut Problems) -> Option<Field> {
     })
 }
 
-/// Reads the value of a field and keeps it, unless an earlier one of the same name was kept.
+/// Parses the value of a field and stores it, unless an earlier field of the same name is stored.
 fn store<'t, T>(
     slot: &mut Slot<T>,
     word: &Name,
@@ -256,7 +257,7 @@ fn scalar(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Precision> {
     }
 }
 
-/// The path under which the user's crate knows the facade.
+/// Parses the path under which the user's crate imports the facade.
 fn facade(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<syn::Path> {
     let place = reader.place();
     path(reader).map_or_else(
@@ -272,7 +273,7 @@ fn facade(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<syn::Path> {
     )
 }
 
-/// Words joined by `::`, none where Rust takes no path.
+/// Parses words joined by `::`. Returns `None` where Rust accepts no path.
 pub(crate) fn path(reader: &mut Reader<'_>) -> Option<syn::Path> {
     let leading = colons(reader);
     let mut path = syn::Path {
@@ -292,7 +293,7 @@ pub(crate) fn path(reader: &mut Reader<'_>) -> Option<syn::Path> {
     }
 }
 
-/// A keyword that Rust takes in no path.
+/// Returns whether the token is a keyword that Rust accepts in no path.
 fn in_no_path(token: &Token) -> bool {
     let Kind::Word { text, .. } = &token.kind else {
         return false;

@@ -1,4 +1,4 @@
-//! The fields that set the scene up: damping, and what to provide.
+//! Parses the fields for damping and for the items to provide.
 
 use proc_macro2::Delimiter;
 
@@ -9,7 +9,7 @@ use super::syntax::{DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind
 use crate::diagnostics::{Place, Problems, Reported};
 
 const DAMPING: [&str; 3] = ["none", "modal", "rayleigh"];
-/// What can be provided.
+/// The items that a scene can provide.
 const PROVIDE: [&str; 6] = [
     "limits",
     "motion",
@@ -19,7 +19,7 @@ const PROVIDE: [&str; 6] = [
     "stepper",
 ];
 
-/// `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)`
+/// Parses `none`, `modal(ζ)`, `modal[ζ₁, …]` or `rayleigh(a, b)`.
 pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<DampingEntry> {
     let place = reader.place();
     let Some(word) = reader.take_word() else {
@@ -40,7 +40,7 @@ pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
                     .to_owned()
             });
             problems.report(place, format!("there is no damping `{text}`{hint}"));
-            // Its numbers go with it.
+            // The numbers of an unknown damping are skipped with it.
             let _ = reader.take_group(Delimiter::Parenthesis);
             let _ = reader.take_group(Delimiter::Bracket);
             return Read {
@@ -49,7 +49,7 @@ pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
             };
         }
     };
-    // The bracket is behind us even where its numbers are wrong.
+    // The bracket is consumed even if its numbers are faulty, so the reader is still in step.
     Read {
         value: kind.ok().map(|kind| DampingEntry { place, kind }),
         clean: true,
@@ -109,7 +109,7 @@ fn rayleigh(
     }
 }
 
-/// The numbers in parentheses, if all their places could be told apart.
+/// Parses the numbers in parentheses. Fails if an entry could not be located.
 fn arguments(mut inside: Inside<'_>, problems: &mut Problems) -> Result<Vec<Number>, Reported> {
     let list = numbers(&mut inside.reader, problems);
     if list.complete {
@@ -123,7 +123,7 @@ fn numbers(reader: &mut Reader<'_>, problems: &mut Problems) -> List<Number> {
     reader.list(problems, |_| false, |_| false, number)
 }
 
-/// A list of what to emit.
+/// Parses the list of items to provide.
 pub(crate) fn provide(
     reader: &mut Reader<'_>,
     problems: &mut Problems,
@@ -179,7 +179,7 @@ fn provide_item(
     Ok(ProvideEntry { place, kind })
 }
 
-/// The names of masses; an example of a list of them for who writes something else.
+/// Parses the names of masses. `example` is a list of names for the error message.
 pub(crate) fn mass_names(
     reader: &mut Reader<'_>,
     problems: &mut Problems,

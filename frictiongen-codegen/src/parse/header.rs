@@ -1,4 +1,4 @@
-//! What stands before the braces: doc comments, visibility, `struct`, the name.
+//! Parses the text before the braces: doc comments, visibility, `struct` and the name.
 
 use frictiongen_model::validate::is_keyword;
 use proc_macro2::Delimiter;
@@ -12,8 +12,8 @@ use crate::diagnostics::{Place, Problems};
 const FORM: &str =
     "write `struct Name { masses: { … }, springs: { … }, contact: …, excitation: … }`";
 
-/// Attributes that may stand before a scene: documentation, lint levels, and deprecation. Others
-/// would act on one of several items that the scene becomes.
+/// Attributes allowed before a scene: documentation, lint levels and deprecation. Any other
+/// attribute would act on only one of the items that the scene becomes.
 const ATTRIBUTES: [&str; 7] = [
     "doc",
     "allow",
@@ -24,7 +24,7 @@ const ATTRIBUTES: [&str; 7] = [
     "deprecated",
 ];
 
-/// Reads doc comments and attributes.
+/// Parses doc comments and attributes.
 pub(crate) fn attributes(reader: &mut Reader<'_>, problems: &mut Problems) -> Vec<syn::Attribute> {
     let mut attributes = Vec::new();
     loop {
@@ -50,7 +50,7 @@ pub(crate) fn attributes(reader: &mut Reader<'_>, problems: &mut Problems) -> Ve
     }
 }
 
-/// `/// text` in a text is what the compiler makes of it: `#[doc = "text"]`.
+/// Turns `/// text` into `#[doc = "text"]`, as the compiler does.
 fn doc(text: &str, place: Place) -> syn::Attribute {
     let span = place.span();
     syn::Attribute {
@@ -68,7 +68,7 @@ fn doc(text: &str, place: Place) -> syn::Attribute {
     }
 }
 
-/// An attribute behind its `#`.
+/// Parses an attribute after its `#`.
 fn attribute(
     reader: &mut Reader<'_>,
     place: Place,
@@ -122,14 +122,14 @@ fn attribute(
     }
 }
 
-/// Whether Rust takes the path without `in`.
+/// Returns whether Rust accepts the path in a visibility without `in`.
 fn is_short(path: &syn::Path) -> bool {
     ["crate", "self", "super"]
         .iter()
         .any(|word| path.is_ident(word))
 }
 
-/// Reads `pub`, `pub(crate)`, `pub(in path)` or nothing.
+/// Parses `pub`, `pub(crate)`, `pub(in path)` or nothing.
 pub(crate) fn visibility(reader: &mut Reader<'_>, problems: &mut Problems) -> syn::Visibility {
     let place = reader.place();
     if !is_word(reader, 0, "pub") {
@@ -163,7 +163,7 @@ pub(crate) fn visibility(reader: &mut Reader<'_>, problems: &mut Problems) -> sy
     }
 }
 
-/// Reads `struct Name`. `None` where nothing that follows could be a scene.
+/// Parses `struct Name`. Returns `None` if the following text cannot be a scene.
 pub(crate) fn name(reader: &mut Reader<'_>, problems: &mut Problems) -> Option<Option<Name>> {
     let place = reader.place();
     if is_word(reader, 0, "struct") {
@@ -191,7 +191,7 @@ pub(crate) fn name(reader: &mut Reader<'_>, problems: &mut Problems) -> Option<O
                 format!("a scene begins with `struct`, but here is {found}; {FORM}")
             },
         );
-        // `enum Name {` and `Name {` are near enough to go on.
+        // `enum Name {` and `Name {` resemble a scene enough for the parser to continue.
         if is_kind {
             reader.next();
         } else if !is_name {

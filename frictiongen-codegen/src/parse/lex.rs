@@ -1,7 +1,7 @@
-//! A text as tokens.
+//! Splits a text into tokens.
 //!
-//! The compiler's own lexer would do, but inside a macro it gives every token of a text the place
-//! of the call, outside one it keeps every text it ever read, and its errors have no words.
+//! The compiler's lexer is unsuitable. Inside a macro it gives every token of a text the position
+//! of the call. Outside a macro it keeps every text in memory, and its errors have no messages.
 
 use core::str::Chars;
 
@@ -10,8 +10,8 @@ use proc_macro2::{Delimiter, Ident, Literal, Span};
 use super::token::{DEEPEST, Kind, TOO_DEEP, Token};
 use crate::diagnostics::{Place, Problems, Reported};
 
-/// The tokens of a text, and where it ends. Fails only where brackets or comments do not close;
-/// a stray character is reported and left out.
+/// Returns the tokens of a text and the position of its end. Fails only if brackets or comments are
+/// not closed. A stray character is reported and skipped.
 pub(crate) fn lex(text: &str, problems: &mut Problems) -> Result<(Vec<Token>, Place), Reported> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut lexer = Lexer {
@@ -31,11 +31,11 @@ struct Lexer<'t, 'p> {
     problems: &'p mut Problems,
 }
 
-/// A bracket that is still open.
+/// An open bracket.
 struct Open {
     bracket: Delimiter,
     place: Place,
-    /// What stood before it.
+    /// Tokens before the bracket.
     before: Vec<Token>,
 }
 
@@ -43,7 +43,8 @@ impl Lexer<'_, '_> {
     fn run(&mut self) -> Result<Vec<Token>, Reported> {
         let mut open: Vec<Open> = Vec::new();
         let mut tokens = Vec::new();
-        // Braces nest two deep in a scene: a third means that the second was never closed.
+        // A scene nests braces at most two deep. A third level means that the second was never
+        // closed.
         let mut suspect = None;
         while let Some(next) = self.peek(0) {
             let place = self.place();
@@ -125,7 +126,7 @@ impl Lexer<'_, '_> {
         self.problems.report(place, message)
     }
 
-    /// A word, a number, a string, a sign, or a character that means nothing.
+    /// Reads a word, a number, a string, a punctuation character or a meaningless character.
     fn leaf(&mut self, next: char, place: Place, out: &mut Vec<Token>) -> Result<(), Reported> {
         if is_start(next) {
             if let Ok(kind) = self.word(place) {
@@ -188,8 +189,8 @@ impl Lexer<'_, '_> {
         }
         let name = self.take_while(is_continue);
         let span = Span::call_site();
-        // `Ident::new` panics on what is no identifier. Our own test is exact for ASCII; the
-        // letters of the world are left to syn.
+        // `Ident::new` panics on an invalid identifier. The test here is exact for ASCII. `syn`
+        // decides for all other letters.
         let ident = if !name.is_ascii() {
             match syn::parse_str::<Ident>(&name) {
                 Ok(mut ident) => {
@@ -212,7 +213,7 @@ impl Lexer<'_, '_> {
         Ok(Kind::Word { text, ident })
     }
 
-    /// As Rust does it: `0..2` is two numbers, `1.5.x` a number and a point.
+    /// Reads a number as Rust does: `0..2` contains two numbers, and `1.5.x` a number and a point.
     fn number(&mut self) -> String {
         let mut text = self.take_while(|next| next.is_ascii_digit() || next == '_');
         if self.peek(0) == Some('.')

@@ -1,7 +1,7 @@
-//! A description as a syntax tree: what was written and where, nothing resolved.
+//! Parses a description into a syntax tree, with positions and without name resolution.
 //!
-//! Every error is reported and reading goes on: inside a list with its next entry, otherwise with
-//! the next field.
+//! The parser reports every error and continues. Inside a list it continues with the next entry,
+//! otherwise with the next field.
 
 mod chain;
 mod declared;
@@ -25,7 +25,7 @@ use self::syntax::{Fields, Syntax};
 use self::token::Token;
 use crate::diagnostics::{Place, Problems};
 
-/// Reads the tokens of a macro call. Where brackets nest too deep, nothing but that is reported.
+/// Parses the tokens of a macro call. If brackets nest too deep, no other error is reported.
 pub(crate) fn tokens(stream: TokenStream, problems: &mut Problems) -> Syntax {
     let mut tokens = Vec::new();
     let sound = token::from_stream(stream, 0, &mut tokens, problems);
@@ -41,7 +41,7 @@ pub(crate) fn tokens(stream: TokenStream, problems: &mut Problems) -> Syntax {
     }
 }
 
-/// Reads a text. Where its brackets or comments do not close, nothing but that is reported.
+/// Parses a text. If its brackets or comments are not closed, no other error is reported.
 pub(crate) fn text(text: &str, problems: &mut Problems) -> Option<Syntax> {
     let (tokens, end) = lex::lex(text, problems).ok()?;
     Some(syntax(&tokens, end, problems))
@@ -86,7 +86,7 @@ fn syntax(tokens: &[Token], end: Place, problems: &mut Problems) -> Syntax {
     syntax
 }
 
-/// The inside of a macro call that was pasted with its description.
+/// Returns the inside of a macro call that was pasted with its description.
 fn call<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'t>> {
     const NAME: &str = "friction_system";
     let mut ahead = *reader;
@@ -107,7 +107,7 @@ fn call<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'
     Some(inside.reader)
 }
 
-/// The inside of the braces.
+/// Returns the inside of the braces.
 fn body<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'t>> {
     let place = reader.place();
     if let Some(inside) = reader.take_group(Delimiter::Brace) {

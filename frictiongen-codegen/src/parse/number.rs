@@ -1,4 +1,4 @@
-//! Numbers: literals joined by `+ - * / ( )`, worked out in double precision.
+//! Parses numbers: literals joined by `+ - * / ( )`, evaluated in double precision.
 
 use proc_macro2::Delimiter;
 
@@ -6,14 +6,14 @@ use super::reader::{Read, Reader};
 use super::token::{Kind, Token};
 use crate::diagnostics::{Place, Problems, Reported};
 
-/// A number with the place where it begins; without a value where it could not be read.
+/// A number and the position at which it begins. A number that could not be read has no value.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Number {
     pub(crate) value: Option<f64>,
     pub(crate) place: Place,
 }
 
-/// Reads a number. It always has a place; a faulty one has no value.
+/// Parses a number. A faulty number has a position but no value.
 pub(crate) fn number(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Number> {
     let place = reader.place();
     let result = sum(reader, problems).and_then(|value| {
@@ -70,7 +70,8 @@ fn product(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repo
     }
 }
 
-/// Signs are counted, not nested: a million of them must not exhaust the stack.
+/// Parses a signed number. A loop counts the signs, because recursion over a million signs would
+/// exhaust the stack.
 fn signed(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
     let mut negative = false;
     loop {
@@ -136,7 +137,7 @@ fn single(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repor
 const NO_POWERS: &str =
     "there are no powers in a number; multiply instead, for example `2.0 * 2.0`";
 
-/// Hints for what people write behind a number.
+/// Reports frequent errors after a number, with advice.
 fn check_after(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<(), Reported> {
     let Some(Token { kind, place }) = reader.peek(0) else {
         return Ok(());
@@ -146,7 +147,7 @@ fn check_after(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<(), R
         Kind::Punct('%') => {
             "a percentage is written as a fraction, for example `0.01` for 1 %".to_owned()
         }
-        // A name that a colon or a hyphen follows begins the next entry; its comma is missing.
+        // A name before a colon or a hyphen begins the next entry, so only a comma is missing.
         Kind::Word { text, .. } if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => format!(
             "`{text}` does not belong behind a number: units are not written, any consistent set will do (SI: kg, N/m); delete it"
         ),
@@ -177,7 +178,7 @@ fn literal(text: &str, place: Place, problems: &mut Problems) -> Result<f64, Rep
     nonzero(value, !is_zero, place, problems)
 }
 
-/// Reports overflow, and what should not have become zero.
+/// Reports overflow, and a value that underflowed to zero.
 fn nonzero(
     value: f64,
     expected: bool,

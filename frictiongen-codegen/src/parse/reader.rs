@@ -1,11 +1,11 @@
-//! A walk over the tokens of one bracket, and how it finds its way again after an error.
+//! Walks over the tokens of one bracket, and finds the next entry after an error.
 
 use proc_macro2::{Delimiter, Ident};
 
 use super::token::{Kind, Token};
 use crate::diagnostics::{Place, Problems, Reported};
 
-/// A word with its place.
+/// A word with its position.
 #[derive(Clone, Debug)]
 pub(crate) struct Name {
     pub(crate) text: String,
@@ -13,20 +13,20 @@ pub(crate) struct Name {
     pub(crate) place: Place,
 }
 
-/// What is left to read of one bracket, or of the whole description.
+/// The unread tokens of one bracket or of the whole description.
 #[derive(Clone, Copy)]
 pub(crate) struct Reader<'t> {
     rest: &'t [Token],
     end: Place,
 }
 
-/// A bracket's inside, and where it opens.
+/// The inside of a bracket and the position of its opening.
 pub(crate) struct Inside<'t> {
     pub(crate) reader: Reader<'t>,
     pub(crate) place: Place,
 }
 
-/// Something read. `clean` is false where an error has been reported and the place is lost.
+/// A parsed item. `clean` is false after an error that left the reader at an unknown position.
 pub(crate) struct Read<T> {
     pub(crate) value: Option<T>,
     pub(crate) clean: bool,
@@ -54,7 +54,7 @@ impl<T> From<Result<T, Reported>> for Read<T> {
     }
 }
 
-/// A list, and whether every entry of it could be read.
+/// A list. `complete` is true if every entry could be read.
 pub(crate) struct List<T> {
     pub(crate) entries: Vec<T>,
     pub(crate) complete: bool,
@@ -79,17 +79,17 @@ impl<'t> Reader<'t> {
         self.rest.is_empty()
     }
 
-    /// How much is left, to see whether anything was read.
+    /// Returns the number of unread tokens. A caller compares it to see whether anything was read.
     pub(crate) fn left(&self) -> usize {
         self.rest.len()
     }
 
-    /// The place of the next token, or of the bracket that closes.
+    /// Returns the position of the next token, or of the closing bracket.
     pub(crate) fn place(&self) -> Place {
         self.peek(0).map_or(self.end, |token| token.place)
     }
 
-    /// What comes next, for a message.
+    /// Describes the next token for a message.
     pub(crate) fn found(&self) -> String {
         self.peek(0)
             .map_or_else(|| "the end".to_owned(), Token::describe)
@@ -130,7 +130,7 @@ impl<'t> Reader<'t> {
         })
     }
 
-    /// The inside of a bracket of the wanted kind.
+    /// Returns the inside of a bracket of the wanted kind.
     pub(crate) fn take_group(&mut self, wanted: Delimiter) -> Option<Inside<'t>> {
         let token = self.peek(0)?;
         match &token.kind {
@@ -149,7 +149,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// The colon between a name and its value; `=` is told and taken for one.
+    /// Reads the colon between a name and its value. `=` is reported and accepted as a colon.
     pub(crate) fn take_colon(
         &mut self,
         problems: &mut Problems,
@@ -175,14 +175,14 @@ impl<'t> Reader<'t> {
         ))
     }
 
-    /// Skips to the next comma, or to where `begins` sees an entry begin.
+    /// Skips to the next comma, or to the token at which `begins` finds an entry.
     fn recover(&mut self, begins: impl Fn(&Self) -> bool) {
         while !self.is_empty() && !self.is_punct(0, ',') && !begins(self) {
             self.next();
         }
     }
 
-    /// Reports doc comments and attributes where they have no meaning, and skips them.
+    /// Reports and skips doc comments and attributes where they have no meaning.
     fn skip_attributes(&mut self, problems: &mut Problems) {
         loop {
             let place = self.place();
@@ -209,9 +209,10 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Entries separated by commas. A faulty entry is skipped and the rest is read; `begins` tells
-    /// where an entry begins although its comma is missing, `begins_after_error` the same where
-    /// the reader has lost its place.
+    /// Parses entries separated by commas. A faulty entry is skipped, and the next one is read.
+    /// `begins` returns whether an entry begins here although its comma is missing.
+    /// `begins_after_error` does the same after an error that left the reader at an unknown
+    /// position.
     pub(crate) fn list<T>(
         &mut self,
         problems: &mut Problems,

@@ -1,4 +1,4 @@
-//! The friction law, and the fields of the stepper.
+//! Parses the friction law and the fields of the stepper.
 
 use frictiongen_model::scene::StepInput;
 use proc_macro2::Delimiter;
@@ -12,10 +12,10 @@ use super::suggest;
 use super::syntax::{Choice, FrictionEntry, LawEntry, Placed};
 use crate::diagnostics::{Place, Problems, Reported};
 
-/// What is told of a friction force in a description.
+/// The message for a friction force in a description.
 pub(crate) const HOW_MUCH: &str = "how much friction there is, β = F/P, is said when an answer is asked for, as in `at.motion(0.3)` or `--beta 0.3`; leave it out, and see `stiction` for μ, static over kinetic friction";
 
-/// `coulomb`, or `stribeck(v₁: f₁, …)`
+/// Parses `coulomb` or `stribeck(v₁: f₁, …)`.
 pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<FrictionEntry> {
     const LAWS: &str = "the laws are `coulomb` and, for the stepper, `stribeck(0.1: 0.8)`";
     let place = reader.place();
@@ -33,19 +33,19 @@ pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read
         text => {
             let hint = suggest::hint(text, ["coulomb", "stribeck"], || LAWS.to_owned());
             let reported = problems.report(place, format!("there is no friction `{text}`{hint}"));
-            // Its points go with it.
+            // The points of an unknown law are skipped with it.
             let _ = reader.take_group(Delimiter::Parenthesis);
             Err(reported)
         }
     };
-    // The bracket is behind us even where its points are wrong.
+    // The bracket is consumed even if its points are faulty, so the reader is still in step.
     Read {
         value: law.ok().map(|law| FrictionEntry { place, law }),
         clean: true,
     }
 }
 
-/// The points in parentheses, if all their places could be told apart.
+/// Parses the points in parentheses. Fails if a point could not be located.
 fn points(
     reader: &mut Reader<'_>,
     problems: &mut Problems,
@@ -71,7 +71,7 @@ fn points(
     }
 }
 
-/// `speed: level`
+/// Parses `speed: level`.
 fn point(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<[Number; 2]>, Reported> {
     let speed = number(reader, problems);
     if !speed.clean {
@@ -88,13 +88,13 @@ fn point(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<[Numbe
     })
 }
 
-/// `hold` or `linear`
+/// Parses `hold` or `linear`.
 pub(crate) fn input(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<StepInput>> {
     let choices = [("hold", StepInput::Hold), ("linear", StepInput::Linear)];
     choice(reader, problems, "input", choices)
 }
 
-/// `{ name, … }`
+/// Parses `{ name, … }`.
 pub(crate) fn force(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Placed<Name>> {
     braces(
         reader,

@@ -1,9 +1,10 @@
-//! "Did you mean …?"
+//! Suggests a correction for a misspelt word: "Did you mean …?"
 
-/// Words longer than this are no misspellings, and comparing them would take long.
+/// Longest word that is compared. Longer words are not misspellings, and the comparison would be
+/// slow.
 const LONGEST: usize = 64;
 
-/// The candidate that a misspelt word most likely stands for.
+/// Returns the candidate that a misspelt word most likely means.
 pub(crate) fn closest<'c>(
     word: &str,
     candidates: impl IntoIterator<Item = &'c str>,
@@ -12,7 +13,7 @@ pub(crate) fn closest<'c>(
     if length > LONGEST {
         return None;
     }
-    // One slip in up to five letters: two of them make `crate` of `brace`.
+    // A word of up to five letters may have one wrong letter. Two would turn `brace` into `crate`.
     let allowed = (length / 3).max(1);
     candidates
         .into_iter()
@@ -23,13 +24,13 @@ pub(crate) fn closest<'c>(
                 candidate,
             )
         })
-        // A wholly different word of the same length is no misspelling either.
+        // A candidate that differs in every letter is not a misspelling either.
         .filter(|&(steps, candidate)| steps <= allowed && steps < candidate.chars().count())
         .min_by_key(|&(steps, _)| steps)
         .map(|(_, candidate)| candidate)
 }
 
-/// `; did you mean …?`, or another way on.
+/// Returns `; did you mean …?`, or the text of `otherwise` if no candidate is close.
 pub(crate) fn hint<'c>(
     word: &str,
     candidates: impl IntoIterator<Item = &'c str>,
@@ -41,7 +42,7 @@ pub(crate) fn hint<'c>(
     )
 }
 
-/// How many letters to insert, delete, replace or swap with their neighbour.
+/// Returns the number of letters to insert, delete, replace, or swap with a neighbour.
 fn distance(from: &str, to: &str) -> usize {
     let to: Vec<char> = to.chars().collect();
     let mut before: Vec<usize> = Vec::new();

@@ -1,4 +1,4 @@
-//! What was written, with the place of each word; nothing is resolved yet.
+//! Defines the syntax tree: the written words with their positions, without name resolution.
 
 use frictiongen_model::scene::{Beyond, Precision, Proving, Side, StepInput};
 
@@ -9,12 +9,12 @@ use crate::diagnostics::Place;
 /// A field of the description.
 #[derive(Default)]
 pub(crate) enum Slot<T> {
-    /// Not there.
+    /// The field is absent.
     #[default]
     Missing,
-    /// There, but not readable; the errors have been reported.
+    /// The field is present but unreadable. Its errors are reported.
     Broken,
-    /// There.
+    /// The field is present.
     Given(T),
 }
 
@@ -26,7 +26,7 @@ impl<T> Slot<T> {
         }
     }
 
-    /// Takes the value out.
+    /// Takes the value out of the slot.
     pub(crate) fn take(&mut self) -> Option<T> {
         match core::mem::take(self) {
             Self::Given(value) => Some(value),
@@ -39,7 +39,7 @@ impl<T> Slot<T> {
     }
 }
 
-/// A list with the place of its bracket.
+/// A list with the position of its bracket.
 pub(crate) struct Placed<T> {
     pub(crate) list: List<T>,
     pub(crate) place: Place,
@@ -62,7 +62,7 @@ pub(crate) struct ContactEntry {
 }
 
 pub(crate) struct DampingEntry {
-    /// The word that names the kind.
+    /// Position of the word that names the damping.
     pub(crate) place: Place,
     pub(crate) kind: DampingKind,
 }
@@ -81,7 +81,7 @@ pub(crate) struct ProvideEntry {
 
 pub(crate) enum ProvideKind {
     Limits,
-    /// The masses named, if any are.
+    /// The named masses; `None` for all masses.
     Motion(Option<List<Name>>),
     Stuck,
     Orbit,
@@ -94,7 +94,7 @@ pub(crate) enum AccuracyEntry {
     Relative(Number),
 }
 
-/// Two numbers, `a..b`.
+/// A range of two numbers, `a..b`.
 #[derive(Clone, Copy)]
 pub(crate) struct Span {
     pub(crate) low: Number,
@@ -109,18 +109,18 @@ pub(crate) struct RangeEntry {
 }
 
 pub(crate) struct FrictionEntry {
-    /// The word that names the law.
+    /// Position of the word that names the law.
     pub(crate) place: Place,
     pub(crate) law: LawEntry,
 }
 
 pub(crate) enum LawEntry {
     Coulomb,
-    /// Speed and level of each point.
+    /// Speed and kinetic level of each point.
     Stribeck(Vec<[Number; 2]>),
 }
 
-/// One of a few words, with its place.
+/// One of two allowed words, with its position.
 pub(crate) struct Choice<T> {
     pub(crate) value: T,
     pub(crate) place: Place,
@@ -131,9 +131,9 @@ pub(crate) struct Syntax {
     pub(crate) attributes: Vec<syn::Attribute>,
     pub(crate) visibility: syn::Visibility,
     pub(crate) name: Option<Name>,
-    /// Where missing fields are reported.
+    /// Position at which missing fields are reported.
     pub(crate) place: Place,
-    /// Whether there are fields at all.
+    /// True if the description has braces with fields.
     pub(crate) has_body: bool,
     pub(crate) fields: Fields,
 }

@@ -1,17 +1,17 @@
-//! Tokens with their places, whether they come from the compiler or from a text.
+//! Defines tokens with positions, from the compiler or from a text.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 
 use crate::diagnostics::{Place, Problems};
 
-/// Brackets may nest this deep, so that no input can exhaust the stack.
+/// Largest nesting depth of brackets, so that no input can exhaust the stack.
 pub(crate) const DEEPEST: usize = 64;
 
-/// What a too deeply nested bracket is told.
+/// The message for brackets that nest too deep.
 pub(crate) const TOO_DEEP: &str =
     "brackets nest more than 64 deep here; work out the innermost numbers and write their results";
 
-/// A token or a bracketed group of them.
+/// A token or a bracketed group of tokens.
 #[derive(Clone, Debug)]
 pub(crate) struct Token {
     pub(crate) kind: Kind,
@@ -20,7 +20,7 @@ pub(crate) struct Token {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Kind {
-    /// A word, keywords included; `text` keeps the `r#` of a raw one.
+    /// A word, which may be a keyword. `text` keeps the `r#` of a raw identifier.
     Word { text: String, ident: Ident },
     /// A number as written.
     Number(String),
@@ -28,20 +28,20 @@ pub(crate) enum Kind {
     Quoted { text: String, literal: Literal },
     /// A single character of punctuation.
     Punct(char),
-    /// A bracketed group. Brackets without a sign (from `macro_rules!`) count as parentheses.
+    /// A bracketed group. Invisible brackets (from `macro_rules!`) count as parentheses.
     Group {
         bracket: Delimiter,
         tokens: Vec<Token>,
         close: Place,
     },
-    /// A doc comment of what follows, in a text.
+    /// A doc comment on the following item, in a text.
     Doc(String),
-    /// A doc comment of what encloses it, in a text.
+    /// A doc comment on the enclosing item, in a text.
     InnerDoc,
 }
 
 impl Token {
-    /// What to call the token in a message.
+    /// Returns the description of the token for a message.
     pub(crate) fn describe(&self) -> String {
         match &self.kind {
             Kind::Word { text, .. } | Kind::Number(text) | Kind::Quoted { text, .. } => {
@@ -61,13 +61,13 @@ impl Token {
         }
     }
 
-    /// Whether this is the given punctuation.
+    /// Returns whether this token is the given punctuation.
     pub(crate) fn is_punct(&self, sign: char) -> bool {
         matches!(self.kind, Kind::Punct(own) if own == sign)
     }
 }
 
-/// The compiler's tokens as ours; false if they nest too deep, which has then been reported.
+/// Converts the compiler's tokens. Returns false after reporting that brackets nest too deep.
 pub(crate) fn from_stream(
     stream: TokenStream,
     depth: usize,
@@ -100,7 +100,7 @@ pub(crate) fn from_stream(
 
 fn push_literal(literal: Literal, place: Place, out: &mut Vec<Token>) {
     let text = literal.to_string();
-    // Another macro may have made a negative literal, which no source can contain.
+    // Another macro may create a negative literal, which no source text can contain.
     let (sign, text) = match text.strip_prefix('-') {
         Some(rest) => (true, rest.to_owned()),
         None => (false, text),
@@ -128,7 +128,8 @@ fn push_group(group: &Group, depth: usize, out: &mut Vec<Token>, problems: &mut 
     }
     let mut tokens = Vec::new();
     let sound = from_stream(group.stream(), depth + 1, &mut tokens, problems);
-    // What `macro_rules!` hands on as one piece stays one only where it matters: in arithmetic.
+    // A group of tokens from `macro_rules!` keeps its invisible brackets only around arithmetic,
+    // where they matter.
     let is_sum = || {
         tokens.iter().any(|token| {
             ['+', '-', '*', '/']
@@ -156,7 +157,8 @@ fn push_group(group: &Group, depth: usize, out: &mut Vec<Token>, problems: &mut 
     sound
 }
 
-/// Our tokens as the compiler's, for what syn reads: attributes, which hold no numbers.
+/// Converts tokens back to the compiler's, for the attributes that `syn` parses. Attributes contain
+/// no numbers.
 pub(crate) fn to_stream(tokens: &[Token]) -> TokenStream {
     tokens
         .iter()

@@ -1,7 +1,7 @@
-//! Tables as code that needs nothing else: a Rust file, or C99.
+//! Writes tables as code without dependencies: a Rust file, or C99.
 //!
-//! Both compute what the kernel computes, operation by operation, so that all three agree to the last bit; but for
-//! the arc tangent of a phase, which is the platform's, or in Rust without std the file's own.
+//! Both perform the kernel's operations in the same order, so that all three agree to the last bit. The arc tangent of
+//! a phase is an exception. It is the platform's function, or the file's own in Rust without std.
 
 mod c;
 mod rust;
@@ -15,17 +15,17 @@ use frictiongen_kernel::table::Factor;
 use frictiongen_model::scene::{Excitation, Scene};
 use frictiongen_model::table::{Product, Tables};
 
-/// Numbers as a language writes them.
+/// Format of numbers in the target language.
 #[derive(Clone, Copy)]
 struct Numbers {
-    /// Whether they are `f32`.
+    /// True if numbers are `f32`.
     single: bool,
-    /// What follows each.
+    /// Suffix of each number.
     suffix: &'static str,
 }
 
 impl Numbers {
-    /// Those of a scalar.
+    /// Returns the number format of a scalar type.
     fn of<S: Float>(single_suffix: &'static str) -> Self {
         let single = S::EPSILON > f64::EPSILON;
         let suffix = if single { single_suffix } else { "" };
@@ -47,7 +47,7 @@ impl Numbers {
     }
 }
 
-/// Places of a list, in lines of a page's width.
+/// Writes a list of indices in lines of at most 96 characters.
 fn wrapped(places: &[usize]) -> String {
     let mut lines = vec![String::new()];
     for place in places {
@@ -66,7 +66,7 @@ fn wrapped(places: &[usize]) -> String {
     lines.join("\n    ")
 }
 
-/// What the tables hold, and how far they are from the exact values.
+/// Returns lines on the content of the tables and on their distance from the exact values.
 fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     let (low, high) = tables.request.r;
     let report = &tables.report;
@@ -99,7 +99,7 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     about
 }
 
-/// A factor as an expression in r.
+/// Writes a factor as an expression in r.
 fn factor<S: Float>(numbers: Numbers, factor: &Factor<S>) -> String {
     let write = |value: S| numbers.write(value.to_f64());
     match *factor {
@@ -120,20 +120,20 @@ fn factor<S: Float>(numbers: Numbers, factor: &Factor<S>) -> String {
     }
 }
 
-/// A product as an expression in r.
+/// Writes a product as an expression in r.
 fn quotient<S: Float>(numbers: Numbers, product: &Product<S>, root: &str) -> String {
     let poles = factor_product(numbers, &product.denominator);
     quotient_over(numbers, product, &format!("({poles})"), root)
 }
 
-/// Π factors as an expression in r.
+/// Writes a product of factors as an expression in r.
 fn factor_product<S: Float>(numbers: Numbers, factors: &[Factor<S>]) -> String {
     let mut all = vec![numbers.write(1.0)];
     all.extend(factors.iter().map(|each| factor(numbers, each)));
     all.join("\n        * ")
 }
 
-/// A product whose poles are an expression.
+/// Writes a product whose poles are the expression `poles`.
 fn quotient_over<S: Float>(
     numbers: Numbers,
     product: &Product<S>,
@@ -157,7 +157,7 @@ fn quotient_over<S: Float>(
     }
 }
 
-/// Statuses of the functions: name, number in C, meaning.
+/// Status values of the functions: name, number in C, meaning.
 const STATUSES: [(&str, i32, &str); 5] = [
     ("OutOfDomain", -1, "r or beta is not in the domain"),
     ("Ok", 0, "the values are written"),
@@ -178,20 +178,20 @@ const STATUSES: [(&str, i32, &str); 5] = [
     ),
 ];
 
-/// Checks of the arguments, as expressions that both languages share.
+/// Argument checks, as expressions that both languages share.
 struct Asked {
     numbers: Numbers,
     /// True if r is out of the domain.
     r_outside: String,
     /// True if r or beta is out of the domain.
     outside: String,
-    /// True if r is on an undamped resonance that the load drives; `None` if the range holds no such resonance.
+    /// True if r is on an undamped resonance that the load drives; `None` if the range has no such resonance.
     unbounded: Option<String>,
     /// Meaning of beta: F/P, or F/(k₁Y) where the base moves.
     beta: &'static str,
-    /// Meaning of an amplitude.
+    /// Meaning of an amplitude, for the documentation.
     amplitude: &'static str,
-    /// Load that forces are divided by.
+    /// Load by which forces are divided, for the documentation.
     load: &'static str,
 }
 
@@ -207,7 +207,7 @@ impl Asked {
         let declared = scene.declared.range;
         let (least, most) = declared.map_or((0.0, largest), |range| range.beta);
         let r = format!("{} <= r && r <= {}", write(low), write(high));
-        // An infinite friction is none that may be asked for.
+        // An infinite friction ratio is out of the domain.
         let beta = format!(
             "{} <= beta && beta <= {}",
             write(least),
@@ -229,7 +229,7 @@ impl Asked {
     }
 }
 
-/// A name in the style of a function: `TwoStorey` becomes `two_storey`.
+/// Returns a name in snake case: `TwoStorey` becomes `two_storey`.
 fn snake(name: &str) -> String {
     let mut snake = String::new();
     for letter in name.chars() {

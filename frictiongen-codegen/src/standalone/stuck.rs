@@ -1,4 +1,4 @@
-//! Responses while the contact is stuck, as expressions that C and Rust have in common.
+//! Builds the responses while the contact is stuck, as expressions that C and Rust share.
 
 use super::{Numbers, factor_product, quotient_over};
 use frictiongen_kernel::Float;
@@ -8,31 +8,31 @@ use frictiongen_model::table::{Held, HeldForm};
 
 /// An expression in r.
 pub(super) enum Expression {
-    /// Of a real number.
+    /// An expression with a real value.
     Real(String),
-    /// Of a complex one.
+    /// An expression with a complex value.
     Complex(String),
 }
 
-/// A function of r, by its name.
+/// A named function of r.
 pub(super) struct Function {
     pub name: String,
     pub value: Expression,
 }
 
-/// What a file needs.
+/// The stuck responses of a scene as expressions.
 pub(super) struct Stuck {
-    /// The products over the poles that several responses have in common.
+    /// Products over the poles that several responses share.
     pub poles: Vec<Function>,
-    /// The response of each mass, by the mass's name, and the force that holds the contact.
+    /// The response of each mass, by the name of the mass, and the force that holds the contact.
     pub masses: Vec<Function>,
     pub force: Expression,
-    /// The r on which an undamped resonance lies.
+    /// Frequency ratios of the undamped resonances.
     pub resonances: Vec<String>,
 }
 
 impl Stuck {
-    /// Those of a scene.
+    /// Builds the expressions of a scene for one number format.
     pub fn of<S: Float>(numbers: Numbers, scene: &Scene, held: &Held<S>) -> Self {
         let sets = held.pole_sets();
         let poles = sets.iter().enumerate().filter_map(|(place, form)| {
@@ -67,7 +67,7 @@ impl Stuck {
         }
     }
 
-    /// Whether an operation is called.
+    /// Returns whether an expression calls this operation.
     pub fn calls(&self, operation: &str) -> bool {
         let call = format!("{operation}(");
         let functions = self.poles.iter().chain(&self.masses);
@@ -114,7 +114,7 @@ fn response<S: Float>(numbers: Numbers, sets: &[&HeldForm<S>], form: &HeldForm<S
     }
 }
 
-/// Π roots, if there are any.
+/// Writes the product of the roots. Returns `None` if there are no roots.
 fn root_product<S: Float>(numbers: Numbers, roots: &[Root<S>]) -> Option<String> {
     let write = |value: S| numbers.write(value.to_f64());
     let roots = roots.iter().map(|root| match *root {

@@ -1,10 +1,10 @@
-//! What functions of frequency are read in: numbers, intervals, and intervals with a slope.
+//! Defines the arithmetic of functions of frequency: numbers, intervals, and intervals with a slope.
 
 use super::Interval;
 use frictiongen_kernel::Scalar;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What the functions of frequency are read in: numbers, intervals, intervals with slopes.
+/// An arithmetic for functions of frequency: numbers, intervals, or intervals with slopes.
 pub trait Number:
     Copy
     + Add<Output = Self>
@@ -13,13 +13,13 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// A number as it stands.
+    /// Returns the given number in this arithmetic.
     fn number(value: f64) -> Self;
-    /// π.
+    /// Returns π.
     fn pi() -> Self;
-    /// (sin πh, cos πh).
+    /// Returns (sin πh, cos πh).
     fn sine_cosine(self) -> (Self, Self);
-    /// The square.
+    /// Returns the square.
     #[must_use]
     fn squared(self) -> Self {
         self * self
@@ -53,24 +53,24 @@ impl Number for Interval {
     }
 }
 
-/// What a function and its slope are in over an interval.
+/// Bounds of a function and of its slope over an interval of the variable.
 #[derive(Clone, Copy, Debug)]
 pub struct Jet {
-    /// Of the function.
+    /// Bounds of the function.
     pub value: Interval,
-    /// Of its slope.
+    /// Bounds of the slope.
     pub slope: Interval,
 }
 
 impl Jet {
-    /// What does not depend on the variable.
+    /// Returns the jet of a constant.
     #[must_use]
     pub fn fixed(value: Interval) -> Self {
         let slope = Interval::point(0.0);
         Self { value, slope }
     }
 
-    /// The variable.
+    /// Returns the jet of the variable itself.
     #[must_use]
     pub fn variable(value: Interval) -> Self {
         let slope = Interval::point(1.0);
@@ -158,13 +158,13 @@ impl Number for Jet {
 mod tests {
     use super::{Interval, Jet, Number};
 
-    /// A formula with every operation, its value and its slope.
+    /// Evaluates a formula that uses every operation.
     fn formula<T: Number>(h: T) -> T {
         let (sine, cosine) = h.sine_cosine();
         (sine * h - cosine.squared()) / (h.squared() + T::number(0.5)) + -h
     }
 
-    /// What is computed at points lies in what is computed over intervals, and so do difference quotients.
+    /// Values at points must lie in the interval result, and difference quotients in the slope.
     #[test]
     fn hold_what_they_should() {
         let mut state = 7_u64;

@@ -1,4 +1,5 @@
-//! Intervals that hold every value that a function takes, with outward rounding, and such intervals with a slope or as Taylor series.
+//! Interval arithmetic with outward rounding. An interval contains every value that a function takes. Intervals are
+//! also combined with a slope, or into Taylor series.
 
 mod jet;
 mod series;
@@ -13,61 +14,62 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// All numbers from `low` to `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// The least of them.
+    /// The lower bound.
     pub low: f64,
-    /// The largest.
+    /// The upper bound.
     pub high: f64,
 }
 
-/// The kernel's sine and cosine are within 1.1 units in the last place: within this of theirs.
+/// Absolute error bound of the kernel's sine and cosine, which are within 1.1 units in the last place.
 const SINE: f64 = 1e-15;
-/// 1 less and more a unit in the last place of numbers about 1.
+/// 1 minus and 1 plus one unit in the last place of 1.
 const BELOW: f64 = 1.0 - f64::EPSILON;
 const ABOVE: f64 = 1.0 + f64::EPSILON;
-/// Room for what underflows.  A subnormal number would do, but processors are much slower with these; products with this one are
-/// still normal numbers.
+/// Allowance for underflow. A subnormal number would suffice, but processors are much slower with subnormal numbers.
+/// Products with this number are still normal.
 const TINY: f64 = 1e-290;
-/// libm's exponential is within one unit in the last place; this is relative and more than two.
+/// Relative error bound of libm's exponential, which is within one unit in the last place. The bound is more than two
+/// units.
 const EXPONENTIAL: f64 = 5e-16;
 
 impl Interval {
-    /// Every number.
+    /// The interval of all numbers.
     pub const ALL: Self = Self {
         low: f64::NEG_INFINITY,
         high: f64::INFINITY,
     };
-    /// 0 alone.
+    /// The interval that contains only 0.
     pub const ZERO: Self = Self {
         low: 0.0,
         high: 0.0,
     };
-    /// 1 alone.
+    /// The interval that contains only 1.
     pub const ONE: Self = Self {
         low: 1.0,
         high: 1.0,
     };
 
-    /// From `low` to `high`, which is not less.
+    /// Returns the interval from `low` to `high`, which must not be less than `low`.
     #[inline(always)]
     #[must_use]
     pub fn new(low: f64, high: f64) -> Self {
         Self { low, high }
     }
 
-    /// One number.
+    /// Returns the interval of one number.
     #[inline(always)]
     #[must_use]
     pub fn point(value: f64) -> Self {
         Self::new(value, value)
     }
 
-    /// A number of which `value` is the nearest double, or next to it.
+    /// Returns an interval for a number whose nearest double is `value` or a neighbour of `value`.
     #[must_use]
     pub fn rounded(value: f64) -> Self {
         Self::outward(value, value)
     }
 
-    /// A number in double-double.
+    /// Returns an interval for a double-double number.
     #[must_use]
     pub fn of(value: Dd) -> Self {
         if value.lo == 0.0 && value.hi.is_finite() {
@@ -77,13 +79,13 @@ impl Interval {
         }
     }
 
-    /// From −`size` to `size`.
+    /// Returns the interval from −`size` to `size`.
     #[must_use]
     pub fn within(size: f64) -> Self {
         Self::new(-size, size)
     }
 
-    /// Its parts of equal length, so many of them.
+    /// Splits the interval into `count` intervals of equal length.
     pub fn parts(self, count: usize) -> impl Iterator<Item = Self> {
         let Self { low, high } = self;
         let step = (high - low) / count as f64;
@@ -98,33 +100,33 @@ impl Interval {
         })
     }
 
-    /// π.
+    /// Returns an interval for π.
     #[must_use]
     pub fn pi() -> Self {
         // The nearest double is below π.
         Self::new(std::f64::consts::PI, std::f64::consts::PI * ABOVE)
     }
 
-    /// Twice all of it, without a rounding.
+    /// Returns the interval times 2, without rounding.
     #[inline(always)]
     #[must_use]
     pub fn doubled(self) -> Self {
         Self::new(2.0 * self.low, 2.0 * self.high)
     }
 
-    /// Over a positive number.
+    /// Returns the interval divided by a positive number.
     #[inline(always)]
     #[must_use]
     pub fn divided_by(self, divisor: f64) -> Self {
         Self::outward(self.low / divisor, self.high / divisor)
     }
 
-    /// The same with room for a rounding of either end; everything where an end is not known.
+    /// Returns the interval with its bounds rounded outward. Returns `ALL` if a bound is NaN.
     ///
-    /// By a product and a difference: macros run without optimisation, where each call of a function counts.
+    /// Uses a product and a difference, because macros run without optimisation, where each function call counts.
     #[inline(always)]
     fn outward(low: f64, high: f64) -> Self {
-        // One unit in the last place at least, and two at most, then room for what underflows.
+        // The product shifts a bound by at least one and at most two units in the last place. `TINY` covers underflow.
         let low = if low > 0.0 { low * BELOW } else { low * ABOVE } - TINY;
         let high = if high > 0.0 {
             high * ABOVE
@@ -141,12 +143,12 @@ impl Interval {
         Self { low, high }
     }
 
-    /// The ends of a product, rounded to nearest; NaN where 0 meets an infinite end.
+    /// Returns the bounds of a product, rounded to nearest. A bound is NaN where 0 meets an infinite bound.
     #[inline(always)]
     fn ends_times(self, other: Self) -> (f64, f64) {
         let Self { low: a, high: b } = self;
         let Self { low: c, high: d } = other;
-        // By signs: two products for most.
+        // The signs decide which two products are needed in most cases.
         if 0.0 <= a {
             (
                 if 0.0 <= c { a * c } else { b * c },
@@ -167,20 +169,20 @@ impl Interval {
         }
     }
 
-    /// Whether it is 0 alone.
+    /// Returns whether the interval contains only 0.
     #[inline(always)]
     pub(crate) fn is_nothing(&self) -> bool {
         self.low == 0.0 && self.high == 0.0
     }
 
-    /// Whether 0 is in it.
+    /// Returns whether the interval contains 0.
     #[inline(always)]
     #[must_use]
     pub fn holds_zero(&self) -> bool {
         !(0.0 < self.low || self.high < 0.0)
     }
 
-    /// 1, −1, or 0 where the interval does not tell.
+    /// Returns 1 or −1, or 0 if the interval does not determine the sign.
     #[must_use]
     pub fn sign(&self) -> i8 {
         if 0.0 < self.low {
@@ -192,32 +194,32 @@ impl Interval {
         }
     }
 
-    /// A number in the middle of it.
+    /// Returns a number in the middle of the interval.
     #[must_use]
     pub fn middle(&self) -> f64 {
         0.5 * self.low + 0.5 * self.high
     }
 
-    /// The largest size of a number in it.
+    /// Returns the largest magnitude of a number in the interval.
     #[inline(always)]
     #[must_use]
     pub fn size(&self) -> f64 {
         self.low.abs().max(self.high.abs())
     }
 
-    /// What is in both of two intervals that hold the same number.
+    /// Returns the intersection of two intervals that contain the same number.
     #[must_use]
     pub fn both(self, other: Self) -> Self {
         Self::new(self.low.max(other.low), self.high.min(other.high))
     }
 
-    /// What is in either, and between them.
+    /// Returns the smallest interval that contains both intervals.
     #[must_use]
     pub fn hull(self, other: Self) -> Self {
         Self::new(self.low.min(other.low), self.high.max(other.high))
     }
 
-    /// z cot z on |z| < 1, between 1 − 0.36z² and 1.
+    /// Returns z cot z for |z| < 1. The value lies between 1 − 0.36z² and 1.
     #[must_use]
     pub fn cotangent_times(self) -> Self {
         let most = self.size();
@@ -228,7 +230,7 @@ impl Interval {
         }
     }
 
-    /// The squares of all of it.
+    /// Returns the squares of all numbers in the interval.
     #[inline]
     #[must_use]
     pub fn squared(self) -> Self {
@@ -239,7 +241,7 @@ impl Interval {
         Self::new(square.low.max(0.0), square.high)
     }
 
-    /// The roots of what is not negative in it; everything where all is negative.
+    /// Returns the square roots of all non-negative numbers in the interval. Returns `ALL` if all are negative.
     #[must_use]
     pub fn sqrt(self) -> Self {
         if !(0.0 <= self.high) {
@@ -249,7 +251,7 @@ impl Interval {
         Self::new(root.low.max(0.0), root.high)
     }
 
-    /// e to all of it.
+    /// Returns the exponentials of all numbers in the interval.
     #[must_use]
     pub fn exp(self) -> Self {
         let low = Scalar::exp(self.low) * (1.0 - EXPONENTIAL);
@@ -258,7 +260,7 @@ impl Interval {
         Self::new(outward.low.max(0.0), outward.high)
     }
 
-    /// (sin πh, cos πh) of all h in it.
+    /// Returns (sin πh, cos πh) for all h in the interval.
     #[must_use]
     pub fn sine_cosine(self) -> (Self, Self) {
         let (low, high) = (self.low.sin_cos_pi(), self.high.sin_cos_pi());
@@ -266,18 +268,18 @@ impl Interval {
             let all = Self::new(-1.0, 1.0);
             return (all, all);
         }
-        // Of the sine the extremes lie half a half-turn farther.
+        // The extremes of the sine are those of the cosine, shifted by 1/2 in h.
         let sine = Self::wave([low.0, high.0], [self.low - 0.5, self.high - 0.5]);
         let cosine = Self::wave([low.1, high.1], [self.low, self.high]);
         (sine, cosine)
     }
 
-    /// A cosine of π times what lies between two ends, from its values there.
+    /// Returns the bounds of cos πh between two bounds of h, from its values there.
     #[inline]
     fn wave([first, last]: [f64; 2], [from, to]: [f64; 2]) -> Self {
         let mut low = first.min(last) - SINE;
         let mut high = first.max(last) + SINE;
-        // A whole number as close to an end as its rounding counts as inside.
+        // A whole number within rounding of a bound counts as inside.
         let slack = 2.0 * f64::EPSILON * (1.0 + from.abs() + to.abs());
         let (least, most) = ((from - slack).ceil(), (to + slack).floor());
         if least <= most {
@@ -295,7 +297,7 @@ impl Interval {
 }
 
 impl Interval {
-    /// The product of intervals that both hold 0, or an infinite end.
+    /// Returns the product of two intervals that both contain 0, or that have an infinite bound.
     fn straddling(self, other: Self) -> Self {
         let Self { low: a, high: b } = self;
         let Self { low: c, high: d } = other;
@@ -332,7 +334,7 @@ impl Neg for Interval {
     }
 }
 
-/// A product of ends: nothing, whatever it is multiplied by.
+/// Returns the product of two bounds. The product of 0 and an infinite bound is 0.
 #[inline]
 fn product(a: f64, b: f64) -> f64 {
     let product = a * b;

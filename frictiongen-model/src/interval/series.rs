@@ -3,22 +3,23 @@
 use super::{Interval, TINY};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The first `N` Taylor coefficients f⁽ᵏ⁾/k! of a function of one variable, at a point or, each of them, over an interval.
+/// The first `N` Taylor coefficients f⁽ᵏ⁾/k! of a function of one variable, at a point or over an interval.
 ///
-/// By Taylor's formula a function is at r₀ + t its first N − 1 terms at r₀, and t^{N−1} times a number that the last
-/// coefficient over an interval with both places holds: [`joined`](Self::joined).
+/// Taylor's formula gives the function at r₀ + t as its first N − 1 terms at r₀ plus a remainder. The remainder is
+/// t^{N−1} times a number. The last coefficient over an interval that contains both r₀ and r₀ + t contains that number.
+/// [`joined`](Self::joined) uses this.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Series<const N: usize> {
-    /// From the value on.
+    /// The coefficients, beginning with the value.
     pub terms: [Interval; N],
 }
 
-/// The terms of the series of sin(πz)/(πz) that are summed, and what those that are not cannot exceed for |z| ≤ 1.
+/// Number of summed terms of the series of sin(πz)/(πz), and a bound on the remaining terms for |z| ≤ 1.
 const SINC_TERMS: usize = 21;
 const SINC_REST: f64 = 1e-17;
 
 impl<const N: usize> Series<N> {
-    /// What does not depend on the variable.
+    /// Returns the series of a constant.
     #[inline]
     #[must_use]
     pub fn fixed(value: Interval) -> Self {
@@ -29,7 +30,7 @@ impl<const N: usize> Series<N> {
         Self { terms }
     }
 
-    /// The variable at a point or over an interval.
+    /// Returns the series of the variable itself, at a point or over an interval.
     #[must_use]
     pub fn variable(value: Interval) -> Self {
         let mut series = Self::fixed(value);
@@ -39,7 +40,7 @@ impl<const N: usize> Series<N> {
         series
     }
 
-    /// One over the variable.
+    /// Returns the series of 1 over the variable.
     #[must_use]
     pub fn inverse(value: Interval) -> Self {
         let inverse = Interval::ONE / value;
@@ -52,21 +53,21 @@ impl<const N: usize> Series<N> {
         Self { terms }
     }
 
-    /// A coefficient; 0 beyond the last.
+    /// Returns a coefficient, or 0 beyond the last.
     #[inline]
     #[must_use]
     pub fn term(&self, place: usize) -> Interval {
         self.terms.get(place).copied().unwrap_or(Interval::ZERO)
     }
 
-    /// The value.
+    /// Returns the value, which is the first coefficient.
     #[inline]
     #[must_use]
     pub fn value(&self) -> Interval {
         self.term(0)
     }
 
-    /// The first `M` coefficients.
+    /// Returns the first `M` coefficients.
     #[must_use]
     pub fn truncated<const M: usize>(&self) -> Series<M> {
         let mut terms = [Interval::ZERO; M];
@@ -76,7 +77,7 @@ impl<const N: usize> Series<N> {
         Series { terms }
     }
 
-    /// Every coefficient times a number.
+    /// Returns the series times a number.
     #[inline]
     #[must_use]
     pub fn times(&self, factor: Interval) -> Self {
@@ -104,7 +105,7 @@ impl<const N: usize> Series<N> {
         }
     }
 
-    /// All terms up to the last that is not 0.
+    /// Returns all terms up to the last that is not 0.
     #[inline(always)]
     fn trimmed(terms: &[Interval]) -> &[Interval] {
         let mut terms = terms;
@@ -116,10 +117,11 @@ impl<const N: usize> Series<N> {
         terms
     }
 
-    /// Σ a_j b_{k−j} over j ≤ k, from j = `first` on.
+    /// Returns Σ a_j b_{k−j} over j ≤ k, from j = `first` on.
     ///
-    /// The ends of the products are summed to nearest, and the sum is given room for all roundings at once: with n products whose
-    /// sizes sum to s these are less than (n + 1)εs.  By slices: iterators are calls where nothing is optimised.
+    /// The bounds of the products are summed to nearest. The sum is then widened once for all roundings: with n
+    /// products whose magnitudes sum to s, the roundings are less than (n + 1)εs. The code uses slices, because
+    /// iterators become calls without optimisation.
     #[inline(always)]
     fn convolved(a: &[Interval], b: &[Interval], k: usize, first: usize) -> Interval {
         let from = if k < first + b.len() {
@@ -154,7 +156,7 @@ impl<const N: usize> Series<N> {
         Interval::new(low - room, high + room)
     }
 
-    /// The same where ends are infinite, or everything is 0.
+    /// Returns the same sum where bounds are infinite or every product is 0.
     fn convolved_term_by_term(a: &[Interval], b: &[Interval]) -> Interval {
         let pairs = a.iter().zip(b.iter().rev());
         let pairs = pairs.filter(|(a, b)| !a.is_nothing() && !b.is_nothing());
@@ -162,7 +164,7 @@ impl<const N: usize> Series<N> {
         products.reduce(Add::add).unwrap_or(Interval::ZERO)
     }
 
-    /// j·a_j.
+    /// Returns the coefficients j·a_j.
     fn counted(&self) -> Self {
         let mut counted = *self;
         let (mut terms, mut j) = (counted.terms.as_mut_slice(), 0.0);
@@ -173,13 +175,13 @@ impl<const N: usize> Series<N> {
         counted
     }
 
-    /// The square.
+    /// Returns the square.
     #[must_use]
     pub fn squared(&self) -> Self {
         let own = Self::trimmed(&self.terms);
         let mut square = Self::fixed(Interval::ZERO);
         for (k, term) in square.terms.iter_mut().enumerate() {
-            // What stands twice, and the square in the middle.
+            // The symmetric products occur twice. The middle one is a square.
             let half = Self::convolved(own, own, k, k / 2 + 1);
             *term = match own.get(k / 2) {
                 Some(middle) if k % 2 == 0 => half.doubled() + middle.squared(),
@@ -189,7 +191,7 @@ impl<const N: usize> Series<N> {
         square
     }
 
-    /// e to the series.
+    /// Returns the exponential of the series.
     #[must_use]
     pub fn exp(&self) -> Self {
         let counted = self.counted();
@@ -205,7 +207,7 @@ impl<const N: usize> Series<N> {
         series
     }
 
-    /// (sin πh, cos πh) of the series h.
+    /// Returns (sin πh, cos πh) of the series h.
     #[must_use]
     pub fn sine_cosine(&self) -> (Self, Self) {
         let (sine, cosine) = self.value().sine_cosine();
@@ -226,13 +228,13 @@ impl<const N: usize> Series<N> {
         (sine, cosine)
     }
 
-    /// The root.
+    /// Returns the square root.
     #[must_use]
     pub fn sqrt(&self) -> Self {
         let mut root = Self::fixed(self.value().sqrt());
         let inverse = Interval::ONE / root.value().doubled();
         for k in 1..N {
-            // a_k = 2 b_0 b_k + Σ_{0<j<k} b_j b_{k−j}; the convolution sees b_k as 0 still.
+            // a_k = 2 b_0 b_k + Σ_{0<j<k} b_j b_{k−j}. At this point b_k is still 0 in the convolution.
             let known = Self::convolved(&root.terms, &root.terms, k, 1);
             if let Some(term) = root.terms.get_mut(k) {
                 *term = (self.term(k) - known) * inverse;
@@ -241,14 +243,15 @@ impl<const N: usize> Series<N> {
         root
     }
 
-    /// sin(πz)/(πz) of a series z with |z| ≤ 1 at its value, by its own series; everything beyond.
+    /// Returns sin(πz)/(πz) of a series z from the power series, for |z| ≤ 1. Returns `ALL` if the value of z exceeds
+    /// that.
     #[must_use]
     pub fn sinc(&self) -> Self {
         let z = self.value();
         if !(z.size() <= 1.0) {
             return Self::fixed(Interval::ALL);
         }
-        // (−1)^j π^{2j}/(2j + 1)! of z^{2j}.
+        // The coefficient of z^{2j} is (−1)^j π^{2j}/(2j + 1)!.
         let mut powers = [Interval::ZERO; 2 * SINC_TERMS];
         let mut weight = Interval::ONE;
         let square = Interval::pi() * Interval::pi();
@@ -259,7 +262,7 @@ impl<const N: usize> Series<N> {
             let next = ((2 * j + 2) * (2 * j + 3)) as f64;
             weight = -(weight * square / Interval::point(next));
         }
-        // The derivatives over k!, each by Horner's scheme, from the highest down.
+        // Horner's scheme gives each derivative over k!, from the highest down.
         let away = {
             let mut away = *self;
             if let Some(first) = away.terms.first_mut() {
@@ -283,7 +286,8 @@ impl<const N: usize> Series<N> {
         sum
     }
 
-    /// A polynomial in t that holds the function at r₀ + t: all terms but the last at r₀, the last over the interval.
+    /// Returns a polynomial in t that encloses the function at r₀ + t. All terms but the last are taken at r₀, and the
+    /// last over the interval.
     #[must_use]
     pub fn joined(at: &Self, over: &Self) -> Self {
         let mut joined = *at;
@@ -293,13 +297,13 @@ impl<const N: usize> Series<N> {
         joined
     }
 
-    /// The coefficients over an interval, tightened by Taylor's formula from those `at` a place in it; `away` is the interval less
-    /// that place.
+    /// Returns the coefficients over an interval, tightened by Taylor's formula from the coefficients `at` a point in
+    /// it. `away` is the interval minus that point.
     #[must_use]
     pub fn refined(&self, at: &Self, away: Interval) -> Self {
         let mut refined = *self;
         for (k, term) in refined.terms.iter_mut().enumerate() {
-            // Σ_j C(j, k) a_j t^{j−k}, from the highest down; C(j − 1, k) is C(j, k)·(j − k)/j.
+            // Σ_j C(j, k) a_j t^{j−k} is summed from the highest term down. C(j − 1, k) is C(j, k)·(j − k)/j.
             let mut chosen = 1;
             for j in k + 1..N {
                 chosen = chosen * j / (j - k);
@@ -314,7 +318,8 @@ impl<const N: usize> Series<N> {
         refined
     }
 
-    /// The values of the polynomial for all t in an interval: by their middle and its slope, and plainly.
+    /// Returns the values of the polynomial for all t in an interval. It intersects the mean value form at the middle
+    /// with plain interval evaluation.
     #[must_use]
     pub fn range(&self, t: Interval) -> Interval {
         let middle = Interval::point(t.middle());
@@ -397,7 +402,7 @@ impl<const N: usize> Div for Series<N> {
         let divisor = Self::trimmed(&other.terms);
         let inverse = Interval::ONE / other.value();
         for k in 0..N {
-            // a_k = Σ b_j q_{k−j}, from j = 1 on.
+            // a_k = Σ b_j q_{k−j}, with the sum from j = 1 on already known.
             let known = Self::convolved(divisor, &quotient.terms, k, 1);
             if let Some(term) = quotient.terms.get_mut(k) {
                 *term = (self.term(k) - known) * inverse;

@@ -1,10 +1,10 @@
-//! Intervals and their series against double-double.
+//! Tests intervals and interval series against double-double.
 
 use super::{Interval, Series, TINY};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Random numbers.
+/// A generator of random numbers and intervals.
 struct Numbers(u64);
 
 impl Numbers {
@@ -15,7 +15,7 @@ impl Numbers {
             .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
-    /// Any sign, sizes over ten decades, now and then 0.
+    /// Returns a number of either sign over ten decades, and sometimes 0.
     fn end(&mut self) -> f64 {
         let size = 10_f64.powf(10.0 * self.next() - 5.0);
         match (16.0 * self.next()) as u32 {
@@ -26,7 +26,7 @@ impl Numbers {
     }
     fn interval(&mut self) -> Interval {
         let (a, b) = (self.end(), self.end());
-        // Narrow ones as well.
+        // Two in five intervals are narrow.
         if self.next() < 0.4 {
             Interval::new(a, a + a.abs() * 1e-12 * self.next())
         } else {
@@ -43,7 +43,8 @@ impl Numbers {
     }
 }
 
-/// Whether an interval holds a number to about its 31 digits: not one rounding of a double is given away.
+/// Returns whether an interval contains a number to about its 31 digits. The slack is far below one rounding of a
+/// double.
 fn holds(interval: Interval, value: Dd) -> bool {
     let slack = value.abs() * Dd::from(1e-28);
     !(value + slack < Dd::from(interval.low)) && !(Dd::from(interval.high) < value - slack)
@@ -94,7 +95,7 @@ fn functions() {
             "e^{interval:?} at {x}"
         );
     }
-    // The next extreme lies on an end, or a rounding beside it.
+    // The nearest extreme lies on a bound or one rounding away from it.
     for whole in [-3.0, -1.0, 0.0, 2.0, 5.0_f64] {
         for end in [whole - 0.5, whole, whole + 0.5] {
             let interval = Interval::new(end.next_down(), end.next_down());
@@ -105,7 +106,7 @@ fn functions() {
     }
 }
 
-/// A function with every operation, as a series and in double-double.
+/// Evaluates a formula that uses every operation, as a series. `formula_at` evaluates it in double-double.
 fn formula(h: Series<6>) -> Series<6> {
     let one = Series::fixed(Interval::ONE);
     let (sine, cosine) = h.sine_cosine();
@@ -122,7 +123,7 @@ fn formula_at(h: Dd) -> Dd {
         - turned / angle
 }
 
-/// By Taylor's formula a joined series holds the function everywhere in its interval.
+/// By Taylor's formula, a joined series encloses the function everywhere in its interval.
 #[test]
 fn series_hold_what_they_should() {
     let mut numbers = Numbers(7);
@@ -145,11 +146,11 @@ fn series_hold_what_they_should() {
             widest = widest.max(joined.range(t).high - joined.range(t).low);
         }
     }
-    // What holds everything would hold these as well.
+    // An enclosure of all numbers would pass as well, so the width is checked.
     assert!(widest < 1e-2, "{widest:e}");
 }
 
-/// Every coefficient over an interval holds the divided differences of the function.
+/// Every coefficient over an interval must contain the divided differences of the function.
 #[test]
 fn coefficients() {
     let mut numbers = Numbers(9);
@@ -162,7 +163,7 @@ fn coefficients() {
             .map(|k| formula_at(Dd::from(low + step * f64::from(k))))
             .collect();
         for order in 0..6 {
-            // f[x_0, …, x_k] is f⁽ᵏ⁾/k! somewhere between.
+            // f[x_0, …, x_k] is f⁽ᵏ⁾/k! at some point between x_0 and x_k.
             let interval = over.term(order);
             let slack = 1e-12 * 100_f64.powi(order as i32);
             for difference in &differences {
@@ -180,7 +181,7 @@ fn coefficients() {
     }
 }
 
-/// Products of series whose terms are 0, narrow, wide or without end hold the products of numbers in them.
+/// Products of series with terms that are 0, narrow, wide or unbounded must contain the products of numbers in them.
 #[test]
 fn products() {
     let mut numbers = Numbers(11);
@@ -194,7 +195,7 @@ fn products() {
                 } else if round % 8 == 0 && numbers.next() < 0.2 {
                     Interval::new(numbers.end(), f64::INFINITY)
                 } else if round % 16 == 1 {
-                    // Products of these underflow.
+                    // Products of these terms underflow.
                     let tiny = numbers.interval();
                     Interval::new(tiny.low * 1e-162, tiny.high * 1e-162)
                 } else {
@@ -225,7 +226,7 @@ fn products() {
     assert!(100_000 < bounded, "{bounded}");
 }
 
-/// What is nothing stays so: sums over it are left out.
+/// A term that is exactly 0 stays exactly 0, because sums leave such terms out.
 #[test]
 fn products_with_nothing() {
     let nothing = Series::<6>::fixed(Interval::ZERO);
@@ -240,7 +241,7 @@ fn products_with_nothing() {
     assert!(!square.term(2).is_nothing());
 }
 
-/// Refined coefficients hold what the plain ones do, at any place, and are narrower.
+/// Refined coefficients must contain the values at any point, lie within the plain ones, and be narrower.
 #[test]
 fn refined() {
     let mut numbers = Numbers(13);
@@ -257,7 +258,7 @@ fn refined() {
             let (plain, own, there) = (over.term(k), refined.term(k), there.term(k));
             narrower = narrower.max((plain.high - plain.low) / (own.high - own.low));
             assert!(plain.low <= own.low && own.high <= plain.high);
-            // Neither is known but within some roundings.
+            // Both are known only to within some roundings, so they must overlap.
             assert!(
                 own.low <= there.high && there.low <= own.high,
                 "{k}: {own:?} {there:?}"

@@ -1,22 +1,23 @@
-//! Equal modes, of which a change of the scene chooses the basis.
+//! Basis of equal modes, which a change of the scene selects.
 
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Modes whose λ differ by less than this share are equal to the analysis.
+/// Largest relative difference in λ of modes that count as equal.
 const EQUAL: f64 = 1e-24;
 
-/// Jacobi's rotations of a group of equal modes; each sweep squares what is left.
+/// Upper bound on sweeps of Jacobi rotations in a group of equal modes. Each sweep squares the
+/// remainder.
 const MAX_SWEEPS: usize = 30;
 
 pub(super) fn equal(a: Dd, b: Dd) -> bool {
     (a - b).abs() <= Dd::from(EQUAL) * (a + b)
 }
 
-/// Within a group of equal modes every basis is as good, but only one follows a change of the scene
-/// smoothly: the one in which the change does not couple them.
+/// Rotates each group of equal modes to the basis in which the change of the scene does not couple
+/// them. Every basis of such a group is valid, but only this one follows the change smoothly.
 ///
-/// Answers which modes were turned.
+/// Returns, for each mode, whether it was rotated.
 pub(super) fn adapt_equal_modes(
     matrix: &mut [Vec<Dd>],
     shapes: &mut [Vec<Dd>],
@@ -72,7 +73,7 @@ pub(super) fn adapt_equal_modes(
     which
 }
 
-/// Turns two rows into each other.
+/// Rotates two rows in their plane.
 fn turn(rows: &mut [Vec<Dd>], left: usize, right: usize, cosine: Dd, sine: Dd) {
     let (head, tail) = rows.split_at_mut(right);
     if let (Some(a), Some(b)) = (head.get_mut(left), tail.first_mut()) {

@@ -1,4 +1,4 @@
-//! A range covered by pieces, each as long as the accuracy allows.
+//! Covers a range with pieces, each as long as the accuracy allows.
 
 use super::check;
 use super::digits::to_decimals;
@@ -8,65 +8,69 @@ use super::split::Edge;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// A piece counts as the longest when one longer by this is too long: with more fits a table would lose a tenth of its
-/// pieces at most.
+/// A piece counts as the longest if a piece longer by this factor is too long. More fits would save at most a tenth of
+/// the pieces.
 const LONGEST: f64 = 1.1;
-/// Where nothing else ends a piece, its end is rounded to this share of it, for people who read it.
+/// Rounding of a piece's end for human readers, as a fraction of the piece's length. It applies where neither a kink
+/// nor a limit sets the end.
 const END: f64 = 0.02;
-/// What is too long by this much is so for a kink, whose place is then sought: a bend leaves an
-/// error that falls with the length alone, and not with as high a power of it as there are terms.
+/// Error over the allowed error above which a piece that is too long contains a kink, whose position is then located.
+/// Across a kink the error falls only in proportion to the length, and not with a high power of it.
 const KINK: f64 = 30.0;
-/// A kink is found to this share of a piece.
+/// Ratio of lengths to which a kink is located.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
-/// So many pieces may be covered anew: each adds a place to look at, and what does not end by then does not end.
+/// Largest number of pieces that are covered again. Each adds a point to check. A cover that exceeds this number would
+/// not end.
 const MOST_AGAIN: usize = 1000;
-/// No piece is shorter than this share of r, some hundreds of roundings of double precision.
+/// Shortest piece, as a fraction of r: some hundreds of roundings of double precision.
 const SHORTEST: f64 = 1e-13;
-/// A piece is tried at so many times the length of the one before: one that is too long bounds it from above at once.
+/// First trial length of a piece, over the length of the previous piece. A trial that is too long bounds the length
+/// from above at once.
 const LONGER: f64 = 1.5;
-/// No piece takes more fits than this: from the whole range to [`SHORTEST`] by halves takes 44.
+/// Largest number of fits for one piece. Halving the whole range down to [`SHORTEST`] takes 44.
 const MOST_FITS: usize = 200;
-/// The next length is guessed for this error over what is allowed: after one that will do,
+/// Error over the allowed error at which the next length is aimed, after a piece that passed.
 const AIM: f64 = 0.8;
-/// and after one that is too long.
+/// Error over the allowed error at which the next length is aimed, after a piece that was too long.
 const AIM_AGAIN: f64 = 0.7;
-/// Errors below this, over what is allowed, say nothing of a length.
+/// Error over the allowed error below which errors carry no information on the length.
 const TINY: f64 = 1e-6;
-/// A guess is longer, or shorter, by no less and by no more than this: errors go only nearly
-/// by a power of the length.
+/// Bounds on the ratio of a guess to the last length, because the error follows a power of the length only
+/// approximately.
 const LONGER_BY: [f64; 2] = [1.05, 2.0];
 const SHORTER_BY: [f64; 2] = [0.2, 0.95];
 
-/// The nearest value between two.
+/// Returns the nearest value within two bounds.
 fn clamped(value: f64, [least, most]: [f64; 2]) -> f64 {
     value.clamp(least, most)
 }
 
-/// A range about to be covered.
+/// A range to be covered.
 pub(super) struct Cover<'a, 'm, S> {
-    /// What its pieces are compared with.
+    /// The exact values for the comparison.
     pub comparison: Comparison<'a, 'm, S>,
-    /// Where β_lim bends, ascending.
+    /// Kinks of β_lim, ascending.
     pub kinks: Vec<f64>,
-    /// What the check allows of β_lim, and of amplitude and phase.
+    /// Allowed errors of the check: for β_lim, and for amplitude and phase.
     pub whole: (f64, f64),
-    /// No more pieces than this.
+    /// Largest number of pieces.
     pub most_pieces: usize,
-    /// The length of the last piece.
+    /// Length of the last piece.
     pub last: f64,
 }
 
-/// Why a range could not be covered: where.
+/// The r at which a cover failed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stuck {
     pub at: f64,
 }
 
 impl<S: Float> Cover<'_, '_, S> {
-    /// Pieces from one end of the range to the other, checked at points that their fits did not see; and the largest
-    /// error, over what is allowed.
+    /// Returns pieces that cover the range, checked at points that their fits did not use, and the largest error over
+    /// the allowed error.
     ///
-    /// Where the check finds more than is allowed, the place is looked at from then on, and the piece is covered anew.
+    /// Where the check finds a larger error than allowed, its r becomes a point of interest, and the piece is covered
+    /// again.
     pub fn checked(
         &mut self,
         low: f64,
@@ -93,7 +97,7 @@ impl<S: Float> Cover<'_, '_, S> {
                 if seen.error > worst.error {
                     worst = seen;
                 }
-                // Of pieces that round to one place the last one holds.
+                // The last one counts of several pieces that round to the same start.
                 if pieces
                     .last()
                     .is_some_and(|last: &Fitted<S>| last.from == piece.from)
@@ -119,7 +123,7 @@ impl<S: Float> Cover<'_, '_, S> {
         Ok((pieces, worst, points))
     }
 
-    /// Pieces from one end of the range to the other.
+    /// Returns pieces that cover the range.
     fn range(&mut self, low: f64, high: f64) -> Result<Vec<Fitted<S>>, Stuck> {
         let mut pieces = Vec::new();
         let zeros = self.comparison.landmarks.zeros.clone();
@@ -139,7 +143,7 @@ impl<S: Float> Cover<'_, '_, S> {
         Ok(pieces)
     }
 
-    /// Pieces between two zeros, or a zero and an end.
+    /// Appends pieces between two zeros, or between a zero and a bound of the range.
     fn between(
         &mut self,
         (low, high): (f64, f64),
@@ -173,7 +177,7 @@ impl<S: Float> Cover<'_, '_, S> {
         Ok(())
     }
 
-    /// The longest piece from `start` towards `limit`, and where it ends.
+    /// Returns the longest piece from `start` towards `limit`, and its end.
     fn longest(
         &mut self,
         start: f64,
@@ -182,7 +186,7 @@ impl<S: Float> Cover<'_, '_, S> {
     ) -> Result<(Fitted<S>, f64), Stuck> {
         let most = (limit - start).abs();
         let forwards = start < limit;
-        // The kinks ahead, at which a piece had better end.
+        // A piece should end at one of the kinks ahead.
         let ahead = self
             .kinks
             .iter()
@@ -202,7 +206,7 @@ impl<S: Float> Cover<'_, '_, S> {
                     start - length
                 };
                 let rounded = to_decimals(end, END * length);
-                // A kink keeps its digits.
+                // A kink is not rounded.
                 let kink = stops.contains(&length);
                 if kink { end } else { rounded }
             }
@@ -215,7 +219,7 @@ impl<S: Float> Cover<'_, '_, S> {
         for _ in 0..MOST_FITS {
             let end = end_of(length);
             let between = if forwards { (start, end) } else { (end, start) };
-            // A zero farther off than the piece is long would make powers of its distance all alike.
+            // For a zero farther away than the piece is long, powers of the distance would be nearly equal.
             let zero = zero.filter(|zero| zero.distance(start).abs() <= length);
             let piece = fit(self.comparison.exact, between, zero, self.comparison.form)
                 .ok_or(Stuck { at: start })?;
@@ -226,7 +230,7 @@ impl<S: Float> Cover<'_, '_, S> {
                     break;
                 }
                 if length >= stop {
-                    // Beyond a kink, if it is a weak one.
+                    // A weak kink may lie within a piece.
                     stop = next.next().unwrap_or(most);
                 }
                 let guess = length * clamped((AIM / error.max(TINY)).powf(order), LONGER_BY);

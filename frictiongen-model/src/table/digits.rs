@@ -1,17 +1,17 @@
-//! Numbers with no more digits than count, as tables are read by people; and neighbours of a number.
+//! Rounds numbers to the digits that matter, because people read the tables. Also finds the neighbours of a number.
 
 use frictiongen_kernel::Float;
 
-/// Beyond so many decimals nothing in double precision of the size of a frequency ratio has digits to lose.
+/// Largest number of decimals. A frequency ratio in double precision has no digits beyond it.
 const MOST_DECIMALS: f64 = 40.0;
 
-/// The smallest number of a scalar above one that it need not hold.
+/// Returns the smallest number of the scalar above a value, which need not be a number of the scalar.
 pub(super) fn above<S: Float>(value: f64) -> S {
     let next = S::constant(value.next_up());
     if next.to_f64() > value {
         return next;
     }
-    // Half a rounding further lies the next number, or half way to it.
+    // The next number, or half the distance to it, is half a rounding away.
     let further = |roundings: f64| S::constant(value + value.abs() * roundings * S::EPSILON);
     let next = further(0.5);
     if next.to_f64() > value {
@@ -21,7 +21,7 @@ pub(super) fn above<S: Float>(value: f64) -> S {
     }
 }
 
-/// The nearest number whose last decimal is no larger than `least`.
+/// Returns the nearest number whose last decimal is no larger than `least`.
 pub(super) fn to_decimals(value: f64, least: f64) -> f64 {
     let decimals = -least.log10().floor();
     if decimals < 0.0 {

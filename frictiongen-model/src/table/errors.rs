@@ -1,4 +1,4 @@
-//! How far a piece is from the exact values, over what is allowed.
+//! Errors of a piece relative to the allowed errors.
 
 use super::digits::above;
 use super::exact::{ANGLE, Exact, SIZE};
@@ -8,32 +8,32 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::table::{ContactTable, Quotient};
 use std::f64::consts::PI;
 
-/// The friction ratios over β_lim at which the contact's motion is compared.
+/// Friction ratios over β_lim at which the motion of the contact is compared.
 pub const FRICTION_SHARES: [f64; 7] = [0.05, 0.3, 0.6, 0.8, 0.9, 0.95, 0.98];
-/// Roundings of r by which an exact value beside a zero of β_lim may be off.
+/// Uncertainty of r in an exact value near a zero of β_lim, in roundings.
 const ROUNDINGS: f64 = 4.0;
 
-/// What pieces are compared with, and how far they may be off.
+/// The exact values for the comparison, and the allowed errors.
 pub(super) struct Comparison<'a, 'm, S> {
     pub exact: &'a mut Exact<'m>,
     pub landmarks: Landmarks,
     pub form: Form,
-    /// The most that β_lim may be off side_factor·β_lim, relative to β_lim.
+    /// Largest allowed deviation of β_lim from side_factor·β_lim, relative to β_lim.
     pub limit: f64,
-    /// The most that amplitude (relative) and phase (rad) may be off.
+    /// Largest allowed error of the amplitude (relative) and of the phase (rad).
     pub motion: f64,
-    /// |V|, or V with its sign, where the motion is asked for and it is not among the functions.
+    /// |V|, or V with its sign. `None` if the motion is not needed, or if |V| is one of the functions.
     pub excitation: Option<Quotient<'a, S>>,
 }
 
 impl<S: Float> Comparison<'_, '_, S> {
-    /// The zero that a piece counts from, if it is one.
+    /// Returns the zero that is the origin of a piece, if the origin is a zero.
     pub fn zero_of(&self, piece: &Fitted<S>) -> Option<Edge> {
         let to = |at: f64| S::constant(at).to_f64();
         self.landmarks.zero_at(piece.origin.to_f64(), to)
     }
 
-    /// The largest error of a piece over what is allowed.
+    /// Returns the largest error of a piece over the allowed error.
     pub fn error(&mut self, piece: &Fitted<S>, (low, high): (f64, f64), zero: Option<Edge>) -> f64 {
         let points = 2 * self.form.terms + 3;
         let step = (high - low) / (points - 1) as f64;
@@ -63,7 +63,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         worst
     }
 
-    /// The same at the number of the scalar next to r, if there is one within the piece.
+    /// Returns the error at the number of the scalar nearest to r within the piece. Returns 0 if the piece has no such
+    /// number.
     fn error_within(
         &mut self,
         piece: &Fitted<S>,
@@ -71,7 +72,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         (low, high): (f64, f64),
         zero: Option<Edge>,
     ) -> f64 {
-        // The nearest number of the scalar that is within.
+        // The nearest number of the scalar may lie outside the piece.
         let rounded = |r: f64| S::constant(r).to_f64();
         let own = match rounded(r) {
             own if own < low => above::<S>(low).to_f64(),
@@ -89,7 +90,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         }
     }
 
-    /// The error of a piece at r over what is allowed; an exact answer is that of an r within some roundings.
+    /// Returns the error of a piece at r over the allowed error. The exact value is uncertain by some roundings of r.
     pub fn error_at(&mut self, piece: &Fitted<S>, r: f64) -> f64 {
         let own = S::constant(r);
         let r = own.to_f64();
@@ -101,12 +102,12 @@ impl<S: Float> Comparison<'_, '_, S> {
         of_limit.max(or_infinite(of_motion))
     }
 
-    /// r moved by some roundings, up and down.
+    /// Returns r shifted by some roundings, up and down.
     fn beside(r: f64) -> [f64; 2] {
         [1.0, -1.0].map(|side| r * (1.0 + side * ROUNDINGS * f64::EPSILON))
     }
 
-    /// The error of β_lim over what is allowed.
+    /// Returns the error of β_lim over the allowed error.
     fn limit_error(&mut self, piece: &Fitted<S>, own: S) -> f64 {
         let r = own.to_f64();
         let Some(limit) = self.exact.at(r).map(|sample| sample.limit) else {
@@ -117,25 +118,25 @@ impl<S: Float> Comparison<'_, '_, S> {
         if plain <= 1.0 {
             return plain;
         }
-        // On a zero nothing is allowed but these roundings.
+        // On a zero only the effect of these roundings is allowed.
         let allowed = self.limit * limit + self.limit_noise(limit, r);
         if off <= allowed { 0.0 } else { off / allowed }
     }
 
-    /// How far β_lim moves within some roundings of r.
+    /// Returns the change of β_lim within some roundings of r.
     fn limit_noise(&mut self, limit: f64, r: f64) -> f64 {
         let near = Self::beside(r).map(|r| self.exact.at(r).map(|sample| sample.limit));
         let moved = near.into_iter().flatten();
         moved.map(|near| (near - limit).abs()).fold(0.0, f64::max)
     }
 
-    /// The error of amplitude and phase over what is allowed.
+    /// Returns the errors of amplitude and phase over the allowed error.
     fn motion_error(&mut self, answer: &ContactTable<S>, r: f64) -> f64 {
         let Some(sample) = self.exact.at(r) else {
             return f64::INFINITY;
         };
         let exact = self.exact.contact(&sample, r);
-        // On a zero of β_lim and on an undamped resonance there is no motion to compare.
+        // On a zero of β_lim and on an undamped resonance the motion has no value to compare.
         if !(exact.limit > 0.0 && exact.excitation.is_finite()) {
             return 0.0;
         }
@@ -152,7 +153,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         if plain <= 1.0 {
             return plain;
         }
-        // Where β_lim is uncertain, so is everything that β is compared with.
+        // Where β_lim is uncertain, β/β_lim is uncertain too.
         let mut noise = [self.limit_noise(exact.limit, r) / exact.limit; APART];
         for r in Self::beside(r) {
             let Some(moved) = self.exact.at(r) else {
@@ -166,7 +167,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         over(&off, &noise)
     }
 
-    /// What a piece answers at r.
+    /// Returns the values of a piece at r.
     fn answer(&self, piece: &Fitted<S>, r: S) -> ContactTable<S> {
         let [limit, quadrature, displacement, direction] =
             [0, 1, 2, ANGLE].map(|function| piece.value(function, r));
@@ -183,22 +184,22 @@ impl<S: Float> Comparison<'_, '_, S> {
     }
 }
 
-/// NaN is no small error.
+/// Replaces NaN by infinity, so that it counts as a large error.
 pub(super) fn or_infinite(error: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// How many differences are taken: of amplitude and phase at each friction ratio.
+/// Number of compared values: amplitude and phase at each friction ratio.
 const APART: usize = 2 * FRICTION_SHARES.len();
 
-/// How far an answer is from the exact one: amplitudes relative, phases in radians.
+/// Returns the errors of an answer: relative for amplitudes, in radians for phases.
 fn apart<T: Float>(answer: &ContactTable<T>, exact: &ContactTable<f64>) -> [f64; APART] {
     let mut apart = [0.0; APART];
     let (amplitudes, phases) = apart.split_at_mut(FRICTION_SHARES.len());
     for ((share, amplitude), phase) in FRICTION_SHARES.iter().zip(amplitudes).zip(phases) {
         let beta = T::constant(share * exact.limit);
         let expected = exact.amplitude(beta.to_f64());
-        // An answer is asked for up to its own limit.
+        // A table answers only up to its own β_lim.
         let own = beta.min(answer.limit);
         *amplitude = (answer.amplitude(own).to_f64() - expected).abs() / expected;
         let turned = answer.phase(own).to_f64() - exact.phase(beta.to_f64());

@@ -1,4 +1,4 @@
-//! The exact values that tables are made from and compared with.
+//! Exact values, from which tables are made and with which they are compared.
 
 use super::zeros::{ContactMode, contact_modes};
 use crate::modal::Modal;
@@ -10,26 +10,26 @@ use frictiongen_kernel::response::At;
 use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
-/// The place of arg V among the functions; those before it are divided by |V|/β_lim.
+/// Index of arg V among the functions. The functions before it are divided by |V|/β_lim.
 pub(super) const ANGLE: usize = 3;
-/// The place of |V|, where it is among them.
+/// Index of |V|, if it is one of the functions.
 pub(super) const SIZE: usize = 4;
-/// Below this share of its terms a sum has lost digits that count.
+/// Fraction of its terms below which a sum has lost significant digits.
 const CANCELS: f64 = 1e-2;
 
-/// The functions of r at one r: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V; |V| is known besides.  Of an undamped chain a is times
-/// sgn V, with which it is smooth across a resonance, and arg V is 0.
+/// The functions at one r: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. |V| is known separately. For an undamped
+/// chain a is multiplied by sgn V, which makes it smooth across a resonance, and arg V is 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     pub limit: f64,
     quadrature: f64,
     displacement: f64,
     direction: f64,
-    /// Where in the half period the velocity constraint is largest; none where its start decides.
+    /// τ in the half period at which the velocity constraint is largest; `None` where its start decides.
     pub tau: Option<f64>,
 }
 
-/// A scene that answers exactly, and remembers its answers.
+/// A scene that computes exact values and stores them.
 pub(super) struct Exact<'a> {
     pub modal: &'a Modal,
     pub reduced: Reduced<f64>,
@@ -42,7 +42,7 @@ impl<'a> Exact<'a> {
     pub fn new(modal: &'a Modal) -> Self {
         Self {
             modal,
-            // A macro makes tables, and macros run without optimisation.
+            // Macros build tables, and macros run without optimisation.
             reduced: Reduced {
                 two_at_once: false,
                 ..modal.reduced(|value| value.to_f64())
@@ -53,7 +53,7 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// The modes that the contact drives.
+    /// Returns the modes that the contact drives.
     pub fn contact_modes(&self) -> &[ContactMode] {
         &self.contact_modes
     }
@@ -62,18 +62,18 @@ impl<'a> Exact<'a> {
         self.reduced.chain.damped
     }
 
-    /// Whether every mode that the contact drives is damped: |V| is then finite at every r.
+    /// Returns whether every mode that the contact drives is damped. |V| is then finite at every r.
     pub fn all_damped(&self) -> bool {
         let mut contact_modes = self.contact_modes.iter();
         contact_modes.all(|mode| !mode.driven.zeta.is_zero())
     }
 
-    /// How many points have been looked at.
+    /// Returns the number of evaluated points.
     pub fn looked_at(&self) -> usize {
         self.seen.len()
     }
 
-    /// The functions at r, a number in the domain.
+    /// Returns the functions at r, which must be in the domain.
     pub fn at(&mut self, r: f64) -> Option<Sample> {
         if let Some(sample) = self.seen.get(&r.to_bits()) {
             return Some(*sample);
@@ -86,7 +86,7 @@ impl<'a> Exact<'a> {
         let mut limit = self.reduced.chain.continuous_limit(contact, constraint);
         let mut negative = contact.v.re < 0.0;
         if self.cancels(&at) {
-            // V by its own digits, which the sums over modes have lost.
+            // The sum over the modes has lost digits of V, so V is computed in double-double.
             negative = self.excitation(r) < 0.0;
             let square = at.inverse_ratio() * at.inverse_ratio();
             let own = complex::modulus(contact.v, self.damped());
@@ -110,7 +110,7 @@ impl<'a> Exact<'a> {
         Some(sample)
     }
 
-    /// Whether little is left of the sum V: beside its zeros.
+    /// Returns whether the sum V nearly cancels, as it does near its zeros.
     fn cancels(&self, at: &At<&Reduced<f64>>) -> bool {
         let chain = &self.reduced.chain;
         let contact = at.contact_sums();
@@ -133,7 +133,7 @@ impl<'a> Exact<'a> {
         0.0 < left && left < CANCELS * terms
     }
 
-    /// V and H at r in double-double, by their sums over modes.
+    /// Returns V and H at r in double-double, as sums over the modes.
     pub fn receptances(&self, r: f64) -> [Complex<Dd>; 2] {
         let (r, two) = (Dd::from(r), Dd::from(2.0));
         let direct = if self.modal.on_moving_base { -1.0 } else { 0.0 };
@@ -149,7 +149,7 @@ impl<'a> Exact<'a> {
         [excitation, receptance]
     }
 
-    /// A function at r by its place in a table.
+    /// Returns a function at r by its index in a table.
     pub fn function(&mut self, place: usize, r: f64) -> Option<f64> {
         let sample = self.at(r)?;
         let functions = [
@@ -164,7 +164,7 @@ impl<'a> Exact<'a> {
         functions.get(place).copied()
     }
 
-    /// V as of [`excitation`](Self::excitation), remembered.
+    /// Returns the stored V of [`excitation`](Self::excitation).
     fn known_excitation(&mut self, r: f64) -> f64 {
         let known = self.excitations.get(&r.to_bits()).copied();
         let excitation = known.unwrap_or_else(|| self.excitation(r));
@@ -172,7 +172,7 @@ impl<'a> Exact<'a> {
         excitation
     }
 
-    /// What the contact's motion follows from, with |V| to the last digits.
+    /// Returns the values from which the contact's motion follows, with |V| to the last digits.
     pub fn contact(&mut self, sample: &Sample, r: f64) -> ContactTable<f64> {
         let excitation = self.known_excitation(r);
         if self.damped() {
@@ -189,14 +189,14 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// β*_lim at r, to the last digits.
+    /// Returns β*_lim at r, to the last digits.
     pub fn sliding_limit(&self, r: f64) -> f64 {
         let [excitation, receptance] = self.receptances(r);
         let ratio = complex::modulus(excitation, true) / complex::modulus(receptance, true);
         (ratio / self.modal.stiction).to_f64()
     }
 
-    /// |V| at r, to the last digits; of an undamped chain V with its sign.
+    /// Returns |V| at r, to the last digits. For an undamped chain, returns V with its sign.
     pub fn excitation(&self, r: f64) -> f64 {
         let [excitation, _] = self.receptances(r);
         if self.damped() {

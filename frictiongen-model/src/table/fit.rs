@@ -1,4 +1,4 @@
-//! One piece: polynomials through Chebyshev points, rounded to the table's scalar.
+//! Fits one piece: polynomials through Chebyshev points, rounded to the table's scalar.
 
 use super::digits::{above, to_decimals};
 use super::exact::{ANGLE, Exact, SIZE};
@@ -7,9 +7,10 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::table::polynomial;
 use std::f64::consts::PI;
 
-/// An origin is rounded to this share of its piece.
+/// Rounding of the origin of a piece, as a fraction of half the piece's length.
 const ORIGIN: f64 = 0.1;
-/// Down to these accuracies polynomials of four, six and eight coefficients need least.
+/// Accuracies down to which polynomials of four, six and eight coefficients need the fewest
+/// numbers.
 const FOUR_TERMS: f64 = 3e-3;
 const SIX_TERMS: f64 = 1e-7;
 const EIGHT_TERMS: f64 = 1e-10;
@@ -19,29 +20,30 @@ const EIGHT_TERMS: f64 = 1e-10;
 pub struct Fitted<S> {
     /// The smallest r of the piece.
     pub from: S,
-    /// From where r is counted.
+    /// The origin from which r is counted.
     pub origin: S,
-    /// Of each function the coefficients, from the constant on.
+    /// Coefficients of each function, beginning with the constant.
     pub coefficients: Vec<Vec<S>>,
 }
 
 impl<S: Float> Fitted<S> {
-    /// How many numbers it holds.
+    /// Returns the number of stored numbers.
     pub(super) fn numbers(&self) -> usize {
         2 + self.coefficients.iter().map(Vec::len).sum::<usize>()
     }
 
-    /// A function of the piece at r, in the arithmetic of the table.
+    /// Returns a function of the piece at r, in the arithmetic of the table.
     pub fn value(&self, function: usize, r: S) -> S {
         let coefficients = self.coefficients.get(function);
         coefficients.map_or(S::constant(f64::NAN), |of| polynomial(of, r - self.origin))
     }
 }
 
-/// So many coefficients a polynomial may have.
+/// Possible numbers of coefficients of a polynomial.
 pub(super) const TERMS: [usize; 4] = [4, 6, 8, 10];
 
-/// Coefficients of the polynomials that need least for an accuracy.
+/// Returns the number of coefficients with which polynomials need the fewest numbers for an
+/// accuracy.
 pub(super) fn terms(accuracy: f64) -> usize {
     let [four, six, eight, ten] = TERMS;
     if accuracy >= FOUR_TERMS {
@@ -55,20 +57,21 @@ pub(super) fn terms(accuracy: f64) -> usize {
     }
 }
 
-/// What to fit.
+/// Settings of a fit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Form {
-    /// How many functions.
+    /// Number of functions that share the pieces.
     pub functions: usize,
-    /// Coefficients of each.
+    /// Number of coefficients of each function.
     pub terms: usize,
-    /// What β_lim, and a and g that are divided by it, are multiplied by.
+    /// Factor on β_lim, and on a and g, which are proportional to it.
     pub side_factor: f64,
-    /// By how much the rounding of each coefficient may change an answer, relative to β_lim.
+    /// Largest change of an answer by the rounding of one coefficient, relative to β_lim.
     pub rounding: f64,
 }
 
-/// Fits a form over [low, high].  Beside a zero, β_lim over the distance from it is fitted.
+/// Fits a form over [low, high]. Near a zero, the quotient of β_lim and the distance from the zero
+/// is fitted.
 pub(super) fn fit<S: Float>(
     exact: &mut Exact<'_>,
     (low, high): (f64, f64),
@@ -80,10 +83,10 @@ pub(super) fn fit<S: Float>(
         S::constant(zero.map_or_else(|| to_decimals(middle, ORIGIN * half), |zero| zero.at));
     let mut coefficients = Vec::with_capacity(form.functions);
     for function in 0..form.functions {
-        // Of these the relative error counts, also beside the zero that they have in common.
+        // For β_lim and |V| the relative error counts, also near their common zero.
         let is_relative = function == 0 || function == SIZE;
         let zero = zero.filter(|_| is_relative);
-        // The quotient by the distance has one term less than β_lim.
+        // The quotient by the distance has one term fewer than β_lim.
         let terms = form.terms - usize::from(zero.is_some());
         let nodes: Vec<f64> = (0..terms)
             .map(|k| middle - half * (PI * (k as f64 + 0.5) / terms as f64).cos())
@@ -103,7 +106,7 @@ pub(super) fn fit<S: Float>(
         }
         let places: Vec<f64> = nodes.iter().map(|r| (r - origin.to_f64()) / half).collect();
         let mut through = interpolated(&places, &values);
-        // What may be lost of each coefficient, at the end of the piece.
+        // The allowed rounding of each coefficient follows from its effect at the end of the piece.
         let least = values
             .iter()
             .fold(f64::INFINITY, |least, value| least.min(value.abs()));
@@ -114,12 +117,14 @@ pub(super) fn fit<S: Float>(
             power *= half;
         }
         if let Some(zero) = zero {
-            // The zero is where the rounding of the origin leaves it.
+            // The rounded origin differs from the zero, so the factor is the distance from the
+            // zero.
             through = times_distance(&through, -zero.distance(origin.to_f64()));
         }
         coefficients.push(through.into_iter().map(S::constant).collect());
     }
-    // What lies below is the business of the piece before, beside a zero to the last digit.
+    // The previous piece covers everything below `low`. Near a zero this must be exact to the last
+    // digit.
     let mut from = S::constant(low);
     let below = zero.is_some_and(|zero| zero.at <= low && zero.distance(from.to_f64()) < 0.0);
     if below || from.to_f64() < low {
@@ -132,7 +137,7 @@ pub(super) fn fit<S: Float>(
     })
 }
 
-/// A polynomial in t times t − rest.
+/// Returns a polynomial in t multiplied by t − rest.
 fn times_distance(coefficients: &[f64], rest: f64) -> Vec<f64> {
     let lower = coefficients.iter().copied().chain([0.0]);
     let higher = [0.0].into_iter().chain(coefficients.iter().copied());
@@ -142,7 +147,7 @@ fn times_distance(coefficients: &[f64], rest: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Angles moved by whole turns so that neighbours are closest.
+/// Shifts angles by whole turns so that neighbours are closest.
 fn unwrap(angles: &mut [f64]) {
     let mut last: Option<f64> = None;
     for angle in angles {
@@ -153,7 +158,8 @@ fn unwrap(angles: &mut [f64]) {
     }
 }
 
-/// The coefficients of the polynomial through values at places, by divided differences.
+/// Returns the coefficients of the polynomial through values at given points, by divided
+/// differences.
 pub(super) fn interpolated(places: &[f64], values: &[f64]) -> Vec<f64> {
     let mut differences = values.to_vec();
     let count = places.len();
@@ -170,7 +176,7 @@ pub(super) fn interpolated(places: &[f64], values: &[f64]) -> Vec<f64> {
             }
         }
     }
-    // From Newton's form to powers, from the last factor inwards.
+    // Converts Newton's form to powers, from the last factor inwards.
     let mut powers: Vec<f64> = Vec::with_capacity(count);
     for (difference, place) in differences.iter().zip(places).rev() {
         let mut shifted = vec![*difference];

@@ -1,4 +1,4 @@
-//! The responses while the contact is held as quotients of products.
+//! Responses while the contact is stuck, as quotients of products.
 
 use super::product::Product;
 use super::quotients::EXACT_SHARE;
@@ -6,41 +6,41 @@ use super::worst::Worst;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::{HeldResponse, Root, Transfer};
 
-/// A response while the contact is held, as a table keeps it.
+/// A response while the contact is stuck, as a table stores it.
 #[derive(Clone, Debug)]
 pub enum HeldForm<S> {
-    /// The same at every r.
+    /// A constant response.
     Fixed(S),
-    /// Of an undamped chain, real.
+    /// A response of an undamped chain, which is real.
     Undamped(Product<S>),
-    /// Of a damped chain, complex.
+    /// A response of a damped chain, which is complex.
     Damped {
-        /// What stands before it.
+        /// The constant factor.
         gain: S,
-        /// The zeros.
+        /// The zeros of the response, as factors.
         numerator: Vec<Root<S>>,
-        /// The poles.
+        /// The poles of the response, as factors.
         denominator: Vec<Root<S>>,
     },
 }
 
-/// The responses of a scene while its contact is held.
+/// The responses of a scene while its contact is stuck.
 #[derive(Clone, Debug)]
 pub struct Held<S> {
-    /// x̄* of each mass.
+    /// x̄*, the response of each mass, in the order of the masses.
     pub masses: Vec<HeldForm<S>>,
     /// V/H, the force that holds the contact.
     pub force: HeldForm<S>,
-    /// The numbers of the scalar within the range on which an undamped resonance lies to the last digit.
+    /// Numbers of the scalar within the range that equal an undamped resonance to the last digit.
     pub resonances: Vec<S>,
-    /// The largest error seen, relative to the modulus.
+    /// The largest error found, relative to the modulus.
     pub worst: Worst,
-    /// At how many points was looked.
+    /// Number of compared points.
     pub points: usize,
 }
 
 impl<S: Float> HeldForm<S> {
-    /// The same as the kernel reads it.
+    /// Returns the response as the kernel reads it.
     #[must_use]
     pub fn response(&self) -> HeldResponse<'_, S> {
         match self {
@@ -58,7 +58,7 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// Additions and multiplications, and divisions, of one evaluation.
+    /// Returns the number of additions and multiplications, and the number of divisions, of one evaluation.
     #[must_use]
     pub fn operations(&self) -> (usize, usize) {
         match self {
@@ -81,7 +81,8 @@ impl<S: Float> HeldForm<S> {
                     .sum();
                 let products = [numerator, denominator];
                 let joined = products.map(|factors| factors.len().saturating_sub(1));
-                // A complex product takes six; with the gain two, and one over the poles eight and two divisions.
+                // A complex product takes six operations, and the product with the gain two. The reciprocal of the
+                // poles takes eight operations and two divisions.
                 let joined: usize = 6 * joined.iter().sum::<usize>() + 2;
                 if denominator.is_empty() {
                     (own + joined, 0)
@@ -92,7 +93,7 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// How many numbers its zeros have, with what stands before them; and how many its poles.
+    /// Returns the number of stored numbers of the zeros with the constant factor, and of the poles.
     fn numbers(&self) -> (usize, usize) {
         let of_roots = |roots: &[Root<S>]| -> usize {
             let numbers = roots.iter().map(|root| match root {
@@ -118,7 +119,7 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// Whether two have the same poles.
+    /// Returns whether two forms have the same poles.
     #[must_use]
     pub fn shares_poles(&self, other: &Self) -> bool {
         match (self, other) {
@@ -130,12 +131,12 @@ impl<S: Float> HeldForm<S> {
 }
 
 impl<S: Float> Held<S> {
-    /// All forms: those of the masses, then the force.
+    /// Returns all forms: those of the masses, then that of the force.
     fn forms(&self) -> impl Iterator<Item = &HeldForm<S>> {
         self.masses.iter().chain([&self.force])
     }
 
-    /// One form for each set of poles that forms have in common.
+    /// Returns one form for each distinct set of poles.
     #[must_use]
     pub fn pole_sets(&self) -> Vec<&HeldForm<S>> {
         let mut sets: Vec<&HeldForm<S>> = Vec::new();
@@ -148,13 +149,13 @@ impl<S: Float> Held<S> {
         sets
     }
 
-    /// Whether it may stand for the exact responses at an accuracy.
+    /// Returns whether the products are accurate enough to replace the exact responses at an accuracy.
     #[must_use]
     pub fn keeps(&self, accuracy: f64) -> bool {
         self.worst.error <= EXACT_SHARE * accuracy
     }
 
-    /// What is known of them, as a sentence.
+    /// Returns a sentence on the check of the responses.
     #[must_use]
     pub fn told(&self) -> String {
         format!(
@@ -163,7 +164,7 @@ impl<S: Float> Held<S> {
         )
     }
 
-    /// Additions and multiplications, and divisions, of the mass that takes most.
+    /// Returns the number of additions and multiplications, and the number of divisions, of the most expensive mass.
     #[must_use]
     pub fn most_operations(&self) -> (usize, usize) {
         let operations = self.masses.iter().map(HeldForm::operations);
@@ -172,13 +173,13 @@ impl<S: Float> Held<S> {
         })
     }
 
-    /// What its numbers take.
+    /// Returns the size of the numbers in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         self.numbers() * core::mem::size_of::<S>()
     }
 
-    /// How many numbers all hold; poles that several have in common count once.
+    /// Returns the number of stored numbers. Shared poles count once.
     #[must_use]
     pub fn numbers(&self) -> usize {
         let forms: Vec<&HeldForm<S>> = self.forms().collect();

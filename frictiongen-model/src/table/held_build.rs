@@ -1,4 +1,5 @@
-//! The responses while the contact is held from zeros and poles, and how far they are from the sums over modes.
+//! Builds the responses while the contact is stuck from zeros and poles, and compares them with the sums over the
+//! modes.
 
 use super::check::{GOLDEN, ROUNDINGS};
 use super::errors::or_infinite;
@@ -13,18 +14,21 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Root;
 use frictiongen_kernel::{Complex, Float};
 
-/// Points over the range at which each response is compared, besides those close to its zeros and poles.
+/// Number of points over the range at which each response is compared, in addition to those close to its zeros and
+/// poles.
 const POINTS: usize = 64;
-/// How close to a zero or a pole, relative to it.
+/// Relative distances from a zero or a pole at which a response is compared.
 const BESIDE: [f64; 7] = [0.0, 1e-15, -1e-13, 1e-10, -1e-7, 1e-4, -1e-2];
-/// A pole closer to a number of the scalar is that number: of its 30 digits the iteration leaves the last ones open.
+/// Relative distance below which a pole equals a number of the scalar. The iteration leaves the last of its 30 digits
+/// open.
 const SAME: f64 = 1e-26;
-/// Where it is looked for a place that is far from all zeros and poles.
+/// Number of candidates in the search for an r far from all zeros and poles.
 const PLACES: usize = 33;
 
-/// A double-double rounded once to a scalar.
+/// Rounds a double-double once to a scalar.
 pub(super) fn rounded<S: Float>(value: Dd) -> S {
-    // A double halfway between two numbers of a narrower scalar would hide on which side the low part is: it moves.
+    // A high part exactly halfway between two numbers of a narrower scalar hides the sign of the low part. The shift by
+    // one double restores the direction of rounding.
     let moved = if value.lo > 0.0 {
         value.hi.next_up()
     } else if value.lo < 0.0 {
@@ -41,7 +45,7 @@ pub(super) fn rounded<S: Float>(value: Dd) -> S {
 }
 
 impl Zero {
-    /// The factor of s = ir that it stands for.
+    /// Returns the factor in s = ir of this zero.
     fn root<S: Float>(&self, to: &impl Fn(Dd) -> S) -> Root<S> {
         if self.y.is_zero() {
             return Root::Real { rate: to(-self.x) };
@@ -57,7 +61,7 @@ impl Zero {
 }
 
 impl<S: Float> Held<S> {
-    /// Of a scene over a range of frequency ratios; none where the zeros cannot be told apart.
+    /// Builds the responses over a range of frequency ratios. Returns `None` if the zeros cannot be separated.
     #[must_use]
     pub fn of(modal: &Modal, range: (f64, f64)) -> Option<Self> {
         let (masses, force) = responses(modal)?;
@@ -91,8 +95,8 @@ impl<S: Float> Held<S> {
         })
     }
 
-    /// The largest error of these responses, looked for anew: as of [`worst`](Self::worst), were they others than were
-    /// built.  None where no zeros are known.
+    /// Returns the largest error of these responses, computed again. It differs from [`worst`](Self::worst) if the
+    /// responses were changed. Returns `None` if no zeros are known.
     #[must_use]
     pub fn verify(&self, modal: &Modal, range: (f64, f64)) -> Option<Worst> {
         let (masses, force) = responses(modal)?;
@@ -106,11 +110,11 @@ impl<S: Float> Held<S> {
     }
 }
 
-/// A number of the scalar, and the exact responses there.
+/// A number of the scalar, and the exact responses at it.
 struct Point {
     r: f64,
     at: HeldAt,
-    /// The same some roundings of r farther on.
+    /// The exact responses some roundings of r further on.
     moved: HeldAt,
 }
 
@@ -124,7 +128,7 @@ impl Point {
     }
 }
 
-/// What forms are made from and compared with.
+/// The data from which forms are made and with which they are compared.
 struct Build<'a> {
     modal: &'a Modal,
     damped: bool,
@@ -136,7 +140,7 @@ struct Build<'a> {
 
 impl<'a> Build<'a> {
     fn new<S: Float>(modal: &'a Modal, (low, high): (f64, f64)) -> Self {
-        // The ends that an answer sees.
+        // The bounds, rounded to the scalar as the emitted code has them.
         let (low, high) = (S::constant(low).to_f64(), S::constant(high).to_f64());
         let spread = (0..POINTS).map(|k| {
             let share = (GOLDEN * (k + 1) as f64).fract();
@@ -175,7 +179,7 @@ impl<'a> Build<'a> {
         Some(form)
     }
 
-    /// Where in the range it is farthest to all zeros and poles.
+    /// Returns the r in the range that is farthest from all zeros and poles.
     fn place(&self, rational: &Rational) -> Option<f64> {
         let (low, high) = self.range;
         let away = |r: f64| {
@@ -212,14 +216,14 @@ impl<'a> Build<'a> {
         })
     }
 
-    /// Looks at a form over the range, and close to its zeros and poles.
+    /// Compares a form over the range, and close to its zeros and poles.
     fn compare<S: Float>(
         &mut self,
         response: &Response,
         form: &HeldForm<S>,
         exact: impl Fn(&HeldAt) -> Complex<Dd>,
     ) {
-        // What stands still has no relative error.
+        // A constant response is exact.
         let Response::Rational(rational) = response else {
             return;
         };
@@ -233,7 +237,7 @@ impl<'a> Build<'a> {
         for Point { r, at, moved } in self.spread.iter().chain(&close) {
             let expected = exact(at);
             let size = complex::modulus(expected, true).to_f64();
-            // On a zero or a pole nothing is left to compare.
+            // On a zero or a pole there is no value to compare.
             if !(at.known && 0.0 < size && size.is_finite()) {
                 continue;
             }
@@ -247,7 +251,7 @@ impl<'a> Build<'a> {
                 Dd::from(own.re.to_f64()),
                 Dd::from(own.im.to_f64()),
             ));
-            // Beside a zero or a pole what is exact is so up to some roundings of r.
+            // Near a zero or a pole the exact value is uncertain by some roundings of r.
             let noise = apart(exact(moved));
             let noise = if noise.is_finite() { noise } else { 0.0 };
             let error = or_infinite((off - noise).max(0.0) / size);

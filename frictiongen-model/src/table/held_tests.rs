@@ -1,4 +1,5 @@
-//! Responses while the contact is held: which chains have products, by hand for two masses, and what wrong numbers do.
+//! Tests the responses while the contact is stuck: the chains that have products, two masses by hand, and the effect of
+//! wrong numbers.
 
 use super::held::{Held, HeldForm};
 use super::proof::tests::scene;
@@ -8,8 +9,8 @@ use frictiongen_kernel::table::{Factor, Root};
 
 const RANGE: (f64, f64) = (0.2, 2.5);
 
-/// Chains of every contact and damping have products, which keep 1e-12 and, in single precision, 1e-5: their products have up to
-/// sixty factors, each with a few roundings.
+/// Chains with every contact and damping must have products. They keep 1e-12, and in single precision 1e-5, because
+/// they have up to sixty factors with a few roundings each.
 fn of_chains<S: Float>(finest: f64) {
     for kind in ["Wall", "Base", "Pair"] {
         for count in 1..=16 {
@@ -37,14 +38,14 @@ fn of_single_precision() {
     of_chains::<f32>(1e-5);
 }
 
-/// The base drives two masses that rub on each other: held together they are 2 on a spring of 1, whatever damps their modes
-/// alike; undamped the exact formulas stay.
+/// The base drives two masses that rub on each other. Stuck together, they are a mass of 2 on a spring of 1, under any
+/// damping that treats their modes alike. The undamped chain keeps the exact formulas.
 #[test]
 fn driven_by_the_base() {
     let mut modal = scene("Pair", 2, 0.0, 1.0);
     modal.loads = modal.shapes.iter().map(|shape| shape[0]).collect();
     assert!(Held::<f64>::of(&modal, RANGE).is_none());
-    // 2ζ_iσ_i = 0.1σ_i²: each spring with its own share.
+    // 2ζ_iσ_i = 0.1σ_i², so each spring has its own damping.
     modal.damping_ratios = modal
         .resonances
         .iter()
@@ -63,7 +64,8 @@ fn driven_by_the_base() {
     }
 }
 
-/// With the last of two masses held by the wall the first is on two springs: 1/(2 − r²), which the second passes on.
+/// With the second of two masses stuck to the wall, the first is on two springs: 1/(2 − r²). The holding force has the
+/// same value.
 #[test]
 fn two_masses_by_hand() {
     let held = Held::<f64>::of(&scene("Wall", 2, 0.0, 1.0), RANGE).unwrap();
@@ -76,19 +78,19 @@ fn two_masses_by_hand() {
         ];
         for value in values {
             assert_eq!(value.im, 0.0);
-            // Some roundings, and those of 2 − r² here.
+            // The tolerance covers some roundings, and those of 2 − r² in this test.
             let allowed = f64::EPSILON * (4.0 + 4.0 * expected.abs());
             assert!((value.re / expected - 1.0).abs() < allowed, "{r}: {value}");
         }
         assert_eq!(held.masses[1].response().value(r).re, 0.0);
     }
     assert!(held.resonances.is_empty());
-    // On a resonance that is a number.
+    // This resonance is exactly a number of the scalar.
     let on = Held::<f64>::of(&scene("Pair", 16, 0.0, 1.0), RANGE).unwrap();
     assert_eq!(on.resonances, [1.0]);
 }
 
-/// By how much y has to move for a factor to move by its own size, somewhere in the range.
+/// Returns the change of y that changes a factor by its own magnitude, somewhere in the range.
 fn reach(y: f64) -> f64 {
     let r = y.clamp(RANGE.0, RANGE.1);
     if r == y {
@@ -98,7 +100,7 @@ fn reach(y: f64) -> f64 {
     }
 }
 
-/// The numbers of a factor, and by how much each has to move for that.
+/// Returns the numbers of a factor, each with the change that changes the factor by its own magnitude.
 fn of_root(root: &mut Root<f64>) -> Vec<(&mut f64, f64)> {
     let before = *root;
     let size = |r: f64| {
@@ -115,7 +117,7 @@ fn of_root(root: &mut Root<f64>) -> Vec<(&mut f64, f64)> {
     }
 }
 
-/// Every number of a form, to be moved, and by how much for the response to move by its own size.
+/// Returns every number of a form, each with the change that changes the response by its own magnitude.
 fn numbers(form: &mut HeldForm<f64>) -> Vec<(&mut f64, f64)> {
     let of_factor = |factor| match factor {
         &mut Factor::Zero { ref mut at, .. } => {
@@ -144,7 +146,7 @@ fn numbers(form: &mut HeldForm<f64>) -> Vec<(&mut f64, f64)> {
     }
 }
 
-/// A number that moves a response by ten accuracies is found.
+/// The check must find a number whose error changes a response by ten times the accuracy.
 #[test]
 fn a_wrong_number() {
     let mut moved = 0;

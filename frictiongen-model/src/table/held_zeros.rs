@@ -1,4 +1,4 @@
-//! The responses while the contact is held: their exact values, and their zeros and poles in double-double.
+//! Exact values of the responses while the contact is stuck, with their zeros and poles in double-double.
 
 use super::proportional::Proportional;
 use super::zeros::{EQUAL, NONE, Zero, Zeros, classified, guesses, poles};
@@ -8,30 +8,32 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 
-/// Closer to a resonance of its own, as a share of its stiffness, a chain's sums lose half of 30 digits.
+/// Distance from a resonance of the chain, relative to its stiffness, below which the sums lose half of their 30
+/// digits.
 const ON_RESONANCE: f64 = 1e-12;
 
-/// How many corrections of zeros in double precision, and below which share they end; then in double-double.  Near the end each
-/// is about the cube of the one before: what follows a correction of 10⁻²³ is rounding.
+/// Upper bounds on the number of corrections of zeros, and the relative correction at which they end: first in double
+/// precision, then in double-double. Near convergence each correction is about the cube of the previous one, so after
+/// 10⁻²³ only rounding is left.
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
 
-/// A rational function by its zeros and poles, but for a factor.
+/// A rational function, by its zeros and poles, up to a constant factor.
 #[derive(Clone, Debug)]
 pub(super) struct Rational {
     pub zeros: Vec<Zero>,
     pub poles: Vec<Zero>,
 }
 
-/// A response while the contact is held.
+/// A response while the contact is stuck.
 #[derive(Clone, Debug)]
 pub(super) enum Response {
-    /// The same at every r.
+    /// A constant response.
     Fixed(f64),
     Rational(Rational),
 }
 
-/// s² + 2ζσs + σ² of a mode.
+/// Returns s² + 2ζσs + σ² of a mode.
 fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>> {
     let sigma = *modal.resonances.get(mode)?;
     let rate = Dd::from(2.0) * *modal.damping_ratios.get(mode)? * sigma;
@@ -42,14 +44,14 @@ fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>
     ))
 }
 
-/// A chain at one frequency while its contact is held, to the last digits.
+/// A chain at one frequency while its contact is stuck, to the last digits.
 pub(super) struct HeldAt {
-    /// V/H.
+    /// V/H, the force that holds the contact.
     pub force: Complex<Dd>,
-    /// Whether the digits hold: on an undamped resonance of the chain itself what a mode moves by is a quotient of what
-    /// rounding leaves.  The responses have nothing special there.
+    /// False on an undamped resonance of the chain itself. There the modal amplitude is a quotient of rounding errors,
+    /// although the responses are regular.
     pub known: bool,
-    /// What each mode moves by.
+    /// Amplitude of each mode.
     modes: Vec<Complex<Dd>>,
 }
 
@@ -63,7 +65,7 @@ impl HeldAt {
         let drives = || modal.loads.iter().zip(&modal.contacts);
         let modes = modal.resonances.iter().zip(&modal.damping_ratios);
         for ((sigma, zeta), (load, contact)) in modes.zip(drives()) {
-            // In two factors, which keep their digits beside the resonance.
+            // The two factors keep their digits near the resonance.
             let re = (*sigma - r) * (*sigma + r);
             let im = two * *zeta * *sigma * r;
             let size = re.abs() + im.abs();
@@ -86,7 +88,7 @@ impl HeldAt {
         }
     }
 
-    /// x̄*_k = V_k − H_kV/H.
+    /// Returns x̄*_k = V_k − H_kV/H.
     pub fn mass(&self, modal: &Modal, mass: usize) -> Complex<Dd> {
         let mut sum = complex::real(Dd::ZERO);
         for (shape, moved) in modal.shapes.iter().zip(&self.modes) {
@@ -98,18 +100,19 @@ impl HeldAt {
     }
 }
 
-/// What the base carries the contact by.
+/// Returns the coefficient s of the base motion in z̄: 1 if the contact rubs on the moving base, else 0.
 fn carried(modal: &Modal) -> Dd {
     Dd::from(if modal.on_moving_base { 1.0 } else { 0.0 })
 }
 
-/// A pole of the held chain with its residue in each mass; of a pair the one with y > 0.
+/// A pole of the chain with its contact stuck, with its residue for each mass. A conjugate pair is represented by its
+/// pole with y > 0.
 struct Pole {
     zero: Zero,
     residues: Vec<Complex<Dd>>,
 }
 
-/// A sum that is 0 where no more than rounding is left of its terms.
+/// A sum that becomes 0 if only rounding of its terms is left.
 struct Sum {
     value: Complex<Dd>,
     size: Dd,
@@ -138,7 +141,7 @@ impl Sum {
     }
 }
 
-/// A pole of 1/H: the residue of −H_kV/H there.
+/// Returns a pole of 1/H, with the residue of −H_kV/H for each mass.
 fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     let s = Complex::new(zero.x, zero.y);
     let two = Dd::from(2.0);
@@ -173,7 +176,7 @@ fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     })
 }
 
-/// The poles of modes, or of combinations of equal modes, that the contact does not touch.
+/// Returns the poles of modes, or of combinations of equal modes, that the contact does not touch.
 fn untouched_poles(modal: &Modal) -> Vec<Pole> {
     let equal = |a: usize, b: usize| {
         let near = |values: &[Dd]| match (values.get(a), values.get(b)) {
@@ -195,7 +198,7 @@ fn untouched_poles(modal: &Modal) -> Vec<Pole> {
     all
 }
 
-/// The same of modes that are equal.
+/// Returns the poles of a group of equal modes that the contact does not touch.
 fn untouched(modal: &Modal, modes: std::ops::Range<usize>) -> Vec<Pole> {
     let zero = Dd::ZERO;
     let of = |values: &[Dd], mode: usize| values.get(mode).copied().unwrap_or(zero);
@@ -243,7 +246,8 @@ fn untouched(modal: &Modal, modes: std::ops::Range<usize>) -> Vec<Pole> {
     poles(&mode).into_iter().map(at).collect()
 }
 
-/// The responses of all masses, and what holds the contact; none where the zeros cannot be told apart.
+/// Returns the responses of all masses, and the force that holds the contact. Returns `None` if the zeros cannot be
+/// separated.
 pub(super) fn responses(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     let known = if modal.is_damped() && !modal.on_moving_base {
         Proportional::of(modal)
@@ -257,7 +261,8 @@ pub(super) fn responses(modal: &Modal) -> Option<(Vec<Response>, Response)> {
         damping_ratios: vec![Dd::ZERO; modal.damping_ratios.len()],
         ..modal.clone()
     };
-    // Undamped a zero at s = 0 is a double one, which may not be told apart where the damped chain's are.
+    // A zero at s = 0 is a double zero of the undamped chain. It may not be separable, although the zeros of the damped
+    // chain are.
     let Some((masses, force)) = found(&undamped) else {
         return found(modal);
     };
@@ -269,11 +274,11 @@ pub(super) fn responses(modal: &Modal) -> Option<(Vec<Response>, Response)> {
         fixed @ Response::Fixed(_) => Some(fixed),
     };
     let masses: Option<Vec<Response>> = masses.into_iter().map(|own| moved(own, 1)).collect();
-    // A quotient of two receptances.
+    // The force is a quotient of two receptances, so the factors of proportional damping cancel.
     Some((masses?, moved(force, 0)?))
 }
 
-/// The same by the poles of the held chain.
+/// Returns the same responses, from the poles of the chain with its contact stuck.
 fn found(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     let zeros = Zeros::of(modal)?;
     let held = zeros.receptance.iter();
@@ -297,7 +302,7 @@ fn found(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     Some((masses?, Response::Rational(force)))
 }
 
-/// The response of a mass, from those poles that are its own.
+/// Returns the response of a mass, from the poles with a residue for that mass.
 fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     let own = poles.iter().filter_map(|pole| {
         let residue = *pole.residues.get(mass)?;
@@ -308,7 +313,7 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     if own.is_empty() {
         return Some(Response::Fixed(0.0));
     }
-    // Each pole by itself, of pairs both.
+    // Both poles of a pair are listed separately.
     let mut simple: Vec<[Complex<Dd>; 2]> = Vec::new();
     for (zero, residue) in &own {
         let place = Complex::new(zero.x, zero.y);
@@ -328,7 +333,7 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     let mut roots = guesses(sizes(), degree);
     correct::<f64>(&simple, &mut roots, FIRST_STEPS);
     correct::<Dd>(&simple, &mut roots, LAST_STEPS);
-    // A mass that is pushed by rates alone stands still at r = 0.
+    // A mass that only dampers drive does not move at r = 0, so one zero is at s = 0.
     let least = sizes().fold(f64::INFINITY, f64::min);
     let rests =
         |root: &Complex<Dd>| complex::modulus(*root, true) <= Dd::from(least) * Dd::from(NONE);
@@ -342,8 +347,8 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     }))
 }
 
-/// How many zeros Σ R/(s − z) has: it vanishes at infinity as the first power of 1/s whose coefficient is more than
-/// rounding.
+/// Returns the number of zeros of Σ R/(s − z). It follows from the first power of 1/s at infinity whose coefficient
+/// exceeds rounding.
 fn degree(simple: &[[Complex<Dd>; 2]]) -> Option<usize> {
     let mut powers: Vec<Complex<Dd>> = simple.iter().map(|[_, residue]| *residue).collect();
     for lost in 1..=simple.len() {
@@ -360,7 +365,7 @@ fn degree(simple: &[[Complex<Dd>; 2]]) -> Option<usize> {
     None
 }
 
-/// Steps towards the zeros of Σ R/(s − z).
+/// Corrects the zeros of Σ R/(s − z).
 fn correct<S: Float>(simple: &[[Complex<Dd>; 2]], roots: &mut [Complex<Dd>], most: (usize, f64)) {
     let wide = |value: &Complex<Dd>| Complex::new(to::<S>(value.re), to::<S>(value.im));
     let simple = simple.iter();

@@ -1,32 +1,32 @@
-//! Buckets by which a piece is found.
+//! Buckets for the search of a piece.
 
 use super::fit::Fitted;
 use frictiongen_kernel::Float;
 
-/// The fewest buckets: these are never too many.
+/// Smallest number of buckets, which is never too many.
 const FEWEST: usize = 8;
-/// The numbers of buckets that are tried: powers of two, so that a lookup finds one without a comparison.
+/// Numbers of buckets that are tried. A power of two lets a lookup find its bucket without a comparison.
 const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
-/// There are no more buckets than this for each number in the pieces: they would outweigh what they save.
+/// Largest number of buckets for each number in the pieces. More buckets would need more memory than they are worth.
 const CROWDED: usize = 1;
-/// So many halvings are cheap enough for more buckets not to pay.
+/// Number of halvings that is cheap enough. More buckets would not pay off.
 const FEW: u32 = 2;
 
-/// Buckets over a range.
+/// Buckets that divide a range evenly.
 #[derive(Clone, Debug)]
 pub struct Index<S> {
-    /// Where the first bucket begins.
+    /// The r at which the first bucket begins.
     pub low: S,
-    /// Buckets to a unit of r.
+    /// Number of buckets per unit of r.
     pub density: S,
-    /// How many comparisons find a piece among those of a bucket.
+    /// Number of comparisons that find a piece among those of a bucket.
     pub halvings: u32,
-    /// The piece in which each bucket begins.
+    /// Index of the piece in which each bucket begins.
     pub buckets: Vec<usize>,
 }
 
 impl<S: Float> Index<S> {
-    /// The least index with few halvings; else the one with the fewest.
+    /// Returns the smallest index with at most `FEW` halvings, or else the index with the fewest halvings.
     pub(super) fn of(pieces: &[Fitted<S>], (low, high): (S, S)) -> Self {
         let mut best: Option<Self> = None;
         let numbers: usize = pieces.iter().map(Fitted::numbers).sum();
@@ -50,7 +50,8 @@ impl<S: Float> Index<S> {
 
     fn with(pieces: &[Fitted<S>], (low, high): (S, S), count: usize) -> Self {
         let mut density = S::constant(count as f64 / (high - low).to_f64());
-        // As a lookup computes it: rising with r, whatever the rounding, and the end within the last bucket.
+        // The bucket is computed as in a lookup. It rises with r despite rounding, and the upper bound must fall into
+        // the last bucket.
         while ((high - low) * density).to_index() >= count {
             density = S::constant(density.to_f64() * (1.0 - S::EPSILON));
         }

@@ -1,17 +1,17 @@
-//! Where the maximum of the velocity constraint moves to another place of the half period: β_lim bends there.
+//! Kinks of β_lim. β_lim bends where the maximum of the velocity constraint jumps to another τ in the half period.
 
 use super::exact::Exact;
 
-/// Steps of the fastest mode's √λ/r in which a range is gone through.
+/// Step of the search, in √λ/r of the fastest mode.
 const STEP: f64 = 0.005;
-/// Places of the maximum farther apart than this belong to different maxima.
+/// Distance in τ above which two maxima are different.
 const JUMP: f64 = 0.1;
-/// No fewer steps than this,
+/// Smallest number of steps.
 const FEWEST: usize = 64;
-/// and no more.
+/// Largest number of steps.
 const MOST: usize = 20_000;
 
-/// The kinks of β_lim within a range, ascending, to the last digits.
+/// Returns the kinks of β_lim within a range, ascending, to the last digits.
 pub(super) fn kinks(exact: &mut Exact<'_>, (low, high): (f64, f64)) -> Vec<f64> {
     let fastest = exact
         .modal
@@ -35,7 +35,7 @@ pub(super) fn kinks(exact: &mut Exact<'_>, (low, high): (f64, f64)) -> Vec<f64> 
     kinks
 }
 
-/// Whether the maximum is at another place, not the same one moved.
+/// Returns whether two maxima are different, and not one maximum that has shifted.
 fn differ(a: Option<f64>, b: Option<f64>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => (a - b).abs() > JUMP,
@@ -44,7 +44,7 @@ fn differ(a: Option<f64>, b: Option<f64>) -> bool {
     }
 }
 
-/// The kink between two r, if there is one, by bisection.
+/// Appends the kink between two r, if there is one, by bisection.
 pub(super) fn between(exact: &mut Exact<'_>, mut low: f64, mut high: f64, kinks: &mut Vec<f64>) {
     loop {
         let (Some(at_low), Some(at_high)) = (exact.at(low), exact.at(high)) else {

@@ -1,9 +1,9 @@
-//! Tables of declared accuracy, built from the exact functions of a scene.
+//! Tables with a declared accuracy, built from the exact functions of a scene.
 //!
-//! β_lim is fitted by pieces that are as long as the accuracy allows; beside its zeros, which are known, by what it is over
-//! the distance from them.  β*_lim and |V| are products over their zeros and poles, and so are the responses while the
-//! contact is stuck.  What is built is compared with the exact values in the arithmetic of the table, at points that the
-//! fit did not see; between them it can be proven.
+//! β_lim is fitted by pieces that are as long as the accuracy allows. Near its zeros, which are known, the quotient of
+//! β_lim and the distance from the zero is fitted. β*_lim, |V| and the responses while the contact is stuck are
+//! products over their zeros and poles. The tables are compared with the exact values in their own arithmetic, at
+//! points that the fit did not use. A proof can cover all r between those points.
 
 mod check;
 mod cover;

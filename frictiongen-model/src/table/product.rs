@@ -1,23 +1,23 @@
-//! A product over zeros and poles, as a table keeps it.
+//! A product over zeros and poles, as a table stores it.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::{Factor, Quotient};
 
-/// The kernel's [`Quotient`], with its vectors.
+/// The kernel's [`Quotient`], with owned vectors.
 #[derive(Clone, Debug)]
 pub struct Product<S> {
-    /// What stands before it.
+    /// The constant factor of the product.
     pub gain: S,
-    /// The factors are those of the squares of what is meant.
+    /// True if the factors describe the square of the function.
     pub squared: bool,
-    /// The zeros.
+    /// The zeros of the product, as factors.
     pub numerator: Vec<Factor<S>>,
-    /// The poles.
+    /// The poles of the product, as factors.
     pub denominator: Vec<Factor<S>>,
 }
 
 impl<S: Float> Product<S> {
-    /// The same as the kernel reads it.
+    /// Returns the product as the kernel reads it.
     #[must_use]
     pub fn quotient(&self) -> Quotient<'_, S> {
         Quotient {
@@ -28,11 +28,12 @@ impl<S: Float> Product<S> {
         }
     }
 
-    /// Additions and multiplications, divisions and roots of one evaluation.
+    /// Returns the numbers of additions and multiplications, of divisions, and of roots in one
+    /// evaluation.
     #[must_use]
     pub fn operations(&self) -> (usize, usize, usize) {
         let factors = self.numerator.iter().chain(&self.denominator);
-        // Of each factor its own, and the product with the others.
+        // Each count includes the operations of the factor and the product with the others.
         let plain = factors.map(|factor| match factor {
             Factor::Zero { .. } => 5,
             Factor::Pair { .. } => 8,
@@ -46,7 +47,7 @@ impl<S: Float> Product<S> {
         )
     }
 
-    /// How many numbers it holds.
+    /// Returns the number of stored numbers.
     #[must_use]
     pub fn numbers(&self) -> usize {
         let factors = self.numerator.iter().chain(&self.denominator);

@@ -1,4 +1,4 @@
-//! β*_lim and |V| as quotients of products, compared with the sums over modes.
+//! β*_lim and |V| as quotients of products, compared with the sums over the modes.
 
 use super::check;
 use super::exact::Exact;
@@ -13,14 +13,14 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 
-/// β*_lim, |V| and the responses while the contact is held may take this share of the accuracy.
+/// Share of the accuracy that β*_lim, |V| and the responses while the contact is stuck may use.
 pub(super) const EXACT_SHARE: f64 = 0.5;
-/// With `side: safe` β*_lim is larger by so many roundings: the fewest that are proven to be more than what its factors and
-/// the uncertainty of its zeros take.
+/// Candidates for the excess of β*_lim with `side: safe`, in roundings. The smallest one is used that is proven to
+/// exceed the errors of the factors and of the zeros.
 const SAFE_ROUNDINGS: [f64; 5] = [64.0, 512.0, 4096.0, 65_536.0, 1_048_576.0];
 
-/// A product over zeros and poles, with the gain that makes it equal to `value` in double-double where it is
-/// farthest from its zeros and poles within the range.
+/// Returns a product over zeros and poles. Its gain makes it equal to `value` in double-double where r is farthest from
+/// its zeros and poles within the range.
 fn product<S: Float>(
     squared: bool,
     numerator: [&[Zero]; 2],
@@ -72,7 +72,7 @@ fn product<S: Float>(
     })
 }
 
-/// β*_lim, times `side_factor`.
+/// Returns β*_lim, times `side_factor`.
 fn sliding<S: Float>(
     exact: &Exact<'_>,
     zeros: &Zeros,
@@ -93,7 +93,7 @@ fn sliding<S: Float>(
     Some(product)
 }
 
-/// |V|, or V with its sign for an undamped chain.
+/// Returns |V|, or V with its sign for an undamped chain.
 fn excitation<S: Float>(
     exact: &Exact<'_>,
     zeros: &Zeros,
@@ -111,20 +111,21 @@ fn excitation<S: Float>(
     )
 }
 
-/// A double-double rounded once to a scalar.
+/// Rounds a double-double once to a scalar.
 fn rounded<S: Float>(value: Dd) -> S {
     S::constant(value.to_f64())
 }
 
-/// β*_lim and |V| as products, each only where it is as exact as the tables: else the exact formulas answer.
+/// β*_lim and |V| as products. Each is `None` if it is less accurate than the tables, and the exact formulas are then
+/// used.
 pub(super) struct Products<S> {
     pub sliding: Option<Product<S>>,
     pub excitation: Option<Product<S>>,
     /// The largest error of β*_lim.
     pub worst: Worst,
-    /// At how many points was looked.
+    /// Number of compared points.
     pub points: usize,
-    /// What is proven of both.
+    /// The proofs of both.
     pub proofs: [Proof; 2],
 }
 
@@ -153,7 +154,7 @@ impl<S: Float> Products<S> {
                 let side_factors =
                     side_factors.map(|excess| 1.0 + excess.min(0.5 * request.accuracy));
                 let built = side_factors.into_iter().filter_map(of_sliding);
-                // The first of the best.
+                // The first of the products with the shortest open length.
                 built.min_by(|a, b| a.2.open_length().total_cmp(&b.2.open_length()))
             }
         };

@@ -1,4 +1,4 @@
-//! Which regimes the friction ratios that may be asked for can reach, as the tables tell them apart.
+//! Regimes that the permitted friction ratios can reach, according to the tables.
 
 use super::product::Product;
 use super::proof::{polynomial, rounding, unit};
@@ -8,24 +8,26 @@ use crate::scene::{Beyond, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
 
-/// So often a part of the range is halved before it counts as undecided.
+/// Number of halvings after which an interval of r counts as undecided.
 const HALVINGS: u32 = 12;
-/// Parts of the range that are looked at first.
+/// Number of intervals of r at the start.
 const PARTS: usize = 64;
 
-/// Which regimes friction ratios up to a largest one can reach over the range of the tables.
+/// Regimes that friction ratios up to a largest one can reach over the range of the tables.
 ///
-/// What is said is so for every number of the scalar, in the arithmetic that is emitted: where nothing is said either may be.
+/// A `true` is valid for every number of the scalar, in the emitted arithmetic. A `false` means that either is
+/// possible.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
-    /// Every friction ratio is below β_lim: the closed form answers.
+    /// Every friction ratio is below β_lim, so that the closed form answers.
     pub always_continuous: bool,
-    /// Every friction ratio is below β*_lim: no stuck state exists.
+    /// Every friction ratio is below β*_lim, so that no stuck state exists.
     pub never_stuck: bool,
 }
 
 impl<S: Float> Tables<S> {
-    /// What the friction ratios that a scene declares can reach; anything where the exact formulas answer beyond them.
+    /// Returns the regimes that the declared friction ratios can reach. Returns the default if exact formulas are used
+    /// beyond the declared range.
     #[must_use]
     pub fn declared_reach(&self, scene: &Scene) -> Reach {
         let declared = &scene.declared;
@@ -35,7 +37,7 @@ impl<S: Float> Tables<S> {
         }
     }
 
-    /// What friction ratios from 0 to `most`, itself included, can reach; `stiction` is μ.
+    /// Returns the regimes that friction ratios from 0 to `most` (included) can reach. `stiction` is μ.
     #[must_use]
     pub fn reach(&self, stiction: f64, most: f64) -> Reach {
         let most = S::constant(most).to_f64();
@@ -44,7 +46,7 @@ impl<S: Float> Tables<S> {
         }
         let always_continuous = self.limit_is_above(most);
         let sliding = self.sliding.as_ref();
-        // As the kernel has it: a contact that grips no better than it rubs cannot stick below β_lim.
+        // As in the kernel, with μ ≤ 1 the contact cannot stick below β_lim.
         let decides = always_continuous && stiction <= 1.0;
         Reach {
             always_continuous,
@@ -52,13 +54,13 @@ impl<S: Float> Tables<S> {
         }
     }
 
-    /// Both ends of the range, as a lookup sees them.
+    /// Returns both bounds of the range, rounded as in a lookup.
     fn ends(&self) -> (f64, f64) {
         let (low, high) = self.request.r;
         (S::constant(low).to_f64(), S::constant(high).to_f64())
     }
 
-    /// Whether β_lim as it is emitted exceeds a number everywhere.
+    /// Returns whether the emitted β_lim exceeds a number everywhere.
     fn limit_is_above(&self, most: f64) -> bool {
         let (low, high) = self.ends();
         let mut above = !self.pieces.is_empty();
@@ -84,7 +86,7 @@ impl<S: Float> Tables<S> {
         above
     }
 
-    /// Whether a product as it is emitted exceeds a number everywhere.
+    /// Returns whether an emitted product exceeds a number everywhere.
     fn is_above(&self, product: &Product<S>, most: f64) -> bool {
         let (low, high) = self.ends();
         let least = |r: Interval| size::<S>(product, r).low;
@@ -93,13 +95,13 @@ impl<S: Float> Tables<S> {
     }
 }
 
-/// Whether what is at least `least` exceeds a number all over an interval.
+/// Returns whether a function with the lower bound `least` exceeds a number over a whole interval.
 fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f64) -> bool {
     if most < least(r) {
         return true;
     }
     let middle = r.middle();
-    // Where a single place fails nothing is to be gained.
+    // If a single r fails, further halving is useless.
     if halvings == 0 || !(most < least(Interval::point(middle))) {
         return false;
     }
@@ -108,13 +110,13 @@ fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f
     halves.all(|half| exceeds(half, halvings - 1, least, most))
 }
 
-/// What an operation on numbers of the scalar may round to.
+/// Returns the possible results of a rounded operation on numbers of the scalar.
 fn rounded<S: Float>(exact: Interval) -> Interval {
     let (unit, smallest) = unit::<S>();
     exact * (Interval::ONE + Interval::within(2.0 * unit)) + Interval::within(smallest)
 }
 
-/// The size of a product over an interval, with the roundings of every operation.
+/// Returns the magnitude of a product over an interval, with the roundings of every operation.
 fn size<S: Float>(product: &Product<S>, r: Interval) -> Interval {
     let of = |factors: &[Factor<S>]| {
         factors.iter().fold(Interval::ONE, |all, factor| {
@@ -128,11 +130,11 @@ fn size<S: Float>(product: &Product<S>, r: Interval) -> Interval {
         quotient
     };
     let value = rounded::<S>(Interval::point(product.gain.to_f64()) * root);
-    // |value|.
+    // The result is |value|.
     if value.high < 0.0 { -value } else { value }
 }
 
-/// A factor over an interval.
+/// Returns a factor over an interval.
 fn value<S: Float>(factor: &Factor<S>, r: Interval) -> Interval {
     let point = |value: S| Interval::point(value.to_f64());
     let beside = |at: S, rest: S| {
@@ -161,7 +163,7 @@ mod tests {
     use crate::scene::Side;
     use frictiongen_kernel::Float;
 
-    /// The least emitted limits, sought at many numbers of the scalar.
+    /// Returns the smallest emitted limits among many numbers of the scalar.
     fn least<S: Float>(tables: &Tables<S>) -> [f64; 2] {
         let (low, high) = tables.request.r;
         let mut state = 3;
@@ -187,13 +189,14 @@ mod tests {
         let [limit, sliding] = least(&tables);
         let name = format!("{kind}{count}, {zeta}, {stiction}: {limit} and {sliding}");
         let reach = |most| tables.reach(stiction, most);
-        // Nearer a bound of the roundings may not tell.
+        // Closer to the limit, the bound on the roundings may not decide.
         for (share, is_below) in [(0.5, true), (0.99, true), (1.001, false), (2.0, false)] {
             assert_eq!(reach(share * limit).always_continuous, is_below, "{name}");
             assert_eq!(reach(share * sliding).never_stuck, is_below, "{name}");
         }
         assert_eq!(reach(f64::INFINITY), Reach::default());
-        // The largest friction ratio of which it is said, in the scalar: below every emitted limit, roundings included.
+        // The largest friction ratio that is reported as continuous must be below every emitted limit, in the scalar
+        // and with roundings.
         let (mut said, mut unsaid) = (0.99 * limit, 1.001 * limit);
         for _ in 0..40 {
             let middle = 0.5 * (said + unsaid);
@@ -220,7 +223,8 @@ mod tests {
         }
     }
 
-    /// Every piece is looked at up to its end, the last one up to the end of the range, where β_lim is the least here.
+    /// Every piece must be examined up to its end. The last one ends at the end of the range, where β_lim is smallest
+    /// in this test.
     #[test]
     fn up_to_the_end_of_the_range() {
         let modal = scene("Wall", 1, 0.02, 1.0);
@@ -236,7 +240,8 @@ mod tests {
         assert!(!tables.reach(1.0, 0.6).always_continuous);
     }
 
-    /// With μ = 2 β*_lim, here 1/2, is the smaller limit about the resonance: a stuck state beside the closed form.
+    /// With μ = 2, β*_lim is 1/2 and the smaller limit near the resonance. A stuck state then exists in addition to the
+    /// closed form.
     #[test]
     fn a_stuck_state_beside_the_closed_form() {
         let modal = scene("Wall", 1, 0.05, 2.0);
@@ -252,7 +257,7 @@ mod tests {
         }
     }
 
-    /// A zero of β_lim within the range leaves every regime open.
+    /// A zero of β_lim within the range must leave every regime open.
     #[test]
     fn beside_a_zero() {
         let modal = scene("Wall", 1, 0.0, 1.0);

@@ -1,65 +1,66 @@
-//! What is asked of tables, and why it cannot be had.
+//! Requests for tables, and the errors of requests that cannot be met.
 
 use crate::scene::Side;
 use frictiongen_kernel::Float;
 
-/// The coarsest accuracy that means anything.
+/// The coarsest accuracy that is useful.
 pub const COARSEST: f64 = 0.1;
-/// The finest accuracy of a table in double precision.
+/// The finest accuracy of a table in double precision, relative.
 pub const FINEST: f64 = 1e-12;
-/// The finest accuracy that a proof of β_lim is tried for: below it a table is checked.
+/// The finest accuracy for which a proof of β_lim is attempted. Finer tables are checked only.
 pub const FINEST_PROVEN: f64 = 1e-6;
-/// The finest accuracy of a table in single precision: some of its roundings.
+/// The finest accuracy of a table in single precision, relative. It is some roundings of that
+/// precision.
 pub const FINEST_SINGLE: f64 = 2e-6;
 
-/// What tables are asked for.
+/// A request for tables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
-    /// Smallest and largest frequency ratio.
+    /// Smallest and largest frequency ratio r of the table.
     pub r: (f64, f64),
-    /// The largest relative error of an answer; of a phase in radians.
+    /// The largest relative error of an answer, or for a phase the largest error in radians.
     pub accuracy: f64,
-    /// On which side of the exact limits the tabled ones may be.
+    /// The side of the exact limits on which the tabled limits may lie.
     pub side: Side,
-    /// Whether the contact's motion is tabled besides the limits.
+    /// True if the motion of the contact is tabled in addition to the limits.
     pub motion: bool,
-    /// Whether the responses while the contact is stuck are.
+    /// True if the responses while the contact is stuck are tabled.
     pub stuck: bool,
 }
 
-/// Why there is no table.
+/// The reasons why a table cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableError {
-    /// The range is empty, reversed, or holds r = 0 or infinity.
+    /// The range is empty or reversed, or contains r = 0 or infinity.
     #[error("a table needs a range of frequency ratios 0 < a < b, both finite, not {0:?}..{1:?}")]
     Range(f64, f64),
-    /// An accuracy that is none.
+    /// The accuracy is outside the possible range.
     #[error("an accuracy lies from {finest:?} to 0.1, not at {value:?}")]
     Accuracy {
-        /// What was asked.
+        /// The requested accuracy.
         value: f64,
-        /// The finest that the scalar allows.
+        /// The finest accuracy of the scalar.
         finest: f64,
     },
-    /// Nothing that was tried meets the accuracy.
+    /// No table that was tried meets the accuracy.
     #[error("{}", not_met(.accuracy, .reached, .at))]
     NotMet {
-        /// What was asked.
+        /// The requested accuracy.
         accuracy: f64,
         /// The finest of the accuracies 10, 100, … times as coarse that can be met.
         reached: Option<f64>,
-        /// Where it fails.
+        /// The r at which it fails.
         at: f64,
     },
-    /// Not even the coarsest accuracy fits into so many bytes.
+    /// Even the coarsest accuracy does not fit into the allowed bytes.
     #[error(
         "no table fits into {bytes} bytes; the coarsest takes {least}: allow more, or narrow the range"
     )]
     TooFewBytes {
-        /// What was allowed.
+        /// The allowed bytes.
         bytes: usize,
-        /// What the coarsest table takes.
+        /// The bytes of the coarsest table.
         least: usize,
     },
 }
@@ -75,7 +76,7 @@ fn not_met(accuracy: &f64, reached: &Option<f64>, at: &f64) -> String {
 }
 
 impl Request {
-    /// Whether it makes sense in a scalar.
+    /// Checks that the request is possible in a scalar.
     ///
     /// # Errors
     /// [`TableError::Range`] and [`TableError::Accuracy`].
@@ -96,15 +97,15 @@ impl Request {
     }
 }
 
-/// Between the roundings of single and of double precision.
+/// A number between the roundings of single and of double precision.
 const BETWEEN_PRECISIONS: f64 = 1e-10;
 
-/// Whether a scalar has single precision.
+/// Returns whether a scalar has single precision.
 pub(super) fn is_single<S: Float>() -> bool {
     S::EPSILON > BETWEEN_PRECISIONS
 }
 
-/// The finest accuracy of a table in a scalar.
+/// Returns the finest accuracy of a table in a scalar.
 pub fn finest<S: Float>() -> f64 {
     if is_single::<S>() {
         FINEST_SINGLE

@@ -1,4 +1,4 @@
-//! What fit, check and rounding take of an accuracy.
+//! Shares of an accuracy for the fit, the check and the rounding.
 
 use super::cover::Cover;
 use super::errors::Comparison;
@@ -11,18 +11,19 @@ use crate::scene::Side;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Quotient;
 
-/// Of the accuracy the fit takes this share: the rest is for the points between those that it looks at.
+/// Share of the accuracy for the fit. The rest is for r between the points of the fit.
 const SHARE: f64 = 0.75;
-/// The check allows this share: between its points an error may be larger.
+/// Share of the accuracy that the check allows. Between its points an error may be larger.
 const CHECKED: f64 = 0.9;
-/// With `side: safe` a table lies half the accuracy off, and strays by less than this share.
+/// Share of the accuracy for the fit with `side: safe`. The table then lies half the accuracy away from the exact
+/// limit.
 const SAFE_SHARE: f64 = 0.4;
-/// Of the accuracy the decimals of a coefficient may take this share.
+/// Share of the accuracy for the rounding of a coefficient to decimals.
 const ROUNDING: f64 = 1e-3;
-/// No table has more pieces.
+/// Largest number of pieces of a table.
 const MOST_PIECES: usize = 20_000;
 
-/// A cover before its first piece.
+/// Returns a cover without pieces.
 pub(super) fn cover<'a, 'm, S: Float>(
     exact: &'a mut Exact<'m>,
     landmarks: Landmarks,
@@ -31,7 +32,7 @@ pub(super) fn cover<'a, 'm, S: Float>(
     excitation: Option<Quotient<'a, S>>,
 ) -> Cover<'a, 'm, S> {
     let accuracy = request.accuracy;
-    // Safe: β_lim from below, half the accuracy off.
+    // With the safe side, the fit aims half the accuracy below β_lim.
     let (side_factor, share, whole) = match request.side {
         Side::Near => (1.0, SHARE, CHECKED * accuracy),
         Side::Safe => (1.0 - 0.5 * accuracy, SAFE_SHARE, 0.5 * CHECKED * accuracy),
@@ -57,7 +58,7 @@ pub(super) fn cover<'a, 'm, S: Float>(
     }
 }
 
-/// An error over what the check allows, as a relative error.
+/// Converts an error over the error that the check allows into a relative error.
 pub(super) fn relative(worst: Worst, request: &Request) -> Worst {
     let error = match request.side {
         Side::Near => worst.error * CHECKED * request.accuracy,

@@ -1,10 +1,10 @@
-//! Where a table must be split, and where it must be looked at closely.
+//! The r at which a table must be divided, and those at which it must be checked closely.
 
 use super::zeros::{Zeros, contact_modes};
 use crate::modal::Modal;
 use frictiongen_kernel::number::dd::Dd;
 
-/// A zero of β_lim, in two parts.
+/// A zero of β_lim, as a double and its remainder.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     pub at: f64,
@@ -18,42 +18,43 @@ impl Edge {
         Self { at: high, rest }
     }
 
-    /// How far r lies above it.
+    /// Returns the distance of r above the zero.
     pub fn distance(&self, r: f64) -> f64 {
         (r - self.at) - self.rest
     }
 }
 
-/// How far beside a place of interest a table is looked at, relative to it.
+/// Relative distances from an r of interest at which a table is checked.
 const BESIDE: [f64; 13] = [
     0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2,
 ];
-/// A zero of β_lim counts when it is no farther outside the range than this share of r.
+/// Largest relative distance of a zero of β_lim outside the range at which it still counts.
 const OUTSIDE: f64 = 1e-2;
-/// A mode whose damping takes this much of the motion within a half period leaves no narrow trace.
+/// Damping ratio times the order of a sub-harmonic above which a mode leaves no narrow trace in
+/// β_lim. For a zero, the same bound applies to |x|/y.
 const BROAD: f64 = 0.5;
-/// No more sub-harmonics are looked at than this for each mode.
+/// Largest number of sub-harmonics for each mode.
 const MOST: usize = 10_000;
 
-/// What is known of β_lim over a range before it is looked at.
+/// Properties of β_lim over a range that are known before any fit.
 #[derive(Clone, Debug)]
 pub(super) struct Landmarks {
     /// The zeros of β_lim within the range and just outside, ascending.
     pub zeros: Vec<Edge>,
-    /// The resonances of undamped modes within the range.
+    /// The resonances of undamped modes within the range, at which arg V jumps.
     pub jumps: Vec<f64>,
-    /// Places to look at besides, ascending: about zeros, resonances and sub-harmonics.
+    /// Further r to check, ascending, about zeros, resonances and sub-harmonics.
     pub closely: Vec<f64>,
 }
 
 impl Landmarks {
-    /// The zero that a piece counts from, if it is one.
+    /// Returns the zero that is the origin of a piece, if the origin is a zero.
     pub fn zero_at(&self, origin: f64, to: impl Fn(f64) -> f64) -> Option<Edge> {
         let mut zeros = self.zeros.iter().copied();
         zeros.find(|zero| to(zero.at) == origin)
     }
 
-    /// One more place to look at.
+    /// Adds an r to check.
     pub fn look_at(&mut self, r: f64) {
         let place = self.closely.partition_point(|known| *known < r);
         self.closely.insert(place, r);
@@ -73,7 +74,7 @@ impl Landmarks {
                 if zeta.to_f64() * order > BROAD {
                     break;
                 }
-                // Of an undamped mode U is infinite there, whatever damps the others.
+                // U of an undamped mode is infinite there, for any damping of the other modes.
                 if zeta.is_zero() && (k > 0 || mode.residue.is_zero()) {
                     edges.push(Edge::new(place));
                 }
@@ -94,7 +95,7 @@ impl Landmarks {
                 centres.push(zero.y.to_f64());
             }
         }
-        // A zero just outside is as near as one at the end.
+        // A zero just outside the range matters as much as one at its bound.
         let beside =
             |edge: &Edge| low * (1.0 - OUTSIDE) <= edge.at && edge.at <= high * (1.0 + OUTSIDE);
         edges.retain(beside);

@@ -1,4 +1,4 @@
-//! Tables of a scene, from the request to the report.
+//! Builds the tables of a scene, from the request to the report.
 
 use super::cover::Stuck;
 use super::exact::Exact;
@@ -19,76 +19,76 @@ use crate::modal::Modal;
 use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 
-/// Of a budget of bytes the responses while the contact is stuck may take one part in so many.
+/// Largest share of a budget of bytes for the responses while the contact is stuck: one over this number.
 const STUCK_PART: usize = 4;
-/// The first piece is tried at this part of the range.
+/// The range over the length of the first trial piece.
 const FIRST: f64 = 16.0;
-/// So many pieces have numbers of one byte.
+/// Largest number of pieces whose indices fit in one byte.
 const IN_A_BYTE: usize = 1 << u8::BITS;
 
-/// What was built, and how it compares with the exact values.
+/// Size of the tables, and their errors in the check.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report {
-    /// The largest relative error of β_lim seen by the check; with a motion, the larger of it and of amplitude and phase.
+    /// The largest relative error of β_lim in the check. With a motion, it includes amplitude and phase.
     pub worst: Worst,
-    /// The largest relative error of β*_lim seen.
+    /// The largest relative error of β*_lim in the check.
     pub sliding: Worst,
-    /// At how many points the check looked.
+    /// Number of points of the check.
     pub points: usize,
-    /// How many exact values the whole took.
+    /// Number of exact values computed for the tables.
     pub evaluations: usize,
-    /// All that is kept, in bytes.
+    /// Size of all stored numbers, in bytes.
     pub bytes: usize,
 }
 
 /// Tables of a scene in the scalar `S`.
 #[derive(Clone, Debug)]
 pub struct Tables<S> {
-    /// What was asked.
+    /// The request for which the tables were built.
     pub request: Request,
-    /// How many functions share the pieces: β_lim; with a motion a, with damping g and arg V, and where every mode is damped
-    /// |V|.
+    /// Number of functions that share the pieces. These are β_lim, with a motion a, with damping g and arg V, and if
+    /// every mode is damped |V|.
     pub functions: usize,
-    /// Coefficients of each polynomial.
+    /// Number of coefficients of each polynomial.
     pub terms: usize,
-    /// The pieces, ascending.
+    /// The pieces of β_lim and of the other functions, ascending in r.
     pub pieces: Vec<Fitted<S>>,
-    /// By which they are found.
+    /// The index by which a piece is found.
     pub index: Index<S>,
-    /// β*_lim; none where only the sums over modes keep the accuracy.
+    /// β*_lim; `None` if only the sums over the modes keep the accuracy.
     pub sliding: Option<Product<S>>,
-    /// |V|, for a motion, where it is not among the functions.
+    /// |V| for a motion; `None` if it is one of the functions.
     pub excitation: Option<Product<S>>,
-    /// The responses while the contact is stuck, where they are asked for; none where only the exact formulas keep the
-    /// accuracy.  They are compared with the exact values, not proven.
+    /// The responses while the contact is stuck, if they were requested; `None` if only the exact formulas keep the
+    /// accuracy. They are compared with the exact values, not proven.
     pub held: Option<Held<S>>,
-    /// What was built.
+    /// Size and errors of the tables.
     pub report: Report,
-    /// What is proven of β_lim.
+    /// The proof of β_lim.
     pub proof: Proof,
-    /// What is proven of amplitude and phase of the contact, up to the last of the friction shares.
+    /// The proof of amplitude and phase of the contact, up to the last of the friction shares.
     pub motion_proof: Proof,
-    /// What is proven of β*_lim when it is built: that takes no work to speak of.
+    /// The proof of β*_lim. It is made with the tables, because it takes little work.
     pub sliding_proof: Proof,
-    /// The same of |V|, where it is a product.
+    /// The proof of |V|, if it is a product.
     pub excitation_proof: Proof,
-    /// The undamped resonances in the range that the load drives, as numbers of the scalar: there the amplitude of a
-    /// continuous motion is infinite.
+    /// The undamped resonances in the range that the load drives, as numbers of the scalar. The amplitude of a
+    /// continuous motion is infinite at them.
     pub unbounded: Vec<S>,
-    /// Where β_lim bends, ascending.
+    /// The kinks of β_lim, ascending.
     pub(super) kinks: Vec<f64>,
 }
 
-/// A number rounded to one digit, as people write accuracies.
+/// Rounds a number to one digit, as people write accuracies.
 fn one_digit(value: f64) -> f64 {
     format!("{value:.0e}").parse().unwrap_or(value)
 }
 
 impl<S: Float> Tables<S> {
-    /// The tables of a scene.
+    /// Builds the tables of a scene.
     ///
     /// # Errors
-    /// Every [`TableError`] but `TooFewBytes`.
+    /// Returns every [`TableError`] except `TooFewBytes`.
     pub fn build(modal: &Modal, request: Request) -> Result<Self, TableError> {
         request.check::<S>()?;
         let mut exact = Exact::new(modal);
@@ -103,24 +103,25 @@ impl<S: Float> Tables<S> {
         Ok(tables.with(Self::held_of(modal, &request).as_ref()))
     }
 
-    /// Whether amplitude and phase of the contact follow from these tables.
+    /// Returns whether amplitude and phase of the contact follow from these tables.
     #[must_use]
     pub fn moves(&self) -> bool {
         self.functions > 1
     }
 
-    /// Additions and multiplications of one polynomial and its lookup.
+    /// Returns the number of additions and multiplications of one polynomial and its lookup.
     #[must_use]
     pub fn additions_and_multiplications(&self) -> usize {
-        // r − low times the density; r − origin and its square; two for each pair, two to join all but one.
+        // The count includes r − low and its product with the density, r − origin and its square. It has two operations
+        // for each pair, and two to join each pair but one.
         let pairs = self.terms.div_ceil(2);
         2 + 2 + 2 * pairs + 2 * (pairs - 1)
     }
 
-    /// What a scene declares; none if it is exact.
+    /// Builds the tables that a scene declares. Returns `None` for an exact scene.
     ///
     /// # Errors
-    /// Every [`TableError`].
+    /// Returns every [`TableError`].
     pub fn of(scene: &Scene) -> Result<Option<Self>, TableError> {
         let declared = &scene.declared;
         let Some(range) = declared.range.filter(|_| declared.is_tabled()) else {
@@ -151,15 +152,15 @@ impl<S: Float> Tables<S> {
         tables.map(Some)
     }
 
-    /// The finest tables that fit into so many bytes.
+    /// Builds the finest tables that fit into a number of bytes.
     ///
     /// # Errors
-    /// [`TableError::TooFewBytes`], and what [`build`](Self::build) answers.
+    /// [`TableError::TooFewBytes`], and the errors of [`build`](Self::build).
     pub fn within(modal: &Modal, request: Request, bytes: usize) -> Result<Self, TableError> {
         Self::within_to(modal, request, bytes, FINEST)
     }
 
-    /// The same, but none finer than an accuracy.
+    /// Builds the finest tables that fit into a number of bytes, but none finer than an accuracy.
     fn within_to(
         modal: &Modal,
         request: Request,
@@ -172,7 +173,7 @@ impl<S: Float> Tables<S> {
         };
         coarsest.check::<S>()?;
         let mut exact = Exact::new(modal);
-        // No more than a share is given to what has exact formulas without a search.
+        // The stuck responses get a limited share, because their exact formulas need no search.
         let held = Self::held_of(modal, &request);
         let held = held.filter(|held| held.bytes() <= bytes / STUCK_PART);
         let mut within = |finer: Request| {
@@ -185,7 +186,7 @@ impl<S: Float> Tables<S> {
         if least > bytes {
             return Err(TableError::TooFewBytes { bytes, least });
         }
-        // Accuracies 1, 2, 5, 10, … times 10^−k: the first that does not fit ends the search.
+        // The accuracies are 5, 2, 1 times 10^−k. The first that does not fit ends the search.
         for step in 0_u32.. {
             let unit = [5.0, 2.0, 1.0]
                 .get((step % 3) as usize)
@@ -207,7 +208,8 @@ impl<S: Float> Tables<S> {
         Ok(best)
     }
 
-    /// What the limits and the contact's motion take of [`Report::bytes`].
+    /// Returns the size of the tables of the limits and of the contact's motion, which are included in
+    /// [`Report::bytes`].
     #[must_use]
     pub fn bytes_without_stuck(&self) -> usize {
         self.report.bytes - self.held.as_ref().map_or(0, Held::bytes)
@@ -217,7 +219,7 @@ impl<S: Float> Tables<S> {
         request.stuck.then(|| Held::of(modal, request.r)).flatten()
     }
 
-    /// With the responses while the contact is stuck, if they keep the accuracy.
+    /// Adds the responses while the contact is stuck, if they keep the accuracy.
     fn with(mut self, held: Option<&Held<S>>) -> Self {
         let accuracy = self.request.accuracy;
         self.held = held.filter(|held| held.keeps(accuracy)).cloned();
@@ -225,7 +227,7 @@ impl<S: Float> Tables<S> {
         self
     }
 
-    /// The finest of accuracies ten times as coarse, and so on, that can be met.
+    /// Returns the finest accuracy of those 10, 100, … times as coarse that can be met.
     fn reached(exact: &mut Exact<'_>, request: Request) -> Option<f64> {
         let mut accuracy = request.accuracy;
         while accuracy < COARSEST {
@@ -245,8 +247,8 @@ impl<S: Float> Tables<S> {
         Self::built_within(exact, request, usize::MAX)
     }
 
-    /// What one polynomial cannot follow, a trace of a mode that is some hundred roundings of r wide, one of a higher
-    /// degree may.
+    /// Builds the tables, if necessary with polynomials of a higher degree. A mode may leave a trace some hundred
+    /// roundings of r wide, which the usual degree cannot follow.
     fn built_within(
         exact: &mut Exact<'_>,
         request: Request,
@@ -262,8 +264,8 @@ impl<S: Float> Tables<S> {
         found.ok_or(not_met)
     }
 
-    /// With |V| among the functions where that will do and fits: a product costs a root and an operation for every zero
-    /// and pole, but fewer bytes.
+    /// Builds the tables with |V| as one of the functions, if that is possible and fits. A product needs fewer bytes,
+    /// but costs a root and operations for every zero and pole.
     fn of_terms(
         exact: &mut Exact<'_>,
         request: Request,
@@ -288,7 +290,7 @@ impl<S: Float> Tables<S> {
         with_size: bool,
     ) -> Result<Self, TableError> {
         let modal = exact.modal;
-        // The ends that a lookup sees.
+        // The bounds, rounded as in a lookup.
         let ends = (S::constant(request.r.0), S::constant(request.r.1));
         let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
         let zeros = Zeros::of(modal);
@@ -308,7 +310,8 @@ impl<S: Float> Tables<S> {
             (low, high),
         );
         let functions = match (&excitation, exact.damped()) {
-            // Of zeros that cannot be told apart one of |V| may be on the axis.
+            // If the zeros could not be separated, |V| may have a zero on the axis, and is then not one of the
+            // functions.
             _ if with_size && zeros.is_some() => 5,
             (None, _) => 1,
             (Some(_), false) => 2,
@@ -316,7 +319,7 @@ impl<S: Float> Tables<S> {
         };
         let mut kinks = kinks::kinks(exact, (low, high));
         if exact.damped() {
-            // Across the resonance of an undamped mode among damped ones arg V jumps.
+            // At the resonance of an undamped mode among damped ones, arg V jumps.
             kinks.extend(landmarks.jumps.iter().copied());
         }
         let quotient = excitation.as_ref().map(Product::quotient);

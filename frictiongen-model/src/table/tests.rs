@@ -1,4 +1,4 @@
-//! Zeros, lookups and digits by themselves; whole tables are compared in `generated-tests`.
+//! Tests zeros, lookups and digits separately. `generated-tests` compares whole tables.
 
 use super::digits::{above, to_decimals};
 use super::zeros::Zeros;
@@ -10,7 +10,7 @@ use crate::scene::{
 };
 use frictiongen_kernel::table::{Piece, Table};
 
-/// Equal masses and springs; the last mass driven, the contact between the first two.
+/// Returns a chain of equal masses and springs. The load acts on the last mass, and the contact joins the first two.
 fn chain(count: usize, damping: Damping) -> Scene {
     let mass = |index: usize| Mass {
         name: format!("m{index}"),
@@ -50,7 +50,7 @@ fn request(r: (f64, f64), accuracy: f64) -> Request {
     }
 }
 
-/// x̄₂ = 2x̄₁ + … : the first two of equal masses move alike where r² = 1, whatever else hangs on them.
+/// x̄₂ = 2x̄₁ + … for equal masses. The first two move alike at r² = 1, for any further masses.
 #[test]
 fn zeros_of_equal_masses() {
     for count in [2, 3, 5, 9] {
@@ -62,7 +62,7 @@ fn zeros_of_equal_masses() {
             .collect();
         assert_eq!(places.len(), 1, "{count} masses: {places:?}");
         assert!((places[0] - 1.0).abs() < 1e-28, "{places:?}");
-        // Of the receptance one zero between each pair of resonances.
+        // The receptance has one zero between each pair of resonances.
         assert_eq!(zeros.receptance.len() + zeros.common.len(), count - 1);
         assert_eq!(zeros.loaded.len() + zeros.unloaded.len(), count);
     }
@@ -76,7 +76,7 @@ fn damped_zeros_lie_beside_the_axis() {
     assert!(zeros.loaded.iter().all(beside));
 }
 
-/// A piece in arrays, of limits alone to 1e-4.
+/// Returns a piece in arrays, for limits alone to 1e-4.
 fn piece(fitted: &Fitted<f64>) -> Piece<f64, 1, 6> {
     let of = fitted.coefficients[0].as_slice();
     Piece {
@@ -86,7 +86,7 @@ fn piece(fitted: &Fitted<f64>) -> Piece<f64, 1, 6> {
     }
 }
 
-/// Every r finds the piece whose range holds it, ends and boundaries and their neighbours included.
+/// Every r must find the piece whose range contains it, including bounds, boundaries and their neighbours.
 #[test]
 fn every_r_finds_its_piece() {
     for count in [2, 5] {
@@ -158,7 +158,7 @@ fn what_cannot_be_had() {
     assert!(error.contains("no table fits into 64 bytes"), "{error}");
 }
 
-/// More bytes never buy less.
+/// More bytes must never give a coarser accuracy.
 #[test]
 fn a_budget_of_bytes() {
     let modal = Modal::of(&chain(2, Damping::Uniform(0.02)));
@@ -172,7 +172,7 @@ fn a_budget_of_bytes() {
     }
 }
 
-/// Where |V| among the polynomials does not fit, its product does.
+/// If |V| as a polynomial does not fit, its product must be used.
 #[test]
 fn a_budget_below_the_polynomials() {
     let modal = Modal::of(&chain(2, Damping::Uniform(0.02)));

@@ -1,4 +1,4 @@
-//! Tables compared with the exact values anew.
+//! Compares tables with the exact values again.
 
 use super::check;
 use super::exact::Exact;
@@ -13,14 +13,14 @@ use frictiongen_kernel::Float;
 use std::ops::Range;
 
 impl<S: Float> Tables<S> {
-    /// The largest error of these tables, looked for anew: as of [`Report::worst`](super::Report::worst), were they others
-    /// than were built.
+    /// Returns the largest error of these tables, computed again. It differs from
+    /// [`Report::worst`](super::Report::worst) if the tables were changed.
     #[must_use]
     pub fn verify(&self, modal: &Modal) -> Worst {
         self.verified(modal, 0..self.pieces.len())
     }
 
-    /// The same of one piece.
+    /// Returns the largest error of one piece, computed again.
     #[must_use]
     pub fn verify_piece(&self, modal: &Modal, place: usize) -> Worst {
         self.verified(modal, place..place + 1)

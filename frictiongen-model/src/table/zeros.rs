@@ -1,4 +1,4 @@
-//! V and H as quotients of products: zeros and poles in double-double.
+//! V and H as quotients of products, with zeros and poles in double-double.
 
 use crate::modal::Modal;
 use crate::roots::{Driven, converge, pairs};
@@ -7,23 +7,26 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use frictiongen_kernel::{Complex, Float};
 
-/// Of a zero or pole its real part counts as none, and of a coefficient its size, below this share: far above the roundings of
-/// a sum in double-double, 10⁻³², and far below what a double tells of a scene.
+/// Relative bound below which the real part of a zero or pole, or a coefficient, counts as zero. It is far above the
+/// roundings of a double-double sum, 10⁻³², and far below the precision of a scene in doubles.
 pub(super) const NONE: f64 = 1e-20;
-/// Modes whose constants agree to this count as equal: in double-double they differ by roundings alone.
+/// Largest relative difference of the constants of modes that count as equal. In double-double such modes differ by
+/// rounding alone.
 pub(super) const EQUAL: f64 = 1e-24;
-/// Zeros of V and H closer than this are one, which a scene in doubles cannot tell apart.
+/// Largest relative distance of zeros of V and H that count as one. A scene in doubles cannot separate them.
 const COMMON: f64 = 1e-13;
-/// First guesses of zeros reach from this share of the lowest resonance …
+/// Smallest first guess of a zero, relative to the lowest resonance.
 const BELOW: f64 = 0.6;
-/// … to this multiple of the highest, as zeros lie between resonances or little beyond.
+/// Largest first guess of a zero, relative to the highest resonance. Zeros lie between resonances or slightly beyond.
 const ABOVE: f64 = 1.4;
-/// Their angles to the imaginary axis, in radians: none on an axis, where a step keeps to it.
+/// Smallest angle of a first guess to the imaginary axis, in radians. From a guess on an axis the iteration would stay
+/// on it.
 const LEAST_ANGLE: f64 = 0.1;
-/// What angles take beside that, in elevenths by sevens: neighbours are far from each other.
+/// Range of the angles above that, in steps of elevenths. Each next guess is seven steps further, so that neighbours
+/// are far apart.
 const ANGLES: f64 = 0.7;
 
-/// A zero s = x + iy, by its place in double-double; of a pair the one with y > 0.
+/// A zero s = x + iy, in double-double. A conjugate pair is represented by its zero with y > 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Zero {
     pub x: Dd,
@@ -31,12 +34,12 @@ pub(super) struct Zero {
 }
 
 impl Zero {
-    /// Whether it lies on the imaginary axis, where r is real.
+    /// Returns whether the zero lies on the imaginary axis, where r is real.
     pub fn is_on_axis(&self) -> bool {
         self.x.is_zero()
     }
 
-    /// The factor of r that it stands for, in a product of squares or in a plain one.
+    /// Returns the factor in r of the zero, for a product of squares or a plain product.
     pub fn factor<S: Float>(&self, squared: bool, to: &impl Fn(Dd) -> S) -> Factor<S> {
         if self.y.is_zero() {
             return Factor::Real {
@@ -58,7 +61,7 @@ impl Zero {
         }
     }
 
-    /// Whether two are one but for their last digits.
+    /// Returns whether two zeros are equal up to their last digits.
     pub fn is_near(&self, other: &Self) -> bool {
         let apart = Complex::new(self.x.abs() - other.x.abs(), self.y - other.y);
         let size = complex::modulus(Complex::new(self.x, self.y), true);
@@ -66,29 +69,29 @@ impl Zero {
     }
 }
 
-/// V and H of the contact: their zeros, and the poles of V that are none of H, and of both.
+/// Zeros of V and H of the contact, and their poles.
 #[derive(Clone, Debug)]
 pub(super) struct Zeros {
     pub damped: bool,
-    /// Zeros of V that are none of H.
+    /// Zeros of V that are not zeros of H.
     pub excitation: Vec<Zero>,
-    /// Zeros of H that are none of V.
+    /// Zeros of H that are not zeros of V.
     pub receptance: Vec<Zero>,
-    /// Zeros that V and H have in common.
+    /// Common zeros of V and H.
     pub common: Vec<Zero>,
-    /// Poles of V: the modes that load and contact drive.
+    /// Poles of V: the modes that both the load and the contact drive.
     pub loaded: Vec<Zero>,
-    /// Poles of H alone.
+    /// Poles of H that are not poles of V.
     pub unloaded: Vec<Zero>,
 }
 
-/// A mode in double-double, with what it adds to V and to H.
+/// A mode in double-double, with its contributions to V and to H.
 pub(super) struct ContactMode {
     pub driven: Driven,
     pub residue: Dd,
 }
 
-/// Every mode that the contact drives.
+/// Returns the modes that the contact drives.
 pub(super) fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
     let modes = modal.resonances.iter().zip(&modal.damping_ratios);
     let drives = modal.loads.iter().zip(&modal.contacts);
@@ -98,7 +101,7 @@ pub(super) fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
             continue;
         }
         let (inverse_mass, residue) = (*contact * *contact, *load * *contact);
-        // Equal modes are one in both sums.
+        // Equal modes count as one in both sums.
         if let Some(last) = contact_modes.last_mut()
             && (*sigma - last.driven.sigma).abs() <= *sigma * Dd::from(EQUAL)
             && (*zeta - last.driven.zeta).abs() <= *zeta * Dd::from(EQUAL)
@@ -120,7 +123,7 @@ pub(super) fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
 }
 
 impl Zeros {
-    /// None where the zeros cannot be told from one another: the sums over modes answer then.
+    /// Returns the zeros, or `None` if they cannot be separated. The sums over the modes are then used.
     pub fn of(modal: &Modal) -> Option<Self> {
         let contact_modes = contact_modes(modal);
         let damped = modal.is_damped();
@@ -152,7 +155,8 @@ impl Zeros {
                 ..mode.driven
             })
             .collect();
-        // A base that carries the contact along at rest leaves a zero at s = 0, undamped a double one.
+        // At r = 0 a base may carry the contact along without relative motion. This gives a zero at s = 0, which is
+        // double without damping.
         let at_rest = modal.on_moving_base && modal.static_motion.is_zero();
         let known = match (at_rest, damped) {
             (false, _) => 0,
@@ -179,7 +183,7 @@ impl Zeros {
     }
 }
 
-/// The poles of a mode.
+/// Returns the poles of a mode.
 pub(super) fn poles(mode: &Driven) -> Vec<Zero> {
     let (one, zero) = (Dd::ONE, Dd::ZERO);
     let q = ((one - mode.zeta) * (one + mode.zeta)).abs().sqrt();
@@ -199,7 +203,8 @@ pub(super) fn poles(mode: &Driven) -> Vec<Zero> {
         .to_vec()
 }
 
-/// The zeros of direct + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i), of roots that come together one; `known` of them are at 0.
+/// Returns the zeros of direct + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i), one of each conjugate pair. The first `known` roots are
+/// at 0.
 fn zeros(modes: &[Driven], direct: Dd, damped: bool, known: usize) -> Option<Vec<Zero>> {
     let degree = degree(modes, direct)?;
     let mut roots = vec![complex::real(Dd::ZERO); known];
@@ -209,7 +214,8 @@ fn zeros(modes: &[Driven], direct: Dd, damped: bool, known: usize) -> Option<Vec
     classified(roots, known, damped)
 }
 
-/// Roots as zeros, of those that come together one; none if they do not come so, or one of them is no number.
+/// Converts roots to zeros, one of each conjugate pair. Returns `None` if the roots do not form pairs, or if one is not
+/// a number.
 pub(super) fn classified(roots: Vec<Complex<Dd>>, known: usize, damped: bool) -> Option<Vec<Zero>> {
     let degree = roots.len();
     let tiny = Dd::from(NONE);
@@ -245,8 +251,7 @@ pub(super) fn classified(roots: Vec<Complex<Dd>>, known: usize, damped: bool) ->
     (found == degree).then_some(zeros)
 }
 
-/// How many zeros there are: the sum vanishes at infinity as the first power of 1/s whose coefficient is more
-/// than rounding.
+/// Returns the number of zeros. It follows from the first power of 1/s at infinity whose coefficient exceeds rounding.
 fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
     let most = 2 * modes.len();
     if !direct.is_zero() {
@@ -271,7 +276,7 @@ fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
     None
 }
 
-/// Uneven places about the imaginary axis, over and a little beyond the resonances.
+/// Returns uneven first guesses near the imaginary axis, over the range of the resonances and slightly beyond.
 pub(super) fn guesses(sigmas: impl Iterator<Item = f64>, count: usize) -> Vec<Complex<Dd>> {
     let ends = (f64::INFINITY, 0.0_f64);
     let (low, high) = sigmas.fold(ends, |(low, high), sigma| (low.min(sigma), high.max(sigma)));

@@ -1,8 +1,9 @@
-//! The modes of the chain with its contact held, and how far the free modes take part in them.
+//! Held modes, which are the modes of the chain with its contact stuck, and the participation of the free modes in
+//! them.
 //!
-//! A pair of roots s² + 2αs + ω² is one oscillator (y, u), u = ẏ/ω in the time t√(k₁/m₁).  While
-//! it alone moves, mode i moves by η_i = g_i y + h_i u, where w_i/(s² + 2ζ_iσ_i s + λ_i) =
-//! g_i + (h_i/ω)s modulo the pair's polynomial.  Real throughout, also at a double root.
+//! A pair of roots s² + 2αs + ω² is one oscillator (y, u), with u = ẏ/ω in the time t√(k₁/m₁). While only this
+//! oscillator moves, mode i has η_i = g_i y + h_i u. Here w_i/(s² + 2ζ_iσ_i s + λ_i) = g_i + (h_i/ω)s modulo the
+//! polynomial of the pair. All numbers are real, also at a double root.
 
 use super::plain::Plain;
 use crate::reduced::kind;
@@ -12,11 +13,11 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::simulation::HeldMode;
 use frictiongen_kernel::{Float, Scalar};
 
-/// Of two squares of frequencies that differ by less, relative to them, the difference is rounding: a thousand times
-/// that of double-double.
+/// Relative difference of two squared frequencies below which the difference is rounding. It is a thousand roundings of
+/// double-double.
 const ROUNDING: f64 = 1e-29;
 
-/// The held modes, and the participations (g, h) of every mode in each.
+/// Returns the held modes, and the participations (g, h) of every mode in each.
 pub(super) fn held<T: Float, S: Scalar>(
     modes: &[&Plain<T>],
     inverse_mass: T,
@@ -27,18 +28,17 @@ pub(super) fn held<T: Float, S: Scalar>(
     let (mut held, mut participations) = (Vec::new(), Vec::new());
     for (omega, zeta) in pairs.iter().copied() {
         let mut own = vec![[zero; 2]; modes.len()];
-        // The mode with the largest part in Σ w_i/(s² + 2ζ_iσ_i s + λ_i) = 0, by which the others must be
-        // balanced: its own denominator may be all rounding.
+        // Finds the mode with the largest term in Σ w_i/(s² + 2ζ_iσ_i s + λ_i) = 0. Its own denominator may be only
+        // rounding, so its participation must balance the others.
         let (mut nearest, mut part) = (0, zero);
         for (index, (mode, participation)) in modes.iter().zip(&mut own).enumerate() {
-            // d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial; its inverse is
-            // (b − 2αa − as)/R.
+            // d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial. Its inverse is (b − 2αa − as)/R.
             let a = (mode.zeta * mode.resonance - zeta * omega) * two;
             let b = (mode.resonance - omega) * (mode.resonance + omega);
             let resultant = b * b - two * zeta * omega * a * b + omega * omega * a * a;
             let weight = mode.contact / resultant;
-            // The square of w_i's part.  A mode that the contact hardly touches is so near that its denominator is
-            // rounding alone, and its part then anything: it is nearest all the same.
+            // The square of the term of w_i. If the contact hardly touches a mode, the mode is so near that its
+            // denominator is only rounding. Its term is then meaningless, but it is still the nearest mode.
             let own_part = (mode.contact * mode.contact * mode.contact * weight).abs();
             let rounding = T::constant(ROUNDING) * omega * omega;
             if resultant < rounding * rounding {
@@ -63,7 +63,7 @@ pub(super) fn held<T: Float, S: Scalar>(
         for participation in own.iter_mut().flatten() {
             *participation = *participation / largest;
         }
-        // B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ, in which different pairs are orthogonal.
+        // Different pairs are orthogonal in B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ.
         let (mut first, mut mixed, mut second) = (zero, zero, zero);
         let mut force = zero;
         for (mode, [g, h]) in modes.iter().zip(&own) {
@@ -94,8 +94,8 @@ pub(super) fn held<T: Float, S: Scalar>(
     (held, participations)
 }
 
-/// ω and ζ of the held modes, with derivatives: a step of Newton's method from their values on what the remainder of
-/// Σ c_i/(s² + 2ζ_iσ_i s + λ_i) by s² + ps + q must be, nothing.
+/// Returns ω and ζ of the held modes with derivatives. One Newton step starts from their values. Its equation is that
+/// the remainder of Σ c_i/(s² + 2ζ_iσ_i s + λ_i) modulo s² + ps + q vanishes.
 pub(super) fn moving(
     driven: &[Driven],
     modes: &[&Plain<Dual<Dd>>],
@@ -151,7 +151,7 @@ pub(super) fn moving(
     pairs(driven).into_iter().map(root).collect()
 }
 
-/// Σ c_i/(s² + l_i s + λ_i) modulo s² + ps + q: constant and linear part; `constants` are l, λ and c.
+/// Returns the constant and the linear term of Σ c_i/(s² + l_i s + λ_i) modulo s² + ps + q. `constants` are l, λ and c.
 fn remainder<T: Float>(constants: &[[T; 3]], p: T, q: T) -> [T; 2] {
     let zero = T::constant(0.0);
     constants

@@ -1,5 +1,5 @@
-//! What the motion in time needs beyond the modal analysis: every mode, and the chain with its
-//! contact held.  None of it depends on the frequency.
+//! Data for the motion in time in addition to the modal analysis: every mode, and the *held modes*. Held modes are
+//! those of the chain with its contact stuck. The data do not depend on the frequency.
 
 mod held;
 mod plain;
@@ -16,10 +16,10 @@ use frictiongen_kernel::simulation::{Dynamics, HeldMode};
 use frictiongen_kernel::{Float, Scalar};
 use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned};
 
-/// Below this damping ratio held modes are as far apart as free ones: up to 64 masses lose some roundings.
+/// Damping ratio below which held modes are as far apart as free ones. Up to 64 masses then lose only some roundings.
 const NEAR_CRITICAL: f64 = 0.9;
 
-/// What a motion in time of a scene would lose, as a share, if that is more than half of its scalar's digits
+/// Returns the relative loss of a scene's motion in time, if it exceeds half of the digits of the scalar
 /// ([`Transient::excess_loss`]).
 #[must_use]
 pub fn excess_loss(scene: &Scene) -> Option<f64> {
@@ -47,28 +47,28 @@ pub fn excess_loss(scene: &Scene) -> Option<f64> {
     }
 }
 
-/// The modes of a scene for its motion in time, and those of the chain with its contact held.
+/// The modes of a scene for its motion in time, and those of the chain with its contact stuck.
 #[derive(Clone, Debug)]
 pub struct Transient<S> {
-    /// All modes, those that the contact drives first, ascending.  Of equal modes only one is driven
-    /// by the contact.
+    /// All modes, ascending, with those that the contact drives first. The contact drives only one of several equal
+    /// modes.
     pub modes: Vec<Mode<S>>,
     /// φ for each mass, one component a mode, mass after mass.
     pub shapes: Vec<S>,
     /// φᵀΓ for each mode, one component a mass, mode after mode.
     pub weights: Vec<S>,
-    /// The modes of the chain with its contact held.
+    /// The held modes, which are those of the chain with its contact stuck.
     pub held: Vec<HeldMode<S>>,
-    /// How far each mode takes part in each held mode, held mode after held mode.
+    /// Participation of each mode in each held mode, held mode after held mode.
     pub participations: Vec<[S; 2]>,
-    /// What the scene says beyond its modes.
+    /// Properties of the scene that are not modal.
     pub chain: Chain<S>,
-    /// The mass that rubs on a support; none where two masses rub on each other.
+    /// The mass that rubs on a support; `None` if two masses rub on each other.
     pub rubbing: Option<usize>,
 }
 
 impl<S: Scalar> Transient<S> {
-    /// From the modal analysis of a scene, rounded once from double-double by `to`.
+    /// Builds the data from the modal analysis of a scene. `to` rounds each number once from double-double.
     #[must_use]
     pub fn of(scene: &Scene, modal: &Modal, to: impl Fn(Dd) -> S) -> Self {
         let plain = sorted(turned(plain_modes(modal)));
@@ -118,9 +118,9 @@ impl<S: Scalar> Transient<S> {
         }
     }
 
-    /// How much of a motion is lost between the free modes and the held ones
-    /// ([`held_loss`](Dynamics::held_loss)), where that is more than half of the scalar's digits: no answer in time is
-    /// worth anything then.  So it can only be with modes near critical damping or beyond it.
+    /// Returns the relative loss of a motion between the free modes and the held modes
+    /// ([`held_loss`](Dynamics::held_loss)). Returns `None` unless the loss exceeds half of the digits of the scalar.
+    /// With such a loss no time-domain result is useful. It occurs only with modes near critical damping or above.
     #[must_use]
     pub fn excess_loss(&self) -> Option<S>
     where
@@ -135,12 +135,12 @@ impl<S: Scalar> Transient<S> {
         let zero = S::constant(0.0);
         let (mut states, mut held) = (vec![[zero; 2]; driven], vec![[zero; 2]; self.held.len()]);
         let loss = dynamics.held_loss(&mut states, &mut held);
-        // NaN is a loss too.
+        // NaN counts as a loss.
         let kept = loss * loss <= S::constant(S::EPSILON);
         (!kept).then_some(loss)
     }
 
-    /// The same as the kernel reads it.
+    /// Returns the data as the kernel reads them.
     #[must_use]
     pub fn dynamics(&self) -> Dynamics<'_, S> {
         Dynamics {
@@ -156,11 +156,11 @@ impl<S: Scalar> Transient<S> {
 }
 
 impl Transient<Dual<Dd>> {
-    /// From modal data that carry derivatives, with those of the held modes.  The weights, with which a state of the
-    /// masses is only ever a first guess here, are not moved.
+    /// Builds the data from modal data with derivatives, including those of the held modes. The weights get no
+    /// derivatives, because they only give first guesses of a state here.
     ///
-    /// None where the modes by themselves have no derivative: where two that the contact drives are equal and move apart,
-    /// where two held ones are equal, and where the contact does not touch a mode but is about to.
+    /// Returns `None` if single modes have no derivative, in three cases. Two equal modes that the contact drives
+    /// separate, two held modes are equal, or the contact begins to touch a mode.
     #[must_use]
     pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {
         let plain = plain_modes(modal);

@@ -1,17 +1,18 @@
-//! The modes in double-double, those that the contact drives first.
+//! The modes in double-double, with those that the contact drives first.
 
 use crate::modal::Modal;
 use crate::roots::Driven;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Modes whose constants agree to this count as equal: beyond, rounding alone tells them apart.
+/// Largest relative difference of the constants of modes that count as equal. It is the level of
+/// rounding.
 pub(super) const EQUAL: f64 = 1e-24;
 
-/// Below this share of the largest that it could be, a component is rounding noise.
+/// Largest component that counts as rounding noise, relative to its largest possible value.
 const NOISE: f64 = 1e-26;
 
-/// A mode in double-double, alone or with derivatives.
+/// A mode in double-double, with or without derivatives.
 #[derive(Clone, Debug)]
 pub(super) struct Plain<T> {
     pub resonance: T,
@@ -21,7 +22,8 @@ pub(super) struct Plain<T> {
     pub shape: Vec<T>,
 }
 
-/// Those that the contact drives first; a stable sort: both groups stay ascending.
+/// Sorts the modes that the contact drives first. The sort is stable, so both groups stay
+/// ascending.
 pub(super) fn sorted<T: Float>(mut modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
     modes.sort_by_key(|mode| mode.contact.is_zero());
     modes
@@ -31,7 +33,7 @@ pub(super) fn in_contact<T: Float>(modes: &[Plain<T>]) -> impl Iterator<Item = &
     modes.iter().filter(|mode| !mode.contact.is_zero())
 }
 
-/// The modes that the contact drives, as the search for the held ones reads them.
+/// Returns the modes that the contact drives, as the search for the held modes reads them.
 pub(super) fn driven<T: Float>(modes: &[Plain<T>], value: impl Fn(T) -> Dd) -> Vec<Driven> {
     let driven = in_contact(modes).map(|mode| {
         let contact = value(mode.contact);
@@ -61,13 +63,13 @@ pub(super) fn plain_modes<T: Float>(modal: &Modal<T>) -> Vec<Plain<T>> {
         .collect()
 }
 
-/// Whether two constants of modes count as equal.
+/// Returns whether two constants of modes count as equal.
 pub(super) fn close<T: Float>(a: T, b: T) -> bool {
     (a - b).abs() <= (a.abs() + b.abs()) * T::constant(EQUAL)
 }
 
-/// Equal modes may be mixed at will: they are turned so that the contact drives one alone, since
-/// the others then move on freely whatever the contact does.
+/// Rotates equal modes so that the contact drives only one of them. The others then move freely,
+/// whatever the contact does.
 pub(super) fn turned<T: Float>(modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
     let mut out: Vec<Plain<T>> = Vec::with_capacity(modes.len());
     for mut mode in modes {

@@ -1,35 +1,36 @@
-//! What every check knows: bounds, and which parts of a scene are known.
+//! Data for all checks: bounds, and which items of a scene are known.
 
 use super::error::SceneError;
 use super::path::Path;
 use crate::scene::{Node, Scene};
 
-/// The most masses that a scene may have at run time.
+/// Largest number of masses of a scene at run time.
 pub const MOST_MASSES: usize = 1000;
 
-/// Masses, stiffnesses, damping and μ stay below this: products of a few of them must fit a double.
+/// Upper bound on masses, stiffnesses, damping and μ. Products of a few of them must fit in a
+/// double.
 pub const LARGEST: f64 = 1e60;
 
-/// Masses and stiffnesses stay above this, for the same reason.
+/// Lower bound on masses and stiffnesses, for the same reason.
 pub const SMALLEST: f64 = 1e-60;
 
-/// What the checks may rely on.
+/// Items on which the checks may rely.
 ///
-/// A text with mistakes still yields most of a scene. A check that needs a part which could not
-/// be read is left out, so that one mistake does not show up as two.
+/// A text with errors still gives most of a scene. A check that needs an unread item is skipped, so
+/// that one error is not reported as two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Checks {
-    /// The most masses allowed.
+    /// The largest number of masses.
     pub most_masses: usize,
-    /// Every mass was read.
+    /// True if every mass was read.
     pub masses: bool,
-    /// Every spring was read.
+    /// True if every spring was read.
     pub springs: bool,
-    /// The contact was read.
+    /// True if the contact was read.
     pub contact: bool,
-    /// The excitation was read.
+    /// True if the excitation was read.
     pub excitation: bool,
-    /// What to provide was read.
+    /// True if the list of items to provide was read.
     pub provide: bool,
 }
 
@@ -46,7 +47,7 @@ impl Default for Checks {
     }
 }
 
-/// A builder can name a mass that does not exist; a text cannot.
+/// Checks that a mass exists. Only a scene built at run time can name one that does not.
 pub(super) fn check_node(scene: &Scene, node: Node, path: Path, errors: &mut Vec<SceneError>) {
     if let Node::Mass(index) = node
         && index >= scene.masses.len()

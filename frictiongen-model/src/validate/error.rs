@@ -1,9 +1,9 @@
-//! The messages: what is wrong, in the engineer's words, and what to write instead.
+//! The messages: what is wrong, in the terms of an engineer, and what to write instead.
 
 use super::path::Path;
 use crate::table::FINEST_PROVEN;
 
-/// One thing that keeps a scene from making physical sense.
+/// An error for which a scene makes no physical sense.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 #[allow(
@@ -243,7 +243,7 @@ pub enum SceneError {
 }
 
 impl SceneError {
-    /// The part of the scene that the error is about.
+    /// Returns the item of the scene that causes the error.
     #[must_use]
     pub fn path(&self) -> Path {
         match self {

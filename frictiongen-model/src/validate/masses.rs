@@ -1,4 +1,4 @@
-//! Checks of the masses: how many, their names, their values.
+//! Checks the masses: their number, names and values.
 
 use std::collections::HashSet;
 

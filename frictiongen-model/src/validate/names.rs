@@ -1,14 +1,14 @@
-//! The names that a mass may bear.
+//! The names that a mass may have.
 
-/// Words that mean something else in a description, and every method of the generated types: a
-/// mass's name becomes a method beside them. The one place where they are listed.
+/// Reserved words: the words of a description, and all methods of the generated types. The name of
+/// a mass becomes a method of these types. This is the only list of them.
 pub const RESERVED: &[&str] = &[
-    // parts of a description
+    // words of a description
     "base",
     "contact",
     "mass",
     "wall",
-    // the scene itself
+    // methods of the scene
     "at",
     "friction_ratio",
     "frequency_ratio",
@@ -18,7 +18,7 @@ pub const RESERVED: &[&str] = &[
     "simulation_from",
     "stepper",
     "stepper_from",
-    // at one frequency ratio
+    // methods at one frequency ratio
     "continuous_limit",
     "continuous_limit_per_mode",
     "continuous_limit_without_search",
@@ -31,7 +31,7 @@ pub const RESERVED: &[&str] = &[
     "regime",
     "sliding_limit",
     "stuck",
-    // a motion
+    // methods of a motion
     "amplitude",
     "amplitude_monoharmonic",
     "displacement",
@@ -39,7 +39,7 @@ pub const RESERVED: &[&str] = &[
     "largest",
     "phase",
     "velocity",
-    // an orbit
+    // methods of an orbit
     "is_marginal",
     "is_stable",
     "is_symmetric",
@@ -47,7 +47,7 @@ pub const RESERVED: &[&str] = &[
     "reversals",
     "stops",
     "stuck_fraction",
-    // a stepper and its input
+    // methods of a stepper, and fields of its input
     "advance",
     "begin",
     "begin_with",
@@ -62,17 +62,17 @@ pub const RESERVED: &[&str] = &[
     "stiction",
     "time",
     "work",
-    // what a derive puts on the types: a mass of that name would hide it
+    // methods of derived traits, which a mass of that name would hide
     "clone",
     "eq",
     "fmt",
     "ne",
-    // what the prelude puts on every type, by value: it would hide a mass of that name
+    // methods that the prelude gives every type by value, which would hide a mass of that name
     "into",
     "try_into",
 ];
 
-/// The keywords of Rust, those reserved for later included, and the lone underscore.
+/// Rust keywords, including those reserved for later use, and the single underscore.
 const KEYWORDS: &[&str] = &[
     "Self", "_", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue",
     "crate", "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if",
@@ -81,25 +81,25 @@ const KEYWORDS: &[&str] = &[
     "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// Whether a word is a keyword of Rust.
+/// Returns whether a word is a Rust keyword.
 #[must_use]
 pub fn is_keyword(word: &str) -> bool {
     KEYWORDS.contains(&word)
 }
 
-/// Whether a word is taken by a description or by a method of the generated types.
+/// Returns whether a word is reserved by a description or by a method of the generated types.
 #[must_use]
 pub fn is_reserved(word: &str) -> bool {
     RESERVED.contains(&word)
 }
 
-/// Whether a mass may bear this name.
+/// Returns whether a mass may have this name.
 #[must_use]
 pub fn may_name(word: &str) -> bool {
     is_name(word) && !is_keyword(word) && !is_reserved(word)
 }
 
-/// Whether a word has the shape of a Rust identifier.
+/// Returns whether a word has the form of a Rust identifier.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
     let mut letters = word.chars();

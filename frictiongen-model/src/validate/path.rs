@@ -1,23 +1,23 @@
-//! The part of a scene that an error is about.
+//! The item of a scene that causes an error.
 
-/// The part of a scene that an error is about.
+/// The item of a scene that causes an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Path {
     /// The scene as a whole.
     Scene,
-    /// The list of masses.
+    /// The list of masses as a whole.
     Masses,
     /// The value of a mass.
     Mass(usize),
     /// The name of a mass.
     MassName(usize),
-    /// The list of springs.
+    /// The list of springs as a whole.
     Springs,
     /// The stiffness of a spring.
     Spring(usize),
-    /// The first end of a spring.
+    /// The first node of a spring.
     SpringFrom(usize),
-    /// The second end of a spring.
+    /// The second node of a spring.
     SpringTo(usize),
     /// The contact as a whole.
     Contact,
@@ -25,35 +25,35 @@ pub enum Path {
     ContactFrom,
     /// The second side of the contact.
     ContactTo,
-    /// The excitation.
+    /// The excitation of the scene.
     Excitation,
     /// The damping as a whole, or one of its numbers.
     Damping(Option<usize>),
     /// The ratio μ of static to kinetic friction.
     Stiction,
-    /// The list of what to emit, or one of its items.
+    /// The list of items to provide, or one of its items.
     Provide(Option<usize>),
-    /// The accuracy.
+    /// The declared accuracy.
     Accuracy,
-    /// The range over which it is declared.
+    /// The range of the declared accuracy.
     Range,
-    /// The range of the frequency ratio.
+    /// The declared range of the frequency ratio.
     RangeOfRatio,
-    /// The range of the friction ratio.
+    /// The declared range of the friction ratio.
     RangeOfFriction,
-    /// The side of the exact limits.
+    /// The declared side of the exact limits.
     Side,
-    /// The bytes in place of an accuracy.
+    /// The number of bytes in place of an accuracy.
     Budget,
-    /// What happens outside the range.
+    /// The behaviour outside the range.
     Beyond,
-    /// How long the macro may look for a proof.
+    /// Time that the macro may spend on a proof.
     Proof,
     /// The friction law as a whole, or one of its numbers: speed and level of each point in turn.
     Friction(Option<usize>),
-    /// The stepper's step.
+    /// The step of the stepper.
     Step,
-    /// The stepper's input between samples.
+    /// The behaviour of the stepper's input between samples.
     Input,
     /// The list of masses that the stepper may load, or one of them.
     Force(Option<usize>),

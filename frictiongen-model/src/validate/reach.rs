@@ -1,7 +1,8 @@
-//! Checks on the graph of springs: what holds each mass, and whether the load reaches the contact.
+//! Checks on the graph of springs: the support of each mass, and the path of the load to the
+//! contact.
 //!
-//! Supports pass nothing on, so the graph falls into parts where it touches them: masses joined to
-//! each other by springs that lead through masses only.
+//! Supports transmit no motion, so the graph divides at them into components. A component is a set
+//! of masses joined by springs without a support between them.
 
 use std::collections::{BTreeMap, HashSet};
 
@@ -11,7 +12,7 @@ use super::names::may_name;
 use super::path::Path;
 use crate::scene::{Excitation, Node, Scene};
 
-/// Checks that every mass is held and that the contact can slide.
+/// Checks that every mass is supported, and that the contact can slide.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     if !checks.springs || scene.springs.is_empty() || scene.masses.is_empty() {
         return;
@@ -23,7 +24,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
 }
 
-/// Each mass, by the smallest mass of its part.
+/// The component of each mass, as the smallest index of a mass in it.
 struct Parts(Vec<usize>);
 
 impl Parts {
@@ -48,8 +49,7 @@ impl Parts {
     }
 }
 
-/// The smallest mass of the part that `mass` belongs to; what was passed on the way then points
-/// straight at it, so that long chains stay cheap.
+/// Returns the smallest mass of the component of `mass`. Path compression keeps long chains cheap.
 fn root(parent: &mut [usize], mass: usize) -> usize {
     let mut top = mass;
     while let Some(&above) = parent.get(top)
@@ -66,7 +66,7 @@ fn root(parent: &mut [usize], mass: usize) -> usize {
     top
 }
 
-/// The parts that have a spring to a support of the given kind.
+/// Returns the components with a spring to a support of the given kind.
 fn joined(scene: &Scene, parts: &Parts, support: impl Fn(Node) -> bool) -> HashSet<usize> {
     scene
         .springs
@@ -80,7 +80,7 @@ fn joined(scene: &Scene, parts: &Parts, support: impl Fn(Node) -> bool) -> HashS
         .collect()
 }
 
-/// Whether contact and excitation mean something, so that "never slides" is not a mere echo of an
+/// Returns whether contact and excitation are valid. Otherwise "never slides" would only repeat an
 /// error already reported.
 fn is_sound(scene: &Scene) -> bool {
     let exists = |node| !matches!(node, Node::Mass(index) if index >= scene.masses.len());
@@ -93,7 +93,8 @@ fn is_sound(scene: &Scene) -> bool {
     from != to && (is_mass(from) || is_mass(to)) && [from, to, driven].into_iter().all(exists)
 }
 
-/// Reports every part that floats; whether there is none, and no name in doubt.
+/// Reports every component without a support. Returns true if there is none, and if all names are
+/// valid.
 fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> bool {
     let held = joined(scene, parts, |node| !matches!(node, Node::Mass(_)));
     let mut floating: BTreeMap<usize, Vec<String>> = BTreeMap::new();
@@ -102,7 +103,7 @@ fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> boo
     for (index, mass) in scene.masses.iter().enumerate() {
         let part = parts.of(index);
         if !may_name(&mass.name) || !names.insert(mass.name.as_str()) {
-            // Springs may be unable to say that they mean this mass; its name is the error.
+            // Springs may be unable to name this mass, so the error is its name.
             sound = false;
         } else if !held.contains(&part) {
             floating.entry(part).or_default().push(mass.name.clone());
@@ -139,7 +140,7 @@ fn check_slides(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) {
     let (from, to) = (scene.contact.from, scene.contact.to);
     let driven = match scene.excitation {
         Excitation::Force(mass) => HashSet::from([parts.of(mass)]),
-        // The base itself is one side of the contact and moves whatever the springs do.
+        // The base is one side of the contact, so the load reaches the contact without springs.
         Excitation::Base if from == Node::Base || to == Node::Base => return,
         Excitation::Base => {
             let driven = joined(scene, parts, |node| node == Node::Base);

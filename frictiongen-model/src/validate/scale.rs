@@ -1,4 +1,5 @@
-//! Scenes whose numbers lie so far apart, or whose modes so close, that no answer means anything.
+//! Checks for scenes whose numbers differ so much, or whose modes are so close, that results would
+//! be meaningless.
 
 use super::checks::{Checks, LARGEST, SMALLEST};
 use super::error::SceneError;
@@ -6,24 +7,26 @@ use super::path::Path;
 use crate::modal::Modal;
 use crate::scene::{Precision, Scene};
 
-/// Up to this many masses the modes are looked at; more are for run time, in double precision.
+/// Largest number of masses for which the modes are checked. Larger scenes are for run time, in
+/// double precision.
 const MOST_ANALYSED: usize = 64;
-/// Single precision tells frequencies apart that differ by a few of its roundings.
+/// Smallest relative difference of frequencies that single precision separates, a few of its
+/// roundings.
 const SINGLE_GAP: f64 = 1e-6;
-/// In double-double, modes closer than this are one frequency, not two.
+/// Relative difference below which modes are a single frequency in double-double.
 const SAME: f64 = 1e-28;
 
-/// How far masses, or stiffnesses, may span.
+/// Returns the largest ratio of masses, or of stiffnesses.
 fn most_span(precision: Precision) -> f64 {
     match precision {
-        // The modal analysis has some 31 digits.
+        // The modal analysis has about 31 digits.
         Precision::F64 => 1e28,
-        // Squares of the frequencies must stay within the exponents of single precision.
+        // The squares of the frequencies must stay within the exponents of single precision.
         Precision::F32 => 1e16,
     }
 }
 
-/// Checks the spans of masses and stiffnesses.
+/// Checks the ratios of masses and of stiffnesses.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let span = |values: &mut dyn Iterator<Item = f64>| {
         let (mut least, mut most) = ((f64::INFINITY, 0), (0.0, 0));
@@ -35,7 +38,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
                 most = (value, index);
             }
         }
-        // What is out of scale by itself has been told.
+        // A number that is out of scale by itself is already reported.
         let told = most.0 > LARGEST || least.0 < SMALLEST;
         (if told { 1.0 } else { most.0 / least.0 }, most.1)
     };
@@ -62,7 +65,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
 }
 
-/// Checks that single precision can tell the modes apart; the scene is otherwise valid.
+/// Checks that single precision can separate the modes. The scene must otherwise be valid.
 pub(super) fn check_modes(scene: &Scene, errors: &mut Vec<SceneError>) {
     if scene.precision != Precision::F32 || scene.masses.len() > MOST_ANALYSED {
         return;

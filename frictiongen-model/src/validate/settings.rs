@@ -1,4 +1,4 @@
-//! Checks of damping, friction, what to provide and how exact.
+//! Checks of damping, friction, provided items and accuracy.
 
 use std::collections::HashSet;
 
@@ -10,10 +10,10 @@ use crate::scene::{
 };
 use crate::table::{COARSEST, FINEST, FINEST_PROVEN, FINEST_SINGLE};
 
-/// No budget is larger.
+/// Largest budget in bytes.
 const MOST_BYTES: f64 = (1_u64 << 40) as f64;
 
-/// Checks everything that is neither mass, spring, contact nor excitation.
+/// Checks all items except masses, springs, contact and excitation.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     check_damping(scene, checks, errors);
     check_stiction(scene.stiction, errors);
@@ -28,7 +28,8 @@ fn check_damping(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
         Damping::Modal(ratios) => {
             let masses = scene.masses.len();
             if checks.masses && masses > 0 && ratios.len() != masses {
-                // A surplus is on the first value too many, a lack on the list.
+                // With too many values the first surplus value is marked, with too few the whole
+                // list.
                 let path = Path::Damping((ratios.len() > masses).then_some(masses));
                 errors.push(SceneError::DampingCount {
                     path,
@@ -171,7 +172,7 @@ fn check_declared(scene: &Scene, errors: &mut Vec<SceneError>) {
 
 fn check_range(range: &Range, precision: Precision, errors: &mut Vec<SceneError>) {
     let (low, high) = range.r;
-    // What a scalar cannot hold is 0 or infinite in it.
+    // Beyond the normal range of the scalar, a number becomes 0 or infinite.
     let (least, most) = match precision {
         Precision::F64 => (f64::MIN_POSITIVE, f64::MAX),
         Precision::F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)),

@@ -1,4 +1,4 @@
-//! Checks of each spring: its ends and its stiffness.
+//! Checks of each spring: its nodes and its stiffness.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -42,7 +42,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
                     vacant.insert(index);
                 }
                 Entry::Occupied(earlier) => {
-                    // Advice only: silent about the sum where a part of it could not be read.
+                    // The message omits the sum if one of its stiffnesses could not be read.
                     let total = sums.get(earlier.key()).filter(|total| total.is_finite());
                     errors.push(SceneError::ParallelSprings {
                         path: Path::SpringFrom(index),
@@ -79,7 +79,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
 }
 
-/// The total stiffness between each pair of nodes, for the advice to add it up.
+/// Returns the total stiffness between each pair of nodes, for the advice to add them up.
 fn sums(springs: &[Spring]) -> HashMap<(usize, usize), f64> {
     let mut sums = HashMap::new();
     for spring in springs {
@@ -88,7 +88,7 @@ fn sums(springs: &[Spring]) -> HashMap<(usize, usize), f64> {
     sums
 }
 
-/// The ends of a spring in a fixed order: `a - b` and `b - a` are the same pair.
+/// Returns the nodes of a spring in a fixed order, so that `a - b` and `b - a` are the same pair.
 fn pair(spring: &Spring) -> (usize, usize) {
     let key = |node| match node {
         Node::Mass(index) => index,

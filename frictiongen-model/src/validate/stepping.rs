@@ -1,4 +1,4 @@
-//! Checks of the friction law and of what a scene says of its stepper.
+//! Checks of the friction law and of the stepper settings.
 
 use std::collections::HashSet;
 
@@ -10,7 +10,7 @@ use crate::scene::{Accuracy, Excitation, FrictionLaw, Node, Precision, Provide, 
 
 /// Checks the friction law, the step, the input and the loads.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
-    // Where not all of `provide` could be read, the stepper may be what was meant.
+    // If `provide` could not be read completely, the stepper may have been intended.
     let stepper = scene.provides(&Provide::Stepper) || !checks.provide;
     let moves = stepper || scene.provides(&Provide::Simulation);
     if let FrictionLaw::Stribeck(points) = &scene.friction {
@@ -43,7 +43,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     check_forces(scene, checks, errors);
 }
 
-/// A number as the scene's scalar holds it.
+/// Returns a number rounded to the scene's scalar.
 fn stored(value: f64, precision: Precision) -> f64 {
     match precision {
         Precision::F64 => value,
@@ -80,7 +80,7 @@ fn check_points(scene: &Scene, points: &[[f64; 2]], errors: &mut Vec<SceneError>
         if level < 0.0 {
             errors.push(SceneError::StribeckNegative { path, value: level });
         } else if scene.stiction < level && scene.stiction >= 1.0 {
-            // A μ that is none is an error of its own.
+            // An invalid μ is a separate error.
             errors.push(SceneError::StribeckAboveStatic {
                 path,
                 value: level,
@@ -90,7 +90,7 @@ fn check_points(scene: &Scene, points: &[[f64; 2]], errors: &mut Vec<SceneError>
     }
 }
 
-/// Whether a number is finite and not too large.
+/// Checks that a number is finite and not too large, and returns whether it is.
 fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>) -> bool {
     let what = what.to_owned();
     if !value.is_finite() {
@@ -103,7 +103,8 @@ fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>
     false
 }
 
-/// Refuses what rests on one kinetic level: all but the motion in time.
+/// Reports provided items that need a constant kinetic level: all except the stepper and the
+/// simulation.
 fn check_constant_level(scene: &Scene, errors: &mut Vec<SceneError>) {
     for (index, item) in scene.provide.iter().enumerate() {
         if !matches!(item, Provide::Stepper | Provide::Simulation) {
@@ -115,7 +116,7 @@ fn check_constant_level(scene: &Scene, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Tables are of limits and motion: the stepper alone has none of them.
+/// Reports an accuracy of a scene without limits or motion, because only those are tabled.
 fn check_tables(scene: &Scene, errors: &mut Vec<SceneError>) {
     if scene.needs_frequency() || scene.provide.is_empty() {
         return;
@@ -154,7 +155,7 @@ fn check_forces(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     for (index, mass) in scene.stepping.forces.iter().copied().enumerate() {
         let path = Path::Force(Some(index));
         check_node(scene, Node::Mass(mass), path, errors);
-        // The input has fields of these names.
+        // The stepper's input has fields with these names.
         if let Some(taken) = scene.masses.get(mass)
             && ["force", "friction"].contains(&taken.name.as_str())
         {

@@ -1,5 +1,5 @@
-//! What only a scene built without a text can get wrong, and the graph.  The rest is in the catalogue of messages,
-//! where each has a line and a column.
+//! Tests errors that only a scene built without a text can have, and the graph of springs. The catalogue of messages
+//! covers the other errors, with line and column.
 
 use super::*;
 use crate::scene::{
@@ -163,7 +163,7 @@ fn the_load_reaches_a_contact_through_masses_but_not_through_supports() {
         to: Node::Mass(2),
     };
     assert_eq!(validate(&scene), Ok(()));
-    // Springs to the base in the part of the contact alone.
+    // Only the component of the contact has springs to the base.
     scene.contact = Contact {
         from: Node::Mass(2),
         to: Node::Wall,
@@ -218,7 +218,7 @@ fn words_of_the_language_and_of_the_results_are_no_names() {
     }
 }
 
-/// Loaded, a mass is a field of the stepper's input, beside `force` and `friction`.
+/// A loaded mass becomes a field of the stepper's input, next to `force` and `friction`.
 #[test]
 fn a_loaded_mass_has_no_name_of_the_input() {
     let mut scene = chain(3);

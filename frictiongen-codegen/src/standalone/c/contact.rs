@@ -1,11 +1,11 @@
-//! The contact's motion in C.
+//! Writes the motion of the contact in C.
 
 use super::super::{Asked, quotient};
 use super::status;
 use frictiongen_kernel::Float;
 use frictiongen_model::table::Tables;
 
-/// Amplitude and phase of the contact's relative motion.
+/// Writes the function for the amplitude and the phase of the contact's relative motion.
 pub(super) fn source<S: Float>(
     name: &str,
     (real, letter): (&str, &str),

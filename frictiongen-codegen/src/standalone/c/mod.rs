@@ -1,4 +1,4 @@
-//! Tables as C99.
+//! Writes tables as C99.
 
 mod contact;
 mod stuck;
@@ -9,21 +9,21 @@ use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::table::Tables;
 
-/// Suffix of a `float` literal.
+/// Suffix of a C `float` literal.
 const FLOAT: &str = "f";
 
-/// The name that functions begin with, unless another is given: that of the scene.
+/// Returns the default prefix of the C functions, which is the scene's name in snake case.
 #[must_use]
 pub fn c_name(scene: &Scene) -> String {
     snake(&scene.name)
 }
 
-/// A constant of the enumeration of statuses.
+/// Returns a constant of the status enumeration.
 fn status(name: &str, of: &str) -> String {
     format!("{}_{}", name.to_uppercase(), snake(of).to_uppercase())
 }
 
-/// The header: what can be called.  Its functions and constants begin with `name`.
+/// Writes the header with the declarations. Its functions and constants begin with `name`.
 #[must_use]
 pub fn c_header<S: Float>(scene: &Scene, tables: &Tables<S>, name: &str) -> String {
     let upper = name.to_uppercase();
@@ -62,7 +62,8 @@ pub fn c_header<S: Float>(scene: &Scene, tables: &Tables<S>, name: &str) -> Stri
     )
 }
 
-/// A number that differs between different tables, for the header's guard: FNV-1a of all coefficients.
+/// Returns a number for the header's guard that differs between different tables. It is the FNV-1a hash of all
+/// coefficients, of the start and origin of each piece, and of the summary.
 fn mark<S: Float>(tables: &Tables<S>) -> String {
     let pieces = tables.pieces.iter().flat_map(|piece| {
         let coefficients = piece.coefficients.iter().flatten();
@@ -125,10 +126,10 @@ fn stuck_declared<S: Float>(
     )
 }
 
-/// The source behind the header; with no header's name it holds the header's text itself.  Its functions begin with
-/// `name`, as the header's do.
+/// Writes the source file. Without a header name it contains the text of the header. Its functions begin with `name`,
+/// as those of the header do.
 ///
-/// None where β*_lim has no form of its own: only the exact formulas keep the accuracy then.
+/// Returns `None` if β*_lim has no closed product form. Only the exact formulas keep the accuracy then.
 #[must_use]
 pub fn c_source<S: Float>(
     scene: &Scene,
@@ -184,7 +185,7 @@ pub fn c_source<S: Float>(
     ))
 }
 
-/// The pieces, how one is found, and how it is evaluated.
+/// Writes the pieces of the table, the search for a piece, and its evaluation.
 fn lookup<S: Float>(numbers: Numbers, real: &str, tables: &Tables<S>) -> String {
     let write = |value: S| numbers.write(value.to_f64());
     let index = &tables.index;

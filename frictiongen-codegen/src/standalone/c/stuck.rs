@@ -1,10 +1,10 @@
-//! The stuck responses in C.
+//! Writes the stuck responses in C.
 
 use super::super::Asked;
 use super::super::stuck::{Expression, Function, Stuck};
 use super::status;
 
-/// The responses while the contact is stuck, with the complex operations that they need.
+/// Writes the responses while the contact is stuck, with the complex operations that they need.
 pub(super) fn source(
     name: &str,
     (real, letter): (&str, &str),
@@ -64,7 +64,8 @@ pub(super) fn source(
     )
 }
 
-/// The complex operations that a file calls; what it does not call would be a warning.
+/// Writes the complex operations that the file calls. An unused operation would cause a compiler
+/// warning.
 fn operations((real, letter): (&str, &str), (one, zero): (&str, &str), stuck: &Stuck) -> String {
     let operations = [
         (

@@ -1,10 +1,10 @@
-//! The contact's motion in Rust.
+//! Writes the motion of the contact in Rust.
 
 use super::super::{Asked, quotient};
 use frictiongen_kernel::Float;
 use frictiongen_model::table::Tables;
 
-/// Amplitude and phase of the contact's relative motion.
+/// Writes the function for the amplitude and the phase of the contact's relative motion.
 pub(super) fn source<S: Float>(
     real: &str,
     root: &str,

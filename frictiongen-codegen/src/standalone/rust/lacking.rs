@@ -1,21 +1,22 @@
-//! The square root and the arc tangent, which `core` lacks.
+//! Writes the square root and the arc tangent, which `core` lacks.
 
 use super::super::Numbers;
 
-/// Parts of one in which the arc tangent begins: its series then runs over 1/16 at the most.
+/// Number of equal steps from 0 to 1 at which the arc tangent is tabulated. The series then covers arguments of at most
+/// 1/16.
 const PARTS: u32 = 8;
 
-/// A trait with both, for a file that may be built without std.  Methods of the type itself go before those of a trait, so
-/// std's are taken where it is linked.
+/// Writes a trait with both functions, for a file that may be built without std. Methods of the type take precedence
+/// over methods of a trait, so the file uses those of std where std is linked.
 pub(super) fn source(numbers: Numbers) -> String {
-    // Bits of the fraction, of the exponent's bias, the integers, what the root is shifted by, and what a subnormal number
-    // is multiplied by.
+    // Format constants: bits of the fraction, exponent bias, integer types, shift before the integer root, and the
+    // power of two that scales a subnormal number.
     let (real, fraction, bias, bits, wide, shift, scale) = if numbers.single {
         ("f32", 23, 127, "u32", "u64", 25, 24)
     } else {
         ("f64", 52, 1023, "u64", "u128", 54, 54)
     };
-    // Odd terms up to t¹³, or t⁷: what is left is below 1e-18 and 3e-11 of t.
+    // Odd terms up to t¹³, or t⁷ in single precision. The remainder is below 1e-18 and 3e-11 of t.
     let terms = if numbers.single { 4 } else { 7 };
     let last = 2 * terms - 1;
     let series = (1..terms - 1)

@@ -1,4 +1,4 @@
-//! Tables as a Rust file without dependencies.
+//! Writes tables as a Rust file without dependencies.
 
 mod contact;
 mod lacking;
@@ -10,8 +10,8 @@ use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::table::Tables;
 
-/// The file, for crates with and without std.  None where β*_lim has no form of its own: only the exact formulas keep the
-/// accuracy then.
+/// Writes the file, for crates with and without std. Returns `None` if β*_lim has no closed product form. Only the
+/// exact formulas keep the accuracy then.
 #[must_use]
 pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String> {
     let numbers = Numbers::of::<S>("");
@@ -58,7 +58,7 @@ pub fn rust_source<S: Float>(scene: &Scene, tables: &Tables<S>) -> Option<String
     ))
 }
 
-/// Why a function does not answer, with the numbers of the C.
+/// Writes the error type. Its values have the numbers of the C status.
 fn errors() -> String {
     let refused = STATUSES.iter().filter(|(of, ..)| *of != "Ok");
     let of =
@@ -69,7 +69,7 @@ fn errors() -> String {
     )
 }
 
-/// The pieces, how one is found, and how it is evaluated.
+/// Writes the pieces of the table, the search for a piece, and its evaluation.
 fn lookup<S: Float>(numbers: Numbers, real: &str, tables: &Tables<S>) -> String {
     let write = |value: S| numbers.write(value.to_f64());
     let index = &tables.index;

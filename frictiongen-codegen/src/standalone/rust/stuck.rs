@@ -1,9 +1,9 @@
-//! The stuck responses in Rust.
+//! Writes the stuck responses in Rust.
 
 use super::super::Asked;
 use super::super::stuck::{Expression, Function, Stuck};
 
-/// The responses while the contact is stuck, with the complex operations that they need.
+/// Writes the responses while the contact is stuck, with the complex operations that they need.
 pub(super) fn source(real: &str, asked: &Asked, stuck: &Stuck) -> String {
     let mut source = String::new();
     let (amplitude, load, outside) = (asked.amplitude, asked.load, &asked.r_outside);

@@ -1,4 +1,4 @@
-//! What tables are asked about their proof.
+//! Methods of tables that start a proof.
 
 use super::super::exact::{Exact, SIZE};
 use super::super::split::Landmarks;
@@ -12,23 +12,23 @@ use crate::modal::Modal;
 use frictiongen_kernel::Float;
 use std::ops::Range;
 
-/// The work that the proof of a piece takes for each mode, about, where all are damped and where not: whether a whole one
-/// is worth beginning.
+/// Approximate work to prove a piece for each mode, with all modes damped and otherwise. It decides whether a complete
+/// proof is worth starting.
 const PIECE_WORK: usize = 1800;
 const PIECE_WORK_UNDAMPED: usize = 2600;
 
-/// A piece may take so many times its share of the work.
+/// Largest work for one piece, relative to its equal share of the total.
 const FAIR: usize = 8;
 
 impl<S: Float> Tables<S> {
-    /// The same with what is proven of it.
+    /// Returns the tables with a proof.
     #[must_use]
     pub fn proven(mut self, modal: &Modal, work: Work) -> Self {
         [self.proof, self.motion_proof] = self.proof_of(modal, 0..self.pieces.len(), work);
         self
     }
 
-    /// The same where the work is likely to do for the whole of it.
+    /// Returns the tables with a proof if the work is likely to suffice for all of them.
     #[must_use]
     pub fn proven_if_small(self, modal: &Modal, work: Work) -> Self {
         let of_piece = if Exact::new(modal).all_damped() {
@@ -44,14 +44,14 @@ impl<S: Float> Tables<S> {
         }
     }
 
-    /// What is proven of β_lim as these tables have it.
+    /// Proves the β_lim of these tables, as far as the work allows.
     #[must_use]
     pub fn prove(&self, modal: &Modal, work: Work) -> Proof {
         let [limit, _] = self.proof_of(modal, 0..self.pieces.len(), work);
         limit
     }
 
-    /// The same of one piece; and what is proven there of amplitude and phase of the contact, if they are tabled.
+    /// Proves β_lim in one piece. Also proves amplitude and phase of the contact there, if they are tabled.
     #[must_use]
     pub fn prove_piece(&self, modal: &Modal, place: usize, work: Work) -> [Proof; 2] {
         self.proof_of(modal, place..place + 1, work)
@@ -62,12 +62,12 @@ impl<S: Float> Tables<S> {
         let ends = (S::constant(self.request.r.0), S::constant(self.request.r.1));
         let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
         let landmarks = Landmarks::of(modal, Zeros::of(modal).as_ref(), (low, high));
-        // |V| is known wherever β_lim is, but on its zeros and poles.
+        // |V| is bounded wherever β_lim is, except on its zeros and poles.
         let excitation = self.excitation.as_ref().map(|_| &self.excitation_proof);
         let excitation = excitation
             .filter(|proof| proof.evidence != Evidence::Checked && proof.open_length() == 0.0)
             .map(|proof| proof.bound.error)
-            // Among the functions it is compared with them.
+            // If |V| is one of the functions, the comparison of the functions covers it.
             .or((self.functions > SIZE).then_some(0.0));
         let Work(most) = work;
         let share = Work(most.min(FAIR * most / places.len().max(1)));

@@ -1,4 +1,5 @@
-//! What is taken for a witness over a part of the range: from where the exact search finds the largest constraint.
+//! Chooses candidates for a witness over an interval of r, from the instants at which the exact search finds the
+//! largest constraint.
 
 use super::super::exact::Exact;
 use super::super::fit::interpolated;
@@ -8,18 +9,19 @@ use super::witness::Witness;
 use crate::interval::{Interval, Series};
 use std::f64::consts::PI;
 
-/// Instants through which a witness goes.
+/// Number of instants that a witness interpolates.
 const NODES: usize = 5;
-/// Instants farther apart than this, in half-turns, are not of one witness.
+/// Distance in half-turns above which two instants do not belong to one witness.
 const JUMP: f64 = 0.05;
-/// A witness so near to the start of the half period, in radians of the fastest mode, is looked at by series in τ.
+/// Distance from the start of the half period, in radians of the fastest mode, below which a witness may use the series
+/// in τ.
 const EARLY: f64 = 1.2;
-/// And nearer than this only so.
+/// Distance below which a witness uses only that series.
 const SURELY: f64 = 0.3;
-/// One so near may as well be the start itself.
+/// Distance below which the start itself is also a candidate.
 const START: f64 = 0.05;
 
-/// What may be the largest constraint, by the exact search at some r.
+/// Returns the candidates for the largest constraint, from the exact search at several r.
 pub(super) fn candidates(
     exact: &mut Exact<'_>,
     chain: &Chain,
@@ -76,7 +78,7 @@ pub(super) fn candidates(
         if early {
             witnesses.push(Witness::Early(path.clone()));
         }
-        // Either way in between.
+        // Between the two distances both kinds of witness are candidates.
         if !(early && latest < SURELY) {
             witnesses.push(Witness::Instant(path));
         }

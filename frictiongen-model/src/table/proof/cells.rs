@@ -1,4 +1,4 @@
-//! What the cells of a half period have in common: the velocity constraint over a part of the range, as they ask for it.
+//! Functions that all cells of a half period share: the velocity constraint over an interval of r.
 
 use super::force;
 use super::found::Budget;
@@ -7,48 +7,48 @@ use super::witness::{Seen, Witness};
 use crate::interval::{Interval, Series};
 use std::f64::consts::PI;
 
-/// Steps by which the region about a witness is widened, of the length in which a parabola of its curvature doubles.
+/// Length of a step that widens the region about a witness, relative to √(N/D″), and the largest number of steps.
 const TUBE_STEP: f64 = 0.3;
 const TUBE_STEPS: usize = 8;
-/// The first step, and all of them, go no farther than these parts of the way to the end of the half period.
+/// Largest first step and largest sum of all steps, as fractions of the way to the end of the half period.
 const TUBE_FIRST: f64 = 0.2;
 const TUBE_MOST: f64 = 0.9;
-/// For the roundings of an end of a region.
+/// Allowance for the rounding of an end of a region.
 pub(super) const ROUNDING: f64 = 1e-12;
 
-/// There D must be bent by this share of what it is at the witness, or at a second largest.
+/// Smallest D″ in the region, relative to D″ at the witness or at a second maximum.
 pub(super) const BENT: f64 = 0.15;
 
-/// What is known over an interval of r: at its centre, and over all of it.
+/// Data over an interval of r: at its centre, and over the whole interval.
 pub(super) struct Part<'a> {
     pub chain: &'a Chain,
     pub witness: &'a Witness,
-    /// The interval less its centre.
+    /// The interval minus its centre.
     pub away: Interval,
     pub at: &'a Stage<ORDER>,
     pub over: &'a Stage<ORDER>,
     pub seen_at: &'a Seen<ORDER>,
     pub seen_over: &'a Seen<ORDER>,
-    /// By which share N exceeds the witness, in √(U² + N²).
+    /// Relative excess of √(U² + N²) over the same root for the witness.
     pub share: f64,
 }
 
-/// One side of the witness: `share` of the way from an end of the half period to it.
+/// A side of the witness. A position on it is a `share` of the way from the end of the half period to the witness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Flank {
     Before,
     After,
 }
 
-/// What is known of a part, with what the cells of its half period ask for.
+/// Data over an interval of r, in the forms that the cells of its half period need.
 pub(super) struct Cells<'a> {
-    /// The chain at the centre of the part,
+    /// The chain at the centre of the interval.
     pub thin: Stage<1>,
-    /// over the part with its slope in r,
+    /// The chain over the interval, with its slope in r.
     pub wide: Stage<2>,
-    /// and over the part alone.
+    /// The chain over the interval, without slope.
     pub flat: Stage<1>,
-    /// N.
+    /// N, at the centre and over the interval.
     pub level_at: Series<1>,
     pub level_over: Series<2>,
     pub full_at: Series<ORDER>,
@@ -58,7 +58,7 @@ pub(super) struct Cells<'a> {
     pub part: &'a Part<'a>,
 }
 
-/// κN: N² + U² is (1 + share)² times that of the witness.
+/// Returns κN, for which N² + U² is (1 + share)² times that of the witness.
 fn level<const N: usize>(seen: &Seen<N>, share: f64) -> Series<N> {
     let share = Interval::point(share);
     let more = share + share + share * share;
@@ -85,7 +85,7 @@ impl<'a> Cells<'a> {
         }
     }
 
-    /// F over a box, with its slope in r, and F′, F″ and F‴; sine and cosine of τ.
+    /// Returns F over a box with its slope in r, then F′, F″ and F‴, then sine and cosine of τ.
     pub fn boxed(&self, t: Interval) -> (Series<2>, [Interval; 3], (Interval, Interval)) {
         let at = Series::<2>::fixed(t);
         let (sine, cosine) = t.sine_cosine();
@@ -95,27 +95,27 @@ impl<'a> Cells<'a> {
         (value, derivatives, (sine, cosine))
     }
 
-    /// F′, F″ and F‴ over a box; sine and cosine of τ.
+    /// Returns F′, F″ and F‴ over a box, then sine and cosine of τ.
     pub fn derivatives(&self, t: Interval) -> ([Interval; 3], (Interval, Interval)) {
         let waves = t.sine_cosine();
         let motions = force::motions(&self.flat, &Series::fixed(t));
         (force::derivatives(&self.flat, &motions, waves), waves)
     }
 
-    /// D″ over a box of τ for all r.
+    /// Returns D″ over an interval of τ, for all r.
     pub fn bend(&self, t: Interval, budget: &mut Budget) -> Interval {
         budget.spend(2 * self.wide.modes.len());
         let level = self.level_over.value();
         let ([_, second, third], (sine, cosine)) = self.derivatives(t);
         let plain = -(level * sine) - second;
-        // In the middle, and how it changes from there.
+        // The mean value form at the middle tightens the bound.
         let middle = Interval::point(t.middle());
         let ([_, second, _], (sine, _)) = self.derivatives(middle);
         let moves = (-(level * cosine) - third) * (t - middle) * Interval::pi();
         plain.both(-(level * sine) - second + moves)
     }
 
-    /// How far before and behind an instant D″ is at least a share of what it is there, and the least that it is.
+    /// Returns how far before and after an instant D″ stays above a fraction of its value there, and the smallest D″.
     pub fn widened(
         &self,
         t: Interval,
@@ -147,7 +147,7 @@ impl<'a> Cells<'a> {
         (reach, least)
     }
 
-    /// The instant at a share of a side: t over all r, with its slope, and at the centre.
+    /// Returns the instant at a share of a side: t over all r, the slope of t in r, and t at the centre.
     pub fn instant(&self, side: Flank, share: Interval) -> (Interval, Interval, Interval) {
         let (path, slope) = (self.path_over.value(), self.path_over.term(1));
         match side {

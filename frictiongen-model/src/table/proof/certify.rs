@@ -1,8 +1,9 @@
-//! That no instant of the half period has a larger velocity constraint than the witness, but for a share.
+//! Certifies that no instant of the half period has a larger velocity constraint than the witness, up to a small
+//! margin.
 //!
-//! D(τ, r) = N(r) sin τ − F(τ, r) must be positive on 0 < τ < π.  The half period is covered with cells whose ends move
-//! with the witness; in each of them D is bounded below by its value, its slope and a bound of its second derivative.
-//! About the witness, where D nearly vanishes, a single parabola does.
+//! D(τ, r) = N(r) sin τ − F(τ, r) must be positive on 0 < τ < π. Cells cover the half period. Their ends shift with the
+//! witness as r changes. In each cell the value, the slope and a bound of the second derivative bound D from below.
+//! About the witness, where D nearly vanishes, a single parabola bounds it.
 
 use super::cells::{BENT, Cells, Flank, Part, ROUNDING};
 use super::force;
@@ -13,46 +14,47 @@ use super::witness::Witness;
 use crate::interval::{Interval, Series};
 use std::f64::consts::PI;
 
-/// How far a cell goes at first, in radians of the fastest mode.
+/// Length of the first cell, in radians of the fastest mode.
 const CELL: f64 = 1.0;
-/// N is far above the witness where the difference is this share of it.
+/// Relative difference above which N is far above the witness.
 const FAR_ABOVE: f64 = 0.01;
-/// About a witness, where so little does not do, D must be bent by this share of what it is there.
+/// Smallest D″ about a witness, relative to D″ at the witness, where the fraction `BENT` does not suffice.
 const MORE_BENT: f64 = 0.5;
-/// No cell is shorter than this share of its side.
+/// Shortest cell, as a fraction of its side.
 const SHORTEST: f64 = 1e-3;
-/// From so short a cell on, in radians of the fastest mode, another instant may compete; it is sought so often.
+/// Length of a cell, in radians of the fastest mode, below which another instant may compete; and the largest number of
+/// searches for it.
 const COMPETE: f64 = 0.1;
 const MOST_TRIED: usize = 4;
-/// After a cell that holds the next one is so many times as long.
+/// Growth of the next cell after a cell that was certified.
 const LONGER: f64 = 1.4;
-/// How far a single bound goes from the start of the half period at first, in radians of the fastest mode; where it does
-/// not hold it is shortened, so often and to this part.
+/// First range of a single bound from the start of the half period, in radians of the fastest mode. If the bound fails,
+/// the range shrinks by the factor `EARLY_STEP`, at most `EARLY_STEPS` times.
 const EARLY: f64 = 0.3;
 const EARLY_STEPS: usize = 6;
 const EARLY_STEP: f64 = 0.7;
 
-/// Whether every velocity constraint over the interval is below that of the witness but for the share.
+/// Returns whether every velocity constraint over the interval is below that of the witness, up to the margin.
 pub(super) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
-    // Without damping and with every x ≤ 2 the sum is largest where the half period starts.
+    // Without damping and with every x ≤ 2, the sum is largest at the start of the half period.
     let slow = |mode: &ModeStage<ORDER>| mode.x.value().high <= 2.0;
     let is_start = matches!(part.witness, Witness::BreakAway);
     if is_start && part.chain.all_undamped && part.over.modes.iter().all(slow) {
         return true;
     }
     let cells = Cells::of(part);
-    // What the break-away asks for.
+    // The margin over the break-away condition.
     let spare = Series::joined(
         &(cells.full_at - part.at.break_away),
         &(cells.full_over - part.over.break_away),
     );
-    // With μ = 1 that is the start of the half period, which a witness beside it looks at.
+    // With μ = 1, break-away is the start of the half period. A witness near the start covers it.
     let one = part.chain.stiction == Interval::ONE;
     let is_early = matches!(part.witness, Witness::Early(_));
     let seen = is_start || (is_early && one);
     let kappa = part.over.kappa.map_or(Interval::ONE, |kappa| kappa.value());
     if !seen && (kappa.holds_zero() || !(0.0 < spare.range(part.away).low)) {
-        // Where κ may be 0 its size counts.
+        // If κ may be 0, its magnitude counts.
         let spare = cells.level_over.value().squared() - part.over.break_away.value().squared();
         if !(0.0 < spare.low) {
             return false;
@@ -70,7 +72,8 @@ pub(super) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
 }
 
 impl Cells<'_> {
-    /// How much of each side is left to the cells; none where D is not positive about the witness.
+    /// Returns the fraction of each side that is left to the cells. Returns `None` if D is not positive about the
+    /// witness.
     fn tube(&self, budget: &mut Budget) -> Option<[f64; 2]> {
         if matches!(self.part.witness, Witness::BreakAway) {
             return Some([1.0, 1.0]);
@@ -81,27 +84,27 @@ impl Cells<'_> {
         }
         let curve = self.bend(path, budget);
         if !(0.0 < curve.low) {
-            // Where U outweighs S, N is so far above all sums that D has no least there.
+            // Where U exceeds S, N is so far above all sums that D has no minimum there.
             return Some([1.0, 1.0]);
         }
-        // As wide as it may be, or as bent.
+        // First tries the widest region, then one with more curvature.
         let tube = [BENT, MORE_BENT].into_iter().find_map(|bent| {
             let (reach, least) = self.widened(path, curve, bent, budget);
             self.is_least(least).then_some(reach)
         });
         let Some([before, after]) = tube else {
-            // Where N is far above the witness the cells do without a parabola.
+            // Where N is far above the witness, the cells need no parabola.
             let far = FAR_ABOVE * self.level_over.value().high < self.above().low;
             return far.then_some([1.0, 1.0]);
         };
-        // A little less, for the rounding of the shares.
+        // The regions are reduced a little, for the rounding of the shares.
         Some([
             1.0 - before * (1.0 - ROUNDING) / path.high,
             1.0 - after * (1.0 - ROUNDING) / (1.0 - path.low),
         ])
     }
 
-    /// N − Q = (N² − Q²)/(N + Q).
+    /// Returns N − Q = (N² − Q²)/(N + Q), where Q is the constraint of the witness.
     fn above(&self) -> Interval {
         let seen = self.part.seen_over;
         let share = Interval::point(self.part.share);
@@ -109,8 +112,8 @@ impl Cells<'_> {
         seen.size.value() * more / (self.level_over.value() + seen.constraint.value())
     }
 
-    /// Whether D, or D/τ, is positive where its second derivative is at least so much:
-    /// D ≥ D(τ_w) − D′(τ_w)²/(2 min D″).
+    /// Returns whether D, or D/τ, is positive where its second derivative is at least `bend`. The criterion is D ≥
+    /// D(τ_w) − D′(τ_w)²/(2 min D″).
     fn is_least(&self, bend: f64) -> bool {
         let (seen_at, seen_over) = (self.part.seen_at, self.part.seen_over);
         let above = self.above();
@@ -121,8 +124,8 @@ impl Cells<'_> {
         0.0 < bend.low && 0.0 < (value - rise.squared() / (bend + bend)).low
     }
 
-    /// How much of the side behind a witness beside the start is left to the cells: up to there (D/τ)″ is at least a
-    /// third of the least D‴, as it is ∫₀¹ s²D‴(sτ) ds.
+    /// Returns the fraction of the side after a witness near the start that is left to the cells. Before it, (D/τ)″ is
+    /// at least a third of the least D‴, because it is ∫₀¹ s²D‴(sτ) ds.
     fn early(&self, budget: &mut Budget) -> Option<f64> {
         let path = self.part.seen_over.t;
         let path = Series::joined(&self.part.seen_at.t, &path).range(self.part.away);
@@ -144,13 +147,13 @@ impl Cells<'_> {
         None
     }
 
-    /// Whether D is positive on a side up to a share of it.
+    /// Returns whether D is positive on a side, up to a share of that side.
     fn side(&self, side: Flank, up_to: f64, budget: &mut Budget) -> bool {
         let fastest = self.wide.modes.iter().map(|mode| mode.x.value().high);
         let fastest = fastest.fold(1.0, f64::max);
         let most = PI * self.path_at.middle();
         let mut length = (CELL / (fastest * most)).min(up_to);
-        // The cell at the end of the half period.
+        // The first cell starts at the end of the half period.
         loop {
             let share = length.min(up_to);
             let shown = match side {
@@ -176,7 +179,7 @@ impl Cells<'_> {
                 from = to;
                 length *= LONGER;
             } else {
-                // Where two instants compete a cell would have to be as short as they are apart.
+                // Where two instants compete, a cell would have to be as short as the distance between them.
                 let near = region
                     .and_then(|region: Region| region.reach(side, from, self.path_over.value()));
                 if let Some(reach) = near {
@@ -198,18 +201,18 @@ impl Cells<'_> {
         true
     }
 
-    /// Whether D is positive in a cell.
+    /// Returns whether D is positive in a cell.
     fn cell(&self, side: Flank, share: Interval, budget: &mut Budget) -> bool {
         budget.spend(2 * self.wide.modes.len());
         let (t, t_slope, _) = self.instant(side, share);
         let (value, [first, second, _], (sine, cosine)) = self.boxed(t);
         let level = self.level_over.value();
-        // How D moves with r along the cell.
+        // The change of D with r along the cell.
         let of_tau = level * cosine - first;
         let of_r = self.level_over.term(1) * sine - value.term(1);
         let moves = of_r + of_tau * t_slope * Interval::pi();
         let bend = -(level * sine) - second;
-        // At the centre of r, about the middle of the cell.
+        // D at the centre of r, expanded about the middle of the cell.
         let middle = Interval::point(share.middle());
         let (_, _, t_at) = self.instant(side, middle);
         let (_, _, ends) = self.instant(side, share);
@@ -225,7 +228,7 @@ impl Cells<'_> {
     }
 }
 
-/// The least of value + slope·δ + bend·δ²/2 over |δ| ≤ half.
+/// Returns the minimum of value + slope·δ + bend·δ²/2 over |δ| ≤ half.
 fn lowest(value: Interval, slope: Interval, bend: Interval, half: f64) -> Interval {
     let steep = Interval::point(slope.size());
     let bend = Interval::point(bend.low);

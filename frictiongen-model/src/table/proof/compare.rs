@@ -1,4 +1,4 @@
-//! The polynomial of a piece beside β_lim by a witness, over a part of the range.
+//! Compares the polynomial of a piece with β_lim of a witness, over an interval of r.
 
 use super::super::fit::Fitted;
 use super::super::request::{Request, is_single};
@@ -9,46 +9,47 @@ use crate::interval::{Interval, Series};
 use crate::scene::Side;
 use frictiongen_kernel::Float;
 
-/// One term less: beside a zero everything is divided by the distance from it.
+/// Number of terms after a division by the distance from a zero, which costs one term.
 pub(super) const SHORT: usize = ORDER - 1;
-/// Parts of a part in which the range of a polynomial is taken.
+/// Number of cells into which an interval is divided to bound a polynomial.
 pub(super) const CELLS: usize = 8;
-/// Beside a zero of β_lim what its place is uncertain by may take this share of the accuracy.
+/// Largest share of the accuracy that the uncertain position of a zero of β_lim may use.
 const UNCERTAIN: f64 = 0.01;
-/// No nearer to a zero than this, relative to r, is anything shown.
+/// Smallest distance from a zero, relative to r, at which anything is proven.
 const NEAREST: f64 = 1e-13;
-/// What a polynomial loses by products that underflow: some of the smallest numbers, of single precision and of double.
+/// Allowance for products that underflow in a polynomial, in single and in double precision: some of the smallest
+/// numbers.
 const UNDERFLOW_SINGLE: f64 = 1e-43;
 const UNDERFLOW: f64 = 1e-321;
-/// A sum of roundings is enlarged by this for their products and for its own roundings.
+/// Factor on a sum of roundings, for their products and for the roundings of the sum itself.
 const UP: f64 = 1.001;
 
-/// What is proven of a part.
+/// Result of a proof over an interval of r.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Compared {
-    /// The largest error that is possible, and where.
+    /// The largest possible error, with its r.
     pub worst: Worst,
-    /// Beside a zero the neighbourhood that is left out.
+    /// The neighbourhood of a zero that is left open.
     pub gap: Option<(f64, f64)>,
-    /// Where it is proven, from the centre of the series on.
+    /// The proven interval, relative to the centre of the series.
     pub away: Interval,
-    /// The square of the polynomial over β_lim by the witness: at the centre and over the part.
+    /// The square of the polynomial over β_lim of the witness, at the centre and over the interval.
     pub square: [Series<SHORT>; 2],
-    /// What the evaluation rounds off at most, relative.
+    /// Largest rounding error of the evaluation, relative.
     pub rounding: f64,
 }
 
-/// What the emitted evaluation rounds off at most, as a share of each term: `counts` roundings of c_k tᵏ.
+/// Returns the largest number of roundings of the term c_k tᵏ in the emitted evaluation.
 ///
-/// A pair c_2j + c_2j+1·t has a rounding for its sum, and its second term one more; the sum with what is higher has one; and
-/// each of the j products with t², of which every one brings the rounding of t² with it, is summed once more.  The difference r − origin is exact where they are within a factor
-/// of two, or has a rounding for each power.
+/// A pair c_2j + c_2j+1·t has one rounding for its sum, and its second term has one more. The sum with the higher terms
+/// has one. Each of the j products with t² adds three: the product, the rounding of t², and a sum. The difference r −
+/// origin is exact if both are within a factor of two. Otherwise it adds a rounding for each power.
 fn counts(power: usize, exact_difference: bool) -> f64 {
     let of_difference = if exact_difference { 0 } else { power };
     (power % 2 + 2 + 3 * (power / 2) + of_difference) as f64
 }
 
-/// What is left after a division by the distance from the centre, but for the value there.
+/// Returns the series divided by the distance from the centre, without the term of the value at the centre.
 pub(super) fn divided(series: &Series<ORDER>) -> Series<SHORT> {
     let mut terms = [Interval::ZERO; SHORT];
     for (term, own) in terms.iter_mut().zip(series.terms.iter().skip(1)) {
@@ -57,7 +58,8 @@ pub(super) fn divided(series: &Series<ORDER>) -> Series<SHORT> {
     Series { terms }
 }
 
-/// Whether the emitted polynomial is within the accuracy of β_lim, which is that of the witness or less by `share`.
+/// Returns the comparison of the emitted polynomial with β_lim, or `None` if it is not within the accuracy. β_lim is
+/// that of the witness, or less by at most `share`.
 pub(super) fn compared<S: Float>(
     piece: &Fitted<S>,
     request: &Request,
@@ -82,7 +84,7 @@ pub(super) fn compared<S: Float>(
     };
     let (own_at, own_over) = (table(Interval::point(centre)), table(r));
     let accuracy = request.accuracy;
-    // How near to the zero it is proven.
+    // The proof stops at this distance from the zero.
     let (mut nearest, mut gap) = (0.0, None);
     if zero.is_some() {
         let size = |place: usize| {
@@ -137,7 +139,7 @@ pub(super) fn compared<S: Float>(
     ];
     let [square_at, square_over] = &squares;
     let joined = Series::joined(square_at, square_over);
-    // The least that the polynomial is, over the distance from the zero beside one; and what its evaluation rounds off.
+    // The smallest value of the polynomial, divided near a zero by the distance from it, and its rounding error.
     let own = match zero {
         None => Series::joined(&own_at, &own_over).range(away),
         Some(_) => {
@@ -193,7 +195,8 @@ pub(super) fn compared<S: Float>(
     })
 }
 
-/// What the evaluation in the table's scalar rounds off at most; beside a zero, over the distance from it.
+/// Returns the largest rounding error of the evaluation in the table's scalar. Near a zero, returns it divided by the
+/// distance from the zero.
 pub(in crate::table) fn rounding<S: Float>(
     coefficients: &[f64],
     origin: f64,
@@ -210,13 +213,13 @@ pub(in crate::table) fn rounding<S: Float>(
         let term = coefficient.abs() * counts(k, exact) * unit;
         sum += match nearest {
             None => term * power,
-            // tᵏ over the distance, which grows with it for k > 0, but for the place of the origin.
+            // For k > 0, tᵏ over the distance grows with the distance, apart from the offset of the origin.
             Some(nearest) if k == 0 => term / nearest,
             Some(_) => term * power / t * 2.0,
         };
         power *= t;
     }
-    // Products that underflow, and the roundings of these lines.
+    // Allowance for products that underflow and for the roundings of this function.
     let smallest = if is_single::<S>() {
         UNDERFLOW_SINGLE
     } else {
@@ -232,7 +235,7 @@ mod tests {
     use super::super::tests::random;
     use super::rounding;
 
-    /// What the emitted evaluation rounds off in single precision is within its bound, and comes near it.
+    /// The rounding errors of the emitted evaluation in single precision must stay within the bound, and come near it.
     #[test]
     fn roundings_are_within_their_bound() {
         let (mut state, mut nearest) = (3, 0.0_f64);

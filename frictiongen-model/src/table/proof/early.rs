@@ -1,28 +1,31 @@
-//! The velocity constraint F/sin τ beside the start of the half period, where both vanish: by the Taylor series of F/τ in τ.
+//! The velocity constraint F/sin τ near the start of the half period, where both vanish, from the Taylor series of F/τ
+//! in τ.
 
 use super::force;
 use super::stage::Stage;
 use crate::interval::{Interval, Series};
 
-/// Terms of F/τ; [`rest`] bounds what is left out, so that fewer would leave more open and show nothing wrong.
+/// Number of terms of F/τ. [`rest`] bounds the remainder, so fewer terms would only leave more open.
 const TERMS: usize = 13;
 /// Derivatives of the cosine at τ = 0, which repeat.
 const OF_COSINE: [f64; 4] = [1.0, 0.0, -1.0, 0.0];
-/// What the terms of sin τ/τ and of its slope beyond [`PAIRS`] sum to for |τ| ≤ 1.3: below 20·1.3¹⁹/21! < 6·10⁻¹⁷.
+/// Bound on the terms of sin τ/τ and of its slope beyond [`PAIRS`], for |τ| ≤ 1.3. Their sum is below 20·1.3¹⁹/21! <
+/// 6·10⁻¹⁷.
 const SINC_REST: f64 = 1e-16;
-/// Powers of τ² in the series of sin τ/τ.
+/// Number of powers of τ² in the series of sin τ/τ.
 const PAIRS: usize = 10;
-/// A bound is enlarged by so much for up to four roundings of it, each at most 2⁻⁵³ ≈ 1.1·10⁻¹⁶.
+/// Factor on a bound for up to four roundings, each at most 2⁻⁵³ ≈ 1.1·10⁻¹⁶.
 const UP: f64 = 1.0 + 1e-15;
-/// The same where π and factors before are rounded as well, for up to ninety.
+/// Factor on a bound for up to ninety roundings, where π and earlier factors are rounded as well.
 const FAR_UP: f64 = 1.0 + 1e-14;
 
-/// sin τ/τ and its slope for |τ| ≤ 1.3, by their series; [`SINC_REST`] is what is left out.
+/// Returns sin τ/τ and its slope for |τ| ≤ 1.3, by their series. [`SINC_REST`] bounds the remainder.
 pub(super) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
     let square = tau.squared();
     let zero = Series::fixed(Interval::ZERO);
     let (mut value, mut slope) = (zero, zero);
-    // From the highest power down: (−1)^j/(2j + 1)! of τ^{2j}, and 2j times that of τ^{2j−1}.
+    // From the highest power down: the coefficient of τ^{2j} is (−1)^j/(2j + 1)!, and that of τ^{2j−1} in the slope is
+    // 2j times as large.
     for j in (0..PAIRS).rev() {
         let mut weight = Interval::ONE;
         for factor in 2..=(2 * j + 1) {
@@ -38,14 +41,14 @@ pub(super) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
     (value + rest, slope * *tau + rest)
 }
 
-/// F/τ and its slope at τ = πt, but for what [`rest`] says.
+/// Returns F/τ and its slope at τ = πt, up to the remainder of [`rest`].
 pub(super) fn over_tau<const N: usize>(
     stage: &Stage<N>,
     tau: &Series<N>,
 ) -> (Series<N>, Series<N>) {
     let zero = Series::fixed(Interval::ZERO);
-    // At τ = 0 the nth derivative of p is k_n xⁿ⁻¹, with k_n + 2ζk_{n−1} + k_{n−2} = 0.  As x = σ/r, its power of r is the same in
-    // all modes: these are the sums of κc(1 + g)·k_nσⁿ⁻¹ and of κcu/x²·k_{n+1}σⁿ over them.
+    // At τ = 0 the nth derivative of p is k_n xⁿ⁻¹, with k_n + 2ζk_{n−1} + k_{n−2} = 0. Because x = σ/r, all modes have
+    // the same power of r. These are the sums over the modes of κc(1 + g)·k_nσⁿ⁻¹ and of κcu/x²·k_{n+1}σⁿ.
     let mut sums = [(zero, zero); TERMS + 1];
     for mode in &stage.modes {
         let own = mode.oscillator;
@@ -79,7 +82,7 @@ pub(super) fn over_tau<const N: usize>(
     (value, slope)
 }
 
-/// By how much F/τ and its slope may differ from [`over_tau`] for τ from 0 to πt.
+/// Returns bounds on the difference of F/τ and its slope from [`over_tau`], for τ from 0 to πt.
 pub(super) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
     let stage = stage.truncated::<1>();
     let all = Interval::new(0.0, t);
@@ -93,7 +96,7 @@ pub(super) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
             let following = -(loss * next) - x.squared() * p;
             (p, next) = (next, following);
         }
-        // Now p⁽ᵀ⁺¹⁾ and p⁽ᵀ⁺²⁾; a derivative of the cosine is at most 1.
+        // p and next are now p⁽ᵀ⁺¹⁾ and p⁽ᵀ⁺²⁾. A derivative of the cosine is at most 1.
         let of_forced_slope = mode.forced_slope.value() * (Interval::within(1.0) - next);
         most += (mode.free.value() * p + of_forced_slope).size() * UP;
     }

@@ -1,4 +1,4 @@
-//! The cells at the ends of the half period, where D vanishes.
+//! The cells at both ends of the half period, where D vanishes.
 
 use super::cells::{Cells, Flank};
 use super::force;
@@ -8,7 +8,7 @@ use super::witness::{Seen, Witness};
 use crate::interval::{Interval, Series};
 
 impl Cells<'_> {
-    /// Whether D/τ is positive from the start of the half period on, with D = D′(0)τ + D″(0)τ²/2 + D‴τ³/6.
+    /// Returns whether D/τ is positive from the start of the half period on, with D = D′(0)τ + D″(0)τ²/2 + D‴τ³/6.
     pub fn first(&self, share: f64, budget: &mut Budget) -> bool {
         budget.spend(4 * self.wide.modes.len());
         let part = self.part;
@@ -17,7 +17,7 @@ impl Cells<'_> {
         let ([_, second, third], (sine, cosine)) = self.derivatives(t);
         let level = self.level_over.value();
         let (at, over) = if matches!(part.witness, Witness::BreakAway) {
-            // N − μm* − H_c, and (μ − 1)m*.
+            // The terms are N − μm* − H_c and (μ − 1)m*.
             let more = Interval::point(part.share);
             let more = more + more + more * more;
             let above = |seen: &Seen<ORDER>, level: &Series<ORDER>| {
@@ -38,7 +38,7 @@ impl Cells<'_> {
         if !(0.0 < start.low) {
             return false;
         }
-        // D″ ≥ 0, or a plain parabola.
+        // D″ ≥ 0 suffices, or a plain parabola.
         let bend = -(level * sine) - second;
         let reach = t * Interval::pi();
         if 0.0 <= bend.low {
@@ -53,7 +53,8 @@ impl Cells<'_> {
         if !(0.0 < curve.low) {
             return false;
         }
-        // The parabola D′(0) + D″(0)τ/2 + curve·τ² as a function of r: where it is lowest, or where the cell ends.
+        // The parabola D′(0) + D″(0)τ/2 + curve·τ² is bounded as a function of r, at its minimum or at the end of the
+        // cell.
         let bends = [part.at, part.over].map(|stage| force::bend_at_start(stage).times(-half));
         let [bend_at, bend_over] = bends;
         let bend = Series::joined(&bend_at, &bend_over).range(away);
@@ -82,7 +83,7 @@ impl Cells<'_> {
             && 0.0 < Series::joined(&value_at, &value_over).range(away).low
     }
 
-    /// Whether D/(π − τ) is positive up to the end of the half period.
+    /// Returns whether D/(π − τ) is positive up to the end of the half period.
     pub fn last(&self, share: f64, budget: &mut Budget) -> bool {
         budget.spend(2 * self.wide.modes.len());
         let level = self.level_over.value();

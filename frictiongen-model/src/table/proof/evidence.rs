@@ -1,21 +1,21 @@
-//! What is known of a table, and how it is told.
+//! Evidence for the accuracy of a table, and sentences that report it.
 
 use super::super::worst::Worst;
 
-/// What is known of a table.
+/// Evidence for the accuracy of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Evidence {
-    /// Its error is below a bound at every r.
+    /// The error is below a bound at every r.
     Proven,
-    /// The same but in some places, where it is checked.
+    /// The error is below a bound at every r except in some intervals, in which the table is checked.
     Partly,
-    /// It was compared with exact values at many points; between them its error may be larger.
+    /// The table was compared with exact values at many points. Between them the error may be larger.
     Checked,
 }
 
 impl Evidence {
-    /// In a word.
+    /// Returns the evidence as one word.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -26,33 +26,33 @@ impl Evidence {
     }
 }
 
-/// How much work a proof may take, in evaluations of one mode: of a processor a quarter of a microsecond each, one and a half where
-/// nothing is optimised.
+/// Largest work of a proof, in evaluations of one mode. An evaluation takes about a quarter of a microsecond, or one
+/// and a half in code without optimisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Work(pub usize);
 
 impl Work {
-    /// What a macro spends.  A table that needs more is told from its size, and left checked.
+    /// Work of a macro. A table that needs more is recognised by its size and only checked.
     pub const AT_EXPANSION: Self = Self(1_700_000);
-    /// What a command spends: four seconds of a processor at most.
+    /// Work of a command: at most about four seconds of processor time.
     pub const WHOLE: Self = Self(16_000_000);
 }
 
-/// What is proven of a table.
+/// Result of a proof of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proof {
-    /// How much is.
+    /// The evidence for the accuracy: proven, partly proven or checked.
     pub evidence: Evidence,
-    /// What the relative error cannot exceed where it is proven, and where this bound is largest.
+    /// Upper bound on the relative error where it is proven, with the r at which this bound is largest.
     pub bound: Worst,
-    /// Where it is not proven, ascending.
+    /// The intervals of r without a proof, ascending.
     pub open: Vec<(f64, f64)>,
-    /// The work that it took.
+    /// The work that the proof took.
     pub work: Work,
 }
 
 impl Proof {
-    /// Of what is only checked.
+    /// Returns the result for a table that is only checked.
     #[must_use]
     pub fn none((low, high): (f64, f64)) -> Self {
         Self {
@@ -66,7 +66,7 @@ impl Proof {
         }
     }
 
-    /// How much of r is open.
+    /// Returns the total length of the open intervals of r.
     #[must_use]
     pub fn open_length(&self) -> f64 {
         self.open
@@ -74,14 +74,14 @@ impl Proof {
             .fold(0.0, |sum, (from, to)| sum + (to - from))
     }
 
-    /// The widest place that is open.
+    /// Returns the widest open interval.
     #[must_use]
     pub fn widest(&self) -> Option<(f64, f64)> {
         let places = self.open.iter().copied();
         places.max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))
     }
 
-    /// In a sentence or two.
+    /// Returns the result in one or two sentences.
     #[must_use]
     pub fn told(&self) -> String {
         let bound = format!(

@@ -1,9 +1,9 @@
-//! The velocity constraint's sum F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)] and its derivatives, τ = πt.
+//! The sum of the velocity constraint, F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)], and its derivatives, with τ = πt.
 
 use super::stage::{Kind, ModeStage, Stage};
 use crate::interval::{Interval, Series};
 
-/// A mode's free displacement p and its slope p′.
+/// Returns a mode's free displacement p and its slope p′.
 fn free<const N: usize>(mode: &ModeStage<N>, t: &Series<N>) -> (Series<N>, Series<N>) {
     let own = &mode.oscillator;
     let turns = mode.x * *t;
@@ -36,7 +36,7 @@ fn free<const N: usize>(mode: &ModeStage<N>, t: &Series<N>) -> (Series<N>, Serie
     }
 }
 
-/// p and p′ of all modes at an instant.
+/// Returns p and p′ of all modes at an instant.
 pub(super) fn motions<const N: usize>(
     stage: &Stage<N>,
     t: &Series<N>,
@@ -44,7 +44,7 @@ pub(super) fn motions<const N: usize>(
     stage.modes.iter().map(|mode| free(mode, t)).collect()
 }
 
-/// F at an instant, which may move with r.
+/// Returns F at an instant, which may depend on r.
 pub(super) fn value<const N: usize>(
     stage: &Stage<N>,
     motions: &[(Series<N>, Series<N>)],
@@ -57,7 +57,7 @@ pub(super) fn value<const N: usize>(
     sum
 }
 
-/// F′ at an instant.
+/// Returns F′ at an instant.
 pub(super) fn slope<const N: usize>(
     stage: &Stage<N>,
     motions: &[(Series<N>, Series<N>)],
@@ -73,7 +73,7 @@ pub(super) fn slope<const N: usize>(
     sum
 }
 
-/// F′, F″ and F‴ over a box of r and τ.
+/// Returns F′, F″ and F‴ over a box of r and τ.
 pub(super) fn derivatives<const N: usize>(
     stage: &Stage<N>,
     motions: &[(Series<N>, Series<N>)],
@@ -103,7 +103,7 @@ pub(super) fn derivatives<const N: usize>(
     sums
 }
 
-/// F″ at τ = 0 by what p is there: p′ = 1, p″ = −2ζx, p‴ = x²(4ζ² − 1).
+/// Returns F″ at τ = 0, where p′ = 1, p″ = −2ζx and p‴ = x²(4ζ² − 1).
 pub(super) fn bend_at_start<const N: usize>(stage: &Stage<N>) -> Series<N> {
     let one = Series::fixed(Interval::ONE);
     let zero = Series::fixed(Interval::ZERO);

@@ -1,16 +1,16 @@
-//! What a proof has found so far, and the work that it may still take.
+//! Results of a proof so far, and its remaining work.
 
 use super::super::worst::Worst;
 use super::compare::Compared;
 use super::evidence::{Evidence, Proof, Work};
 
-/// Work that may still be done, in evaluations of one mode.
+/// Remaining work, in evaluations of one mode.
 pub(super) struct Budget {
     most: usize,
     pub spent: usize,
 }
 
-/// A stage over an interval counts as so many evaluations of each mode.
+/// Work of a stage over an interval, in evaluations of each mode.
 pub(super) const OF_STAGE: usize = 20;
 
 impl Budget {
@@ -28,7 +28,7 @@ impl Budget {
     }
 }
 
-/// What was found of a function so far.
+/// Results for one function so far.
 pub(super) struct Found {
     bound: Worst,
     pub open: Vec<(f64, f64)>,
@@ -51,7 +51,7 @@ impl Found {
         }
     }
 
-    /// With what was found of the next piece.
+    /// Adds the results of the next piece.
     pub fn and(&mut self, next: Self) {
         if next.looked {
             self.seen(next.bound);
@@ -59,7 +59,7 @@ impl Found {
         self.open.extend(next.open);
     }
 
-    /// What was proven.
+    /// Returns the finished proof.
     pub fn finished(mut self, work: usize) -> Proof {
         self.open.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut open: Vec<(f64, f64)> = Vec::new();
@@ -83,7 +83,7 @@ impl Found {
     }
 }
 
-/// What was found of a piece: of β_lim and of the motion, and the work that it took.
+/// Results for a piece: for β_lim, for the motion, and the work.
 pub(super) struct Piece {
     pub limit: Found,
     pub motion: Found,
@@ -99,13 +99,13 @@ impl Piece {
         }
     }
 
-    /// Not shown, neither of β_lim nor of the motion.
+    /// Leaves an interval open, for β_lim and for the motion.
     pub fn leave(&mut self, part: (f64, f64)) {
         self.limit.open.push(part);
         self.motion.open.push(part);
     }
 
-    /// With what was found of the next one.
+    /// Adds the results of the next piece.
     pub fn and(&mut self, next: Self) {
         self.limit.and(next.limit);
         self.motion.and(next.motion);
@@ -113,7 +113,7 @@ impl Piece {
     }
 }
 
-/// What is proven of a part: of β_lim, and of the motion if it is.
+/// Proven results over an interval: for β_lim, and for the motion if it is proven.
 pub(super) struct Part {
     pub limit: Compared,
     pub motion: Option<Worst>,

@@ -1,13 +1,13 @@
-//! A proof that a table of β_lim is within its accuracy at every r, not only where it was looked at.
+//! Proof that a table of β_lim is within its accuracy at every r, and not only at the checked points.
 //!
-//! The range is gone through in parts.  In each a *witness* is chosen, an instant that is about where the velocity
-//! constraint is largest, as a polynomial in r; [`certify`] shows that no other instant has a constraint larger by more
-//! than a small share, so that β_lim is known from both sides as a smooth function; [`compare`] shows that the
-//! polynomial of the table, with all roundings of its evaluation, is near that function.  Both are done in intervals
-//! with outward rounding.  [`motion`] shows the same of amplitude and phase of the contact.  A part that cannot be decided
-//! is halved, and in the end left open: there the table is checked, not proven.
+//! The proof divides the range into intervals of r. In each it chooses a *witness*: an instant near the largest
+//! velocity constraint, as a polynomial in r. [`certify`] shows that no other instant has a constraint larger by more
+//! than a small margin. This bounds β_lim from both sides by a smooth function. [`compare`] shows that the polynomial
+//! of the table, with all roundings of its evaluation, is near that function. Both use intervals with outward rounding.
+//! [`motion`] shows the same of amplitude and phase of the contact. An undecided interval is halved, and in the end
+//! left open. There the table is checked, not proven.
 //!
-//! Products over zeros and poles, β*_lim and |V|, are another matter: [`product`].
+//! Products over zeros and poles, β*_lim and |V|, have a proof of their own: [`product`].
 
 mod asked;
 mod candidates;
@@ -48,35 +48,35 @@ use stage::{Chain, ORDER, Stage, singular};
 pub(super) use witness::polynomial;
 use witness::{Seen, Witness};
 
-/// Of the accuracy the share that a larger constraint elsewhere may take.
+/// Share of the accuracy that a larger constraint elsewhere may use.
 const ELSEWHERE: f64 = 1.0 / 32.0;
-/// A part is not halved below this share of r.
+/// Shortest interval, as a fraction of r.
 const SHORTEST: f64 = 1e-7;
-/// Places so near to each other, relative to them, are one.
+/// Relative distance below which two r are the same.
 const SAME: f64 = 1e-12;
-/// For the motion a part is not halved below this share of its piece, or of its distance from a piece's zero.
+/// Shortest interval for the motion, as a fraction of its piece, or of its distance from the zero of a piece.
 const SHORTEST_OF_MOTION: f64 = 2e-3;
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
-/// The first part is tried at this fraction of its piece, the one after a part that is shown at so many times its length.
+/// Length of a piece over that of its first interval, and growth of the next interval after a proven one.
 const FIRST: f64 = 4.0;
 const LONGER: f64 = 1.15;
-/// Where parts stay open no shorter ones are tried than this share of what is left open next.
+/// Shortest trial interval after an open one, as a fraction of the next open length.
 const FINER: f64 = 1.0 / 16.0;
-/// A part takes all that is left where that is at most so many times its length.
+/// An interval takes all of the rest if the rest is at most this many times its length.
 const NO_STUB: f64 = 1.2;
-/// At a zero of β_lim κ is below this if it vanishes there.
+/// Largest κ at a zero of β_lim at which κ counts as zero.
 const VANISHES: f64 = 1e-14;
 
-/// A piece of a table about to be proven.
+/// State of the proof of one piece.
 struct Prover<'a, 'm> {
     exact: &'a mut Exact<'m>,
     chain: &'a Chain,
     request: Request,
     budget: Budget,
     found: Piece,
-    /// By how much |V| may be off, where the motion is looked at.
+    /// Largest error of |V|; `None` if the motion is not compared.
     excitation: Option<f64>,
-    /// Whether the last part was shown by a witness beside the start.
+    /// True if a witness near the start proved the last interval.
     early: bool,
 }
 
@@ -100,7 +100,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         }
     }
 
-    /// What is proven of a piece from an r to another, with the kinks of β_lim within and the zero that it counts from.
+    /// Proves a piece from one r to another. `kinks` are those of β_lim within it, and `zero` is the zero that is its
+    /// origin.
     fn piece<S: Float>(
         mut self,
         piece: &Fitted<S>,
@@ -114,7 +115,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             }
             return self.found;
         }
-        // A kink at an end, but for its rounding, parts nothing.
+        // A kink at an end of the piece, up to rounding, divides nothing.
         let apart = SAME * to;
         let within = |kink: &f64| from + apart < *kink && *kink < to - apart;
         let mut ends = vec![from];
@@ -123,7 +124,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         let beside = zero.map(|zero| if zero.at <= from { from } else { to });
         for pair in ends.windows(2) {
             let [low, high] = pair else { continue };
-            // From the zero away.
+            // The walk starts at the zero.
             if beside == Some(*high) {
                 self.walk(piece, *high, *low, zero);
             } else {
@@ -135,7 +136,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         self.found
     }
 
-    /// From one r to another, by parts.
+    /// Proves the range from one r to another, interval by interval.
     fn walk<S: Float>(&mut self, piece: &Fitted<S>, start: f64, end: f64, zero: Option<Edge>) {
         let forwards = start < end;
         let mut place = start;
@@ -143,7 +144,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut length = (end - start).abs() / FIRST;
         let shortest = SHORTEST * start.max(end);
         let mut skip = shortest;
-        // The same of the motion, which is not asked for again before so far from the start.
+        // The motion has its own open length. An interval must prove the motion only from the distance `again` from the
+        // start on.
         let (mut skip_motion, mut again) = (0.0_f64, 0.0_f64);
         let from_zero = zero.is_some();
         while place != end {
@@ -152,7 +154,7 @@ impl<'a, 'm> Prover<'a, 'm> {
                 return;
             }
             let rest = (end - place).abs();
-            // No short last part.
+            // Avoids a short last interval.
             let step = if rest < NO_STUB * length {
                 rest
             } else {
@@ -194,7 +196,7 @@ impl<'a, 'm> Prover<'a, 'm> {
                     length = LONGER * step;
                     skip = shortest.max(0.5 * skip);
                 }
-                // What is open is not sought to the last digit: the farther it goes, the longer is what is left at once.
+                // An open interval is not narrowed to the last digit. Its length doubles with each failure.
                 None if step <= shortest.max(FINER * skip) => {
                     let far = skip.max(step).min(rest);
                     let next = if forwards { place + far } else { place - far };
@@ -210,7 +212,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         }
     }
 
-    /// A part, if the table is proven there.
+    /// Returns the proven results over an interval, or `None` if it is not proven.
     fn part<S: Float>(
         &mut self,
         piece: &Fitted<S>,
@@ -232,7 +234,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut witnesses =
             candidates(self.exact, self.chain, (from, to), centre, &over, &singular);
         if !self.early {
-            // What did for the last part is likely to do for this one.
+            // The kind of witness that proved the last interval will probably prove this one.
             witnesses.reverse();
         }
         for witness in witnesses {
@@ -245,7 +247,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             let mut seen_over = Seen::of(&witness, &over, all, rest);
             seen_over.refine(&seen_at, all);
             self.budget.spend(OF_STAGE * self.chain.modes.len());
-            // A constraint is no witness where it is negative; undamped its size is one.
+            // A negative constraint is no witness. For an undamped chain its magnitude is one.
             let is_one = self.chain.all_undamped || 0.0 <= seen_over.constraint.value().low;
             if !is_one {
                 continue;
@@ -294,7 +296,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         None
     }
 
-    /// Both with κ > 0; of a wholly undamped chain either sign will do, as F(π − τ) = −F(τ).
+    /// Returns both stages with κ > 0. For a wholly undamped chain either sign is valid, because F(π − τ) = −F(τ).
     fn oriented(
         &self,
         at: Stage<ORDER>,
@@ -306,7 +308,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             return Some((at, over));
         };
         let sign = if zero.is_some() {
-            // κ vanishes with β_lim, or does not; beside the zero it has the sign of its slope.
+            // Near the zero κ may vanish with β_lim. It then has the sign of its slope times the distance.
             let beside = all.value();
             let vanishes = own.value().size() < VANISHES;
             if beside.holds_zero() && !vanishes {

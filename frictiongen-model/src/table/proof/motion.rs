@@ -1,8 +1,9 @@
-//! The other polynomials of a piece: what amplitude and phase of the contact are off at any β, over a part of the range.
+//! Errors of amplitude and phase of the contact at any β, from the other polynomials of a piece, over an interval of r.
 //!
-//! With α = β_lim·U/|V|, γ = β_lim·G/|V| and ρ = β/β_lim the amplitude is |V|(√(1 − ρ²α²) − ργ).  The table has a and g
-//! over its own β_lim in their places, so that a·β_lim/β_table is compared with α.  β_lim is the witness's b but for a share,
-//! and α is the witness's but for the same: the share changes the difference by no more than itself.
+//! With α = β_lim·U/|V|, γ = β_lim·G/|V| and ρ = β/β_lim, the amplitude is |V|(√(1 − ρ²α²) − ργ). The table has a and
+//! g, relative to its own β_lim, in place of α and γ. So a·β_lim/β_table is compared with α. β_lim is the witness's b
+//! up to a small margin, and α is the witness's α up to the same margin. The margin changes the difference by no more
+//! than itself.
 
 use super::super::errors::FRICTION_SHARES;
 use super::super::exact::{ANGLE, SIZE};
@@ -15,68 +16,70 @@ use crate::interval::{Interval, Series};
 use frictiongen_kernel::{Float, Scalar};
 use std::f64::consts::PI;
 
-/// Parts of the friction ratios up to the largest; towards it the root vanishes, and an answer changes fast.
+/// Bounds of the intervals of the friction ratio, over its largest value. Towards the largest value the root vanishes
+/// and the amplitude changes fast.
 const SHARES: [f64; 11] = [
     0.0, 0.4, 0.65, 0.8, 0.88, 0.93, 0.96, 0.98, 0.99, 0.997, 1.0,
 ];
-/// Roundings of the emitted answers: of a and g times β/β_lim, of the root, and of the phase with its arc tangent.
+/// Number of roundings in the emitted results: of a and g times β/β_lim, of the root, and of the phase with its arc
+/// tangent.
 const OF_SHARE: f64 = 4.0;
 const OF_ROOT: f64 = 4.0;
 const OF_PHASE: f64 = 64.0;
-/// Of an arc tangent in double precision.
+/// Number of roundings of an arc tangent in double precision.
 const OF_ATAN2: f64 = 4.0;
-/// Of the product with |V|.
+/// Number of roundings of the product with |V|.
 const OF_PRODUCT: f64 = 4.0;
-/// Shares and angles below this are small: …
+/// Largest relative error or angle that counts as small.
 const SMALL: f64 = 0.1;
-/// … a quotient is larger by no more than this for a share in its divisor, …
+/// Bound on the growth of a quotient by a small relative error in its divisor.
 const WITH_PRODUCTS: f64 = 1.1;
-/// … and an angle than its sine.
+/// Bound on a small angle over its sine.
 const OVER_SINE: f64 = 1.01;
-/// For the roundings of these lines.
+/// Factor for the roundings of the bounds themselves.
 const UP: f64 = 1.0 + 1e-9;
 
-/// What a part of the range asks for.
+/// Data for the comparison of the motion over an interval of r.
 pub(super) struct Moving<'a, S> {
     pub piece: &'a Fitted<S>,
-    /// What |V| is off at most, relative, where it is a product.
+    /// Largest relative error of |V|, if |V| is a product.
     pub excitation: f64,
-    /// Of amplitude (relative) and phase (rad).
+    /// Accuracy of amplitude (relative) and phase (rad).
     pub accuracy: f64,
-    /// The ends of the part, and the centre of the series.
+    /// The ends of the interval, and the centre of the series.
     pub ends: (f64, f64),
     pub centre: f64,
-    /// Whether the centre is a zero of β_lim.
+    /// True if the centre is a zero of β_lim.
     pub beside_zero: bool,
-    /// By which share the largest constraint may exceed that of the witness.
+    /// Largest relative excess of the largest constraint over that of the witness.
     pub share: f64,
 }
 
-/// What is off and what is exact over a cell.
+/// Errors and exact values over a cell of r.
 struct Cell {
-    /// Of a and g.
+    /// Errors of a and g, then their exact values.
     off: [Interval; 2],
     exact: [Interval; 2],
-    /// What |V| is off, relative.
+    /// Relative error of |V|.
     size: Interval,
-    /// What arg V is off.
+    /// Error of arg V.
     turned: Interval,
-    /// The least of β_table/b.
+    /// The smallest β_table/b.
     least: f64,
 }
 
-/// What is off and what is exact, at the centre of a part or over it.
+/// Errors and exact values, at the centre of an interval or over it.
 struct Functions {
     /// a·b/β_table − α, and α.
     quadrature: [Series<SHORT>; 2],
-    /// The same of g.
+    /// g·b/β_table − γ, and γ.
     displacement: [Series<SHORT>; 2],
-    /// arg V from the table less the exact one.
+    /// arg V of the table minus the exact arg V.
     angle: Series<SHORT>,
 }
 
 impl<S: Float> Moving<'_, S> {
-    /// The largest error of amplitude and phase over the part; none where it is not within the accuracy.
+    /// Returns the largest error of amplitude and phase over the interval, or `None` if it is not within the accuracy.
     pub fn compared(
         &self,
         limit: &Compared,
@@ -127,7 +130,7 @@ impl<S: Float> Moving<'_, S> {
         Some(worst)
     }
 
-    /// The largest error over a cell of r.
+    /// Returns the largest error over a cell of r.
     fn error(&self, cell: &Cell, of_limit: f64) -> Option<f64> {
         let Cell {
             off,
@@ -137,10 +140,10 @@ impl<S: Float> Moving<'_, S> {
             least,
         } = *cell;
         let unit = 0.5 * S::EPSILON;
-        // β_lim is b but for the share.
+        // β_lim is b up to the margin.
         let fewer = Interval::new(1.0 / (1.0 + self.share) * (2.0 - UP), 1.0);
         let [alpha, gamma] = exact.map(|exact| exact * fewer);
-        // Roundings of a and of β_table, over β_table; and of the product with β.
+        // Roundings of a and of β_table, relative to β_table, and of the product with β.
         let with_roundings = |function: usize, off: Interval, exact: Interval| {
             let most = exact.size() + off.size();
             let own = self.rounding(function) / least
@@ -161,12 +164,12 @@ impl<S: Float> Moving<'_, S> {
             if !(0.0 < own.low && 0.0 < other.low && 0.0 < amplitude.low) {
                 return None;
             }
-            // The difference of the roots is that of their squares over their sum.
+            // The difference of the roots is the difference of their squares over their sum.
             let of_root = share * of_alpha * share * (alpha + tabled) / (own + other);
             let off = -(of_root + share * of_gamma) / amplitude;
             let rounded = OF_ROOT * unit * own.high / amplitude.low;
             let off = off + Interval::within(rounded * UP);
-            // Of the product with |V|: errors of different signs make up for each other.
+            // In the product with |V|, errors of different signs compensate each other.
             let of_size = size + Interval::within(self.excitation);
             let off = (off + of_size + off * of_size).size() + OF_PRODUCT * unit;
             // The lag is −asin ρα − arg V.
@@ -180,7 +183,7 @@ impl<S: Float> Moving<'_, S> {
         self.piece.coefficients.len() > ANGLE
     }
 
-    /// What the evaluation of a function rounds off at most.
+    /// Returns the largest rounding error in the evaluation of a function.
     fn rounding(&self, function: usize) -> f64 {
         if self.piece.coefficients.len() <= function {
             return 0.0;
@@ -194,7 +197,7 @@ impl<S: Float> Moving<'_, S> {
         of.map(|coefficient| coefficient.to_f64()).collect()
     }
 
-    /// A polynomial of the piece.
+    /// Returns a polynomial of the piece as a series.
     fn table(&self, function: usize, r: Interval) -> Series<SHORT> {
         let origin = Series::fixed(Interval::point(self.piece.origin.to_f64()));
         polynomial(&self.coefficients(function), Series::variable(r) - origin)
@@ -228,8 +231,8 @@ impl<S: Float> Moving<'_, S> {
         }
     }
 
-    /// What |V| of the table is off, relative, where it is among the functions: at the centre and over the part, and what its
-    /// evaluation rounds off.
+    /// Returns the relative error of the table's |V|, if |V| is one of the functions. The results are a series (at the
+    /// centre and over the interval) and the rounding error of the evaluation.
     fn size(
         &self,
         stages: [&Stage<ORDER>; 2],
@@ -243,7 +246,7 @@ impl<S: Float> Moving<'_, S> {
         let coefficients = self.coefficients(SIZE);
         let origin = self.piece.origin.to_f64();
         let [at, over] = stages;
-        // Beside a zero both are divided by the distance from it.
+        // Near a zero both are divided by the distance from it.
         let part = |series: &Series<ORDER>, at: &Series<ORDER>| {
             if self.beside_zero {
                 divided(series) + Series::fixed(at.value() / away)
@@ -258,7 +261,7 @@ impl<S: Float> Moving<'_, S> {
         let own = table(Interval::point(self.centre));
         let sign = if self.beside_zero { away.sign() } else { 1 };
         let side = Interval::point(f64::from(sign));
-        // |V| times r², as the stage has it.
+        // The stage has |V| times r².
         let ratio = |r: Interval, stage: &Stage<ORDER>| {
             let [re, im] = [0, 1].map(|place| {
                 let of = |stage: &Stage<ORDER>| stage.excitation.get(place).copied();
@@ -278,12 +281,12 @@ impl<S: Float> Moving<'_, S> {
         let nearest = self.beside_zero.then_some(away);
         let rounded = rounding::<S>(&coefficients, origin, self.ends, nearest) / least;
         let off = Series::joined(&(first - one), &(all - one));
-        // The roundings are relative to the table.
+        // The rounding errors are relative to the table.
         let most = 1.0 + off.range(away).size();
         (rounded < 0.1).then_some((off, rounded * most * UP))
     }
 
-    /// Of an undamped chain the sign of κV, by which a is multiplied.
+    /// Returns the sign of κV of an undamped chain, by which a is multiplied.
     fn sign(&self, at: &Stage<ORDER>, over: &Stage<ORDER>, away: Interval) -> Option<Interval> {
         if self.is_damped() {
             return Some(Interval::ONE);
@@ -299,7 +302,8 @@ impl<S: Float> Moving<'_, S> {
         (sign != 0).then(|| Interval::point(f64::from(sign)))
     }
 
-    /// arg V at the centre and over the part, but for whole turns; and by how much a zero's place leaves it uncertain.
+    /// Returns arg V at the centre and over the interval, up to whole turns, and its uncertainty from the position of a
+    /// zero.
     fn angle(
         &self,
         at: &Stage<ORDER>,
@@ -344,7 +348,7 @@ impl<S: Float> Moving<'_, S> {
         Some(([turning(own, value), turning(all, value)], uncertain))
     }
 
-    /// What an angle is off, but for whole turns.
+    /// Returns the error of an angle, up to whole turns.
     fn turned(&self, angle: Interval, uncertain: f64) -> Interval {
         if !self.is_damped() {
             return Interval::ZERO;
@@ -355,7 +359,7 @@ impl<S: Float> Moving<'_, S> {
     }
 }
 
-/// The angle of a complex series, from its value on: its slope is (re·im′ − im·re′)/(re² + im²).
+/// Returns the angle of a complex series, from its value. Its slope is (re·im′ − im·re′)/(re² + im²).
 fn turning([re, im]: [Series<SHORT>; 2], value: Interval) -> Series<SHORT> {
     let slope = |series: &Series<SHORT>| {
         let mut slope = Series::fixed(Interval::ZERO);

@@ -1,4 +1,5 @@
-//! What is proven of amplitude and phase, held to the exact ones, and coefficients that are wrong by little or by much.
+//! Tests the proof of amplitude and phase against exact values, and with coefficients that are slightly or grossly
+//! wrong.
 
 use super::super::errors::FRICTION_SHARES;
 use super::super::exact::Exact;
@@ -29,7 +30,8 @@ fn tables<S: Float>(modal: &Modal, accuracy: f64, side: Side) -> Tables<S> {
     Tables::build(modal, asked).unwrap()
 }
 
-/// The errors of β_lim (relative), amplitude (relative) and phase at an r; the last two at their worst friction ratio.
+/// Returns the errors of β_lim (relative), amplitude (relative) and phase at an r. The last two are at their worst
+/// friction ratio.
 fn errors<S: Float>(tables: &Tables<S>, place: usize, exact: &mut Exact<'_>, r: S) -> [f64; 3] {
     let piece = &tables.pieces[place];
     let of = |function: usize| piece.value(function, r);
@@ -63,7 +65,8 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
         let name = format!("{kind}{count}, {zeta}, {accuracy:e}: {}", proof.told());
         assert!(proof.evidence != Evidence::Checked, "{name}");
         assert!(proof.bound.error <= accuracy, "{name}");
-        // Beside zeros of undamped modes; the motion a little farther beside sub-harmonics among damped ones.
+        // Only the surroundings of zeros of undamped modes may be open. The motion is open a little further near
+        // sub-harmonics among damped modes.
         let most = if zeta > 0.0 {
             0.0
         } else if zeta < 0.0 {
@@ -86,7 +89,7 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
             }
             let place = tables.pieces.partition_point(|piece| piece.from <= r);
             let [_, amplitude, phase] = errors(&tables, place.saturating_sub(1), &mut exact, r);
-            // The exact ones have roundings of their own.
+            // The exact values have roundings of their own.
             let allowed = proof.bound.error + 1e-10;
             assert!(
                 amplitude <= allowed && phase <= allowed,
@@ -98,7 +101,7 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
     compared
 }
 
-/// At random r, and friction ratios up to 0.98 of β_lim.
+/// The bound must hold at random r, for friction ratios up to 0.98 of β_lim.
 #[test]
 fn the_bound_holds() {
     let double = agreeing::<f64>(1e-2, Side::Near)
@@ -111,7 +114,7 @@ fn the_bound_holds() {
     );
 }
 
-/// The largest error of a piece among many places, over the accuracy.
+/// Returns the largest errors of a piece among many r, over the accuracy.
 fn largest(
     tables: &Tables<f64>,
     place: usize,
@@ -128,8 +131,8 @@ fn largest(
     [limit, motion].map(|error| error / tables.request.accuracy)
 }
 
-/// Every coefficient of every function of several pieces, off by ten accuracies, and by so little that an answer is just
-/// beyond its accuracy somewhere: the piece is not proven whole.
+/// A piece with a wrong coefficient must not be proven whole. Every coefficient of every function of several pieces is
+/// changed by ten times the accuracy. It is also changed so little that a value just exceeds its accuracy somewhere.
 #[test]
 fn wrong_coefficients_are_not_proven() {
     let (mut little, mut much) = (0, 0);
@@ -159,7 +162,7 @@ fn wrong_coefficients_are_not_proven() {
                 "{kind}{count}: piece {place}"
             );
             for function in 0..tables.functions {
-                // β_lim and |V| are relative.
+                // The errors of β_lim and |V| are relative.
                 let scale = match function {
                     0 => sizes[0],
                     4 => sizes[1],
@@ -187,7 +190,7 @@ fn wrong_coefficients_are_not_proven() {
                             assert!(seen <= 1.02 || open > 0.0, "{told}");
                             little += usize::from(seen > 1.02 && seen < 2.0);
                             much += usize::from(seen >= 2.0);
-                            // What is off by so much is not proven over a good part.
+                            // A gross error must leave a large part of the piece open.
                             assert!(seen < 5.0 || open > 0.02 * (next - ends.0), "{told}");
                         }
                     }

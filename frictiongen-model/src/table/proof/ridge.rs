@@ -1,4 +1,5 @@
-//! Other instants whose velocity constraint comes close to that of the witness: beside a kink of β_lim there are two.
+//! Other instants with a velocity constraint close to that of the witness. Near a kink of β_lim there are two such
+//! instants.
 
 use super::cells::{BENT, Cells, Flank, ROUNDING};
 use super::force;
@@ -9,16 +10,16 @@ use crate::interval::{Interval, Series};
 use frictiongen_kernel::Scalar;
 use std::f64::consts::PI;
 
-/// Steps of Newton's method towards one.
+/// Number of Newton steps towards such an instant.
 const STEPS: usize = 8;
-/// A step shorter than this, in half-turns, has found it.
+/// Step length, in half-turns, at which Newton's method has converged.
 const FOUND: f64 = 1e-9;
-/// An instant that moves by more than this within a part, in half-turns, is no longer the same one.
+/// Largest shift of an instant within an interval of r, in half-turns. With a larger shift it is a different instant.
 const JUMP: f64 = 0.1;
-/// Parts of a part in which D is bounded there.
+/// Number of subintervals of r in which D is bounded.
 const PARTS: usize = 6;
 
-/// The instants about a local least of D where D is positive for all r of a part.
+/// Instants about a local minimum of D at which D is positive for all r of an interval.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Region {
     from: f64,
@@ -26,7 +27,7 @@ pub(super) struct Region {
 }
 
 impl Region {
-    /// Up to which share of a side it holds, if it does from a share on.
+    /// Returns the share of a side up to which the region extends, if it contains the given share.
     pub fn reach(&self, side: Flank, share: f64, path: Interval) -> Option<f64> {
         let (begins, end) = match side {
             Flank::Before => (
@@ -44,13 +45,14 @@ impl Region {
 }
 
 impl Cells<'_> {
-    /// About the local least of D that is near an instant; none where there is none, or D is not shown to be positive.
+    /// Returns the region about the local minimum of D near an instant. Returns `None` if there is no minimum, or if D
+    /// is not shown to be positive.
     pub fn region(&self, t: f64, budget: &mut Budget) -> Option<Region> {
         let part = self.part;
         let (low, high) = (part.away.low, part.away.high);
         let places = [0.0, if high > -low { high } else { low }];
         let places = [places[0], 0.5 * places[1], places[1]];
-        // The instant at three r, from the centre on.
+        // The instant at three r, beginning at the centre.
         let mut own = t;
         let mut instants = [0.0; 3];
         for (place, instant) in places.iter().zip(&mut instants) {
@@ -66,7 +68,7 @@ impl Cells<'_> {
         if jump > JUMP {
             return None;
         }
-        // The parabola through them.
+        // The parabola through the three instants.
         let [a, b, c] = instants;
         let step = places[1];
         let slope = (4.0 * b - 3.0 * a - c) / (2.0 * step);
@@ -106,12 +108,12 @@ impl Cells<'_> {
         (from < to).then_some(Region { from, to })
     }
 
-    /// The level at an r in a part, about.
+    /// Returns N at an r in the interval, approximately.
     fn level_at_away(&self, away: f64) -> f64 {
         value_at(&self.full_at, away)
     }
 
-    /// The chain at an r in a part, about: by its series.
+    /// Returns the chain at an r in the interval, approximately, from its series.
     fn shifted(&self, away: f64) -> Stage<1> {
         let mut stage = self.part.at.truncated::<1>();
         for (mode, full) in stage.modes.iter_mut().zip(&self.part.at.modes) {
@@ -124,7 +126,7 @@ impl Cells<'_> {
     }
 }
 
-/// D and its slope in τ at an instant that moves with r.
+/// Returns D and its slope in τ at an instant that depends on r.
 fn seen(
     stage: &Stage<ORDER>,
     level: &Series<ORDER>,
@@ -138,13 +140,13 @@ fn seen(
     )
 }
 
-/// A series at a distance, about.
+/// Returns the value of a series at a distance from its centre, approximately.
 fn value_at<const N: usize>(series: &Series<N>, away: f64) -> f64 {
     let terms = series.terms.iter().rev();
     terms.fold(0.0, |sum, term| sum * away + term.middle())
 }
 
-/// The local least of D near an instant, by Newton's method.
+/// Returns the local minimum of D near an instant, by Newton's method.
 fn least(stage: &Stage<1>, level: f64, mut t: f64) -> Option<f64> {
     for _ in 0..STEPS {
         let at = Series::<1>::fixed(Interval::point(t));
@@ -177,8 +179,8 @@ mod tests {
     use super::super::tests::random;
     use super::*;
 
-    /// Wherever the end of a side is within a part, and from the share on up to the one that is told, the instant is in the
-    /// region; and it is told to the full.
+    /// The instant must be in the region for every position of the witness, and for every share up to the returned one.
+    /// A slightly larger share must leave the region.
     #[test]
     fn within_the_region() {
         let (mut state, mut told) = (9, 0);

@@ -1,24 +1,25 @@
-//! Questions answered side by side, in as many threads as the machine runs at once.
+//! Answers questions in parallel, in as many threads as the machine can run at once.
 //!
-//! What comes out is the same however many they are: answers count in their order, up to where the work is spent.
+//! The result does not depend on the number of threads. Answers count in the order of the questions, until the work is
+//! spent.
 
 use std::num::NonZero;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::{self, Builder};
 
-/// What the threads share.
+/// Data that the threads share.
 struct Shared<A> {
-    /// The next question that nobody has.
+    /// The next question without a thread.
     next: usize,
-    /// The answers, each with the work that it took.
+    /// The answers, each with its work.
     answers: Vec<Option<(usize, A)>>,
-    /// How many answers there are before the first gap, and the work that they took.
+    /// Number of answers before the first gap, and their work.
     known: usize,
     spent: usize,
 }
 
 impl<A> Shared<A> {
-    /// A question for a thread; none where there is no other, or the work is spent.
+    /// Returns a question for a thread, or `None` if none is left or the work is spent.
     fn question(&mut self, count: usize, most: usize) -> Option<usize> {
         if self.next == count || most <= self.spent {
             return None;
@@ -28,7 +29,7 @@ impl<A> Shared<A> {
         Some(self.next - 1)
     }
 
-    /// An answer comes in.
+    /// Stores an answer.
     fn take(&mut self, place: usize, answer: Option<(usize, A)>) {
         if let Some(own) = self.answers.get_mut(place) {
             *own = answer;
@@ -39,7 +40,7 @@ impl<A> Shared<A> {
         }
     }
 
-    /// The answers that count.
+    /// Returns the answers that count.
     fn counted(self, most: usize) -> Vec<A> {
         let mut spent = 0;
         let known = self.answers.into_iter().map_while(|answer| answer);
@@ -52,14 +53,15 @@ impl<A> Shared<A> {
     }
 }
 
-/// A thread that panics does so for all: what it held is not asked any more.
+/// Locks the shared data, also after a panic of another thread. The panic ends the whole call, so its data are not used
+/// again.
 fn locked<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
     shared.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The answers to the questions, in their order, up to where the work of those before is spent.
+/// Returns the answers in the order of the questions, until the work of the previous answers is spent.
 ///
-/// `begin` makes what a thread needs for itself.  An answer comes with the work that it took.
+/// `begin` creates the data of a thread. `one` returns an answer with its work.
 pub(super) fn answered<State, A: Send>(
     questions: &[usize],
     most: usize,
@@ -96,7 +98,7 @@ fn answered_by<State, A: Send>(
     };
     thread::scope(|scope| {
         for _ in 1..threads.min(questions.len()) {
-            // Where there are no threads this one does it all.
+            // Without further threads the current thread does all the work.
             if Builder::new().spawn_scoped(scope, work).is_err() {
                 break;
             }
@@ -113,7 +115,7 @@ mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
     use std::time::Duration;
 
-    /// Whoever answers, and whichever answer comes first.
+    /// The result must not depend on the number of threads, nor on which answer comes first.
     #[test]
     fn as_many_as_one_thread_would() {
         let questions: Vec<usize> = (3..40).collect();
@@ -143,7 +145,7 @@ mod tests {
             for threads in [2, 3, 8, 100] {
                 let (together, needed) = asked(threads);
                 assert_eq!(together, alone, "{most}, {threads} threads");
-                // Not all are asked when the work is spent early.
+                // If the work is spent early, not all questions are asked.
                 assert!(
                     needed <= alone.len() + 37.min(12 * threads),
                     "{most}, {threads} threads: {needed}"
@@ -152,7 +154,7 @@ mod tests {
         }
     }
 
-    /// What cannot be answered ends the answers, as where one thread is alone.
+    /// A question without an answer must end the list, as with one thread.
     #[test]
     fn up_to_a_gap() {
         let one = |_: &mut (), question: usize| (question != 5).then_some((1, question));

@@ -1,17 +1,18 @@
-//! What the limits depend on, as Taylor series in r of intervals (section 3 of `docs/derivation.md`).
+//! All functions of the limits as Taylor series in r, with intervals as coefficients (section 3 of
+//! `docs/derivation.md`).
 //!
-//! Everything is r² times what the thesis calls so.  Where undamped modes have a pole of U, all of it is times the
-//! product κ of their cosines besides: the limits are quotients, in which κ cancels.
+//! All functions are multiplied by r². Where undamped modes have a pole of U, they are also multiplied by the product κ
+//! of the cosines of these modes. The limits are quotients, in which κ cancels.
 
 use super::super::zeros::contact_modes;
 use crate::interval::{Interval, Series};
 use crate::modal::Modal;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Terms of the Taylor series in r that a proof takes.
+/// Number of terms of the Taylor series in r in a proof.
 pub(super) const ORDER: usize = 8;
 
-/// How a mode decays.
+/// The decay of a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Undamped,
@@ -38,16 +39,16 @@ pub(super) struct Oscillator {
     pub residue: Interval,
 }
 
-/// The chain in intervals, each of which holds a number of the modal analysis in double-double.
+/// The chain in intervals. Each interval contains a number of the double-double modal analysis.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
     pub modes: Vec<Oscillator>,
     pub all_undamped: bool,
-    /// −1 where the contact rubs on a moving base.
+    /// −1 if the contact rubs on a moving base, else 0.
     pub direct: Interval,
-    /// m*.
+    /// m*, the inverse effective mass of the contact.
     pub inverse_mass: Interval,
-    /// μ.
+    /// μ, static over kinetic friction force.
     pub stiction: Interval,
 }
 
@@ -101,9 +102,9 @@ pub(super) struct ModeStage<const N: usize> {
     pub x: Series<N>,
     /// r/√λ.
     pub slow: Series<N>,
-    /// Of p in the velocity constraint: κc(1 + g).
+    /// κc(1 + g), the coefficient of p in the velocity constraint.
     pub free: Series<N>,
-    /// Of cos τ − p′: κcu/x².
+    /// κcu/x², the coefficient of cos τ − p′.
     pub forced_slope: Series<N>,
 }
 
@@ -113,26 +114,26 @@ pub(super) struct Stage<const N: usize> {
     pub modes: Vec<ModeStage<N>>,
     /// 1/r.
     pub inverse: Series<N>,
-    /// κ, where it is not 1.
+    /// κ; `None` if it is 1.
     pub kappa: Option<Series<N>>,
-    /// κV, real and imaginary part.
+    /// κV, its real and imaginary part.
     pub excitation: [Series<N>; 2],
     /// κU.
     pub quadrature: Series<N>,
     /// κG.
     pub displacement: Series<N>,
-    /// κ(m* + H_c): the velocity constraint for τ → 0.
+    /// κ(m* + H_c), the velocity constraint for τ → 0.
     pub start: Series<N>,
     /// κ(μm* + H_c).
     pub break_away: Series<N>,
 }
 
-/// Below this an undamped mode's cosine is multiplied out.
+/// Cosine of an undamped mode below which it is multiplied out.
 const SINGULAR: f64 = 0.2;
-/// So near to x = 1 the pole of V is divided out with the cosine.
+/// Distance from x = 1 below which the pole of V is divided out together with the cosine.
 const RESONANT: f64 = 0.5;
 
-/// Which modes' cosines are multiplied out about an r.
+/// Returns, for each mode, whether its cosine is multiplied out near an r.
 pub(super) fn singular(chain: &Chain, r: f64) -> Vec<bool> {
     let modes = chain.modes.iter();
     let cosine = |mode: &Oscillator| {
@@ -145,13 +146,13 @@ pub(super) fn singular(chain: &Chain, r: f64) -> Vec<bool> {
 }
 
 impl<const N: usize> Stage<N> {
-    /// At the frequencies of an interval.
+    /// Returns the chain at the frequencies of an interval.
     pub fn over(chain: &Chain, r: Interval, singular: &[bool]) -> Self {
         let one = Series::fixed(Interval::ONE);
         let (ratio, inverse) = (Series::<N>::variable(r), Series::<N>::inverse(r));
         let square = ratio.squared();
         let half = Interval::point(0.5);
-        // Sine and cosine of πx/2 of the undamped modes.
+        // Sine and cosine of πx/2. They are needed for the undamped modes.
         let waves: Vec<(Series<N>, Series<N>)> = chain
             .modes
             .iter()
@@ -165,7 +166,7 @@ impl<const N: usize> Stage<N> {
             .collect();
         let kappa = cosines.iter().copied().reduce(|a, b| a * b);
         let scaled = |value: Series<N>| kappa.map_or(value, |kappa| kappa * value);
-        // The product of the other cosines, for a mode whose own is one of them.
+        // For a mode whose cosine is multiplied out, the product of the other such cosines.
         let mut seen = 0;
         let mut others = || {
             let own = seen;
@@ -220,7 +221,7 @@ impl<const N: usize> Stage<N> {
                     *im = *im - term * loss;
                 }
                 if mode.kind != Kind::Undamped {
-                    // c(g + 2ζx·u/x²), and c·g/x².
+                    // These are c(g + 2ζx·u/x²) and c·g/x².
                     let own = free - scaled(Series::fixed(c));
                     let carried = x.times(mode.zeta.doubled()) * forced_slope;
                     reversal = reversal + own + carried;
@@ -250,7 +251,7 @@ impl<const N: usize> Stage<N> {
         }
     }
 
-    /// With less room over an interval, by what it is at a place in it.
+    /// Tightens the series over an interval with the series `at` a point in it.
     pub fn refine(&mut self, at: &Self, away: Interval) {
         for (over, at) in self.excitation.iter_mut().zip(&at.excitation) {
             *over = over.refined(at, away);
@@ -263,7 +264,7 @@ impl<const N: usize> Stage<N> {
         }
     }
 
-    /// The same for −κ.
+    /// Returns the chain with −κ in place of κ.
     pub fn turned(mut self) -> Self {
         for mode in &mut self.modes {
             (mode.free, mode.forced_slope) = (-mode.free, -mode.forced_slope);
@@ -276,7 +277,7 @@ impl<const N: usize> Stage<N> {
         self
     }
 
-    /// The first `M` terms.
+    /// Returns the first `M` terms.
     pub fn truncated<const M: usize>(&self) -> Stage<M> {
         let modes = self.modes.iter().map(|mode| ModeStage {
             oscillator: mode.oscillator,
@@ -298,7 +299,7 @@ impl<const N: usize> Stage<N> {
     }
 }
 
-/// 1 + g and u/x² of a mode whose cosine is not multiplied out.
+/// Returns 1 + g and u/x² of a mode whose cosine is not multiplied out.
 fn functions<const N: usize>(
     mode: &Oscillator,
     x: &Series<N>,
@@ -314,7 +315,7 @@ fn functions<const N: usize>(
             let e = x.times(-(Interval::pi() * mode.zeta)).exp();
             let (s, c) = x.times(mode.q * half).sine_cosine();
             let ec = e * c;
-            // 1 + e² + 2e cos θ, in which nothing cancels.
+            // This form of 1 + e² + 2e cos θ has no cancellation.
             let near = (one - e).squared() + (ec * c).times(four);
             let both = ec * s;
             let g = (one - e.squared() - both.times(four * mode.zeta_over_q)) / near;

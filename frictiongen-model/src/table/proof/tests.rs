@@ -1,4 +1,4 @@
-//! What is proven, held to the exact search, and faults that the proof has to find.
+//! Tests the proof against the exact search, and with faults that it has to find.
 
 use super::super::exact::Exact;
 use super::super::{Evidence, Request, Tables, Work};
@@ -15,7 +15,8 @@ use crate::scene::{
     Side, Spring, Stepping,
 };
 
-/// Equal masses and springs: the last mass on a wall, the first on a moving base, or the first two on each other.
+/// Returns a chain of equal masses and springs. The last mass rubs on a wall, the first on a moving base, or the first
+/// two on each other.
 pub(in crate::table) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
     let mass = |place: usize| Mass {
         name: format!("m{place}"),
@@ -38,7 +39,7 @@ pub(in crate::table) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64
         contact: Contact { from, to },
         excitation,
         damping: if zeta < 0.0 {
-            // Every other mode.
+            // Every other mode is damped.
             let of = (0..count).map(|mode| -zeta * (mode % 2) as f64);
             Damping::Modal(of.collect())
         } else if zeta > 0.0 {
@@ -65,7 +66,7 @@ pub(in crate::table) fn request(accuracy: f64, side: Side) -> Request {
     }
 }
 
-/// Random numbers from 0 to 1.
+/// Returns a random number from 0 to 1.
 pub(in crate::table) fn random(state: &mut u64) -> f64 {
     *state = state
         .wrapping_mul(6_364_136_223_846_793_005)
@@ -73,7 +74,7 @@ pub(in crate::table) fn random(state: &mut u64) -> f64 {
     (*state >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// At random r outside what is open the table is within the proven bound of what the search finds.
+/// At random r outside the open intervals, the table must be within the proven bound of the exact search.
 #[test]
 fn the_bound_holds() {
     let mut points = 0;
@@ -95,7 +96,7 @@ fn the_bound_holds() {
                 proof.told()
             );
             assert!(proof.evidence != Evidence::Checked, "{name}");
-            // Beside zeros of undamped chains.
+            // Only surroundings of zeros of undamped chains may be open.
             let most = if zeta > 0.0 { 0.0 } else { 1e-6 };
             assert!(proof.open_length() <= most, "{name}");
             assert!(proof.bound.error <= accuracy, "{name}");
@@ -126,7 +127,7 @@ fn the_bound_holds() {
     assert!(points > 7 * 3 * 1800, "{points}");
 }
 
-/// One coefficient off by ten accuracies: the piece is not proven where it counts.
+/// A piece with one coefficient wrong by ten accuracies must not be proven where the error matters.
 #[test]
 fn a_wrong_coefficient_is_not_proven() {
     let mut found = 0;
@@ -157,7 +158,8 @@ fn a_wrong_coefficient_is_not_proven() {
                 tables.pieces[place].coefficients[0][power] = coefficient + wrong;
                 let [wrong, _] = tables.prove_piece(&modal, place, Work(50_000));
                 let open = wrong.open_length();
-                // What is off by ten accuracies at its far end is off by more than one over a good part.
+                // A coefficient that is wrong by ten accuracies at the far end is wrong by more than one over a large
+                // part of the piece.
                 assert!(
                     open > 0.05 * (next - from),
                     "{kind}{count} {accuracy:e}: coefficient {power} of piece {place} passes but for {open:e}"
@@ -170,7 +172,7 @@ fn a_wrong_coefficient_is_not_proven() {
     assert_eq!(found, 3 * (4 + 6 + 6 + 6));
 }
 
-/// On the safe side a table that is above β_lim by less than its accuracy is not proven either.
+/// With the safe side, a table above β_lim by less than its accuracy must not be proven either.
 #[test]
 fn above_the_limit_is_not_safe() {
     let accuracy = 1e-3;
@@ -185,7 +187,7 @@ fn above_the_limit_is_not_safe() {
             proof.open_length() / length
         };
         assert!(open(&tables) < 1e-3, "{kind}{count}");
-        // From somewhere between one accuracy below and β_lim to above it, by less than one accuracy.
+        // The factor shifts the piece from below β_lim to above it, by less than one accuracy.
         for coefficient in &mut tables.pieces[place].coefficients[0] {
             *coefficient *= 1.0 + 0.97 * accuracy;
         }
@@ -193,7 +195,7 @@ fn above_the_limit_is_not_safe() {
     }
 }
 
-/// In single precision the roundings of the evaluation count.
+/// In single precision the roundings of the evaluation must be included.
 #[test]
 fn single_precision() {
     let modal = scene("Wall", 1, 0.02, 1.2);
@@ -211,7 +213,7 @@ fn single_precision() {
     }
 }
 
-/// Without work, and below 1e-6, a table says of itself that it is checked.
+/// Without work, and below 1e-6, a table must report that it is only checked.
 #[test]
 fn what_is_not_proven_says_so() {
     let modal = scene("Wall", 1, 0.02, 1.2);
@@ -232,7 +234,8 @@ fn what_is_not_proven_says_so() {
     assert!(fine.proof.told().starts_with("Checked, not proven"));
 }
 
-/// A witness that is not about the largest constraint is refused, wherever it lies; a largest one mostly is not.
+/// A witness that is not near the largest constraint must be refused at any r. A witness at the largest one is mostly
+/// accepted.
 #[test]
 fn witnesses_that_are_none() {
     let (mut refused, mut accepted, mut largest) = (0, 0, 0);
@@ -249,7 +252,7 @@ fn witnesses_that_are_none() {
             let r = 0.2 + 1.5 * random(&mut state);
             let all = Interval::new(r * (1.0 - 2e-5), r * (1.0 + 2e-5));
             let tau = exact.at(r).unwrap().tau;
-            // Where the largest is, a little beside it, anywhere, and the start.
+            // The instant is at the maximum, near it, anywhere, or at the start.
             let t = match (turn % 4, tau) {
                 (0, Some(tau)) => Some(tau / std::f64::consts::PI),
                 (1, Some(tau)) => {
@@ -279,7 +282,7 @@ fn witnesses_that_are_none() {
             };
             let mut budget = Budget::of(1_000_000);
             let shown = certified(&part, &mut budget);
-            // β_lim by the witness beside the exact one.
+            // β_lim of the witness, compared with the exact one.
             let [re, im] = at.excitation.map(|part| part.value().middle());
             let own = re.hypot(im) / seen_at.size.value().middle().sqrt();
             let missed = own / exact.at(r).unwrap().limit - 1.0;
@@ -302,7 +305,8 @@ fn witnesses_that_are_none() {
     );
 }
 
-/// The series beside the start of the half period against the sum itself, for modes of every kind, slopes in r included.
+/// The series near the start of the half period must agree with the sum itself, for modes of every kind, including
+/// slopes in r.
 #[test]
 fn early_as_anywhere() {
     let mut state = 5;
@@ -328,7 +332,7 @@ fn early_as_anywhere() {
             for (a, b) in [(value, own), (slope, own_slope)] {
                 for (k, (a, b)) in a.terms.iter().zip(&b.terms).enumerate() {
                     let apart = (a.low - b.high).max(b.low - a.high);
-                    // The rest is one of values; slopes in r are compared but for it.
+                    // The remainder is a bound on values only, so slopes in r get a tolerance.
                     let slack = if k == 0 { 0.0 } else { 1e-7 * (1.0 + a.size()) };
                     assert!(
                         apart <= slack,

@@ -1,22 +1,23 @@
-//! An instant, as a polynomial in r, at which the velocity constraint is about largest; and β_lim as if it were.
+//! A witness: an instant, as a polynomial in r, at which the velocity constraint is nearly largest. Also β_lim for that
+//! constraint.
 
 use super::stage::Stage;
 use super::{early, force};
 use crate::interval::{Interval, Series};
 
-/// What is taken for the largest velocity constraint over an interval of r.
+/// The assumed position of the largest velocity constraint over an interval of r.
 #[derive(Clone, Debug)]
 pub(super) enum Witness {
-    /// The break-away term, or with μ = 1 the start of the half period.
+    /// The break-away term, which for μ = 1 is the start of the half period.
     BreakAway,
-    /// The sum at τ = πt, t a polynomial in r − r₀.
+    /// The sum at τ = πt, with t a polynomial in r − r₀.
     Instant(Vec<f64>),
-    /// The same beside the start of the half period.
+    /// The sum at τ = πt near the start of the half period, by its series in τ.
     Early(Vec<f64>),
 }
 
 impl Witness {
-    /// t at r₀ + `t`.
+    /// Returns t at r₀ + `away`.
     pub fn path<const N: usize>(&self, away: Interval) -> Series<N> {
         let coefficients: &[f64] = match self {
             Self::BreakAway => &[0.5],
@@ -26,7 +27,7 @@ impl Witness {
     }
 }
 
-/// Σ c_k tᵏ.
+/// Returns Σ c_k tᵏ.
 pub(in crate::table) fn polynomial<const N: usize>(
     coefficients: &[f64],
     t: Series<N>,
@@ -37,28 +38,28 @@ pub(in crate::table) fn polynomial<const N: usize>(
     })
 }
 
-/// The witness at a frequency.
+/// The values of a witness at a frequency.
 ///
-/// D = N sin τ − F, with N a little above the constraint, is to be positive elsewhere: of a witness beside the start
-/// D/τ is what counts.
+/// D = N sin τ − F must be positive at all other instants, with N slightly above the constraint. For a witness near the
+/// start, D/τ takes the place of D.
 #[derive(Clone, Debug)]
 pub(super) struct Seen<const N: usize> {
-    /// Its instant over π.
+    /// The instant over π.
     pub t: Series<N>,
     /// sin τ, or sin τ/τ.
     pub weight: Series<N>,
-    /// The slope of that.
+    /// The slope of `weight`.
     pub turn: Series<N>,
-    /// κ times the velocity constraint that it has: the largest one is not below.
+    /// κ times the velocity constraint of the witness. The largest constraint is not below it.
     pub constraint: Series<N>,
     /// (κU)² + (κ times the constraint)².
     pub size: Series<N>,
-    /// The slope in τ of D, or of D/τ, were N the constraint.
+    /// The slope in τ of D, or of D/τ, with the constraint in place of N.
     pub rise: Series<N>,
 }
 
 impl<const N: usize> Seen<N> {
-    /// With what [`early::rest`] says of a witness beside the start.
+    /// Evaluates a witness. `rest` is the result of [`early::rest`] for a witness near the start.
     pub fn of(witness: &Witness, stage: &Stage<N>, away: Interval, rest: [Interval; 2]) -> Self {
         let t = witness.path::<N>(away);
         let zero = Series::fixed(Interval::ZERO);
@@ -93,7 +94,7 @@ impl<const N: usize> Seen<N> {
         }
     }
 
-    /// With less room over an interval, by what it is at a place in it.
+    /// Tightens the series over an interval with the series `at` a point in it.
     pub fn refine(&mut self, at: &Self, away: Interval) {
         self.constraint = self.constraint.refined(&at.constraint, away);
         self.size = self.size.refined(&at.size, away);

@@ -1,15 +1,15 @@
-//! Numbers in double-double with what they may be off by: real ones and complex ones.
+//! Real and complex numbers in double-double, with bounds on their errors.
 
 use frictiongen_kernel::number::dd::Dd;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// 2^−102, more than the relative error of an operation in double-double, which is below 2^−103.
+/// 2^−102, more than the relative error of a double-double operation, which is below 2^−103.
 const ROUNDING: f64 = 1.0 / 5_070_602_400_912_917_605_986_812_821_504.0;
-/// More than what an operation loses by underflow, among numbers that are not tiny.
+/// Bound on the loss of an operation by underflow, among numbers that are not tiny.
 const LOST: f64 = 1e-280;
-/// By this a sum of errors in double precision is enlarged for its own roundings.
+/// Factor on a sum of errors in double precision, for the roundings of the sum.
 const UP: f64 = 1.0 + 1e-14;
-/// What is smaller may vanish when it is squared.
+/// Bound on numbers whose squares may underflow.
 const SQUARED_AWAY: f64 = 1e-150;
 
 /// A number that is within `off` of `at`.
@@ -20,7 +20,7 @@ pub(super) struct Ball {
 }
 
 impl Ball {
-    /// A number in double-double as it stands.
+    /// Returns a double-double number without error.
     pub fn exact(at: Dd) -> Self {
         Self { at, off: 0.0 }
     }
@@ -29,29 +29,29 @@ impl Ball {
         Self::exact(Dd::from(at))
     }
 
-    /// The size of what is in the middle.
+    /// Returns the magnitude of the middle, rounded up.
     fn middle(&self) -> f64 {
         self.at.abs().to_f64() * UP
     }
 
-    /// No size in it is larger.
+    /// Returns an upper bound on the magnitude.
     pub fn most(&self) -> f64 {
         (self.middle() + self.off) * UP
     }
 
-    /// No size in it is smaller.
+    /// Returns a lower bound on the magnitude.
     pub fn least(&self) -> f64 {
         (self.at.abs().to_f64() * (2.0 - UP) - self.off * UP).max(0.0)
     }
 
     fn rounded(at: Dd, off: f64) -> Self {
         let off = (off + at.abs().to_f64() * ROUNDING) * UP + LOST;
-        // What is not a number may be anything.
+        // A NaN bound becomes infinite.
         let off = if off.is_nan() { f64::INFINITY } else { off };
         Self { at, off }
     }
 
-    /// 1 over it.
+    /// Returns the reciprocal.
     pub fn inverse(self) -> Self {
         let least = self.least();
         let off = if least > 0.0 {
@@ -62,10 +62,10 @@ impl Ball {
         Self::rounded(Dd::ONE / self.at, off)
     }
 
-    /// The root of a number that is not negative.
+    /// Returns the square root of a number that is not negative.
     pub fn sqrt(self) -> Self {
         let root = self.at.max(Dd::ZERO).sqrt();
-        // |√a − √b| ≤ |a − b|/√a, and no more than √|a − b|.
+        // |√a − √b| ≤ |a − b|/√a, and is at most √|a − b|.
         let size = root.to_f64();
         let plain = self.off.sqrt() * UP;
         let off = if size > 0.0 {
@@ -109,7 +109,7 @@ impl Mul for Ball {
     }
 }
 
-/// A complex number by its parts.
+/// A complex number, by its real and imaginary part.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Disc {
     pub re: Ball,
@@ -125,14 +125,14 @@ impl Disc {
         Self::new(re, Ball::number(0.0))
     }
 
-    /// No size in it is larger.
+    /// Returns an upper bound on the modulus.
     pub fn most(&self) -> f64 {
         let (re, im) = (self.re.most(), self.im.most());
-        // What is lost by underflow of the squares is below the last number.
+        // `SQUARED_AWAY` covers the underflow of the squares.
         (re * re + im * im).sqrt() * UP + SQUARED_AWAY
     }
 
-    /// No size in it is smaller.
+    /// Returns a lower bound on the modulus.
     pub fn least(&self) -> f64 {
         let (re, im) = (self.re.least(), self.im.least());
         ((re * re + im * im).sqrt() * (2.0 - UP) - SQUARED_AWAY).max(0.0)

@@ -1,4 +1,4 @@
-//! What an emitted factor may be off from the zero that it stands for, over a cell of r.
+//! Bounds the error of an emitted factor relative to its exact zero, over a cell of r.
 
 use super::super::super::request::is_single;
 use super::super::super::zeros::Zero;
@@ -7,53 +7,55 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 
-/// Sums of small shares are enlarged by this for their products with each other.
+/// Factor on sums of small relative errors, for their products.
 const UP: f64 = 1.03;
-/// Shares whose sum exceeds this are not small.
+/// Largest sum of relative errors that counts as small.
 const SMALL: f64 = 0.02;
-/// No normal number is smaller but by rounding, of single precision and of double.
+/// Smallest normal number, up to rounding, in single and in double precision.
 const NORMAL_SINGLE: f64 = 1.2e-38;
 const NORMAL: f64 = 2.3e-308;
 
-/// Positive expressions of a few operations in double precision, with what is neglected beside them, are enlarged or
-/// reduced by one in a hundred: far more than they are off.
+/// Factors on positive expressions of a few operations in double precision. They cover the roundings and the neglected
+/// terms with a wide margin.
 const MORE: f64 = 1.01;
 const LESS: f64 = 0.99;
-/// A zero's place, rounded once to double precision, and a few roundings of its size: a hundred of them.
+/// Bound on the relative error of a zero's position, rounded once to double precision, with a few further roundings.
+/// The bound is a hundred roundings.
 const PLACE: f64 = 1e-14;
-/// A difference of squares or of places is off by a few roundings of these: millions of them.
+/// Bound on the relative error of a difference of squares or of positions, which is off by a few roundings. The bound
+/// is millions of roundings.
 const DIFFERENCE: f64 = 1e-9;
-/// A factor of a zero that moves by a distance d has moved by four times d over the distance from it, to first order, as
-/// ±ir − z and its conjugate are four; the rest is of second order.
+/// Relative change of a factor whose zero shifts by d, over d divided by the distance from the zero. To first order it
+/// is four, from ±ir − z and the conjugate terms. The excess covers the second order.
 const MOVED: f64 = 4.1;
-/// Safely within a half: a number that is not the nearest is half a spacing away at least, and where r − at is not exact r is
-/// farther from `at` than half of it.
+/// Safely less than a half. A number that is not the nearest is at least half a spacing away. Where r − at is not
+/// exact, r is farther from `at` than half of it.
 const WITHIN_HALF: f64 = 0.45;
-/// B² + 4x²y² is at least 4xy|B|, so that |B| over it is at most a quarter of 1/(xy), and 2x²|B| over it half of x/y; both
-/// enlarged.
+/// B² + 4x²y² is at least 4xy|B|. So |B| over it is at most a quarter of 1/(xy), and 2x²|B| over it at most half of
+/// x/y. Both constants are enlarged.
 const QUARTER: f64 = 0.26;
 const HALF: f64 = 0.51;
-/// (|r² − y²| + x²)/|B| where B ≥ x²/2.
+/// Bound on (|r² − y²| + x²)/|B| where B ≥ x²/2.
 const TIMES: f64 = 3.0;
 
-/// A cell of r, as numbers of the scalar.
+/// A cell of r, bounded by numbers of the scalar.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell {
     pub low: f64,
     pub high: f64,
 }
 
-/// A zero that a factor stands for.
+/// The exact zero of a factor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known {
     pub zero: Zero,
-    /// By how much its place may be off.
+    /// Largest error of the zero's position.
     pub off: f64,
-    /// How near a number of the scalar comes to it that is looked at.
+    /// Distance from the zero to the nearest number of the scalar that the proof includes.
     pub nearest: f64,
 }
 
-/// Half a unit in the last place, and the smallest normal number.
+/// Returns half a unit in the last place, and the smallest normal number.
 pub(in crate::table) fn unit<S: Float>() -> (f64, f64) {
     let smallest = if is_single::<S>() {
         NORMAL_SINGLE
@@ -63,39 +65,40 @@ pub(in crate::table) fn unit<S: Float>() -> (f64, f64) {
     (0.5 * S::EPSILON, smallest)
 }
 
-/// What a factor may be off, and its size.
+/// Bounds on the error and on the magnitude of a factor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
-    /// The relative error.
+    /// Largest relative error.
     pub error: f64,
-    /// No value is smaller.
+    /// Lower bound on the factor.
     pub least: f64,
-    /// No value is larger.
+    /// Upper bound on the factor.
     pub most: f64,
 }
 
-/// The number of the scalar next to y > 0, how far it is from it, and how near any other may be.
+/// Returns the number of the scalar nearest to y > 0, its distance from y, and a lower bound on the distance of all
+/// other numbers.
 pub(super) fn beside<S: Float>(y: Dd) -> (f64, f64, f64) {
     let near = S::constant(y.to_f64()).to_f64();
     let apart = Ball::exact(y - Dd::from(near)).least();
     (near, apart, WITHIN_HALF * unit::<S>().0 * y.to_f64())
 }
 
-/// A difference of numbers in double-double: no more than this.
+/// Returns an upper bound on the difference of two double-double numbers.
 fn apart(a: Dd, b: Dd) -> f64 {
     (Ball::exact(a) - Ball::exact(b)).most()
 }
 
 impl Known {
-    /// How near r comes to y within a cell.
+    /// Returns a lower bound on the distance of r from y within a cell.
     pub fn distance(&self, cell: Cell) -> f64 {
         let y = self.zero.y.to_f64();
         let outside = (cell.low - y).max(y - cell.high) * (1.0 - DIFFERENCE);
-        // The numbers at the ends of a cell may be as near as any.
+        // The numbers at the ends of a cell may be as near as any other.
         self.nearest.max(outside - PLACE * y)
     }
 
-    /// |ir − z| is at least this.
+    /// Returns a lower bound on |ir − z|.
     pub fn away(&self, cell: Cell) -> f64 {
         let x = self.zero.x.abs().to_f64() * (1.0 - PLACE);
         let along = if self.zero.y.is_zero() {
@@ -106,7 +109,7 @@ impl Known {
         x.max(along)
     }
 
-    /// The emitted factor over a cell.
+    /// Returns the bounds of the emitted factor over a cell.
     pub fn bounds<S: Float>(&self, factor: &Factor<S>, cell: Cell) -> Option<Bounds> {
         let (unit, _) = unit::<S>();
         let wide = |value: S| Dd::from(value.to_f64());
@@ -171,26 +174,26 @@ impl Known {
         })
     }
 
-    /// Of ((r − at) − rest)(r + at): the relative error by roundings, and the offset of the zero that it has.
+    /// Returns, for ((r − at) − rest)(r + at), the relative error by roundings and the offset of its zero.
     fn along(&self, at: Dd, rest: Dd, unit: f64, cell: Cell) -> (f64, f64) {
         let y = self.zero.y;
         let place = at.to_f64();
         let offset = apart(at + rest, y) + self.off;
         let from_at = apart(at, y);
-        // r − at is exact within a factor of two.
+        // r − at is exact if both are within a factor of two.
         let exact = 0.5 * place <= cell.low && cell.high <= 2.0 * place;
         let first = if exact {
             0.0
         } else {
-            // Then r is farther off than half of it.
+            // Otherwise r is farther from `at` than half of it.
             unit * (1.0 + from_at / (WITHIN_HALF * place - from_at).max(0.0))
         };
         let sum = unit + from_at / (cell.low + y.to_f64()) * MORE;
-        // Both differences, the sum and the product.
+        // The roundings are those of both differences, of the sum and of the product.
         (first + unit + sum + unit, offset)
     }
 
-    /// Of (B² + least) with B = (r − y)(r + y) + x².
+    /// Returns the bounds of (B² + least), with B = (r − y)(r + y) + x².
     fn pair(
         &self,
         own: f64,
@@ -214,7 +217,7 @@ impl Known {
         if !(whole > 0.0) {
             return None;
         }
-        // |B|/(B² + 4x²y²) and 1/√ of that.
+        // |B|/(B² + 4x²y²), bounded in two ways.
         let steep = if smallest > 0.0 {
             1.0 / smallest
         } else {
@@ -225,8 +228,8 @@ impl Known {
         } else {
             f64::INFINITY
         });
-        // (|r² − y²| + x²)|B| is at most so many times B² + 4x²y²: with x² < 2y² by |r² − y²| ≤ |B| + x²,
-        // else by B ≥ x²/2.
+        // (|r² − y²| + x²)|B| is at most `times` (B² + 4x²y²). For x² < 2y² this follows from |r² − y²| ≤ |B| + x²,
+        // otherwise from B ≥ x²/2.
         let times = (1.0 + HALF * x / y).min(TIMES);
         let shifted = offset * (cell.high + y) + off;
         let of_square = 2.0 * (own * times + unit + shifted * steep);

@@ -1,8 +1,8 @@
-//! A proof that an emitted product over zeros and poles is β*_lim, or |V|.
+//! Proof that an emitted product over zeros and poles is β*_lim, or |V|.
 //!
-//! [`roots`] shows in double-double that V and H are products over the zeros that were found; [`factor`] says what the
-//! numbers that are emitted, and the roundings of their evaluation, are off from these.  Nothing is sampled: all of it
-//! is a few hundred operations for each mode, at every accuracy.
+//! [`roots`] shows in double-double that V and H are products over the zeros that were found. [`factor`] bounds the
+//! errors of the emitted numbers, and the roundings of their evaluation. The proof samples nothing. It takes a few
+//! hundred operations for each mode, at any accuracy.
 
 mod ball;
 mod factor;
@@ -26,20 +26,20 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use roots::{Factored, Sum};
 
-/// Beside a zero its uncertainty may take this share of the accuracy at the next number.
+/// Largest share of the accuracy that the uncertainty of a zero may use at the next number.
 const UNCERTAIN: f64 = 0.1;
-/// A sum of small shares is enlarged by this for their products.
+/// Factor on a sum of small relative errors, for their products.
 const UP: f64 = 1.03;
-/// Only errors below this are small enough for that.
+/// Largest error for which that factor suffices.
 const SMALL: f64 = 0.1;
-/// The largest number that is looked at, times the smallest normal one.
+/// The largest included number, times the smallest normal number.
 const LARGEST: f64 = 0.2;
-/// Roundings of double-double between a mode's constants and its pole.
+/// Number of double-double roundings between a mode's constants and its pole.
 const POLE_ROUNDINGS: f64 = 64.0;
-/// For the roundings of the bounds themselves.
+/// Factor for the roundings of the bounds themselves.
 const OUTWARD: f64 = 1e-12;
 
-/// What a product is to be: gain·Π numerator/Π denominator, but for what the zeros of some sums leave.
+/// The exact product, gain·Π numerator/Π denominator, up to the remainders of the zeros of some sums.
 struct Meant {
     gain: Ball,
     numerator: Vec<Known>,
@@ -49,7 +49,7 @@ struct Meant {
     tail: f64,
 }
 
-/// V and H as they are known.
+/// V and H as products with bounds.
 pub(in super::super) struct Receptances {
     damped: bool,
     zeros: Zeros,
@@ -59,7 +59,7 @@ pub(in super::super) struct Receptances {
 }
 
 impl Receptances {
-    /// None where it cannot be shown that the zeros are right.
+    /// Builds both products. Returns `None` if the zeros cannot be verified.
     pub fn of(exact: &Exact<'_>, zeros: Option<&Zeros>, highest: f64) -> Option<Self> {
         let zeros = zeros?.clone();
         let modal = exact.modal;
@@ -90,7 +90,7 @@ impl Receptances {
         })
     }
 
-    /// What is proven of β*_lim as a product has it.
+    /// Proves the β*_lim of a product.
     pub fn sliding<S: Float>(&self, product: &Product<S>, request: &Request) -> Proof {
         let gain =
             self.excitation.gain * (Ball::exact(self.stiction) * self.receptance.gain).inverse();
@@ -113,11 +113,11 @@ impl Receptances {
         self.proof(product, meant, request, allowed)
     }
 
-    /// What is proven of |V| as a product has it; of an undamped chain of V with its sign.
+    /// Proves the |V| of a product. For an undamped chain it is V with its sign.
     pub fn excitation<S: Float>(&self, product: &Product<S>, request: &Request) -> Proof {
         let own = self.excitation.zeros.iter();
         let mut gain = self.excitation.gain;
-        // (r − y)(r + y) is y² + v with another sign.
+        // (r − y)(r + y) is y² + v with the opposite sign.
         let plain_factor = |factor: &&Factor<S>| !matches!(factor, Factor::Pair { .. });
         let turned = product.numerator.iter().chain(&product.denominator);
         if !self.damped && turned.filter(plain_factor).count() % 2 == 1 {
@@ -201,7 +201,7 @@ impl Receptances {
         }
     }
 
-    /// Between what the relative error lies over a cell; none where nothing is known.
+    /// Returns bounds on the relative error over a cell, or `None` if no bound is known.
     fn cell<S: Float>(
         &self,
         product: &Product<S>,
@@ -214,7 +214,7 @@ impl Receptances {
             (&product.numerator, &meant.numerator),
             (&product.denominator, &meant.denominator),
         ];
-        // Below this a rounding may be more than its share; above the other there is no number.
+        // Below `least` a rounding may exceed its relative bound. Above `most` a number may overflow.
         let (least, most) = (smallest / unit, LARGEST / smallest);
         let regular = |(low, high): (f64, f64)| least <= low && high <= most;
         for ((factors, known), size) in lists.into_iter().zip(&mut quotients) {
@@ -241,9 +241,9 @@ impl Receptances {
         } else if self.damped && !plain {
             return None;
         }
-        // The product with the gain.
+        // The rounding of the product with the gain.
         error += unit;
-        // What is meant, but for what the zeros leave.
+        // The remainders of the exact product at its zeros.
         error += meant.tail;
         for (known, weight) in &meant.weights {
             let zero = &known.zero;
@@ -271,7 +271,7 @@ impl Receptances {
             return None;
         }
         let error = error * (1.0 + 2.0 * error) * UP;
-        // The gain, which is not near what is meant where it was meant to be safe.
+        // The gain has its own term, because with a safe side it intentionally differs from the exact gain.
         let gain =
             Ball::exact(Dd::from(product.gain.to_f64())) * meant.gain.inverse() - Ball::number(1.0);
         let gain = (gain.at.to_f64() - gain.off, gain.at.to_f64() + gain.off);
@@ -285,7 +285,7 @@ impl Receptances {
     }
 }
 
-/// A zero as it was found.
+/// Returns a zero as it was found.
 fn plain(zero: Zero) -> Known {
     Known {
         zero,
@@ -294,13 +294,13 @@ fn plain(zero: Zero) -> Known {
     }
 }
 
-/// Zeros as they were found, and poles, whose places follow from a mode's constants.
+/// Returns zeros as they were found, and poles, whose positions follow from the constants of a mode.
 fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
     let lists = lists.iter();
     lists
         .flat_map(|(zeros, is_pole)| zeros.iter().map(move |zero| (zero, *is_pole)))
         .map(|(zero, is_pole)| {
-            // An undamped one is known as it stands; else a few operations in double-double are between.
+            // An undamped pole is known exactly. A damped one follows from a few double-double operations.
             let size = zero.x.abs().to_f64() + zero.y.to_f64();
             let off = if is_pole && !zero.is_on_axis() {
                 POLE_ROUNDINGS * size * f64::EPSILON * f64::EPSILON
@@ -316,15 +316,15 @@ fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
 }
 
 impl Known {
-    /// How near a number of the scalar comes; where the zero is on the axis and one comes so near that nothing can be told
-    /// there, that one is left out and returned.
+    /// Sets the distance of the nearest number of the scalar. If a number lies so near a zero on the axis that no bound
+    /// is possible there, it is left out and returned.
     fn place<S: Float>(&mut self, weight: f64, accuracy: f64) -> Option<f64> {
         if !self.zero.is_on_axis() || self.zero.y.is_zero() {
             return None;
         }
         let (near, apart, others) = beside::<S>(self.zero.y);
         let y = self.zero.y.to_f64();
-        // What its own digits leave, and what the emitted two parts do.
+        // The uncertainty from the zero's own digits, and from the two emitted terms of its position.
         let uncertain = weight.max(weight / y) + self.off + y * f64::EPSILON * f64::EPSILON;
         if uncertain <= UNCERTAIN * accuracy * apart {
             self.nearest = apart.min(others);
@@ -336,7 +336,7 @@ impl Known {
     }
 }
 
-/// The range, cut between the zeros near it.
+/// Returns the range, divided between neighbouring zeros.
 fn cells(meant: &Meant, low: f64, high: f64) -> Vec<Cell> {
     let all = meant.numerator.iter().chain(&meant.denominator);
     let mut places: Vec<f64> = all

@@ -1,38 +1,38 @@
-//! That a sum over modes is a product over given zeros, but for a share that is bounded.
+//! Proof that a sum over modes is a product over given zeros, up to a bounded relative error.
 //!
-//! N = (direct + Σρ_i/d_i)·Πd_i is a polynomial in v, which is s = ir, or s² for an undamped chain.  With P = Π(v − z_j)
-//! over the zeros as they are given, in partial fractions N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j).  The N(z_j) are what
-//! is left at zeros that are right but for their last digits, and q is a constant but for terms that are roundings.
-//! Nothing about the zeros is believed: if they were wrong, the N(z_j) would be large.
+//! N = (direct + Σρ_i/d_i)·Πd_i is a polynomial in v, which is s = ir, or s² for an undamped chain. Let P = Π(v − z_j)
+//! be the product over the given zeros. In partial fractions, N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j). The N(z_j) are
+//! remainders at zeros that are right up to their last digits. q is a constant up to terms that are roundings. The
+//! proof does not rely on the zeros. If they were wrong, the N(z_j) would be large.
 
 use super::super::super::zeros::{ContactMode, Zero};
 use super::ball::{Ball, Disc};
 use frictiongen_kernel::number::dd::Dd;
 
-/// For the roundings of one term of a bound,
+/// Factor for the roundings of one term of a bound.
 const UP_OF_ONE: f64 = 1.0 + 1e-14;
-/// and of a whole one.
+/// Factor for the roundings of a whole bound.
 const UP: f64 = 1.0 + 1e-12;
 
-/// A mode's denominator v² + rate·v + square, or v + square, and its residue in the sum.
+/// A term of the sum: a mode's denominator v² + rate·v + square, or v + square, and its residue.
 struct Term {
     rate: Ball,
     square: Ball,
     residue: Ball,
 }
 
-/// direct + Σρ/d.
+/// The sum direct + Σρ/d.
 pub(super) struct Sum {
     damped: bool,
     direct: Dd,
     terms: Vec<Term>,
 }
 
-/// What is known of a sum.
+/// A sum as a product, with bounds.
 pub(super) struct Factored {
     /// The constant in N = gain·Π(v − z_j)·(1 + δ).
     pub gain: Ball,
-    /// |δ| is at most this, and the weight of each zero over the distance of v from it.
+    /// |δ| is at most this number plus, for each zero, its weight over the distance of v from it.
     pub tail: f64,
     /// The zeros, with their weights.
     pub zeros: Vec<(Zero, f64)>,
@@ -58,7 +58,7 @@ impl Sum {
         }
     }
 
-    /// The degree of N in v, if nothing cancels.
+    /// Returns the degree of N in v, if nothing cancels.
     fn degree(&self) -> Option<usize> {
         let full = self.terms.len() * if self.damped { 2 } else { 1 };
         if self.direct.is_zero() {
@@ -68,7 +68,7 @@ impl Sum {
         }
     }
 
-    /// N.
+    /// Returns N.
     fn numerator(&self, v: Disc) -> Disc {
         let mut sum = Disc::real(Ball::exact(self.direct));
         let mut all = Disc::real(Ball::number(1.0));
@@ -84,7 +84,7 @@ impl Sum {
         sum * all
     }
 
-    /// What is known if these are its zeros; none if that cannot be shown.
+    /// Returns the product over these zeros with its bounds, or `None` if no bound can be shown.
     pub fn factored(&self, zeros: &[Zero], highest: f64) -> Option<Factored> {
         let roots: Vec<Vec<Disc>> = zeros.iter().map(|zero| self.roots(zero)).collect();
         let all: Vec<Disc> = roots.iter().flatten().copied().collect();
@@ -96,7 +96,7 @@ impl Sum {
             let slope = others.fold(one, |product, (_, other)| product * (*root - *other));
             weights.push(self.numerator(*root).most() / slope.least());
         }
-        // q at points of a circle beyond everything that counts: their mean is its constant.
+        // q is evaluated on a circle beyond all zeros, poles and frequencies. The mean of its values is its constant.
         let sizes = self.terms.iter().map(|term| {
             let (rate, square) = (term.rate.most(), term.square.most());
             if self.damped {
@@ -136,7 +136,8 @@ impl Sum {
         let mut gain = mean.re;
         gain.off += beside;
         let least = gain.least();
-        // The kth coefficient of q times the radius to the kth is at most what q strays from its mean by on the circle.
+        // The kth coefficient of q times the kth power of the radius is at most the deviation of q from its mean on the
+        // circle.
         let tail = excess as f64 * apart / least * UP;
         let mut weights = weights.into_iter();
         let zeros = zeros.iter().zip(&roots).map(|(zero, roots)| {
@@ -148,7 +149,7 @@ impl Sum {
         (least > 0.0 && known).then_some(Factored { gain, tail, zeros })
     }
 
-    /// The roots in v that a zero stands for.
+    /// Returns the roots in v of a zero.
     fn roots(&self, zero: &Zero) -> Vec<Disc> {
         let (x, y) = (Ball::exact(zero.x), Ball::exact(zero.y));
         let root = if self.damped {
@@ -165,12 +166,12 @@ impl Sum {
     }
 }
 
-/// At least so many points of the unit circle, evenly spaced: a power of two of them.
+/// Returns evenly spaced points of the unit circle. Their number is the power of two that is at least `count`.
 fn circle(count: usize) -> Vec<Disc> {
     let one = Disc::real(Ball::number(1.0));
     let half = Ball::number(0.5);
     let mut points = vec![one];
-    // Half the angle each time: cos² = (1 + cos)/2.
+    // Each step halves the angle: cos² = (1 + cos)/2.
     let mut cosine = Ball::number(1.0);
     while points.len() < count {
         let step = if points.len() == 1 {

@@ -1,4 +1,4 @@
-//! What is proven of products, held to double-double, and faults that the proof has to find.
+//! Tests the proof of products against double-double, and with faults that the proof has to find.
 
 use super::super::super::exact::Exact;
 use super::super::super::tables::Tables;
@@ -13,7 +13,7 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::{Factor, Quotient};
 
-/// A negative ζ is that of every other mode.
+/// Kind, number of masses, ζ and μ of the tested chains. A negative ζ applies to every other mode.
 const KINDS: [(&str, usize, f64, f64); 15] = [
     ("Wall", 1, 0.0, 1.0),
     ("Wall", 1, 0.02, 1.2),
@@ -39,7 +39,7 @@ fn asked(accuracy: f64, side: Side) -> super::Request {
     }
 }
 
-/// β*_lim and |V| at an r in double-double, with what their own sums may be off.
+/// Returns β*_lim and |V| at an r in double-double, each with a bound on the error of its own sum.
 fn exact(exact: &Exact<'_>, r: f64) -> [(Dd, f64); 2] {
     let [v, h] = exact.receptances(r);
     let [v, h] = [v, h].map(|sum| complex::modulus(sum, true));
@@ -57,7 +57,7 @@ fn exact(exact: &Exact<'_>, r: f64) -> [(Dd, f64); 2] {
     [(v / h / exact.modal.stiction, noise[0]), (v, noise[1])]
 }
 
-/// Random r, and numbers of the scalar beside and on each zero.
+/// Returns random r, and numbers of the scalar near and on each zero.
 fn places<S: Float>(zeros: &Zeros) -> Vec<f64> {
     let mut state = 5;
     let mut places: Vec<f64> = (0..500)
@@ -93,7 +93,7 @@ fn counted<S: Float>(accuracy: f64, side: Side) -> (usize, usize) {
             (&tables.excitation, &tables.excitation_proof),
         ];
         for (which, (product, proof)) in products.into_iter().enumerate() {
-            // Where every mode is damped |V| is in the table.
+            // Where every mode is damped, |V| is one of the functions of the table.
             let Some(product) = product else {
                 assert!(which == 1 && tables.functions == 5, "{kind}{count}");
                 continue;
@@ -141,7 +141,7 @@ fn the_bound_holds() {
     }
 }
 
-/// How many numbers a factor has.
+/// Returns the number of numbers in a factor.
 fn numbers<S>(factor: &Factor<S>) -> usize {
     match factor {
         Factor::Zero { .. } => 2,
@@ -150,7 +150,7 @@ fn numbers<S>(factor: &Factor<S>) -> usize {
     }
 }
 
-/// A factor with one number moved.
+/// Returns a factor with one number changed.
 fn moved<S: Float>(factor: Factor<S>, which: usize, by: f64) -> Factor<S> {
     let add = |value: S| S::constant(value.to_f64() + by);
     match factor {
@@ -194,14 +194,14 @@ fn moved<S: Float>(factor: Factor<S>, which: usize, by: f64) -> Factor<S> {
     }
 }
 
-/// The largest relative difference of two products over the range.
+/// Returns the largest relative difference of two products over the range.
 fn farthest<S: Float>(a: &Quotient<'_, S>, b: &Quotient<'_, S>) -> f64 {
     let places = (0..2000).map(|k| S::constant(0.2 + 2.3 * (k as f64 + 0.5) / 2000.0));
     let ratio = |r: S| (a.value(r).to_f64() / b.value(r).to_f64() - 1.0).abs();
     places.map(ratio).fold(0.0, f64::max)
 }
 
-/// Whether a product is wholly within its accuracy.
+/// Returns whether a product is proven over the whole range.
 fn passes(proof: &Proof) -> bool {
     proof.evidence != Evidence::Checked && proof.open_length() == 0.0
 }
@@ -243,7 +243,7 @@ fn faults<S: Float>(accuracy: f64) -> usize {
                     };
                     let factors = own.numerator.iter().chain(&own.denominator);
                     for number in 0..numbers(factors.clone().nth(place).unwrap()) {
-                        // By so much that an answer is off by so many accuracies somewhere.
+                        // The change makes an answer wrong by `times` accuracies somewhere.
                         let mut by = accuracy * times;
                         for _ in 0..6 {
                             let off = farthest(&with(number, by).quotient(), &own.quotient());
@@ -268,7 +268,7 @@ fn faults<S: Float>(accuracy: f64) -> usize {
     found
 }
 
-/// Whatever number of a product is wrong by more than the accuracy, or by ten: it does not pass.
+/// A product must not pass if any of its numbers is wrong by more than the accuracy, or by ten times as much.
 #[test]
 fn a_wrong_number_is_not_proven() {
     let found = faults::<f64>(1e-3) + faults::<f64>(1e-8) + faults::<f32>(1e-4);
@@ -276,8 +276,8 @@ fn a_wrong_number_is_not_proven() {
     assert!(found > 1200, "{found}");
 }
 
-/// What a zero may be off goes into the bound: over the distance from the zero, which is below 5 everywhere, and half of it
-/// under a root.
+/// The error of a zero must enter the bound, divided by the distance from the zero. That distance is below 5
+/// everywhere. Under a root the contribution is halved.
 #[test]
 fn uncertain_zeros_are_in_the_bound() {
     let (weight, mut seen) = (1e-6, 0);
@@ -300,7 +300,7 @@ fn uncertain_zeros_are_in_the_bound() {
             assert!(more > weight / 25.0, "{kind}{count}, {zeta}: {more:e}");
             seen += 1;
         }
-        // What is left of the sum without its zeros counts whole.
+        // The remainder of the sum without its zeros counts in full.
         let mut uncertain = Receptances::of(&known, zeros.as_ref(), 2.5).unwrap();
         uncertain.receptance.tail = weight;
         let own = uncertain.sliding(&product, &asked);
@@ -310,7 +310,7 @@ fn uncertain_zeros_are_in_the_bound() {
     assert!(seen > 30, "{seen}");
 }
 
-/// What the place of a zero may be off goes into the bound of its factor.
+/// The error of a zero's position must enter the bound of its factor.
 #[test]
 fn an_uncertain_place_is_in_the_bound() {
     let (off, mut seen) = (1e-9, 0);
@@ -341,7 +341,8 @@ fn an_uncertain_place_is_in_the_bound() {
     assert!(seen > 30, "{seen}");
 }
 
-/// Two masses that rub on each other, the second driven: V = (1 − r²)/D vanishes at r = 1, and there alone nothing is proven.
+/// Two masses rub on each other, and the load acts on the second. V = (1 − r²)/D vanishes at r = 1, the only r without
+/// a proof.
 #[test]
 fn a_zero_that_is_a_number_is_named() {
     let modal = scene("Pair", 2, 0.0, 1.0);
@@ -350,7 +351,7 @@ fn a_zero_that_is_a_number_is_named() {
     assert_eq!(tables.sliding_proof.evidence, Evidence::Partly);
 }
 
-/// Zeros that are off by far less than an accuracy leave a weight that says so.
+/// Zeros that are wrong by far less than an accuracy must leave a weight that shows it.
 #[test]
 fn zeros_that_are_none() {
     for (kind, count, zeta, stiction) in KINDS {
@@ -373,7 +374,7 @@ fn zeros_that_are_none() {
                 "{kind}{count}: {seen:e}"
             );
         }
-        // One too few, and the sum is no product.
+        // With one zero missing, the sum is not a product.
         let mut fewer = zeros.clone();
         if fewer.receptance.pop().is_some() {
             let few = Receptances::of(&known, Some(&fewer), 2.5);
