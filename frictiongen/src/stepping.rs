@@ -110,8 +110,8 @@ pub trait Stepping {
     /// # Errors
     /// Same errors as [`step`](Self::step). Also [`OutOfDomain`] after the first step.
     fn begin_with(&mut self, load: &StepLoad<'_, Self::Scalar>) -> Result<(), OutOfDomain>;
-    /// Takes a step. The input goes in a straight line to `load`, or is `load` over the whole step if the scene has
-    /// `input: hold`.
+    /// Takes a step to `load`. With `input: linear` forces go there in a straight line and the base along a cubic. With
+    /// `input: hold` the load acts over the whole step.
     ///
     /// # Errors
     /// [`OutOfDomain`] for values that are NaN or infinite, for friction below zero, for a force on a mass that the
