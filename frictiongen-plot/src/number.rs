@@ -21,7 +21,7 @@ pub(crate) fn number(digits: i64, power: i32) -> Label {
     if digits == 0 {
         return Label::verbatim("0");
     }
-    // The conditions concern the positions of the first and of the last digit.
+    // The conditions bound the positions of the first and of the last digit.
     if 5 < power + length || power < -6 {
         return scientific(digits, power);
     }

@@ -33,7 +33,7 @@ pyo3::create_exception!(
 /// Makes the exception of a measurement, with the name of the recording first if it has one.
 pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyErr {
     let text = match error {
-        // For these errors the library's message is that of the command line, so that Python has its own.
+        // The library's message for these errors names options of the command, so that Python needs its own.
         Untold::NoUnit(channel) => format!(
             "the channel `{channel}` has no unit: give one, as in {{{channel:?}: (samples, \"mm\")}}, or of a column of a \
              file {{{channel:?}: (\"COLUMN\", \"mm\")}}"

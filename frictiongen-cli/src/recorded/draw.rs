@@ -12,7 +12,7 @@ use frictiongen_plot::{
 };
 use std::io::Write;
 
-/// Ratio of the ends of an axis to the largest value on it.
+/// Largest value on an axis over the largest drawn value.
 const ROOM: f64 = 1.15;
 
 /// Draws residuals over their deviations against frequency: real parts, imaginary parts, and lines at ±2.

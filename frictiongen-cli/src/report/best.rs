@@ -87,7 +87,7 @@ pub fn within(optimum: &Optimum) -> Option<(f64, f64)> {
 pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
     let all = best.as_ref().ok()?.iter();
     let found = all.filter_map(|best| Some((best, best.found.as_ref().ok()?)));
-    // A mass that the contact can hold at rest needs no choice.
+    // A mass that stays at rest when the contact sticks needs no choice of friction.
     let found = found.filter(|(_, answer)| 0.0 < answer.amplitude);
     found.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude))
 }

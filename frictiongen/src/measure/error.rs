@@ -20,7 +20,7 @@ pub enum MeasureError {
     Format {
         /// The line, from 1.
         line: usize,
-        /// What is wrong.
+        /// Description of the mistake.
         what: String,
     },
     /// A channel has no unit.
@@ -155,7 +155,7 @@ pub enum MeasureError {
     Sweep {
         /// The line, from 1.
         line: usize,
-        /// What is wrong.
+        /// Description of the mistake.
         what: String,
     },
     /// The fitted numbers do not form a valid scene.

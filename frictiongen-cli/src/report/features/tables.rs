@@ -186,7 +186,7 @@ impl Features {
                 does(&line.detail).to_owned(),
             ]
         });
-        // A motion that the contact holds at rest has no peak.
+        // A mass that a sticking contact keeps at rest has no peak.
         let moving = |line: &&Line| line.amplitude != Some(0.0);
         let peaks = self.named("peak").filter(moving).map(|line| {
             let (mode, regime) = line.detail.split_once(": ").unwrap_or((&line.detail, ""));

@@ -12,7 +12,8 @@ use std::f64::consts::PI;
 /// Root mean square of the unexplained motion over that of the motion, from which on the measurement counts as not
 /// explained.
 const GROSS: f64 = 0.5;
-/// The same ratio, below which a measurement counts as explained once a wrong unit is corrected.
+/// Root mean square of the unexplained motion over that of the motion, below which a measurement counts as explained
+/// once a wrong unit is corrected.
 const MENDED: f64 = 0.2;
 /// A motion below this fraction of the scene's largest motion, over all friction forces, may be given in a wrong unit.
 const TINY: f64 = 0.01;

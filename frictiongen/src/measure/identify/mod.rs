@@ -37,7 +37,7 @@ impl System {
     ///     masses: { plate: 2.0 }, springs: { base - plate: 752.0 }, contact: plate - wall, excitation: base,
     /// }"
     /// .parse()?;
-    /// // What a base motion of 1.75 mm at 4 Hz makes of it with F = 0.5 N.
+    /// // The response to a base motion of 1.75 mm at 4 Hz with F = 0.5 N.
     /// let load = Load::Base(1.75e-3);
     /// let at = plate.at(plate.frequency_ratio_at_hertz(4.0))?;
     /// let response = at.response(plate.load_scale(load)?.friction_ratio(0.5))?;

@@ -160,8 +160,10 @@ fn is_time(name: &str, unit: Option<Unit>) -> bool {
 }
 
 impl Recording {
-    /// Reads a CSV: a line of names with their units (`time_s,base_mm,upper_m_s2`, or a second line of units), then numbers.
-    /// Cells are separated by commas, semicolons or tabs.
+    /// Reads a CSV: a line of names with their units, then numbers.
+    ///
+    /// The units are endings of the names, as in `time_s,base_mm,upper_m_s2`, or a second line. Commas, semicolons or tabs
+    /// separate the cells.
     ///
     /// # Errors
     /// [`MeasureError`] for everything that [`new`](Self::new) refuses, a missing unit or rate, a missing column, a
