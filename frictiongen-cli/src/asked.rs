@@ -1,31 +1,31 @@
-//! What is asked of commands that go over frequency and friction: points, masses, harmonics.
+//! Arguments of the commands that go over frequency and friction: masses, motions and harmonics.
 
 use crate::failure::Failure;
 use frictiongen::study::UnknownMass;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
-/// The highest harmonic there may be.
+/// Largest order of a harmonic.
 pub const MOST_HARMONICS: u32 = 9999;
 
-/// What the contact is called; no mass can be.
+/// Name of the contact, which no mass can have.
 pub const CONTACT: &str = "contact";
 
-/// A mass asked for.
+/// A mass that was asked for.
 #[derive(Clone, Debug)]
 pub struct Mass {
-    /// Its place in the description.
+    /// Index of the mass in the description.
     pub index: usize,
-    /// Its name.
+    /// Name of the mass.
     pub name: String,
 }
 
-/// What moves: the contact or a mass.
+/// A moving part: the contact or a mass.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// Which.
+    /// The motion of the part.
     pub of: Of,
-    /// Its name.
+    /// Name of the part.
     pub name: String,
 }
 
@@ -38,20 +38,20 @@ impl From<Mass> for Part {
     }
 }
 
-/// The highest harmonic asked for, if any is.
+/// Parses the highest order of a harmonic, if it is given.
 pub fn harmonics(highest: Option<&str>) -> Result<Option<u32>, Failure> {
     let of = |text| whole("--harmonics", text, 1..=MOST_HARMONICS);
     highest.map(of).transpose()
 }
 
-/// The number of an option.
+/// Parses the number of an option.
 pub fn number(option: &str, text: &str) -> Result<f64, Failure> {
     text.trim()
         .parse()
         .map_err(|_| Failure::new(format_args!("{option} `{text}`: it is not a number")))
 }
 
-/// The finite number of an option that has to be such a one, as the words say.
+/// Parses a finite number of an option that satisfies `sound`. `needed` words the condition in the message.
 pub fn number_that(
     option: &str,
     text: &str,
@@ -64,7 +64,7 @@ pub fn number_that(
         .ok_or_else(|| Failure::new(format_args!("{option} `{text}`: {needed} is needed")))
 }
 
-/// The whole number of an option.
+/// Parses the whole number of an option.
 pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32, Failure> {
     let number = text.trim().parse().ok();
     number
@@ -77,7 +77,7 @@ pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32
         })
 }
 
-/// The masses asked for, each once, or all.
+/// Returns the masses that were asked for, each once, or all masses.
 pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
     if names.is_empty() {
         return Ok(known(system).collect());
@@ -92,7 +92,7 @@ pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
     Ok(masses)
 }
 
-/// What was asked for by name, nothing twice, or the contact and all masses.
+/// Returns the parts that were asked for by name, each once, or the contact and all masses.
 pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
     let contact = || Part {
         of: Of::Contact,
@@ -117,7 +117,7 @@ pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
     Ok(parts)
 }
 
-/// All masses.
+/// Returns all masses.
 fn known(system: &System) -> impl Iterator<Item = Mass> + '_ {
     let masses = system.scene().masses.iter().enumerate();
     masses.map(|(index, mass)| Mass {
@@ -126,7 +126,7 @@ fn known(system: &System) -> impl Iterator<Item = Mass> + '_ {
     })
 }
 
-/// The mass of a name.
+/// Finds a mass by its name.
 fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
     known(system).find(|mass| mass.name == name).ok_or_else(|| {
         let (name, known) = (name.to_owned(), known(system).map(|mass| mass.name));
@@ -135,7 +135,7 @@ fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
     })
 }
 
-/// The one motion asked for.
+/// Returns the one part that was asked for.
 pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
     let mut parts = parts(system, &[name.to_owned()])?;
     parts

@@ -1,4 +1,4 @@
-//! `frictiongen check`: the errors of a description, as a compiler prints them.
+//! `frictiongen check`: prints the errors of a description as a compiler does.
 
 use crate::args::CheckArguments;
 use crate::failure::Failure;
@@ -11,7 +11,7 @@ use std::ops::Range;
 pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let name = arguments.file.name();
     let text = arguments.file.text()?;
-    // What a macro would refuse is refused here too.
+    // The command refuses everything that the macro refuses.
     let description = parse_text(&text, &Limits::CHECK).map_err(|diagnostics| {
         let list = diagnostics.list.iter();
         Failure::Lines(list.map(|error| shown(&name, &text, error)).collect())
@@ -27,7 +27,7 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     Ok(out.flush()?)
 }
 
-/// An error with the line that it is on.
+/// Formats an error with its line of the description.
 fn shown(name: &str, text: &str, error: &Diagnostic) -> String {
     let snippet = Snippet::source(text)
         .path(name)
@@ -38,7 +38,7 @@ fn shown(name: &str, text: &str, error: &Diagnostic) -> String {
     Renderer::plain().render(&[report])
 }
 
-/// The bytes of the token at a line and a column, both counted from 1; none beyond the end.
+/// Returns the bytes of the token at a line and a column, both counted from 1. The range is empty beyond the end.
 fn token(text: &str, line: usize, column: usize) -> Range<usize> {
     let before: usize = text
         .split_inclusive('\n')
@@ -50,7 +50,7 @@ fn token(text: &str, line: usize, column: usize) -> Range<usize> {
     let start = before + within.map_or(rest.len(), |(place, _)| place);
     let token = text.get(start..).unwrap_or_default();
     let word = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == '.';
-    // A number may have a sign; what is no word is a sign or a bracket.
+    // A number may have a sign. A token that is not a word is a sign or a bracket.
     let first = token.chars().next().map_or(0, char::len_utf8);
     let sign = if token.starts_with('-') { first } else { 0 };
     let after = token.get(sign..).unwrap_or_default();

@@ -1,9 +1,9 @@
-//! Writes CSV. No value holds a comma or a quote: words are regimes, answers and Rust identifiers.
+//! Writes CSV. No value contains a comma or a quote, because words are regimes, answers and Rust identifiers.
 
 use crate::number::Value;
 use std::io::{self, Write};
 
-/// The line that names the columns, and if asked the line of their units.
+/// Writes the line with the column names and, if asked for, the line with their units.
 pub fn header(out: &mut dyn Write, names: &[String], unit_row: bool) -> io::Result<()> {
     writeln!(out, "{}", names.join(","))?;
     if unit_row {
@@ -13,7 +13,7 @@ pub fn header(out: &mut dyn Write, names: &[String], unit_row: bool) -> io::Resu
     Ok(())
 }
 
-/// The endings of names that say a unit; of two that fit the longer one stands first.
+/// Endings of column names with their units. If two endings fit, the longer one comes first.
 const UNITS: [(&str, &str); 11] = [
     ("_m_s2", "m/s2"),
     ("_m_s", "m/s"),
@@ -28,9 +28,9 @@ const UNITS: [(&str, &str); 11] = [
     (".fundamental_phase", "rad"),
 ];
 
-/// The unit of a column, by its name; nothing for ratios, counts and words.
+/// Returns the unit of a column from its name, or an empty text for ratios, counts and words.
 fn unit(name: &str) -> &'static str {
-    // A mass may be called as a unit ends: what counts is what stands after it.
+    // The name of a mass may itself end like a unit, so that only the text after it counts.
     let what = name
         .split_once('.')
         .map_or(name, |(part, _)| name.get(part.len()..).unwrap_or(name));
@@ -38,7 +38,7 @@ fn unit(name: &str) -> &'static str {
     of.map_or("", |(_, unit)| *unit)
 }
 
-/// A line of values.
+/// Writes a line of values.
 pub fn row(out: &mut dyn Write, values: &[Value<'_>]) -> io::Result<()> {
     for (index, value) in values.iter().enumerate() {
         let comma = if index == 0 { "" } else { "," };

@@ -1,18 +1,18 @@
-//! Decimal numbers as they were written: a grid of decimals is made of decimals, without the rounding of binary
-//! steps.
+//! Decimal numbers as they were written. The points of a decimal grid are exact decimals, without the rounding of
+//! binary steps.
 
-/// digits·10^exponent.
+/// The number digits·10^exponent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Decimal {
     digits: i128,
     exponent: i32,
 }
 
-/// More digits than this are left to floating point.
+/// Largest number of digits. Longer numbers are parsed as floating point.
 const MOST_DIGITS: usize = 30;
 
 impl Decimal {
-    /// A number as `f64` reads it, where it is decimal and short enough to be held exactly.
+    /// Parses a number as `f64` does, if it is decimal and short enough to be exact.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim();
         let (mantissa, exponent) = match text.split_once(['e', 'E']) {
@@ -36,31 +36,31 @@ impl Decimal {
         })
     }
 
-    /// The nearest number in double precision.
+    /// Returns the nearest number in double precision.
     pub fn value(self) -> f64 {
         let text = format!("{}e{}", self.digits, self.exponent);
         text.parse().unwrap_or(f64::NAN)
     }
 
-    /// The same with a smaller exponent, where that fits.
+    /// Returns the digits at a smaller exponent, if they fit.
     fn scaled(self, exponent: i32) -> Option<i128> {
         let by = u32::try_from(self.exponent.checked_sub(exponent)?).ok()?;
         self.digits.checked_mul(10_i128.checked_pow(by)?)
     }
 }
 
-/// A range of decimals: its first point, its step and how many steps lead to its end.
+/// A range of decimals: first point, step, and number of steps to the last point.
 #[derive(Clone, Copy, Debug)]
 pub struct Decimals {
     first: i128,
     step: i128,
     exponent: i32,
-    /// How many steps there are.
+    /// Number of steps.
     pub steps: i128,
 }
 
 impl Decimals {
-    /// The range, where its step is not 0 and leads to its end.
+    /// Makes a range, if the step is not 0 and leads to the last point.
     pub fn new(first: Decimal, step: Decimal, last: Decimal) -> Option<Self> {
         let exponent = first.exponent.min(step.exponent).min(last.exponent);
         let (first, step, last) = (
@@ -78,7 +78,7 @@ impl Decimals {
         (steps > 0 || (steps == 0 && (last - first).signum() * step.signum() >= 0)).then_some(range)
     }
 
-    /// A point of it.
+    /// Returns a point of the range.
     pub fn point(&self, index: i128) -> f64 {
         Decimal {
             digits: self.first + index * self.step,

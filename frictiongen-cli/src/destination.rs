@@ -1,4 +1,4 @@
-//! Where a command's answer goes, and in which form: the ending of a file decides.
+//! Destination and format of a command's answer. The file extension sets the format.
 
 use crate::args::FormatArguments;
 use crate::failure::Failure;
@@ -6,16 +6,16 @@ use crate::file;
 use std::io::Write;
 use std::path::Path;
 
-/// What a CSV has beside its names and values.
+/// Additions to the names and values of a CSV.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extras {
     /// A second line with the units of the columns.
     pub unit_row: bool,
-    /// Lines that begin with # before.
+    /// Comment lines (#) before the table.
     pub comments: bool,
 }
 
-/// In which form an answer is written.
+/// The format of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// A table for people.
@@ -24,7 +24,7 @@ pub enum Form {
     Csv(Extras),
     /// One JSON object.
     Json,
-    /// A picture in vectors.
+    /// A vector picture.
     Svg,
     /// A picture in pixels.
     Png,
@@ -38,7 +38,7 @@ impl FormatArguments {
         }
     }
 
-    /// Nothing, if what is asked of a CSV is asked with one.
+    /// Returns an error if an option for CSV is given with another format.
     fn check(&self, form: Form) -> Result<(), Failure> {
         let asked = [(self.unit_row, "--unit-row"), (self.comments, "--comments")];
         match (form, asked.iter().find(|(asked, _)| *asked)) {
@@ -49,12 +49,12 @@ impl FormatArguments {
         }
     }
 
-    /// The form that the options say, where nothing else decides.
+    /// Returns the format that the options set, for an answer without a file.
     pub fn checked(&self) -> Result<Form, Failure> {
         self.check(self.form()).map(|()| self.form())
     }
 
-    /// The form that the options say.
+    /// Returns the format that the options set.
     fn form(&self) -> Form {
         match (self.json, self.csv) {
             (true, _) => Form::Json,
@@ -64,17 +64,17 @@ impl FormatArguments {
     }
 }
 
-/// Where an answer goes.
+/// The destination of an answer.
 #[derive(Debug)]
 pub struct Destination<'a> {
-    /// In which form.
+    /// The format.
     pub form: Form,
-    /// To which file, which must not be the description; otherwise to standard output.
+    /// The file, which must not be the description. With `None` the answer goes to standard output.
     file: Option<(&'a Path, Option<&'a Path>)>,
 }
 
 impl<'a> Destination<'a> {
-    /// As the options say; `draws` if the command does.
+    /// Reads the destination from the options. `draws` tells whether the command can draw.
     pub fn of(
         path: Option<&'a Path>,
         description: Option<&'a Path>,
@@ -129,7 +129,7 @@ impl<'a> Destination<'a> {
             )));
         }
         format.check(form)?;
-        // Said before a long computation, not after it.
+        // A file that cannot be written is reported before a long computation, not after it.
         file::check(path, description)?;
         Ok(Self {
             form,

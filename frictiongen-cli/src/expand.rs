@@ -1,4 +1,4 @@
-//! `frictiongen expand`: the Rust that the macro emits.
+//! `frictiongen expand`: prints the Rust code that the macro emits.
 
 use crate::args::ExpandArguments;
 use crate::failure::Failure;
@@ -8,7 +8,7 @@ use std::io::Write;
 
 /// Runs the command.
 pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    // What a macro would refuse is refused here too.
+    // The command refuses everything that the macro refuses.
     let description = arguments.file.description(&Limits::MACRO)?;
     let source = pretty(&description).map_err(|error| {
         Failure::new(format_args!(

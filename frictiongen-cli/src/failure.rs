@@ -1,23 +1,23 @@
-//! Why a command ends early, and what its user is told.
+//! The reasons why a command ends early, and the messages for its user.
 
 use std::io;
 
-/// Why a command ends early.
+/// The reason why a command ends early.
 #[derive(Debug)]
 pub enum Failure {
-    /// Lines that say what is wrong, as they are to be printed.
+    /// Lines of a message, ready to print.
     Lines(Vec<String>),
-    /// Whoever reads the output has enough.
+    /// The reader of the output closed it.
     Closed,
 }
 
 impl Failure {
-    /// One line that says what is wrong.
+    /// Makes a failure with a message of one line.
     pub fn new(message: impl std::fmt::Display) -> Self {
         Self::Lines(vec![format!("frictiongen: {message}")])
     }
 
-    /// Of writing to standard output.
+    /// Makes the failure of a write to standard output.
     pub fn output(error: &io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {
             Self::Closed
@@ -27,7 +27,7 @@ impl Failure {
     }
 }
 
-/// Why a file cannot be read or written, the commonest reasons in the same words everywhere.
+/// Returns the reason why a file cannot be read or written. The most common reasons have the same words everywhere.
 pub fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),

@@ -1,4 +1,4 @@
-//! Writes files, whole or not at all: beside their place, and then moved there.
+//! Writes files completely or not at all. A file is written under a temporary name and then renamed.
 
 use crate::failure::{Failure, reason};
 use std::fs::{self, File, OpenOptions};
@@ -10,7 +10,7 @@ pub fn write_file(path: &Path, description: Option<&Path>, text: &str) -> Result
     write_with(path, description, |out| Ok(out.write_all(text.as_bytes())?))
 }
 
-/// Writes a file, which must not be the description. Where that fails, what was there before stays.
+/// Writes a file, which must not be the description. If that fails, an existing file stays as it was.
 pub fn write_with(
     path: &Path,
     description: Option<&Path>,
@@ -22,7 +22,7 @@ pub fn write_with(
     let file = place.open().map_err(|error| refused(&error))?;
     let mut out = Noting { file, error: None };
     let written = match write(&mut out) {
-        // It is the file that could not be written.
+        // The file itself could not be written.
         Err(failure) => Err(out.error.as_ref().map_or(failure, refused)),
         Ok(()) => place.keep().map_err(|error| refused(&error)),
     };
@@ -32,7 +32,7 @@ pub fn write_with(
     written
 }
 
-/// Nothing, if a file can stand there and is not the description.
+/// Returns an error unless a file can be written at this path and it is not the description.
 pub fn check(path: &Path, description: Option<&Path>) -> Result<(), Failure> {
     if description.is_some_and(|description| is_same(description, path)) {
         return Err(Failure::new(format_args!(
@@ -58,7 +58,7 @@ fn refusal(path: &Path, error: &io::Error) -> Failure {
     ))
 }
 
-/// The folder of a file.
+/// Returns the folder of a file.
 fn folder(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -73,7 +73,8 @@ fn is_same(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// Where a file is to be, and where it is written first; nowhere else for what is no file, as a device.
+/// Final path of a file, and the temporary path at which it is written first. A path that is not a regular file, such
+/// as a device, has no temporary path.
 struct Place {
     last: PathBuf,
     first: Option<PathBuf>,
@@ -81,7 +82,7 @@ struct Place {
 
 impl Place {
     fn of(path: &Path) -> Self {
-        // A link stays one.
+        // A symbolic link stays a link, and its target is replaced.
         let last = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let is_file = fs::metadata(&last).map_or(true, |found| found.is_file());
         let beside = last.file_name().map(|name| {
@@ -99,7 +100,7 @@ impl Place {
             return OpenOptions::new().write(true).open(&self.last);
         };
         if let Ok(found) = fs::metadata(&self.last) {
-            // What must not be written over is told before.
+            // A file without write permission is refused before the temporary file is written.
             OpenOptions::new().write(true).open(&self.last)?;
             let file = File::create(first)?;
             fs::set_permissions(first, found.permissions())?;
@@ -117,13 +118,13 @@ impl Place {
 
     fn discard(&self) {
         if let Some(first) = &self.first {
-            // It may never have been made.
+            // The temporary file may not exist.
             let _ = fs::remove_file(first);
         }
     }
 }
 
-/// A file that notes why it could not be written.
+/// A file that records why it could not be written.
 struct Noting {
     file: File,
     error: Option<io::Error>,
@@ -132,7 +133,7 @@ struct Noting {
 impl Noting {
     fn noted<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         result.inspect_err(|error| {
-            // Its kind has the reason.
+            // The error's kind contains the reason.
             self.error = Some(error.kind().into());
         })
     }

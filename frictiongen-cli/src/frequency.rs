@@ -1,4 +1,4 @@
-//! The frequencies asked for: ratios r, Hz or rad/s.
+//! Frequencies of the command line: ratios r, Hz or rad/s.
 
 use crate::args::FrequencyArguments;
 use crate::failure::Failure;
@@ -9,30 +9,30 @@ use crate::table::Column;
 use frictiongen::System;
 use frictiongen::study::units;
 
-/// What the frequencies are given in.
+/// The unit in which frequencies are given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Unit {
     Ratio,
-    /// r, with Hz beside it, as the load has units.
+    /// Ratios r, printed with Hz because the load has units.
     RatioUnderLoad,
     Hertz,
     Omega,
 }
 
-/// A range of frequencies, all of them.
+/// A continuous range of frequencies.
 #[derive(Clone, Debug)]
 pub struct Band {
-    /// The lowest r.
+    /// Lowest frequency ratio r.
     pub from: f64,
-    /// The highest.
+    /// Highest frequency ratio r.
     pub to: f64,
-    /// How far apart points are at most, in r.
+    /// Largest distance between points, in r.
     pub widest: Option<f64>,
     unit: Unit,
 }
 
 impl Band {
-    /// The range that a:b or a:step:b says.
+    /// Parses a range a:b or a:step:b.
     pub fn parse(arguments: &FrequencyArguments, system: &System) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
         let quantity = unit.quantity(true);
@@ -53,7 +53,7 @@ impl Band {
         }
     }
 
-    /// From below the lowest resonance to above the highest: where nothing else is asked for.
+    /// Returns the range from below the lowest resonance to above the highest, which is the default.
     pub fn about_resonances(system: &System, in_hertz: bool) -> Self {
         let [from, to] = system.about_resonances();
         Self {
@@ -64,7 +64,7 @@ impl Band {
         }
     }
 
-    /// The range between two ratios, in Hz or not.
+    /// Returns the range between two ratios, printed in Hz or not.
     #[cfg(feature = "report")]
     pub fn between(from: f64, to: f64, in_hertz: bool) -> Self {
         Self {
@@ -75,23 +75,23 @@ impl Band {
         }
     }
 
-    /// The same under a load: with units, r has its Hz beside it.
+    /// Returns the range for use under this load. If the load has units, r is printed with its Hz.
     pub fn under(mut self, measure: &Measure) -> Self {
         self.unit = self.unit.under(measure);
         self
     }
 
-    /// Whether it is given in a unit.
+    /// Returns whether the range was given in a unit.
     pub fn is_physical(&self) -> bool {
         self.unit.is_physical()
     }
 
-    /// Whether Hz stand beside r.
+    /// Returns whether Hz are printed next to r.
     pub fn tells_hertz(&self) -> bool {
         self.unit != Unit::Ratio
     }
 
-    /// A frequency of it.
+    /// Returns a frequency of the range.
     pub fn frequency(&self, system: &System, r: f64) -> Frequency {
         let omega = system.angular_frequency(r);
         match self.unit {
@@ -108,7 +108,7 @@ impl Band {
         }
     }
 
-    /// The columns of the table.
+    /// Returns the columns of the table.
     pub fn columns(&self) -> Vec<Column> {
         let titles: &[&[&str]] = match self.unit {
             Unit::Ratio => &[&["r"]],
@@ -118,13 +118,13 @@ impl Band {
         titles.iter().map(|title| Column::computed(title)).collect()
     }
 
-    /// The names of the cells.
+    /// Returns the names of the cells.
     pub fn names(&self) -> &'static [&'static str] {
         self.unit.names()
     }
 }
 
-/// The option that is given, and its unit.
+/// Returns the option that is given, and its unit.
 fn given(arguments: &FrequencyArguments) -> Result<(&str, Unit), Failure> {
     match (&arguments.r, &arguments.hz, &arguments.omega) {
         (Some(r), ..) => Ok((r, Unit::Ratio)),
@@ -153,7 +153,7 @@ impl Unit {
         matches!(self, Self::Hertz | Self::Omega)
     }
 
-    /// What a frequency is read as; of a motion in time, which needs a cycle, or not.
+    /// Returns the quantity as which a frequency is read. `in_time` requires a frequency that has a cycle.
     fn quantity(self, in_time: bool) -> Quantity {
         match (self, in_time) {
             (Self::Ratio | Self::RatioUnderLoad, false) => Quantity::FrequencyRatio,
@@ -185,7 +185,7 @@ impl Unit {
         }
     }
 
-    /// The names of the cells.
+    /// Returns the names of the cells.
     fn names(self) -> &'static [&'static str] {
         match self {
             Self::Ratio => &["r"],
@@ -200,23 +200,23 @@ impl Unit {
 pub struct Frequencies {
     given: Vec<f64>,
     unit: Unit,
-    /// What it is read as.
+    /// The quantity as which the frequencies are read.
     pub quantity: Quantity,
 }
 
 /// One frequency.
 #[derive(Clone, Copy, Debug)]
 pub struct Frequency {
-    /// r.
+    /// Frequency ratio r.
     pub r: f64,
-    /// In Hz, where it was given in a unit or the load was.
+    /// Frequency in Hz, if it was given in a unit or the load was.
     hertz: Option<f64>,
-    /// In rad/s, where it was given so.
+    /// Angular frequency in rad/s, if it was given so.
     omega: Option<f64>,
 }
 
 impl Frequency {
-    /// In Hz, as given or from r.
+    /// Returns the frequency in Hz, as given or computed from r.
     pub fn hertz(&self, system: &System) -> f64 {
         self.hertz.unwrap_or_else(|| system.hertz(self.r))
     }
@@ -229,7 +229,7 @@ impl Frequency {
         }
     }
 
-    /// Its cells.
+    /// Returns the cells of the frequency.
     pub fn values(&self) -> Vec<Value<'static>> {
         let before = [self.hertz, self.omega].into_iter().flatten();
         before.chain([self.r]).map(Value::from).collect()
@@ -237,7 +237,7 @@ impl Frequency {
 }
 
 impl Frequencies {
-    /// The grid; of a motion in time, which needs a cycle, or not.
+    /// Parses the grid. `in_time` requires frequencies that have a cycle.
     pub fn parse(arguments: &FrequencyArguments, in_time: bool) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
         let quantity = unit.quantity(in_time);
@@ -248,7 +248,7 @@ impl Frequencies {
         })
     }
 
-    /// Nothing, if every frequency has a ratio to compute with.
+    /// Returns an error unless every frequency has a ratio r within the range of `f64`.
     pub fn check(&self, system: &System) -> Result<(), Failure> {
         let lost = |given: &&f64| !survives(**given, self.of(system, **given).r);
         match self.given.iter().find(lost) {
@@ -257,7 +257,7 @@ impl Frequencies {
         }
     }
 
-    /// The only one.
+    /// Returns the only frequency, or an error if there are several.
     pub fn only(&self, system: &System) -> Result<Frequency, Failure> {
         match *self.given {
             [given] => Ok(self.of(system, given)),
@@ -265,23 +265,23 @@ impl Frequencies {
         }
     }
 
-    /// How many there are.
+    /// Returns the number of frequencies.
     pub fn len(&self) -> usize {
         self.given.len()
     }
 
-    /// The same under a load: with units, r has its Hz beside it.
+    /// Returns the grid for use under this load. If the load has units, r is printed with its Hz.
     pub fn under(mut self, measure: &Measure) -> Self {
         self.unit = self.unit.under(measure);
         self
     }
 
-    /// Whether they are given in a unit.
+    /// Returns whether the frequencies were given in a unit.
     pub fn are_physical(&self) -> bool {
         self.unit.is_physical()
     }
 
-    /// The frequencies, in the order written.
+    /// Returns the frequencies in the order written.
     pub fn iter<'a>(&'a self, system: &'a System) -> impl Iterator<Item = Frequency> + 'a {
         self.given.iter().map(|given| self.of(system, *given))
     }
@@ -290,12 +290,12 @@ impl Frequencies {
         self.unit.frequency(system, given)
     }
 
-    /// Whether Hz stand beside r.
+    /// Returns whether Hz are printed next to r.
     pub fn tell_hertz(&self) -> bool {
         self.unit != Unit::Ratio
     }
 
-    /// The columns of the table.
+    /// Returns the columns of the table.
     pub fn columns(&self) -> Vec<Column> {
         let given = |title: &[&str]| Column::given(title, &self.given);
         match self.unit {
@@ -310,7 +310,7 @@ impl Frequencies {
         }
     }
 
-    /// The names of the cells.
+    /// Returns the names of the cells.
     pub fn names(&self) -> &'static [&'static str] {
         self.unit.names()
     }

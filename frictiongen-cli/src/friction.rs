@@ -1,4 +1,4 @@
-//! The friction asked for: ratios β, or forces.
+//! Frictions of the command line: ratios β, or forces.
 
 use crate::args::FrictionArguments;
 use crate::failure::Failure;
@@ -20,19 +20,19 @@ pub struct Frictions {
 /// One friction.
 #[derive(Clone, Copy, Debug)]
 pub struct Friction {
-    /// β.
+    /// Friction ratio β.
     pub beta: f64,
-    /// The friction force, where the load is known.
+    /// Friction force in N, if the load is known.
     force: Option<f64>,
 }
 
 impl Friction {
-    /// The friction force, where the load is known; else β.
+    /// Returns the friction force if the load is known, and otherwise β.
     pub fn force(&self) -> f64 {
         self.force.unwrap_or(self.beta)
     }
 
-    /// Its cells.
+    /// Returns the cells of the friction.
     pub fn values(&self) -> Vec<Value<'static>> {
         let before = self.force.into_iter();
         before.chain([self.beta]).map(Value::from).collect()
@@ -40,7 +40,7 @@ impl Friction {
 }
 
 impl Frictions {
-    /// The grid, which together with that of the frequencies, if there is one, is not too long.
+    /// Parses the grid. It must not be too long together with the grid of frequencies, if there is one.
     pub fn parse(
         arguments: &FrictionArguments,
         frequencies: Option<&Frequencies>,
@@ -65,7 +65,7 @@ impl Frictions {
         })
     }
 
-    /// The same under a load, which forces need.
+    /// Returns the grid for use under this load. A grid of forces needs a load.
     pub fn under(mut self, measure: &Measure) -> Result<Self, Failure> {
         self.scale = measure.scale();
         if self.scale.is_none() && self.are_forces() {
@@ -93,7 +93,7 @@ impl Frictions {
         self.quantity == Quantity::FrictionForce
     }
 
-    /// The only one.
+    /// Returns the only friction, or an error if there are several.
     pub fn only(&self) -> Result<Friction, Failure> {
         match *self.given {
             [given] => Ok(self.of(given)),
@@ -101,12 +101,12 @@ impl Frictions {
         }
     }
 
-    /// How many there are.
+    /// Returns the number of frictions.
     pub fn len(&self) -> usize {
         self.given.len()
     }
 
-    /// The frictions, in the order written.
+    /// Returns the frictions in the order written.
     pub fn iter(&self) -> impl Iterator<Item = Friction> + Clone + '_ {
         self.given.iter().map(|given| self.of(*given))
     }
@@ -124,7 +124,7 @@ impl Frictions {
         }
     }
 
-    /// The columns of the table.
+    /// Returns the columns of the table.
     pub fn columns(&self) -> Vec<Column> {
         let (force, beta): (&[&str], &[&str]) = (&["friction", "(N)"], &["beta"]);
         match (self.scale, self.are_forces()) {
@@ -134,7 +134,7 @@ impl Frictions {
         }
     }
 
-    /// The names of the cells.
+    /// Returns the names of the cells.
     pub fn names(&self) -> &'static [&'static str] {
         match self.scale {
             None => &["beta"],

@@ -1,35 +1,35 @@
-//! Grids: `a:step:b`, a number, or a comma-separated list of those.
+//! Parses grids: `a:step:b`, a number, or a comma-separated list of them.
 
 use crate::decimal::{Decimal, Decimals};
 use crate::failure::Failure;
 use std::fmt;
 
-/// The most points of a grid, and of two grids together.
+/// Largest number of points of a grid, and of two grids together.
 pub const MOST_POINTS: usize = 10_000_000;
 
-/// What a grid is of.
+/// The quantity that a grid gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
-    /// r: 0 and infinity are values like any other.
+    /// Frequency ratio r; 0 and infinity are allowed.
     FrequencyRatio,
-    /// r of a motion in time, which has a cycle.
+    /// Frequency ratio r of a motion in time, which has a cycle.
     FrequencyRatioInTime,
-    /// A frequency in Hz: 0 and infinity are values like any other.
+    /// Frequency in Hz; 0 and infinity are allowed.
     Hertz,
-    /// A frequency in Hz of a motion in time.
+    /// Frequency in Hz of a motion in time.
     HertzInTime,
-    /// An angular frequency in rad/s: 0 and infinity are values like any other.
+    /// Angular frequency in rad/s; 0 and infinity are allowed.
     Omega,
-    /// An angular frequency in rad/s of a motion in time.
+    /// Angular frequency in rad/s of a motion in time.
     OmegaInTime,
-    /// β: finite.
+    /// Friction ratio β, finite.
     FrictionRatio,
-    /// A friction force: finite.
+    /// Friction force, finite.
     FrictionForce,
 }
 
 impl Quantity {
-    /// The option that takes it.
+    /// Returns the option that takes the quantity.
     pub fn option(self) -> &'static str {
         match self {
             Self::FrequencyRatio | Self::FrequencyRatioInTime => "--r",
@@ -57,7 +57,7 @@ impl Quantity {
         }
     }
 
-    /// Whether it belongs to a motion in time.
+    /// Returns whether the quantity belongs to a motion in time.
     fn in_time(self) -> bool {
         matches!(
             self,
@@ -65,13 +65,13 @@ impl Quantity {
         )
     }
 
-    /// Whether infinity is a value of it.
+    /// Returns whether infinity is allowed.
     fn may_be_infinite(self) -> bool {
         matches!(self, Self::FrequencyRatio | Self::Hertz | Self::Omega)
     }
 }
 
-/// What is wrong with a grid.
+/// An error in a grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GridError {
     option: &'static str,
@@ -85,7 +85,7 @@ impl fmt::Display for GridError {
     }
 }
 
-/// The points of a grid, in the order written; at least one.
+/// Parses a grid and returns its points in the order written. There is at least one.
 pub fn parse(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
     let mut points = Vec::new();
     for entry in text.split(',').map(str::trim) {
@@ -98,7 +98,7 @@ pub fn parse(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
     Ok(points)
 }
 
-/// The ends of a range a:b or a:step:b, and the step between them, 0 if none is given.
+/// Parses a range a:b or a:step:b. Returns its end points with the step between them, which is 0 if none is given.
 pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
     let parts: Vec<&str> = text.split(':').collect();
     let ends = |first: &str, step: &str, last: &str| -> Result<[f64; 3], String> {
@@ -137,7 +137,7 @@ pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
     })
 }
 
-/// Of a grid where one point is needed.
+/// Makes the error for a grid where one point is needed.
 pub fn several(quantity: Quantity, points: usize) -> Failure {
     Failure::new(format_args!(
         "{}: one {} is needed, and this is a grid of {points}",
@@ -165,7 +165,7 @@ fn extend(points: &mut Vec<f64>, entry: &str, quantity: Quantity) -> Result<(), 
                 Some(exact) => {
                     let count = room(points.len(), exact.steps as f64 + 1.0)?;
                     let indices = (0..).take(count);
-                    // A negative zero is a zero.
+                    // Adding 0 turns a negative zero into a zero.
                     points.extend(indices.map(|index| exact.point(index) + 0.0));
                 }
                 None => points.extend((0..count).map(|index| range.point(index))),
@@ -176,15 +176,15 @@ fn extend(points: &mut Vec<f64>, entry: &str, quantity: Quantity) -> Result<(), 
     Ok(())
 }
 
-/// A range whose three numbers are decimals has decimals between them.
+/// Returns the range of decimals if all three numbers are decimals.
 fn decimals(texts: [&str; 3]) -> Option<Decimals> {
     let [first, step, last] = texts.map(Decimal::parse);
     Decimals::new(first?, step?, last?)
 }
 
-/// The number of points, if there is room for that many more.
+/// Returns the number of points, if that many more fit.
 fn room(already: usize, more: f64) -> Result<usize, String> {
-    // The conversions are exact: both are whole, and small where the answer is yes.
+    // The conversions are exact: both numbers are whole, and small where they fit.
     if more <= MOST_POINTS.saturating_sub(already) as f64 {
         Ok(more as usize)
     } else {
@@ -220,7 +220,7 @@ impl Range {
                 "from {first:?} to {last:?} the step must be {sign}"
             ));
         }
-        // By how much rounding of the three numbers can move the ratio.
+        // Largest change of the ratio by rounding of the three numbers.
         let blur = 4.0 * f64::EPSILON * ((first.abs() + last.abs()) / step.abs() + ratio);
         let whole = ratio.round();
         let ends_at_last = (ratio - whole).abs() <= blur;
@@ -237,7 +237,7 @@ impl Range {
     fn point(&self, index: usize) -> f64 {
         let index = index as f64;
         if self.ends_at_last && index == self.steps {
-            // The same within rounding, and what was asked for.
+            // The last point is the number that was asked for. It equals the computed one within rounding.
             self.last
         } else {
             self.first + index * self.step
@@ -245,7 +245,7 @@ impl Range {
     }
 }
 
-/// A number, with −0 taken for 0.
+/// Parses a number and replaces −0 by 0.
 fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
     let text = text.trim();
     let value: f64 = text.parse().map_err(|_| {
@@ -268,7 +268,7 @@ fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
     Ok(value + 0.0)
 }
 
-/// Nothing, if a quantity can have this value.
+/// Returns an error unless the quantity can have this value.
 fn admit(value: f64, quantity: Quantity) -> Result<(), String> {
     let (article, name) = (quantity.article(), quantity.name());
     if value < 0.0 {

@@ -1,4 +1,4 @@
-//! How harmonics are written: amplitude and lag, and in JSON both parts too.
+//! Writes harmonics: amplitude and lag, and in JSON also real and imaginary part.
 
 use crate::json::object;
 use crate::measure::Measure;
@@ -8,7 +8,7 @@ use frictiongen::Complex;
 use frictiongen::study::units::polar;
 use serde_json::Value as Json;
 
-/// The columns of the table.
+/// Returns the columns of the table.
 pub fn columns(orders: &[u32], measure: &Measure) -> Vec<Column> {
     let (unit, angle) = (measure.length_title(), measure.angle_title());
     let both = |order: &u32| {
@@ -20,7 +20,7 @@ pub fn columns(orders: &[u32], measure: &Measure) -> Vec<Column> {
     orders.iter().flat_map(both).collect()
 }
 
-/// The names of the CSV columns.
+/// Returns the names of the CSV columns.
 pub fn names(part: &str, orders: &[u32], measure: &Measure) -> Vec<String> {
     let both = |order: &u32| {
         [
@@ -31,7 +31,7 @@ pub fn names(part: &str, orders: &[u32], measure: &Measure) -> Vec<String> {
     orders.iter().flat_map(both).collect()
 }
 
-/// The cells of a harmonic.
+/// Returns the cells of a harmonic.
 pub fn values(harmonic: Complex<f64>, measure: &Measure) -> [Value<'static>; 2] {
     let (amplitude, phase) = polar(harmonic);
     [
@@ -40,7 +40,7 @@ pub fn values(harmonic: Complex<f64>, measure: &Measure) -> [Value<'static>; 2] 
     ]
 }
 
-/// A list of harmonics.
+/// Returns a JSON list of harmonics.
 pub fn json(orders: &[u32], harmonics: &[Complex<f64>], measure: &Measure) -> Json {
     let lengths = ["re", "im", "amplitude"].map(|name| measure.length_name(name));
     let angle = measure.angle_name("phase");

@@ -9,22 +9,22 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// Far more than any description needs; what is longer is some other file.
+/// Largest size of a description. It is far more than any description needs, so a longer file is not a description.
 const MOST_BYTES: usize = 16 << 20;
 
 impl FileArgument {
-    /// The file, unless standard input is meant.
+    /// Returns the path of the file, or `None` for standard input.
     pub fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
 
-    /// What the description is called in messages.
+    /// Returns the name of the description in messages.
     pub fn name(&self) -> String {
         self.path()
             .map_or_else(|| "<stdin>".to_owned(), |path| path.display().to_string())
     }
 
-    /// The text of the description.
+    /// Reads the text of the description.
     pub fn text(&self) -> Result<String, Failure> {
         let bytes = match self.path() {
             Some(path) => File::open(path).and_then(read),
@@ -47,7 +47,7 @@ impl FileArgument {
         })
     }
 
-    /// The description.
+    /// Reads and parses the description.
     pub fn description(&self, limits: &Limits) -> Result<Description, Failure> {
         parse_text(&self.text()?, limits).map_err(|diagnostics| {
             let name = self.name();
@@ -56,7 +56,7 @@ impl FileArgument {
         })
     }
 
-    /// The description, of which the exact response is asked: it needs a constant kinetic level.
+    /// Reads a description for an exact response, which needs constant kinetic friction.
     pub fn constant_level(&self, limits: &Limits) -> Result<Description, Failure> {
         let description = self.description(limits)?;
         if description.scene.friction == FrictionLaw::Coulomb {
@@ -69,7 +69,7 @@ impl FileArgument {
     }
 }
 
-/// Everything, or one byte more than is taken.
+/// Reads everything, at most one byte more than the largest size.
 fn read(source: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     source.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;

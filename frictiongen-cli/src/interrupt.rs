@@ -1,12 +1,12 @@
-//! Ctrl-C in the middle of a long computation: what is done is kept.
+//! Handles Ctrl-C during a long computation, so that finished results are kept.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static PRESSED: AtomicBool = AtomicBool::new(false);
 
-/// From now on Ctrl-C is noted; a second one ends the program.
+/// Starts to record Ctrl-C. A second Ctrl-C ends the program.
 pub fn watch() {
-    // Where signals cannot be caught, or are already, Ctrl-C ends the program as ever.
+    // If signals cannot be caught, or already are, Ctrl-C ends the program as usual.
     let _ = ctrlc::set_handler(|| {
         if PRESSED.swap(true, Ordering::Relaxed) {
             std::process::exit(130);
@@ -14,7 +14,7 @@ pub fn watch() {
     });
 }
 
-/// Whether it was pressed.
+/// Returns whether Ctrl-C was pressed.
 pub fn pressed() -> bool {
     PRESSED.load(Ordering::Relaxed)
 }

@@ -1,14 +1,14 @@
-//! Writes JSON: one object, whose points are written as they are computed, each on its own line.
+//! Writes JSON: one object. Its points are written as they are computed, each on its own line.
 
 use crate::number::Value;
 use crate::summary::Summary;
 use serde_json::Value as Json;
 use std::io::{self, Write};
 
-/// Of the object's form: it grows when a field is renamed or means something else.
+/// Version of the object's format. It grows when a field is renamed or changes its meaning.
 const VERSION: u32 = 1;
 
-/// Writes the object.
+/// Writer of the object.
 pub struct Writer<'a> {
     out: &'a mut dyn Write,
     empty: bool,
@@ -58,12 +58,12 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// A list of numbers.
+/// Returns a list of numbers.
 fn numbers(values: impl Iterator<Item = f64>) -> Json {
     values.map(|value| Value::from(value).json()).collect()
 }
 
-/// An object, whose fields serde_json sorts by name.
+/// Returns an object. serde_json sorts its fields by name.
 pub fn object<const N: usize>(fields: [(&str, Json); N]) -> serde_json::Map<String, Json> {
     fields
         .into_iter()

@@ -1,4 +1,5 @@
-//! Limits, responses, steady states, motions over time and emitted solvers of friction scenes, on the command line.
+//! Command line of frictiongen: limits, responses, steady states, motions over time and emitted solvers of friction
+//! scenes.
 //!
 //! Every command reads one description, computes with [`frictiongen::System`] and writes a table,
 //! CSV or JSON. The program's exit status is 0, or 2 with the reason on standard error.
@@ -49,14 +50,14 @@ use failure::Failure;
 use std::ffi::OsString;
 use std::io::Write;
 
-/// Why a command line gave nothing, or not all.
+/// The reason why a command line gave no result or an incomplete one.
 #[derive(Debug)]
 pub enum Ended {
-    /// It was not understood, or asked for help.
+    /// The command line was not understood, or it asked for help.
     Usage(clap::Error),
-    /// The lines to tell the user.
+    /// Lines of a message for the user.
     Lines(Vec<String>),
-    /// Whoever reads the output has enough.
+    /// The reader of the output closed it.
     Closed,
 }
 
@@ -69,10 +70,10 @@ impl From<Failure> for Ended {
     }
 }
 
-/// Runs a command line, the program's name first; what it computes goes to `out`.
+/// Runs a command line, the program's name first. The results go to `out`.
 ///
 /// # Errors
-/// [`Ended`] says what the user is to be told.
+/// [`Ended`] contains the message for the user.
 pub fn run(
     arguments: impl IntoIterator<Item = OsString>,
     out: &mut dyn Write,

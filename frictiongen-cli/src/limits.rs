@@ -1,4 +1,4 @@
-//! `frictiongen limits`: both limits over the frequency ratio.
+//! `frictiongen limits`: computes both limits over the frequency ratio.
 
 use crate::args::LimitsArguments;
 use crate::failure::Failure;
@@ -30,7 +30,7 @@ pub fn run(arguments: &LimitsArguments, out: &mut dyn Write) -> Result<(), Failu
     output::print(&report, &summary, arguments.format.checked()?, out)
 }
 
-/// The limits, by the names of their cells.
+/// Names of the cells of the limits.
 const LIMITS: [&str; 4] = [
     "continuous_limit",
     "continuous_limit_without_search",
@@ -38,7 +38,7 @@ const LIMITS: [&str; 4] = [
     "sliding_limit",
 ];
 
-/// The limits, by their headings, and what they are as ratios.
+/// Headings of the limits, and their symbols as ratios.
 const HEADINGS: [(&str, &str); 4] = [
     ("continuous limit", "beta_lim"),
     ("without search", "beta_lim"),
@@ -55,7 +55,7 @@ struct LimitsReport {
 /// The limits at one frequency.
 struct Point {
     frequency: Frequency,
-    /// As ratios, in the order of [`LIMITS`].
+    /// The limits as ratios, in the order of [`LIMITS`].
     limits: [f64; 4],
 }
 

@@ -1,4 +1,4 @@
-//! The program; what it does is in the library beside it.
+//! Entry point of the program. The library of this crate does the work.
 
 use frictiongen_cli::{Ended, run};
 use std::io::{self, Write};
@@ -8,7 +8,7 @@ fn main() -> ExitCode {
     let lines = match run(std::env::args_os(), &mut io::stdout().lock()) {
         Ok(()) | Err(Ended::Closed) => return ExitCode::SUCCESS,
         Err(Ended::Usage(error)) => {
-            // Nowhere is left to report to if this fails.
+            // If this output fails too, there is no other way to report it.
             let _ = error.print();
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
         }

@@ -1,4 +1,4 @@
-//! What displacements, phases and limits are counted in: the units of a load, or groups.
+//! Units of displacements, phases and limits: those of a load, or non-dimensional groups.
 
 use crate::args::LoadArguments;
 use crate::asked::number;
@@ -7,7 +7,7 @@ use frictiongen::System;
 use frictiongen::study::scene::Excitation;
 use frictiongen::study::{Load, LoadError, LoadScale};
 
-/// What displacements and phases are counted in.
+/// Units of displacements and phases.
 #[derive(Clone, Copy, Debug)]
 pub struct Measure {
     scale: Option<LoadScale>,
@@ -17,7 +17,7 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// As the load says that is given, if any is.
+    /// Makes the units from the load options, if a load is given.
     pub fn of(arguments: &LoadArguments, system: &System) -> Result<Self, Failure> {
         let mut measure = Self::none(system);
         if let Some(text) = &arguments.force {
@@ -33,7 +33,7 @@ impl Measure {
         Ok(measure)
     }
 
-    /// Without a load.
+    /// Makes the units without a load, which are non-dimensional groups.
     pub fn none(system: &System) -> Self {
         Self {
             scale: None,
@@ -59,17 +59,17 @@ impl Measure {
         })
     }
 
-    /// The units, if a load is given.
+    /// Returns the units, if a load is given.
     pub fn scale(&self) -> Option<LoadScale> {
         self.scale
     }
 
-    /// The load, if one is given.
+    /// Returns the load, if one is given.
     pub fn load(&self) -> Option<Load> {
         self.load
     }
 
-    /// The option that gives the load of this scene.
+    /// Returns the option that gives the load of this scene.
     pub fn option(&self) -> &'static str {
         if self.base_motion {
             "--base"
@@ -78,12 +78,13 @@ impl Measure {
         }
     }
 
-    /// Whether the contact's motion is to be turned round, so that no order of masses changes it.
+    /// Returns whether the sign of the contact's motion is reversed, so that the answer does not depend on the order of
+    /// the masses.
     pub fn turns_contact(&self) -> bool {
         self.reversed && self.scale.is_some()
     }
 
-    /// The load and what it makes of the groups, in words.
+    /// Returns the load and its units of force and length, in words.
     pub fn description(&self, number: impl Fn(f64) -> String) -> Option<String> {
         let scale = self.scale?;
         let (force, length) = (number(scale.force()), number(scale.length()));
@@ -94,29 +95,29 @@ impl Measure {
         })
     }
 
-    /// A displacement.
+    /// Returns a displacement in these units.
     pub fn length(&self, ratio: f64) -> f64 {
         self.scale.map_or(ratio, |scale| scale.displacement(ratio))
     }
 
-    /// A displacement that is in units already → the multiple that it is.
+    /// Converts a displacement in these units back to the non-dimensional ratio.
     #[cfg(feature = "pictures")]
     pub fn length_ratio(&self, length: f64) -> f64 {
         self.scale
             .map_or(length, |scale| scale.displacement_ratio(length))
     }
 
-    /// A velocity, at an angular frequency.
+    /// Returns a velocity in these units, at an angular frequency in rad/s.
     pub fn velocity(&self, rate: f64, omega: f64) -> f64 {
         self.scale.map_or(rate, |scale| scale.velocity(rate, omega))
     }
 
-    /// A force.
+    /// Returns a force in these units.
     pub fn force(&self, ratio: f64) -> f64 {
         self.scale.map_or(ratio, |scale| scale.friction(ratio))
     }
 
-    /// A phase.
+    /// Returns a phase in these units.
     pub fn angle(&self, radians: f64) -> f64 {
         match self.scale {
             Some(_) => radians.to_degrees(),
@@ -124,22 +125,22 @@ impl Measure {
         }
     }
 
-    /// The name of a displacement, with its unit.
+    /// Returns the name of a displacement with its unit.
     pub fn length_name(&self, name: &str) -> String {
         self.named(name, "_m")
     }
 
-    /// The name of a velocity, with its unit.
+    /// Returns the name of a velocity with its unit.
     pub fn velocity_name(&self, name: &str) -> String {
         self.named(name, "_m_s")
     }
 
-    /// The name of a force, with its unit.
+    /// Returns the name of a force with its unit.
     pub fn force_name(&self, name: &str) -> String {
         self.named(name, "_N")
     }
 
-    /// The name of a phase, with its unit.
+    /// Returns the name of a phase with its unit.
     pub fn angle_name(&self, name: &str) -> String {
         self.named(name, "_deg")
     }
@@ -149,25 +150,25 @@ impl Measure {
         format!("{name}{unit}")
     }
 
-    /// d²x̄/dτ², at the angular frequency ω; an acceleration where the load is known.
+    /// Returns d²x̄/dτ² at the angular frequency ω, or the acceleration if the load is known.
     pub fn acceleration(&self, rate: f64, omega: f64) -> f64 {
         self.scale
             .map_or(rate, |scale| scale.velocity(rate, omega) * omega)
     }
 
-    /// The work of a cycle over P²/k₁; the mean power where the load is known.
+    /// Returns the work of a cycle over P²/k₁, or the mean power if the load is known.
     pub fn power(&self, work: f64, omega: f64) -> f64 {
         self.scale.map_or(work, |scale| {
             scale.displacement(scale.friction(work)) * omega / (2.0 * std::f64::consts::PI)
         })
     }
 
-    /// A name with one of two endings: without a load, and with one.
+    /// Returns one of two names: the first without a load, the second with one.
     pub fn name(&self, ratio: &str, physical: &str) -> String {
         self.scale.map_or(ratio, |_| physical).to_owned()
     }
 
-    /// The unit of a displacement, in a heading.
+    /// Returns the unit of a displacement for a heading.
     pub fn length_title(&self) -> &'static str {
         match (self.scale, self.base_motion) {
             (Some(_), _) => "(m)",
@@ -176,12 +177,12 @@ impl Measure {
         }
     }
 
-    /// The unit of a velocity, in a heading.
+    /// Returns the unit of a velocity for a heading.
     pub fn velocity_title(&self) -> &'static str {
         self.scale.map_or(self.length_title(), |_| "(m/s)")
     }
 
-    /// The unit of a force, in a heading.
+    /// Returns the unit of a force for a heading.
     pub fn force_title(&self) -> &'static str {
         match (self.scale, self.base_motion) {
             (Some(_), _) => "(N)",
@@ -190,7 +191,7 @@ impl Measure {
         }
     }
 
-    /// The unit of a phase, in a heading.
+    /// Returns the unit of a phase for a heading.
     pub fn angle_title(&self) -> &'static str {
         self.scale.map_or("(rad)", |_| "(deg)")
     }

@@ -1,4 +1,4 @@
-//! `frictiongen new`: a description to start from.
+//! `frictiongen new`: writes a description as a starting point.
 
 use crate::args::NewArguments;
 use crate::failure::{Failure, reason};
@@ -6,7 +6,7 @@ use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
 
-/// A frame of two storeys, every field of it explained.
+/// A frame of two storeys with comments on every field.
 const SCENE: &str = include_str!("new.friction");
 
 /// Runs the command.

@@ -1,4 +1,4 @@
-//! How values are written.
+//! Formats values.
 
 use std::borrow::Cow;
 
@@ -9,13 +9,13 @@ pub enum Value<'a> {
     Number(f64),
     /// A count.
     Count(usize),
-    /// A word.
+    /// A word with a static name.
     Text(&'a str),
     /// A word made for this row.
     Owned(String),
     /// A flag: yes or no.
     Flag(bool),
-    /// Nothing to say: an empty cell.
+    /// A missing value, printed as an empty cell.
     Missing,
 }
 
@@ -25,7 +25,7 @@ impl From<Option<bool>> for Value<'_> {
     }
 }
 
-/// Text of a flag in tables and CSV.
+/// Returns the text of a flag in tables and CSV.
 pub fn word(flag: bool) -> &'static str {
     if flag { "true" } else { "false" }
 }
@@ -59,7 +59,7 @@ impl<'a> From<&'a str> for Value<'a> {
 }
 
 impl Value<'_> {
-    /// With every digit, as few as read back as the same number.
+    /// Formats a value with every digit, as few as read back as the same number.
     pub fn exact(&self) -> Cow<'_, str> {
         match self {
             Self::Number(value) => Cow::Owned(format!("{value:?}")),
@@ -71,7 +71,7 @@ impl Value<'_> {
         }
     }
 
-    /// As JSON, which has no infinity: the string "inf" stands for it.
+    /// Converts a value to JSON. JSON has no infinity, so that the string "inf" replaces it.
     pub fn json(&self) -> serde_json::Value {
         match self {
             Self::Number(value) if value.is_infinite() => {
@@ -87,12 +87,12 @@ impl Value<'_> {
     }
 }
 
-/// Whether a number is neither lost nor made infinite where another is computed from it.
+/// Returns whether computing one number from another neither lost it nor made it infinite.
 pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
 
-/// A number computed, for people: six decimals, or six digits where those say little.
+/// Formats a computed number for people: with six decimals, or with six digits if those decimals show little.
 pub fn computed(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
@@ -104,10 +104,10 @@ pub fn computed(value: f64) -> String {
     }
 }
 
-/// The most decimals of a number given.
+/// Largest number of decimals of a given number.
 const MOST_DECIMALS: usize = 9;
 
-/// A number given by the user, for people, with the decimals that its whole grid needs.
+/// Formats a number given by the user for people, with the decimals that its whole grid needs.
 pub fn given(value: f64, decimals: usize) -> String {
     let size = value.abs();
     if size == 0.0 || size.is_infinite() || (1e-6..1e9).contains(&size) {
@@ -117,7 +117,7 @@ pub fn given(value: f64, decimals: usize) -> String {
     }
 }
 
-/// The decimals that a number needs, without what rounding left in it.
+/// Returns the number of decimals that a number needs, without the digits that rounding left in it.
 pub fn decimals(value: f64) -> usize {
     let text = given(value, MOST_DECIMALS);
     match text.split_once('.') {

@@ -1,4 +1,4 @@
-//! `frictiongen optimum`: the friction that keeps the largest amplitude over a band smallest.
+//! `frictiongen optimum`: finds the friction that keeps the largest amplitude over a band smallest.
 
 use crate::args::OptimumArguments;
 use crate::asked::{self, Part};
@@ -54,7 +54,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
     output::print(&report, &summary, arguments.format.checked()?, out)
 }
 
-/// What `--vary` asks for.
+/// Finds the best friction together with the number that `--vary` names.
 fn tuned(
     system: &System,
     request: &OptimumRequest,
@@ -90,7 +90,7 @@ fn tuned(
     Ok((found.optimum, tuned))
 }
 
-/// The number that was chosen too.
+/// The number that was chosen together with friction.
 struct Tuned {
     name: String,
     unit: &'static str,
@@ -109,7 +109,7 @@ struct OptimumReport {
     system: System,
 }
 
-/// A number and what it is.
+/// A line of the output: a number with its name.
 struct Line {
     name: String,
     value: Value<'static>,

@@ -1,4 +1,4 @@
-//! Writes what a command computes, point by point, in the format asked for.
+//! Writes the results of a command, point by point, in the format asked for.
 
 use crate::destination::Form;
 use crate::failure::Failure;
@@ -9,36 +9,36 @@ use crate::table::Column;
 use crate::{csv, json, table};
 use std::io::{BufWriter, Write};
 
-/// What a command computes, and how a point of it is written.
+/// Results of a command, and the way a point is written.
 pub trait Report {
-    /// A point.
+    /// The type of a point.
     type Point;
 
-    /// How many points there are.
+    /// Returns the number of points.
     fn len(&self) -> usize;
-    /// Computes the points, in order, until the visitor fails.
+    /// Computes the points in order until the visitor fails.
     fn each(&self, visit: Visitor<'_, Self::Point>) -> Result<(), Failure>;
-    /// The columns of the table.
+    /// Returns the columns of the table.
     fn columns(&self) -> Vec<Column>;
-    /// A point's lines in the table.
+    /// Returns the lines of a point in the table.
     fn rows<'a>(&'a self, point: &'a Self::Point) -> Vec<Vec<Value<'a>>>;
-    /// The names of the CSV columns.
+    /// Returns the names of the CSV columns.
     fn names(&self) -> Vec<String>;
-    /// A point's line in the CSV.
+    /// Returns the line of a point in the CSV.
     fn record<'a>(&'a self, point: &'a Self::Point) -> Vec<Value<'a>>;
-    /// What the JSON says once, after the scene.
+    /// Returns the fields that the JSON has once, after the scene.
     fn head(&self) -> Vec<(String, serde_json::Value)> {
         Vec::new()
     }
-    /// What the table says once, after the scene: a title and a text, and the rest.
+    /// Returns the lines that a table has once, after the scene, each as a title and a text.
     fn preamble(&self) -> Vec<(&'static str, String)> {
         Vec::new()
     }
-    /// A point in the JSON.
+    /// Returns a point as JSON.
     fn json(&self, point: &Self::Point) -> serde_json::Value;
 }
 
-/// What takes the points.
+/// Function that receives the points.
 pub type Visitor<'a, P> = &'a mut dyn FnMut(&P) -> Result<(), Failure>;
 
 /// Writes a report.

@@ -1,4 +1,4 @@
-//! Pictures: what is drawn, and the file that it goes to.
+//! Draws pictures and writes their files.
 
 use crate::asked::Part;
 use crate::destination::Form;
@@ -9,11 +9,11 @@ use frictiongen_plot::desk::{Scales, sketch};
 use frictiongen_plot::{Figure, Label, Sketch};
 use std::io::Write;
 
-/// Pixels of a PNG for each of the SVG's.
+/// Number of PNG pixels for each SVG pixel.
 #[cfg(feature = "png")]
 const SCALE: f32 = 2.0;
 
-/// In what the axes count.
+/// Returns the units of the axes.
 pub fn scales(system: &System, in_hertz: bool, measure: &Measure) -> Scales {
     let mut scales = Scales::groups(system);
     if in_hertz {
@@ -25,7 +25,7 @@ pub fn scales(system: &System, in_hertz: bool, measure: &Measure) -> Scales {
     }
 }
 
-/// What a motion is called over its panel.
+/// Returns the title of a motion's panel.
 pub fn part_name(part: &Part) -> Label {
     Label::verbatim(&part.name)
 }

@@ -1,14 +1,14 @@
-//! Tells how far a long run is, on standard error, if a person looks at it.
+//! Shows the progress of a long run on standard error, if that is a terminal.
 
 use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
 
-/// How long a run is before it tells.
+/// Time before the first message.
 const PATIENCE: Duration = Duration::from_secs(2);
-/// How often it tells.
+/// Time between messages.
 const PACE: Duration = Duration::from_millis(200);
 
-/// How far a run is.
+/// The progress of a run.
 pub struct Progress {
     total: usize,
     done: usize,
@@ -18,9 +18,9 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Of a run over so many points, or whatever they are.
+    /// Starts the progress of a run over `total` items, named `what`.
     pub fn new(total: usize, what: &'static str) -> Self {
-        // With the output on the same terminal, the lines themselves tell.
+        // If the output goes to the same terminal, its own lines show the progress.
         let watched = io::stderr().is_terminal() && !io::stdout().is_terminal();
         Self {
             total,
@@ -31,12 +31,12 @@ impl Progress {
         }
     }
 
-    /// One more point is done.
+    /// Counts one more item as done.
     pub fn step(&mut self) {
         self.reach(self.done + 1);
     }
 
-    /// So many are done.
+    /// Sets the number of items done.
     pub fn reach(&mut self, done: usize) {
         self.done = done;
         let Some(next) = self.next else { return };
@@ -61,10 +61,10 @@ impl Drop for Progress {
     }
 }
 
-/// Writes a text on standard error.
+/// Writes a text to standard error.
 pub fn say(text: &str) {
     let mut stderr = io::stderr().lock();
-    // A message that standard error does not take must not stop the work.
+    // If standard error refuses the message, the work must continue.
     let _ = stderr.write_all(text.as_bytes());
     let _ = stderr.flush();
 }

@@ -1,4 +1,4 @@
-//! `frictiongen sensitivity`: the derivatives of a response and of both limits, a line for each parameter.
+//! `frictiongen sensitivity`: computes derivatives of a response and of both limits, one line for each parameter.
 
 use crate::args::SensitivityArguments;
 use crate::asked::{self, Part};
@@ -45,12 +45,12 @@ struct SensitivityReport {
     part: Part,
 }
 
-/// The derivatives with respect to one parameter at one point, or why there are none.
+/// The derivatives with respect to one parameter at one point, or the reason why there are none.
 struct Point {
     frequency: Frequency,
     friction: Friction,
     regime: &'static str,
-    /// Why there are none.
+    /// The reason why there are no derivatives.
     answer: &'static str,
     first: bool,
     found: Option<Found>,
@@ -62,7 +62,7 @@ struct Found {
     sensitivity: ParameterSensitivity,
 }
 
-/// The answers, by the names of their cells and their headings.
+/// Answers: the names of their cells, and their headings.
 const ANSWERS: [(&str, &str); 4] = [
     ("amplitude", "amplitude"),
     ("phase", "phase"),
@@ -70,7 +70,7 @@ const ANSWERS: [(&str, &str); 4] = [
     ("sliding_limit", "sliding limit"),
 ];
 
-/// What the line of the answers themselves is called.
+/// Name of the line with the answers themselves.
 const ITSELF: &str = "the answer";
 
 impl Found {
@@ -84,7 +84,8 @@ impl Found {
         ]
     }
 
-    /// Of each answer its derivative and p/X times that; of the phase p times that.
+    /// Returns for each answer its derivative, and p/X times the derivative. For the phase the second is p times the
+    /// derivative.
     fn derivatives(&self, measure: &Measure) -> Vec<Value<'static>> {
         let parameter = self.sensitivity.value;
         let cells = self.answers().into_iter().enumerate();
@@ -100,7 +101,7 @@ impl Found {
             .collect()
     }
 
-    /// The answers themselves.
+    /// Returns the answers themselves.
     fn values(&self, measure: &Measure) -> [Value<'static>; 4] {
         let [amplitude, phase, continuous, sliding] =
             self.answers().map(|slope| slope.map(|slope| slope.value));
@@ -143,7 +144,7 @@ impl SensitivityReport {
         ]
     }
 
-    /// The units of the answers, in headings.
+    /// Returns the units of the answers, for headings.
     fn units(&self) -> [&'static str; 4] {
         let force = if self.measure.load().is_some() {
             "(N)"

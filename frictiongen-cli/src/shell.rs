@@ -1,11 +1,11 @@
-//! What clap makes of the command's own description: completions for shells, and the manual page.
+//! Completion scripts for shells and the manual page, which clap makes from the command's own description.
 
 use crate::args::{Arguments, CompletionsArguments, ManArguments};
 use crate::failure::Failure;
 use clap::CommandFactory;
 use std::io::Write;
 
-/// Prints a shell's script.
+/// Prints the completion script of a shell.
 pub fn completions(arguments: &CompletionsArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let mut script = Vec::new();
     let mut command = Arguments::command();
@@ -14,7 +14,7 @@ pub fn completions(arguments: &CompletionsArguments, out: &mut dyn Write) -> Res
     Ok(out.flush()?)
 }
 
-/// Prints the manual page, of the whole or of one command.
+/// Prints the manual page of the program or of one command.
 pub fn man(arguments: &ManArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let mut command = Arguments::command();
     command.build();

@@ -1,4 +1,4 @@
-//! What stands before the numbers: which scene, its natural frequencies, its groups.
+//! Preamble of a table: the scene, its natural frequencies and its groups.
 
 use crate::measure::Measure;
 use crate::number::computed;
@@ -7,30 +7,30 @@ use frictiongen::study::scene::{Damping, Excitation, Scene};
 use frictiongen::study::units;
 use std::io::{self, Write};
 
-/// The most natural frequencies in the preamble of a table.
+/// Largest number of natural frequencies in the preamble.
 const MOST_SHOWN: usize = 8;
 
-/// What stands before the numbers.
+/// Contents of the preamble.
 #[derive(Clone, Debug)]
 pub struct Summary {
-    /// The scene's name.
+    /// Name of the scene.
     pub scene: String,
-    /// rad/s in the scene's own units, ascending.
+    /// Natural frequencies, rad/s in the scene's own units, ascending.
     pub natural_frequencies: Vec<f64>,
-    /// The frequency ratios of those.
+    /// Natural frequencies as frequency ratios r.
     pub resonances: Vec<f64>,
     /// The contact, the excitation, the damping and the stiction, in words.
     description: String,
     /// Whether the excitation is base motion.
     base_motion: bool,
-    /// Hz, where a frequency is given in a unit.
+    /// Natural frequencies in Hz, if a frequency is given in a unit.
     pub hertz: Option<Vec<f64>>,
-    /// What is counted in what.
+    /// Units of the answers.
     pub measure: Measure,
 }
 
 impl Summary {
-    /// Of a system.
+    /// Collects the preamble of a system.
     pub fn of(system: &System, physical: bool, measure: Measure) -> Self {
         let scene = system.scene();
         let natural_frequencies = system.natural_frequencies();
@@ -47,12 +47,12 @@ impl Summary {
         }
     }
 
-    /// What β is.
+    /// Returns the definition of β.
     pub fn friction_ratio(&self) -> &'static str {
         if self.base_motion { "F/(k1 Y)" } else { "F/P" }
     }
 
-    /// The same as [`write`](Self::write), in comments.
+    /// Writes the same text as [`write`](Self::write) as comment lines.
     pub fn comment(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         let mut text = Vec::new();
         self.write(&mut text, more)?;
@@ -61,7 +61,7 @@ impl Summary {
         lines.try_for_each(|line| writeln!(out, "# {line}"))
     }
 
-    /// The preamble of a table, with what its report adds.
+    /// Writes the preamble of a table, with the lines that its report adds.
     pub fn write(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         writeln!(out, "{}: {}", self.scene, self.description)?;
         writeln!(out)?;
@@ -87,7 +87,7 @@ impl Summary {
     }
 }
 
-/// The first of the numbers, each in a column, and how many are left out.
+/// Returns the first numbers, each in a column, and the number of those left out.
 fn row(values: &[f64]) -> String {
     let mut cells: Vec<String> = values
         .iter()
@@ -100,7 +100,7 @@ fn row(values: &[f64]) -> String {
     cells.join("  ")
 }
 
-/// A scene in a few words.
+/// Describes a scene in a few words.
 fn description(scene: &Scene) -> String {
     let masses = match scene.masses.len() {
         1 => "1 mass".to_owned(),

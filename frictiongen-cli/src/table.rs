@@ -1,22 +1,22 @@
-//! Writes tables for people: columns aligned, numbers on their decimal points.
+//! Writes tables for people, with aligned columns and decimal points.
 
 use crate::number::{Value, computed, decimals, given, word};
 use std::io::{self, Write};
 
-/// How a column's values are written.
+/// The format of a column's values.
 #[derive(Clone, Copy, Debug)]
 enum Style {
-    /// Words, on the left.
+    /// Words, aligned left.
     Words,
-    /// Numbers given by the user, with this many decimals.
+    /// Numbers given by the user, with this number of decimals.
     Given(usize),
     /// Counts.
     Counts,
-    /// Numbers computed.
+    /// Computed numbers.
     Computed,
 }
 
-/// A column.
+/// A column with its title, format and width.
 #[derive(Clone, Debug)]
 pub struct Column {
     title: Vec<String>,
@@ -24,7 +24,7 @@ pub struct Column {
     width: usize,
 }
 
-/// The width of most numbers computed: -1234.567891, -1.23457e-10.
+/// Width of most computed numbers, such as -1234.567891 or -1.23457e-10.
 const COMPUTED_WIDTH: usize = 12;
 
 impl Column {
@@ -38,25 +38,25 @@ impl Column {
         }
     }
 
-    /// Of words.
+    /// Makes a column of words.
     pub fn words<'a>(title: &[&str], words: impl IntoIterator<Item = &'a str>) -> Self {
         let widest = words.into_iter().map(|word| word.chars().count()).max();
         Self::new(title, Style::Words, widest.unwrap_or(0))
     }
 
-    /// Of the numbers of a grid.
+    /// Makes a column for the numbers of a grid.
     pub fn given(title: &[&str], grid: &[f64]) -> Self {
         let most = grid.iter().map(|value| decimals(*value)).max().unwrap_or(0);
         let widest = grid.iter().map(|value| given(*value, most).len()).max();
         Self::new(title, Style::Given(most), widest.unwrap_or(0))
     }
 
-    /// Of counts.
+    /// Makes a column of counts.
     pub fn counts(title: &[&str]) -> Self {
         Self::new(title, Style::Counts, 1)
     }
 
-    /// Of numbers computed.
+    /// Makes a column of computed numbers.
     pub fn computed(title: &[&str]) -> Self {
         Self::new(title, Style::Computed, COMPUTED_WIDTH)
     }
@@ -82,7 +82,7 @@ impl Column {
     }
 }
 
-/// The lines that name the columns, and a rule below them.
+/// Writes the column titles and a rule below them.
 pub fn header(out: &mut dyn Write, columns: &[Column]) -> io::Result<()> {
     let lines = columns.iter().map(|column| column.title.len()).max();
     for line in 0..lines.unwrap_or(0) {
@@ -94,7 +94,7 @@ pub fn header(out: &mut dyn Write, columns: &[Column]) -> io::Result<()> {
     write_line(out, columns.iter().map(|column| "-".repeat(column.width)))
 }
 
-/// A line of values.
+/// Writes a line of values.
 pub fn row(out: &mut dyn Write, columns: &[Column], values: &[Value<'_>]) -> io::Result<()> {
     let cells = columns.iter().zip(values);
     write_line(

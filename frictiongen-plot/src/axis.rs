@@ -1,46 +1,46 @@
-//! Axes: what they say, their range, how they are divided.
+//! Axes: labels, ranges and scales.
 
 use crate::label::Label;
 
-/// How values are spread along an axis.
+/// Spacing of the values along an axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly.
+    /// Linear.
     #[default]
     Linear,
-    /// By their logarithm; values that are not positive have no place.
+    /// Logarithmic. Values that are not positive are not drawn.
     Log,
 }
 
-/// What the ticks of a linear axis are multiples of.
+/// The unit whose multiples are the ticks of a linear axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unit {
     /// 1, 2 and 5 times powers of ten.
     #[default]
     Plain,
-    /// Parts of a circle in degrees: 0, 90, 180, 270.
+    /// Fractions of a circle in degrees: 0, 90, 180, 270.
     Degrees,
-    /// Parts of a circle in radians: 0, π/2, π.
+    /// Fractions of a circle in radians: 0, π/2, π.
     Pi,
 }
 
 /// An axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What stands along it.
+    /// Text along the axis.
     pub label: Label,
-    /// Its lower end.
+    /// Value at the lower end.
     pub low: f64,
-    /// Its upper end.
+    /// Value at the upper end.
     pub high: f64,
-    /// How values are spread.
+    /// Linear or logarithmic spacing.
     pub scale: Scale,
-    /// What its ticks are multiples of.
+    /// The unit whose multiples are the ticks.
     pub unit: Unit,
 }
 
 impl Axis {
-    /// A linear axis.
+    /// Makes a linear axis.
     #[must_use]
     pub fn new(label: impl Into<Label>, low: f64, high: f64) -> Self {
         Self {
@@ -52,7 +52,7 @@ impl Axis {
         }
     }
 
-    /// A logarithmic axis.
+    /// Makes a logarithmic axis.
     #[must_use]
     pub fn log(label: impl Into<Label>, low: f64, high: f64) -> Self {
         Self {
@@ -61,8 +61,8 @@ impl Axis {
         }
     }
 
-    /// An axis that shows all finite values, with a little room beyond them.  Values that are not negative and come
-    /// near zero begin at zero.
+    /// Makes an axis that shows all finite values with a margin. It begins at zero if no value is negative and the
+    /// least is near zero.
     #[must_use]
     pub fn fitted(label: impl Into<Label>, values: impl IntoIterator<Item = f64>) -> Self {
         let Some((low, high)) = ends(values, f64::MIN) else {
@@ -75,7 +75,7 @@ impl Axis {
         Self::new(label, from.max(f64::MIN), to.min(f64::MAX))
     }
 
-    /// A logarithmic axis that shows all positive finite values.
+    /// Makes a logarithmic axis that shows all positive finite values.
     #[must_use]
     pub fn fitted_log(label: impl Into<Label>, values: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) = ends(values, f64::MIN_POSITIVE).unwrap_or((1.0, 10.0));
@@ -87,7 +87,7 @@ impl Axis {
         )
     }
 
-    /// With ticks in degrees.
+    /// Returns the axis with ticks in degrees.
     #[must_use]
     pub fn degrees(self) -> Self {
         Self {
@@ -96,7 +96,7 @@ impl Axis {
         }
     }
 
-    /// With ticks in multiples of π.
+    /// Returns the axis with ticks in multiples of π.
     #[must_use]
     pub fn in_pi(self) -> Self {
         Self {
@@ -105,7 +105,7 @@ impl Axis {
         }
     }
 
-    /// A range that can be drawn: finite, ascending, wider than rounding; positive on a logarithmic axis.
+    /// Returns a range that can be drawn: finite, ascending, wider than rounding, and positive on a logarithmic axis.
     pub(crate) fn range(&self) -> (f64, f64) {
         if !self.low.is_finite() || !self.high.is_finite() {
             return if self.scale == Scale::Log {
@@ -147,10 +147,10 @@ impl Axis {
     }
 }
 
-/// Narrower linear axes lose digits to what is below every normal number.
+/// Least width of a linear axis. A narrower one loses digits, because its steps are below every normal number.
 const SMALLEST: f64 = 1e-304;
 
-/// The least and the largest of all finite values from `least` on.
+/// Returns the least and the largest of the finite values that are at least `least`.
 fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)> {
     values
         .into_iter()
@@ -161,22 +161,23 @@ fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)>
         })
 }
 
-/// From values to places on paper.
+/// Mapping from values to positions on paper.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mapping {
     scale: Scale,
-    /// The ends of the range, halved so that their difference is finite, or their logarithms.
+    /// End points of the range, halved so that their difference is finite, or their logarithms.
     low: f64,
     span: f64,
     from: f64,
     to: f64,
 }
 
-/// Places farther out than this are all alike: the paper has some thousand pixels.
+/// Largest distance of a position, in pixels. Beyond it the position does not matter, because the paper has a few
+/// thousand pixels.
 const FAR: f64 = 1e7;
 
 impl Mapping {
-    /// An axis's range from one place to another.
+    /// Makes the mapping of an axis's range to the interval between two positions.
     pub(crate) fn new(axis: &Axis, from: f64, to: f64) -> Self {
         let (low, high) = axis.range();
         let scale = axis.scale;
@@ -197,7 +198,7 @@ impl Mapping {
         }
     }
 
-    /// Where a value lies, if it does anywhere.
+    /// Returns the position of a value, if the value can be drawn.
     pub(crate) fn at(&self, value: f64) -> Option<f64> {
         if !value.is_finite() || (self.scale == Scale::Log && value <= 0.0) {
             return None;

@@ -1,4 +1,4 @@
-//! How the parts of a sketch look.
+//! Draws the elements of a sketch.
 
 use crate::geometry::Point;
 use crate::label::Label;
@@ -9,19 +9,19 @@ use crate::plan::{Above, HATCH, HEIGHT, PAD, Plan, WIDTH};
 use crate::sketch::{Contact, End, Excitation, Sketch};
 use crate::svg::Canvas;
 
-/// How far a spring above stands from its mass's middle.
+/// Horizontal distance of a raised spring's end from the middle of its mass.
 const RISER: f64 = 11.0;
 const MASS: Rgb = Rgb(0xe9, 0xee, 0xf4);
 const FRICTION: Rgb = Rgb(0xb3, 0x3a, 0x1e);
 const FORCE: Rgb = Rgb(0x00, 0x5f, 0xad);
 
-/// Round a sketch alone.
+/// Margin around a sketch alone.
 const MARGIN: f64 = 8.0;
-/// The room of a sketch alone.
+/// Room for a sketch alone.
 pub(crate) const ALONE: f64 = 1000.0;
 
 impl Sketch {
-    /// The sketch alone as SVG; nothing where there are no masses or too many.
+    /// Returns the sketch alone as SVG, or `None` if there are no masses or too many.
     #[must_use]
     pub fn svg(&self) -> Option<String> {
         let (width, height) = self.size(ALONE)?;
@@ -32,12 +32,12 @@ impl Sketch {
         Some(canvas.document((width + 2.0 * MARGIN, height + 2.0 * MARGIN), &title, ""))
     }
 
-    /// Width and height in so much room, if it is drawn at all.
+    /// Returns width and height within this room, or `None` if the sketch is not drawn.
     pub(crate) fn size(&self, room: f64) -> Option<(f64, f64)> {
         Plan::new(self, room).map(|plan| plan.size())
     }
 
-    /// Draws it with its upper left corner at a place.
+    /// Draws the sketch with its upper left corner at `corner`.
     pub(crate) fn draw(&self, canvas: &mut Canvas, corner: (f64, f64), room: f64) {
         if let Some(plan) = Plan::new(self, room) {
             plan.draw(canvas, corner);
@@ -82,7 +82,7 @@ impl Plan<'_> {
         self.excitation(&mut pen, row);
     }
 
-    /// The base and the wall.
+    /// Draws the base and the wall.
     fn ground(&self, pen: &mut Pen<'_>, row: f64) {
         let lowest = row + HEIGHT + PAD;
         let highest = |station: usize| {
@@ -107,7 +107,7 @@ impl Plan<'_> {
     fn far(&self, pen: &mut Pen<'_>, above: &Above<'_>) {
         let (low, high, lane) = (above.low, above.high, above.lane);
         let (row, y) = (self.top(), self.lane(lane));
-        // Springs of one mass rise beside each other.
+        // Springs of one mass rise side by side.
         let shift = (RISER - 4.0 * (lane % 4) as f64) * self.pitch.0 / WIDTH;
         let end = |station: usize, sign: f64| {
             let (left, right) = self.sides(station);
@@ -124,7 +124,7 @@ impl Plan<'_> {
                 pen.line(&[(x, row), (x, y)], INK, 1.2);
             }
         }
-        // The zigzag is over a gap, where nothing rises.
+        // The zigzag is over a gap between masses, where nothing rises.
         let (low, high) = (low as f64, high as f64);
         let gap = (0.5 * (low + high) - 0.5).floor().max(low) as usize;
         let middle = 0.5 * (self.sides(gap).1 + self.sides(gap + 1).0);
@@ -157,7 +157,7 @@ impl Plan<'_> {
         let pad = f64::min(26.0, 0.7 * self.pitch.0);
         pen.rect((middle - 0.5 * pad, bottom, pad, PAD), FRICTION, None);
         if first != last {
-            // An arm of the farther mass reaches under the nearer one.
+            // An arm of the farther mass reaches under the nearer mass.
             let (_, end) = self.sides(*last);
             let arm = end - 0.5 * self.pitch.0;
             pen.rect(

@@ -1,31 +1,31 @@
-//! How a run of text is cut, and where it stands.
+//! Style and level of a run of text.
 
-/// How a run of text is cut.
+/// Style of a run of text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Face {
     /// Upright.
     #[default]
     Regular,
-    /// Slanted, for symbols.
+    /// Italic, for symbols.
     Italic,
-    /// Heavy, for headings.
+    /// Bold, for headings.
     Bold,
 }
 
-/// Where a run of text stands.
+/// Vertical level of a run of text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Level {
-    /// On the line.
+    /// On the base line.
     #[default]
     Base,
-    /// Below it, smaller.
+    /// Subscript: smaller, below the base line.
     Sub,
-    /// Above it, smaller.
+    /// Superscript: smaller, above the base line.
     Sup,
 }
 
 impl Level {
-    /// The size of its letters, relative to the line's.
+    /// Returns the size of the letters relative to those on the base line.
     pub(crate) const fn size(self) -> f64 {
         match self {
             Self::Base => 1.0,
@@ -33,7 +33,7 @@ impl Level {
         }
     }
 
-    /// How far below the line it stands, relative to the line's size.
+    /// Returns the distance below the base line, relative to the size of its letters.
     pub(crate) const fn drop(self) -> f64 {
         match self {
             Self::Base => 0.0,

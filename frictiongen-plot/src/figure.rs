@@ -7,7 +7,7 @@ use crate::palette::{Colour, Fill};
 use crate::sketch::Sketch;
 use crate::stroke::{Marker, Stroke};
 
-/// For what width a figure is laid out.
+/// The width for which a figure is laid out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Page {
     /// 900 pixels for two columns, 640 for one.
@@ -20,26 +20,26 @@ pub enum Page {
 /// A picture: panels in rows, a legend, a sketch of the system.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
-    /// Its number, such as 3.14; may be empty.
+    /// Number of the figure, such as 3.14; may be empty.
     pub number: String,
-    /// What it shows.
+    /// Title of the figure.
     pub title: Label,
-    /// What a reader has to know, such as parameters.
+    /// Caption, for example with the parameters.
     pub caption: Label,
-    /// How many panels stand side by side: one or two.
+    /// Number of panels in a row: one or two.
     pub columns: usize,
     /// The panels, row after row.
     pub panels: Vec<Panel>,
-    /// The system.
+    /// Sketch of the system.
     pub sketch: Option<Sketch>,
-    /// Entries of the legend beyond the names of layers, such as what strokes mean.
+    /// Legend entries that no layer has, such as the meaning of strokes.
     pub keys: Vec<Key>,
-    /// For what width it is laid out.
+    /// The width for which the figure is laid out.
     pub page: Page,
 }
 
 impl Figure {
-    /// A figure without caption, sketch and keys.
+    /// Makes a figure without caption, sketch and keys.
     #[must_use]
     pub fn new(number: &str, title: impl Into<Label>, columns: usize, panels: Vec<Panel>) -> Self {
         Self {
@@ -51,28 +51,28 @@ impl Figure {
         }
     }
 
-    /// With a caption.
+    /// Returns the figure with a caption.
     #[must_use]
     pub fn with_caption(mut self, caption: impl Into<Label>) -> Self {
         self.caption = caption.into();
         self
     }
 
-    /// With a sketch of the system.
+    /// Returns the figure with a sketch of the system.
     #[must_use]
     pub fn with_sketch(mut self, sketch: Sketch) -> Self {
         self.sketch = Some(sketch);
         self
     }
 
-    /// With more entries in the legend.
+    /// Returns the figure with more entries in the legend.
     #[must_use]
     pub fn with_keys(mut self, keys: impl IntoIterator<Item = Key>) -> Self {
         self.keys.extend(keys);
         self
     }
 
-    /// The same in one narrow column, for a telephone.
+    /// Returns the figure in one narrow column, for a telephone.
     #[must_use]
     pub fn narrow(mut self) -> Self {
         self.page = Page::Narrow;
@@ -80,42 +80,42 @@ impl Figure {
     }
 }
 
-/// Where the frame of a panel is in a picture, in the units of its `viewBox`, and what its sides stand for.
+/// Position of a panel's frame in a picture, in the units of its `viewBox`, and the values at its sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PanelFrame {
-    /// Its left edge.
+    /// Left edge of the frame.
     pub left: f64,
-    /// Its upper edge.
+    /// Upper edge of the frame.
     pub top: f64,
-    /// Its width.
+    /// Width of the frame.
     pub width: f64,
-    /// Its height.
+    /// Height of the frame.
     pub height: f64,
-    /// The values at its left and right edges, between which [`Axis::scale`] spreads the others.
+    /// Values at the left and right edges. [`Axis::scale`] gives the spacing between them.
     pub x: (f64, f64),
-    /// The values at its lower and upper edges.
+    /// Values at the lower and upper edges.
     pub y: (f64, f64),
 }
 
-/// A pair of axes with what is drawn over them.
+/// A pair of axes with the layers that are drawn over them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    /// What stands over it.
+    /// Title above the panel.
     pub title: Label,
-    /// The axis to the right.
+    /// Horizontal axis.
     pub x: Axis,
-    /// The axis upwards.
+    /// Vertical axis.
     pub y: Axis,
-    /// What is drawn, the first at the bottom.  Regions and maps lie under the grid.
+    /// Layers, the first at the bottom. Regions and maps are under the grid.
     pub layers: Vec<Layer>,
-    /// Smaller panels within.
+    /// Smaller panels inside this one.
     pub insets: Vec<Inset>,
-    /// The height of its frame, in pixels; a row is as high as its highest panel.
+    /// Height of the frame in pixels. A row is as high as its highest panel.
     pub height: Option<f64>,
 }
 
 impl Panel {
-    /// An empty panel.
+    /// Makes an empty panel.
     #[must_use]
     pub fn new(title: impl Into<Label>, x: Axis, y: Axis) -> Self {
         Self {
@@ -128,14 +128,14 @@ impl Panel {
         }
     }
 
-    /// With a layer on top.
+    /// Returns the panel with a layer on top.
     #[must_use]
     pub fn with(mut self, layer: impl Into<Layer>) -> Self {
         self.layers.push(layer.into());
         self
     }
 
-    /// With a smaller panel within.
+    /// Returns the panel with a smaller panel inside.
     #[must_use]
     pub fn with_inset(mut self, inset: Inset) -> Self {
         self.insets.push(inset);
@@ -143,39 +143,39 @@ impl Panel {
     }
 }
 
-/// A smaller panel within another.
+/// A smaller panel inside another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inset {
-    /// Its frame's left and upper edge, its width and its height, as shares of the outer frame.
+    /// Left edge, upper edge, width and height of the inset's frame, as fractions of the outer frame.
     pub place: (f64, f64, f64, f64),
-    /// Whether the outer panel shows what part of it is seen within.
+    /// Whether the outer panel marks the area that the inset shows.
     pub marked: bool,
-    /// What it shows.
+    /// Contents of the inset.
     pub panel: Panel,
 }
 
-/// An entry of the legend that no layer gives.
+/// A legend entry that no layer has.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Key {
-    /// What it says.
+    /// Text of the entry.
     pub name: Label,
-    /// What stands before it.
+    /// Sample before the text.
     pub sample: Sample,
 }
 
-/// What stands before an entry of the legend.
+/// The sample before a legend entry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sample {
-    /// A piece of a line.
+    /// A short line.
     Line(Colour, Stroke),
     /// A marker.
     Marker(Colour, Marker),
-    /// A patch.
+    /// A filled patch.
     Fill(Fill),
 }
 
 impl Key {
-    /// What a stroke means, whatever its colour.
+    /// Makes an entry for the meaning of a stroke, whatever its colour.
     #[must_use]
     pub fn stroke(name: impl Into<Label>, stroke: Stroke) -> Self {
         let sample = Sample::Line(Colour::Black, stroke);
@@ -185,7 +185,7 @@ impl Key {
         }
     }
 
-    /// What a marker means, whatever its colour.
+    /// Makes an entry for the meaning of a marker, whatever its colour.
     #[must_use]
     pub fn marker(name: impl Into<Label>, marker: Marker) -> Self {
         let sample = Sample::Marker(Colour::Black, marker);
@@ -195,7 +195,7 @@ impl Key {
         }
     }
 
-    /// What a patch means.
+    /// Makes an entry for the meaning of a filled patch.
     #[must_use]
     pub fn fill(name: impl Into<Label>, fill: Fill) -> Self {
         let sample = Sample::Fill(fill);

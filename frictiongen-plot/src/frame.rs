@@ -1,4 +1,4 @@
-//! The frame of a panel: its axes with their ticks and grid, and the room they take.
+//! The frame of a panel: axes with ticks and grid, and the room that they need.
 
 use crate::axis::{Axis, Mapping};
 use crate::figure::Panel;
@@ -12,13 +12,13 @@ use crate::ticks::{Tick, ticks};
 const TITLE: f64 = 14.5;
 const LABEL: f64 = 15.0;
 const TICK: f64 = 13.0;
-/// Ticks of an inset.
+/// Size of the tick labels of an inset.
 const SMALL: f64 = 12.0;
-/// From the frame to its tick labels.
+/// Distance from the frame to its tick labels.
 const OFF: f64 = 6.0;
 const BAR: f64 = 13.0;
 
-/// A panel's place on the page.
+/// Position of a panel on the page.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame {
     pub rect: Rect,
@@ -26,9 +26,9 @@ pub(crate) struct Frame {
     pub y: Mapping,
     x_ticks: Vec<Tick>,
     y_ticks: Vec<Tick>,
-    /// The size of tick labels, and of axis labels.
+    /// Sizes of tick labels and of axis labels.
     sizes: (f64, f64),
-    /// Whether lines may run under the words.
+    /// Whether text has a light edge, because lines may run under it.
     halo: bool,
 }
 
@@ -50,7 +50,7 @@ impl Frame {
         }
     }
 
-    /// What the axes take to the left and to the right of a frame of the usual height.
+    /// Returns the room that the axes need to the left and to the right of a frame of the usual height.
     pub(crate) fn sides(panel: &Panel) -> (f64, f64) {
         let ticks = upright_ticks(&panel.y, panel.height.unwrap_or(260.0), TICK);
         let label = if panel.y.label.is_empty() {
@@ -76,7 +76,7 @@ impl Frame {
         (left, right)
     }
 
-    /// What stands above a frame.
+    /// Returns the room that a panel needs above its frame.
     pub(crate) fn above(panel: &Panel) -> f64 {
         if panel.title.is_empty() {
             10.0
@@ -85,7 +85,7 @@ impl Frame {
         }
     }
 
-    /// What stands under a frame.
+    /// Returns the room that a panel needs under its frame.
     pub(crate) fn under(panel: &Panel) -> f64 {
         let label = if panel.x.label.is_empty() {
             0.0
@@ -95,7 +95,7 @@ impl Frame {
         TICK + OFF + 4.0 + label
     }
 
-    /// The frame with what belongs to it.
+    /// Returns the rectangle of the frame with its labels.
     pub(crate) fn whole(&self, panel: &Panel) -> Rect {
         let label = |axis: &Axis| {
             if axis.label.is_empty() {
@@ -120,7 +120,7 @@ impl Frame {
         }
     }
 
-    /// The grid, under curves and over areas.
+    /// Draws the grid, under curves and over areas.
     pub(crate) fn grid(&self, canvas: &mut Canvas, over_areas: bool) {
         let Rect { left, top, .. } = self.rect;
         let (right, bottom) = (self.rect.right(), self.rect.bottom());
@@ -137,7 +137,7 @@ impl Frame {
                 .into_iter()
                 .map(|y| vec![(left, y), (right, y)]),
         );
-        // On a shaded area lines are lighter than it, on paper darker.
+        // Grid lines are lighter than a shaded area, and darker than paper.
         let colour = if over_areas {
             crate::palette::PAPER
         } else {
@@ -146,7 +146,7 @@ impl Frame {
         canvas.path(&lines, colour, 0.7, "");
     }
 
-    /// The frame's lines, ticks and words.
+    /// Draws the frame's lines, ticks and labels.
     pub(crate) fn axes(&self, canvas: &mut Canvas, panel: &Panel) {
         let rect = self.rect;
         let (tick_size, label_size) = self.sizes;
@@ -207,7 +207,7 @@ impl Frame {
         }
     }
 
-    /// The bar that says what colours mean.
+    /// Draws the colour bar.
     fn bar(&self, canvas: &mut Canvas, axis: &Axis) {
         let rect = Rect {
             left: self.rect.right() + 12.0,
@@ -252,7 +252,7 @@ impl Frame {
     }
 }
 
-/// The colour bar's axis, where a panel has a map of values.
+/// Returns the axis of the colour bar, if the panel has a map of values.
 fn bar_of(panel: &Panel) -> Option<&Axis> {
     panel.layers.iter().find_map(|layer| match layer {
         Layer::Raster(raster) => match &raster.cells {
@@ -270,7 +270,7 @@ fn widest(ticks: &[Tick], size: f64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// As many ticks as their labels leave room for.
+/// Returns as many ticks as their labels have room for.
 fn level_ticks(axis: &Axis, width: f64, size: f64) -> Vec<Tick> {
     let most = ((width / (3.6 * size)) as usize).clamp(3, 8);
     for count in (3..=most).rev() {

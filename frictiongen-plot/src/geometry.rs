@@ -1,9 +1,9 @@
-//! Rectangles, and what of lines and areas lies within them.
+//! Rectangles, and clipping of lines and areas to them.
 
-/// A point in data or on paper.
+/// A point, in data units or on paper.
 pub type Point = (f64, f64);
 
-/// A rectangle on paper; y grows downwards.
+/// A rectangle on paper, with y growing downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rect {
     pub left: f64,
@@ -25,7 +25,7 @@ impl Rect {
         self.left <= x && x <= self.right() && self.top <= y && y <= self.bottom()
     }
 
-    /// The part of a segment within, as shares of it.
+    /// Returns the interval of a segment inside the rectangle, as fractions of the segment.
     fn within(&self, a: Point, b: Point) -> Option<(f64, f64)> {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -48,7 +48,7 @@ impl Rect {
         (from <= to).then_some((from, to))
     }
 
-    /// The parts of a line within.
+    /// Returns the pieces of a line inside the rectangle.
     pub(crate) fn clip(&self, line: &[Point]) -> Vec<Vec<Point>> {
         let mut parts: Vec<Vec<Point>> = Vec::new();
         let mut part: Vec<Point> = Vec::new();
@@ -73,7 +73,7 @@ impl Rect {
         parts
     }
 
-    /// The part of a polygon within.
+    /// Returns the area of a polygon inside the rectangle.
     pub(crate) fn clip_area(&self, outline: &[Point]) -> Vec<Point> {
         let mut kept = outline.to_vec();
         let (left, right, top, bottom) = (self.left, self.right(), self.top, self.bottom());
@@ -84,7 +84,7 @@ impl Rect {
     }
 }
 
-/// The part of a polygon where a linear function is not negative.
+/// Returns the area of a polygon in which a linear function is not negative.
 fn cut(outline: &[Point], side: impl Fn(Point) -> f64) -> Vec<Point> {
     let mut kept = Vec::with_capacity(outline.len() + 4);
     let before = outline.iter().cycle().skip(outline.len().saturating_sub(1));
@@ -101,7 +101,8 @@ fn cut(outline: &[Point], side: impl Fn(Point) -> f64) -> Vec<Point> {
     kept
 }
 
-/// The points of a line without those nearer than `tolerance` to the line that is left (Douglas and Peucker).
+/// Thins a line: removes points that are nearer than `tolerance` to the line through the kept points (Douglas and
+/// Peucker).
 pub(crate) fn thin(line: &[Point], tolerance: f64) -> Vec<Point> {
     let mut keep = vec![false; line.len()];
     let mut open = vec![(0, line.len().saturating_sub(1))];
@@ -132,7 +133,7 @@ pub(crate) fn thin(line: &[Point], tolerance: f64) -> Vec<Point> {
         .collect()
 }
 
-/// From a point to the segment between two others.
+/// Returns the distance from a point to the segment between two others.
 fn distance(point: Point, a: Point, b: Point) -> f64 {
     let along = (b.0 - a.0, b.1 - a.1);
     let from = (point.0 - a.0, point.1 - a.1);
@@ -163,7 +164,7 @@ mod tests {
             UNIT.clip(&[(-5.0, 5.0), (15.0, 5.0)]),
             [[(0.0, 5.0), (10.0, 5.0)]]
         );
-        // In, out above, and in again: two parts.
+        // This line is inside, leaves at the top, and returns: it has two pieces.
         let parts = UNIT.clip(&[(1.0, 5.0), (2.0, 15.0), (8.0, 15.0), (9.0, 5.0)]);
         assert_eq!(
             parts,
@@ -171,9 +172,9 @@ mod tests {
         );
         assert!(UNIT.clip(&[(-5.0, 11.0), (15.0, 11.0)]).is_empty());
         assert!(UNIT.clip(&[(-5.0, 6.0), (6.0, 17.0)]).is_empty());
-        // A line on the frame is drawn.
+        // A line along the frame is drawn.
         assert_eq!(UNIT.clip(&[(0.0, 10.0), (10.0, 10.0)]).len(), 1);
-        // One part stays one part.
+        // A single piece stays a single piece.
         let inside = [(1.0, 1.0), (2.0, 9.0), (3.0, 1.0)];
         assert_eq!(UNIT.clip(&inside), [inside]);
         assert!(UNIT.clip(&[(1.0, 1.0)]).is_empty() && UNIT.clip(&[]).is_empty());
@@ -213,7 +214,7 @@ mod tests {
                 .map(|pair| distance(*point, pair[0], pair[1]));
             assert!(near.fold(f64::INFINITY, f64::min) <= 0.02);
         }
-        // A spike is not a straight line.
+        // A spike must not be thinned to a straight line.
         let spike = [(0.0, 0.0), (10.0, 0.0), (5.0, 0.0), (20.0, 0.0)];
         assert_eq!(thin(&spike[..3], 0.02), spike[..3]);
         assert_eq!(

@@ -3,14 +3,14 @@
 use crate::face::{Face, Level};
 use crate::metrics::advance;
 
-/// A run of text of one kind.
+/// A run of text with one style and one level.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Span {
-    /// What it says.
+    /// The text.
     pub text: String,
-    /// How it is cut.
+    /// Style of the letters.
     pub face: Face,
-    /// Where it stands.
+    /// Vertical level.
     pub level: Level,
 }
 
@@ -20,12 +20,12 @@ pub struct Span {
 /// |---|---|
 /// | `*r*` | italic |
 /// | `**(a)**` | bold |
-/// | `_1`, `_lim`, `_{fft}` | subscript: the digits or the letters that follow, or what the braces hold |
-/// | `^2`, `^*`, `^{−3}` | superscript, alike |
+/// | `_1`, `_lim`, `_{fft}` | subscript: the digits or the letters that follow, or the text in the braces |
+/// | `^2`, `^*`, `^{−3}` | superscript, with the same rule |
 /// | `X̄` | a bar: the combining macron, U+0304, after its letter |
 /// | `\_`, `\^`, `\*`, `\\` | the character itself |
 ///
-/// A star that nothing closes is a star.
+/// A star without a closing star is printed as a star.
 ///
 /// ```
 /// use frictiongen_plot::Label;
@@ -37,7 +37,7 @@ pub struct Label {
 }
 
 impl Label {
-    /// Text that means just what it says.
+    /// Makes a label from plain text without markup.
     #[must_use]
     pub fn verbatim(text: &str) -> Self {
         let mut label = Self::default();
@@ -45,25 +45,25 @@ impl Label {
         label
     }
 
-    /// Its runs.
+    /// Returns the runs of the label.
     #[must_use]
     pub fn spans(&self) -> &[Span] {
         &self.spans
     }
 
-    /// Whether it says nothing.
+    /// Returns whether the label is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.spans.is_empty()
     }
 
-    /// Its text without any markup.
+    /// Returns the text without markup.
     #[must_use]
     pub fn plain(&self) -> String {
         self.spans.iter().map(|span| span.text.as_str()).collect()
     }
 
-    /// This label and then another.
+    /// Returns this label followed by another.
     #[must_use]
     pub fn then(mut self, other: &Self) -> Self {
         for span in &other.spans {
@@ -72,7 +72,7 @@ impl Label {
         self
     }
 
-    /// How wide it is at a size, in the embedded fonts.
+    /// Returns the width at a size, in the embedded fonts.
     pub(crate) fn width(&self, size: f64) -> f64 {
         self.spans
             .iter()
@@ -83,7 +83,7 @@ impl Label {
             .sum()
     }
 
-    /// Lines that are no wider than so much, unless a word is.
+    /// Returns lines that are no wider than `width`, unless a single word is.
     pub(crate) fn wrapped(&self, size: f64, width: f64) -> Vec<Self> {
         let mut lines = Vec::new();
         let mut line = Self::default();
@@ -101,7 +101,7 @@ impl Label {
         lines
     }
 
-    /// Its words, each with the space after it; "*r* = 1" is one.
+    /// Returns the words, each with the space after it. "*r* = 1" counts as one word.
     fn words(&self) -> Vec<Self> {
         let mut words = Vec::new();
         let mut word = Self::default();
@@ -114,7 +114,7 @@ impl Label {
             }
         }
         words.push(word);
-        // What equals stays with what it equals.
+        // An equals sign stays with both of its sides.
         let mut joined: Vec<Self> = Vec::new();
         for word in words {
             let equals = |word: &Self| word.plain().trim_end() == "=";

@@ -1,4 +1,4 @@
-//! What is drawn in a panel.
+//! Layers of a panel.
 
 use crate::axis::Axis;
 use crate::geometry::Point;
@@ -6,7 +6,7 @@ use crate::label::Label;
 use crate::palette::{Colour, Fill};
 use crate::stroke::{Marker, Stroke};
 
-/// One thing in a panel.
+/// One layer of a panel.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Layer {
     /// A curve.
@@ -17,27 +17,27 @@ pub enum Layer {
     Region(Region),
     /// A map of cells.
     Raster(Raster),
-    /// Words.
+    /// A text.
     Note(Note),
     /// A straight line across the panel.
     Guide(Guide),
 }
 
-/// A curve in pieces, which are never joined.  A value that is not finite ends a piece.
+/// A curve in pieces, which are never joined. A value that is not finite ends a piece.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// Its name in the legend.
+    /// Name in the legend.
     pub name: Option<Label>,
-    /// Its colour.
+    /// Colour of the curve.
     pub colour: Colour,
-    /// How it is dashed.
+    /// Stroke of the curve.
     pub stroke: Stroke,
-    /// Its pieces.
+    /// Pieces of the curve.
     pub pieces: Vec<Vec<Point>>,
 }
 
 impl Line {
-    /// A curve that the legend names.
+    /// Makes a curve that the legend names.
     #[must_use]
     pub fn new(
         name: impl Into<Label>,
@@ -54,7 +54,7 @@ impl Line {
         }
     }
 
-    /// A curve that the legend leaves out.
+    /// Makes a curve that the legend leaves out.
     #[must_use]
     pub const fn unnamed(colour: Colour, stroke: Stroke, pieces: Vec<Vec<Point>>) -> Self {
         Self {
@@ -69,18 +69,18 @@ impl Line {
 /// Separate points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Markers {
-    /// Their name in the legend.
+    /// Name in the legend.
     pub name: Option<Label>,
-    /// Their colour.
+    /// Colour of the markers.
     pub colour: Colour,
-    /// Their shape.
+    /// Shape of the markers.
     pub marker: Marker,
-    /// Where they are.
+    /// Positions of the markers.
     pub points: Vec<Point>,
 }
 
 impl Markers {
-    /// Points that the legend names.
+    /// Makes points that the legend names.
     #[must_use]
     pub fn new(name: impl Into<Label>, colour: Colour, marker: Marker, points: Vec<Point>) -> Self {
         let name = Some(name.into());
@@ -92,7 +92,7 @@ impl Markers {
         }
     }
 
-    /// Points that the legend leaves out.
+    /// Makes points that the legend leaves out.
     #[must_use]
     pub const fn unnamed(colour: Colour, marker: Marker, points: Vec<Point>) -> Self {
         Self {
@@ -104,21 +104,21 @@ impl Markers {
     }
 }
 
-/// A shaded area, named where it lies or in the legend.
+/// A shaded area, named inside the panel or in the legend.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
-    /// Its name.
+    /// Name of the area.
     pub name: Label,
-    /// Where the name stands; in the legend if nowhere.
+    /// Position of the name; `None` puts it in the legend.
     pub at: Option<Point>,
-    /// Its colour.
+    /// Colour of the area.
     pub fill: Fill,
-    /// Its outlines; where two overlap there is a hole.
+    /// Outlines of the area. Where two overlap there is a hole.
     pub outlines: Vec<Vec<Point>>,
 }
 
 impl Region {
-    /// An area that the legend names.
+    /// Makes an area that the legend names.
     #[must_use]
     pub fn new(name: impl Into<Label>, fill: Fill, outlines: Vec<Vec<Point>>) -> Self {
         Self {
@@ -129,7 +129,7 @@ impl Region {
         }
     }
 
-    /// The area between two curves over the same places: (x, lower, upper).
+    /// Makes the area between two curves from points (x, lower, upper).
     #[must_use]
     pub fn between(name: impl Into<Label>, fill: Fill, places: &[(f64, f64, f64)]) -> Self {
         let finite = |place: &&(f64, f64, f64)| {
@@ -146,7 +146,7 @@ impl Region {
         Self::new(name, fill, vec![lower.chain(upper).collect()])
     }
 
-    /// With its name where it lies.
+    /// Returns the area with its name at a position inside the panel.
     #[must_use]
     pub const fn named_at(mut self, at: Point) -> Self {
         self.at = Some(at);
@@ -154,30 +154,30 @@ impl Region {
     }
 }
 
-/// Cells over a rectangle, all of one size on paper: row after row from low y, each from low x.
+/// Cells over a rectangle, all of one size on paper. Rows go from low to high y, and cells of a row from low to high x.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Raster {
-    /// From where to where it reaches in x.
+    /// Range of x.
     pub x: (f64, f64),
-    /// From where to where it reaches in y.
+    /// Range of y.
     pub y: (f64, f64),
-    /// How many cells a row has.
+    /// Number of cells in a row.
     pub columns: usize,
-    /// What the cells hold.
+    /// Contents of the cells.
     pub cells: Cells,
 }
 
-/// What the cells of a map hold.
+/// Contents of the cells of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cells {
-    /// A class each, or nothing.
+    /// A class in each cell, or none.
     Classes {
-        /// The classes, as the legend names them.
+        /// The classes with their names in the legend.
         classes: Vec<(Label, Fill)>,
-        /// Which class each cell is of.
+        /// Index of each cell's class.
         cells: Vec<Option<usize>>,
     },
-    /// A value each; a cell without a finite value stays empty.
+    /// A value in each cell. A cell without a finite value stays empty.
     Values {
         /// The axis of the colour bar.
         bar: Axis,
@@ -186,33 +186,33 @@ pub enum Cells {
     },
 }
 
-/// On which side of its place a text stands.
+/// Alignment of a text relative to its position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Anchor {
-    /// The text begins there.
+    /// The text begins at the position.
     #[default]
     Start,
-    /// The text is centred there.
+    /// The text is centred at the position.
     Middle,
-    /// The text ends there.
+    /// The text ends at the position.
     End,
 }
 
-/// Words in a panel.
+/// A text in a panel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Note {
-    /// Where they stand.
+    /// Position of the text.
     pub at: Point,
-    /// What they say.
+    /// The text.
     pub text: Label,
-    /// On which side of their place.
+    /// Alignment relative to the position.
     pub anchor: Anchor,
-    /// Their colour.
+    /// Colour of the text.
     pub colour: Colour,
 }
 
 impl Note {
-    /// Black words.
+    /// Makes a black text.
     #[must_use]
     pub fn new(text: impl Into<Label>, at: Point, anchor: Anchor) -> Self {
         Self {
@@ -224,30 +224,30 @@ impl Note {
     }
 }
 
-/// Where a straight line crosses a panel.
+/// Position of a straight line across a panel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Across {
-    /// Upright, at an x.
+    /// A vertical line at this x.
     X(f64),
-    /// Level, at a y.
+    /// A horizontal line at this y.
     Y(f64),
 }
 
 /// A straight line across a panel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guide {
-    /// Its name in the legend.
+    /// Name in the legend.
     pub name: Option<Label>,
-    /// Where it is.
+    /// Position of the line.
     pub across: Across,
-    /// Its colour.
+    /// Colour of the line.
     pub colour: Colour,
-    /// How it is dashed.
+    /// Stroke of the line.
     pub stroke: Stroke,
 }
 
 impl Guide {
-    /// A thin grey line that the legend leaves out.
+    /// Makes a thin grey line that the legend leaves out.
     #[must_use]
     pub const fn new(across: Across) -> Self {
         Self {

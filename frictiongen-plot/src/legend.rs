@@ -11,12 +11,12 @@ use crate::text::Style;
 
 const SIZE: f64 = 14.0;
 const ROW: f64 = 21.0;
-/// The length of a sample.
+/// Length of a sample.
 const SAMPLE: f64 = 34.0;
 const SPACE: f64 = 8.0;
 const GAP: f64 = 24.0;
 
-/// Curves and markers of one name share an entry.
+/// A legend entry. Curves and markers of one name share it.
 #[derive(Debug)]
 struct Entry {
     name: Label,
@@ -25,14 +25,14 @@ struct Entry {
     fill: Option<Fill>,
 }
 
-/// What was drawn under which name.
+/// Legend entries of everything drawn.
 #[derive(Debug, Default)]
 pub(crate) struct Legend {
     entries: Vec<Entry>,
 }
 
 impl Legend {
-    /// Notes a name; what it already stands for stays.
+    /// Adds a sample to a name. Earlier samples of the name stay.
     pub(crate) fn add(&mut self, name: &Label, sample: Sample) {
         if name.is_empty() {
             return;
@@ -61,7 +61,7 @@ impl Legend {
         self.entries.is_empty()
     }
 
-    /// All names, for readers who do not see.
+    /// Returns all names, for readers who cannot see the figure.
     pub(crate) fn names(&self) -> Vec<String> {
         self.entries
             .iter()
@@ -69,12 +69,12 @@ impl Legend {
             .collect()
     }
 
-    /// The least width that holds it.
+    /// Returns the least width of the legend.
     pub(crate) fn least(&self) -> f64 {
         self.widths(1).iter().sum()
     }
 
-    /// Draws the legend no wider than so much, and says how high it is.  A missing canvas only measures.
+    /// Draws the legend within a width and returns its height. Without a canvas it only measures.
     pub(crate) fn draw(
         &self,
         canvas: Option<&mut Canvas>,
@@ -82,7 +82,7 @@ impl Legend {
         width: f64,
     ) -> f64 {
         let most = self.entries.len().max(1);
-        // Full rows look better than as many columns as fit.
+        // The number of columns is reduced so that the rows are evenly filled.
         let fits = |columns: &usize| self.widths(*columns).iter().sum::<f64>() - GAP <= width;
         let columns = (1..=most).rev().find(fits).unwrap_or(1);
         let columns = most.div_ceil(most.div_ceil(columns));
@@ -113,12 +113,12 @@ impl Legend {
         y - top
     }
 
-    /// The widths of so many columns, each with the gap after it.
+    /// Returns the widths of the columns, each with the gap after it.
     fn widths(&self, columns: usize) -> Vec<f64> {
         let mut widths = vec![0.0_f64; columns];
         for row in self.entries.chunks(columns) {
             for (width, entry) in widths.iter_mut().zip(row) {
-                // Another font may be a little wider.
+                // The browser's font may be a little wider than the embedded one.
                 *width = width.max(SAMPLE + SPACE + 1.04 * entry.name.width(SIZE) + GAP);
             }
         }
@@ -189,7 +189,7 @@ mod tests {
             legend.add(&name.into(), Sample::Line(Colour::Black, Stroke::Solid));
         }
         assert_eq!(legend.draw(None, (0.0, 0.0), 1000.0), ROW);
-        // Three would fit: two and two are tidier.
+        // Three columns would fit, but two rows of two are evenly filled.
         assert_eq!(legend.draw(None, (0.0, 0.0), 290.0), 2.0 * ROW);
         assert_eq!(legend.draw(None, (0.0, 0.0), 1.0), 4.0 * ROW);
         assert!(legend.least() < 120.0);

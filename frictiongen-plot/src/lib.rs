@@ -1,7 +1,7 @@
-//! Figures of a paper's kind: curves, maps, insets, legends and sketches of mass-spring chains, as SVG and PNG.
+//! Figures as in a paper: curves, maps, insets, legends and sketches of mass-spring chains, as SVG and PNG.
 //!
-//! Data go in, bytes come out, the same on every host: numbers are written with two decimals of a pixel, no system
-//! library and no system font takes part.  Values that are not finite never reach a file; they break a line.
+//! The same data give the same bytes on every host. Numbers are written with two decimals of a pixel, and no system
+//! library or system font takes part. Values that are not finite break a line and never reach a file.
 //!
 //! ```
 //! use frictiongen_plot::{Axis, Colour, Figure, Line, Panel, Stroke};

@@ -1,10 +1,10 @@
-//! The markup of labels.
+//! Parser for the markup of labels.
 
 use crate::face::{Face, Level};
 use crate::label::Label;
 
 impl Label {
-    /// Reads markup.
+    /// Makes a label from markup.
     #[must_use]
     pub fn new(markup: &str) -> Self {
         let mut label = Self::default();
@@ -14,7 +14,7 @@ impl Label {
     }
 }
 
-/// Appends what markup means.
+/// Parses markup and appends its runs to a label.
 fn read(label: &mut Label, markup: &[char], face: Face, level: Level) {
     let mut rest = markup;
     while let [first, after @ ..] = rest {
@@ -37,13 +37,13 @@ fn read(label: &mut Label, markup: &[char], face: Face, level: Level) {
     }
 }
 
-/// What follows a star: emphasised text, or more after a star that stands for itself.
+/// Parses the text after a star: emphasised text, or plain text after a star that is printed.
 fn starred<'a>(label: &mut Label, after: &'a [char], face: Face, level: Level) -> &'a [char] {
     let (marks, inner) = match after {
         ['*', inner @ ..] => (2, inner),
         _ => (1, after),
     };
-    // A star before a space multiplies.
+    // A star before a space is a multiplication sign.
     if inner.first() != Some(&' ')
         && let Some((inner, rest)) = closed(inner, marks)
     {
@@ -60,7 +60,7 @@ fn starred<'a>(label: &mut Label, after: &'a [char], face: Face, level: Level) -
     }
 }
 
-/// What follows `_` or `^`.
+/// Parses the text after `_` or `^`.
 fn shifted<'a>(label: &mut Label, after: &'a [char], face: Face, level: Level) -> &'a [char] {
     if let ['{', inner @ ..] = after
         && let Some(end) = inner.iter().position(|c| *c == '}')
@@ -79,7 +79,7 @@ fn shifted<'a>(label: &mut Label, after: &'a [char], face: Face, level: Level) -
     rest
 }
 
-/// Letters with a bar, and what they are without.
+/// Letters with a bar, and the letters without it.
 const BARRED: [(char, char); 12] = [
     ('Ā', 'A'),
     ('ā', 'a'),
@@ -95,7 +95,7 @@ const BARRED: [(char, char); 12] = [
     ('ȳ', 'y'),
 ];
 
-/// One character; the subscript digits of Unicode, which few fonts have, become real subscripts.
+/// Appends one character. The Unicode subscript digits, which few fonts have, become real subscripts.
 fn letter(label: &mut Label, character: char, face: Face, level: Level) {
     let code = character as u32;
     let digit = (0x2080..=0x2089)
@@ -103,7 +103,8 @@ fn letter(label: &mut Label, character: char, face: Face, level: Level) {
         .then(|| char::from_digit(code - 0x2080, 10))
         .flatten();
     let (character, level) = digit.map_or((character, level), |digit| (digit, Level::Sub));
-    // A bar is the combining macron, also where Unicode has it in one with its letter or an overline for runs.
+    // Every bar becomes a combining macron. Unicode also has an overline, and single characters for a letter with its
+    // bar.
     let (character, bar) = match character {
         '\u{305}' => ('\u{304}', false),
         _ => BARRED
@@ -117,7 +118,7 @@ fn letter(label: &mut Label, character: char, face: Face, level: Level) {
     }
 }
 
-/// What stands before as many stars, and what after them.
+/// Returns the text before the closing stars, and the text after them.
 fn closed(markup: &[char], marks: usize) -> Option<(&[char], &[char])> {
     let mut at = 0;
     while let Some(rest) = markup.get(at..) {
@@ -141,7 +142,7 @@ mod tests {
     use crate::face::{Face, Level};
     use crate::label::{Label, Span};
 
-    /// Runs as `face level text`, short.
+    /// Writes runs in short form as `face level text`.
     fn read(markup: &str) -> Vec<String> {
         let name = |span: &Span| {
             let face = match span.face {

@@ -1,15 +1,15 @@
-//! How wide text is, in thousandths of its size: the advances of the embedded fonts.
+//! Width of text: the advances of the embedded fonts, in thousandths of the text size.
 
 use crate::face::Face;
 
-/// What an unlisted character is taken to be.
+/// Advance assumed for a character that is not listed.
 const OTHER: u16 = 600;
 
-/// The advance of a character.
+/// Returns the advance of a character.
 #[must_use]
 pub(crate) fn advance(face: Face, character: char) -> u16 {
     let code = character as usize;
-    // Combining marks stand over what is before them.
+    // Combining marks are placed over the character before them.
     if (0x300..0x370).contains(&code) {
         return 0;
     }

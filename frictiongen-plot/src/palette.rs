@@ -1,32 +1,32 @@
-//! Colours: one for each series, pale ones for classes, a map for values.
+//! Colours: strong ones for series, pale ones for classes, a map for values.
 
 use std::fmt;
 
 /// The colour of a line or a marker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Colour {
-    /// For limits and what stands apart from series.
+    /// Black, for limits and everything that is not a series.
     Black,
-    /// For what is there to compare with.
+    /// Grey, for comparison.
     Grey,
-    /// The colour of a series; they repeat after [`Colour::SERIES`].
+    /// Colour of a series. The colours repeat after [`Colour::SERIES`].
     Series(usize),
-    /// Any other.
+    /// Any other colour, as red, green and blue.
     Rgb(u8, u8, u8),
 }
 
 /// The colour of an area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fill {
-    /// A pale colour for a class; they repeat after [`Fill::CLASSES`].  The first three are blue, orange and grey.
+    /// Pale colour of a class. The colours repeat after [`Fill::CLASSES`]. The first three are blue, orange and grey.
     Class(usize),
     /// A pale tint of a line's colour.
     Tint(Colour),
-    /// The colour of a share, 0 to 1, on the map of values.
+    /// Colour of a value from 0 to 1 on the colour map.
     Map(f64),
 }
 
-/// Red, green, blue.
+/// A colour as red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Rgb(pub u8, pub u8, pub u8);
 
@@ -64,7 +64,7 @@ const CLASSES: [Rgb; 8] = [
     Rgb(0xc5, 0xf3, 0xe5),
 ];
 
-/// From dark blue over green to yellow, evenly to the eye and in grey: the look of viridis.
+/// Colour map from dark blue over green to yellow, even to the eye and in grey. It looks like viridis.
 const MAP: [Rgb; 9] = [
     Rgb(0x44, 0x01, 0x54),
     Rgb(0x47, 0x2d, 0x7b),
@@ -77,7 +77,7 @@ const MAP: [Rgb; 9] = [
     Rgb(0xfd, 0xe7, 0x25),
 ];
 
-/// As a page writes it, `#0064bd`.
+/// Writes the colour in the form of a web page, `#0064bd`.
 impl fmt::Display for Colour {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.rgb().fmt(f)
@@ -85,7 +85,7 @@ impl fmt::Display for Colour {
 }
 
 impl Colour {
-    /// How many series have a colour of their own.
+    /// Number of series with a colour of their own.
     pub const SERIES: usize = SERIES.len();
 
     pub(crate) fn rgb(self) -> Rgb {
@@ -99,7 +99,7 @@ impl Colour {
 }
 
 impl Fill {
-    /// How many classes have a colour of their own.
+    /// Number of classes with a colour of their own.
     pub const CLASSES: usize = CLASSES.len();
 
     pub(crate) fn rgb(self) -> Rgb {
@@ -141,7 +141,7 @@ fn between(from: Rgb, to: Rgb, share: f64) -> Rgb {
 mod tests {
     use super::{CLASSES, Colour, Fill, MAP, Rgb, SERIES};
 
-    /// Linear light.
+    /// Converts a colour to linear light.
     fn light(colour: Rgb) -> [f64; 3] {
         [colour.0, colour.1, colour.2].map(|part| {
             let part = f64::from(part) / 255.0;
@@ -153,7 +153,7 @@ mod tests {
         })
     }
 
-    /// CIE L*a*b*, white D65.
+    /// Converts linear light to CIE L*a*b*, white D65.
     fn lab(rgb: [f64; 3]) -> [f64; 3] {
         let row = |m: [f64; 3]| rgb.iter().zip(m).map(|(a, b)| a * b).sum::<f64>();
         let f = |t: f64| {
@@ -169,7 +169,7 @@ mod tests {
         [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
     }
 
-    /// How a colour is seen: by all cones, without the long ones, without the middle ones (Machado 2009).
+    /// Returns a colour as seen with all cones, without the long ones, and without the middle ones (Machado 2009).
     fn seen(colour: Rgb) -> [[f64; 3]; 3] {
         let all = light(colour);
         let by = |m: [[f64; 3]; 3]| {
@@ -209,7 +209,7 @@ mod tests {
 
     #[test]
     fn series_are_told_apart_by_the_colour_blind_and_on_white() {
-        // A difference of 2.3 is just noticed.
+        // A difference of 2.3 is just noticeable.
         assert!(18.0 < least(&SERIES[..5]), "{}", least(&SERIES[..5]));
         assert!(11.0 < least(&SERIES), "{}", least(&SERIES));
         for colour in SERIES {

@@ -1,4 +1,4 @@
-//! What a panel's layers look like within its frame.
+//! Draws the layers of a panel within its frame.
 
 use crate::figure::{Inset, Panel, Sample};
 use crate::frame::Frame;
@@ -10,11 +10,11 @@ use crate::raster;
 use crate::svg::Canvas;
 use crate::text::Style;
 
-/// What a curve may lie off its drawn line, in pixels.
+/// Largest distance of a curve from its drawn line, in pixels.
 const TOLERANCE: f64 = 0.02;
 const NOTE: f64 = 13.5;
 
-/// Draws a panel, and notes in the legend what is seen of it.
+/// Draws a panel, and adds the visible layers to the legend.
 pub(crate) fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, legend: &mut Legend) {
     let mut areas = false;
     for layer in &panel.layers {
@@ -50,7 +50,7 @@ pub(crate) fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, lege
     }
 }
 
-/// The runs of a line that have a place.
+/// Returns the runs of a line that can be drawn, in paper coordinates.
 fn placed(points: &[Point], frame: &Frame) -> Vec<Vec<Point>> {
     let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
     for (x, y) in points {
@@ -122,7 +122,7 @@ fn region(canvas: &mut Canvas, layer: &Region, frame: &Frame, legend: &mut Legen
         .iter()
         .map(|outline| frame.rect.clip_area(&placed(outline, frame).concat()))
         .map(|mut outline| {
-            // A closed line is thinned as one that returns to its beginning.
+            // A closed outline is thinned as a line that returns to its start.
             outline.extend(outline.first().copied());
             thin(&outline, TOLERANCE)
         })
@@ -151,7 +151,7 @@ fn note(canvas: &mut Canvas, layer: &Note, frame: &Frame, halo: bool) {
         Anchor::Middle => 0.5 * width,
         Anchor::End => width,
     };
-    // Words stay within the frame where they fit.
+    // Text stays within the frame if it fits.
     let (least, most) = (frame.rect.left + 4.0, frame.rect.right() - 4.0 - width);
     let left = if least < most {
         (x - before).clamp(least, most)
@@ -191,7 +191,7 @@ fn inset(canvas: &mut Canvas, layer: &Inset, outer: &Frame, legend: &mut Legend)
     draw_panel(canvas, &layer.panel, &frame, legend);
 }
 
-/// Shows what part of the outer panel an inset enlarges, with lines between them.
+/// Marks the area of the outer panel that an inset shows, and connects both with lines.
 fn mark(canvas: &mut Canvas, inner: &Panel, outer: &Frame, frame: Rect) {
     let (x, y) = (inner.x.range(), inner.y.range());
     let corners = [(x.0, y.1), (x.1, y.1), (x.1, y.0), (x.0, y.0)];
@@ -213,7 +213,7 @@ fn mark(canvas: &mut Canvas, inner: &Panel, outer: &Frame, frame: Rect) {
         height: bottom - top,
     };
     canvas.rect(area, None, Some((FRAME, 0.8)));
-    // The two sides that face each other.
+    // The lines connect the two sides that face each other.
     let gaps = [
         frame.left - right,
         left - frame.right(),

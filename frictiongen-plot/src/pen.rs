@@ -7,10 +7,10 @@ use crate::palette::{INK, Rgb, SOFT};
 use crate::svg::Canvas;
 use crate::text::Style;
 
-/// The size of words.
+/// Size of text.
 pub(crate) const TEXT: f64 = 14.0;
 
-/// Draws from a corner.
+/// A pen for a sketch, with coordinates from a corner.
 #[derive(Debug)]
 pub(crate) struct Pen<'c> {
     canvas: &'c mut Canvas,
@@ -53,7 +53,7 @@ impl<'c> Pen<'c> {
             .text(label, (x + self.left, y + self.top), style);
     }
 
-    /// A zigzag from left to right, with straight ends.
+    /// Draws a spring: a zigzag from left to right with straight ends.
     pub(crate) fn spring(&mut self, from: f64, to: f64, y: f64) {
         let turns = 8;
         let lead = f64::min(9.0, 0.15 * (to - from));
@@ -67,7 +67,7 @@ impl<'c> Pen<'c> {
         self.line(&points, INK, 1.2);
     }
 
-    /// A piston in a cylinder that is open to the right.
+    /// Draws a dashpot: a piston in a cylinder that is open to the right.
     pub(crate) fn dashpot(&mut self, from: f64, to: f64, y: f64) {
         let middle = 0.5 * (from + to);
         let (left, right) = (middle - 9.0, middle + 8.0);
@@ -83,7 +83,7 @@ impl<'c> Pen<'c> {
         self.line(&[(middle, y), (to, y)], INK, 1.2);
     }
 
-    /// A line with hatching on one side.
+    /// Draws a line with hatching on one side.
     pub(crate) fn hatched(&mut self, from: Point, to: Point, side: Point) {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let length = dx.abs().max(dy.abs());

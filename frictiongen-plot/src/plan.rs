@@ -1,4 +1,4 @@
-//! Where the parts of a sketch lie.
+//! Positions of the elements of a sketch.
 
 use crate::geometry::Point;
 use crate::label::Label;
@@ -8,45 +8,45 @@ use crate::sketch::{Contact, End, Excitation, Sketch, Spring};
 pub(crate) const WIDTH: f64 = 46.0;
 pub(crate) const HEIGHT: f64 = 44.0;
 pub(crate) const GAP: f64 = 58.0;
-/// What a mass and a gap shrink to at most.
+/// Smallest scale of a mass and a gap when they shrink.
 pub(crate) const LEAST: f64 = 0.48;
-/// A spring above the masses with its label.
+/// Height of a raised spring with its label.
 pub(crate) const LANE: f64 = 34.0;
 pub(crate) const HATCH: f64 = 7.0;
-/// Between a mass and what it rubs on.
+/// Height of the pad between a mass and the surface on which it rubs.
 pub(crate) const PAD: f64 = 7.0;
 
-/// A spring or a dashpot above the row.
+/// A spring or a dashpot above the row of masses.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Above<'a> {
-    /// From which station.
+    /// Station at its left end.
     pub low: usize,
-    /// To which.
+    /// Station at its right end.
     pub high: usize,
-    /// How high, counted from the row.
+    /// Level above the row of masses.
     pub lane: usize,
     pub label: &'a Label,
     pub dashpot: bool,
 }
 
-/// A sketch with the places of its parts, from its upper left corner.
+/// Positions of the elements of a sketch, from its upper left corner.
 #[derive(Debug)]
 pub(crate) struct Plan<'a> {
     pub sketch: &'a Sketch,
-    /// Springs in the row, by the gap they fill.
+    /// Springs in the row, each with the gap that it fills.
     pub direct: Vec<(usize, &'a Spring)>,
-    /// What stands above it.
+    /// Springs and dashpots above the row.
     pub above: Vec<Above<'a>>,
     pub contact: Option<&'a Contact>,
     pub base: bool,
     pub wall: bool,
     pub lanes: usize,
-    /// The widths of a mass and of a gap.
+    /// Widths of a mass and of a gap.
     pub pitch: (f64, f64),
 }
 
 impl<'a> Plan<'a> {
-    /// Parts come nearer to each other where there is less room than they would take.
+    /// Plans a sketch. Masses and gaps shrink if there is less room than they need.
     pub(crate) fn new(sketch: &'a Sketch, room: f64) -> Option<Self> {
         let count = sketch.masses.len();
         let valued = !sketch.values.is_empty();
@@ -58,7 +58,7 @@ impl<'a> Plan<'a> {
         if !(1..=most).contains(&count) {
             return None;
         }
-        // Stations from left to right: the base, the masses, the wall.
+        // The stations from left to right are the base, the masses and the wall.
         let station = |end: End| match end {
             End::Base => Some(0),
             End::Mass(index) => (index < count).then_some(index + 1),
@@ -108,7 +108,7 @@ impl<'a> Plan<'a> {
         }
         far.sort_by_key(|(low, high, ..)| (high - low, *low));
         for (low, high, label, dashpot) in far {
-            // The longer a spring, the higher: none crosses another's risers needlessly.
+            // Longer springs are placed higher, so that springs rarely cross each other's risers.
             let taken = plan
                 .above
                 .iter()
@@ -127,7 +127,7 @@ impl<'a> Plan<'a> {
         let (wide, _) = plan.size();
         let (last, _) = plan.sides(count);
         if room < wide && !valued {
-            // All but what stands to the right of the last mass and the base shrinks.
+            // Everything shrinks except the base and the elements to the right of the last mass.
             let share = ((room - (wide - last)) / last).clamp(LEAST, 1.0);
             plan.pitch = (share * WIDTH, share * GAP);
         }
@@ -138,12 +138,12 @@ impl<'a> Plan<'a> {
         self.sketch.masses.len()
     }
 
-    /// The left edge of the first mass.
+    /// Returns the left edge of the first mass.
     pub(crate) fn start(&self) -> f64 {
         if self.base { HATCH + self.pitch.1 } else { 2.0 }
     }
 
-    /// The two sides of a station.
+    /// Returns the left and right side of a station.
     pub(crate) fn sides(&self, station: usize) -> (f64, f64) {
         let left = self.start() + (self.pitch.0 + self.pitch.1) * (station as f64 - 1.0);
         match station {
@@ -164,7 +164,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// What stands under the masses.
+    /// Returns the room needed under the masses.
     pub(crate) fn under(&self) -> f64 {
         let contact = match self.contact {
             Some(_) => PAD + HATCH + TEXT + 6.0,
@@ -196,24 +196,24 @@ impl<'a> Plan<'a> {
         (wall.max(force), self.top() + HEIGHT + self.under())
     }
 
-    /// Whether nothing stands to the right of a mass.
+    /// Returns whether nothing is drawn to the right of a mass.
     pub(crate) fn is_free(&self, mass: usize) -> bool {
         mass + 1 == self.count() && !self.wall
     }
 
-    /// What an arrow over the row takes.
+    /// Returns the room needed for an arrow above the row.
     pub(crate) fn over(&self) -> f64 {
         let over = self.force().is_some_and(|(mass, _)| !self.is_free(mass));
         if over { 10.0 } else { 0.0 }
     }
 
-    /// The height of a lane's springs.
+    /// Returns the height of the springs of a level.
     pub(crate) fn lane(&self, lane: usize) -> f64 {
         self.top() - 14.0 - self.over() - LANE * lane as f64
     }
 }
 
-/// The widths of a mass and of a gap that have room for every word.
+/// Returns the widths of a mass and of a gap that have room for every label.
 fn pitch(sketch: &Sketch) -> (f64, f64) {
     let widest = |labels: &mut dyn Iterator<Item = &Label>| {
         labels.map(|label| label.width(TEXT)).fold(0.0, f64::max)

@@ -1,4 +1,4 @@
-//! PNG: the SVG drawn by resvg with the fonts embedded here, and with no others.
+//! PNG output: resvg draws the SVG with the fonts embedded here, and with no others.
 
 use resvg::{tiny_skia, usvg};
 use std::sync::Arc;
@@ -12,17 +12,17 @@ const FONTS: [&[u8]; 4] = [
 ];
 const LARGEST: f32 = 16384.0;
 
-/// Why there is no PNG.
+/// The reason why a picture cannot be made as PNG.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum PlotError {
-    /// A scale that is not a positive number.
+    /// The scale is not a positive number.
     #[error("the scale {0} is not a positive number")]
     Scale(f32),
-    /// A picture of too many pixels.
+    /// The picture would have too many pixels.
     #[error("the picture would have {0} by {1} pixels; {LARGEST} is the most")]
     TooLarge(f32, f32),
-    /// What cannot be drawn or written.
+    /// The picture cannot be drawn or written.
     #[error("the picture cannot be drawn: {0}")]
     Drawing(String),
 }
@@ -47,7 +47,7 @@ pub(crate) fn render(svg: &str, scale: f32) -> Result<Vec<u8>, PlotError> {
     pixels.encode_png().map_err(|error| drawing(&error))
 }
 
-/// The embedded fonts, whatever family a text asks for.
+/// Returns options with the embedded fonts, whatever family a text asks for.
 fn options() -> usvg::Options<'static> {
     let mut fonts = usvg::fontdb::Database::new();
     for font in FONTS {
@@ -67,7 +67,7 @@ mod tests {
     use crate::face::Face;
     use crate::metrics::advance;
 
-    /// How wide the renderer sets one character.
+    /// Returns the width with which the renderer sets one character.
     fn set(character: char, style: &str) -> Option<f64> {
         let text = character
             .to_string()
@@ -116,7 +116,7 @@ mod tests {
                 .sum::<usize>(),
             4
         );
-        // What has no glyph is set as nothing or as a box of one width.
+        // A character without a glyph is set as nothing or as a box of one width.
         let lost = set('\u{4e00}', "");
         for character in "−×°±≤≥≈≠→←∞√∂∑≪≫≅∼·…–—′‘’“”".chars()
         {

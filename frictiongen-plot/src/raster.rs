@@ -1,4 +1,4 @@
-//! Maps of cells: neighbours of one colour become one rectangle, and all of a colour one path.
+//! Maps of cells. Neighbouring cells of one colour become one rectangle, and all rectangles of a colour one path.
 
 use crate::axis::Mapping;
 use crate::figure::Sample;
@@ -9,10 +9,10 @@ use crate::legend::Legend;
 use crate::palette::Fill;
 use crate::svg::Canvas;
 
-/// Colours of a map of values.
+/// Number of colours of a map of values.
 const SHADES: f64 = 96.0;
 
-/// Draws a map; says whether any cell was.
+/// Draws a map and returns whether any cell is visible.
 pub(crate) fn draw(
     canvas: &mut Canvas,
     raster: &Raster,
@@ -53,7 +53,7 @@ pub(crate) fn draw(
     }
 }
 
-/// The rectangles of neighbouring cells that are shown, within the frame.
+/// Returns the rectangles of neighbouring cells that are shown, within the frame.
 fn runs(raster: &Raster, shown: &[bool], frame: &Frame) -> Vec<Rect> {
     let columns = raster.columns.max(1);
     let rows = shown.len() / columns;

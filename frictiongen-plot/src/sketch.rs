@@ -2,57 +2,57 @@
 
 use crate::label::Label;
 
-/// What a spring or a contact ends on.
+/// The element at one end of a spring or of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum End {
     /// A mass, counted from zero.
     Mass(usize),
     /// The base on the left, which may move.
     Base,
-    /// What never moves: the floor, and a wall on the right.
+    /// The ground, which never moves: the floor, and a wall on the right.
     Wall,
 }
 
-/// A spring, or a dashpot, between two ends.
+/// A spring, or a dashpot, between two elements.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spring {
-    /// Its ends, in any order.
+    /// The two elements, in any order.
     pub between: (End, End),
-    /// What stands beside it.
+    /// Label next to the spring.
     pub label: Label,
 }
 
-/// The friction contact between two ends.
+/// The friction contact between two elements.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Contact {
-    /// Its ends, in any order.
+    /// The two elements, in any order.
     pub between: (End, End),
-    /// What stands beside it.
+    /// Label next to the contact.
     pub label: Label,
 }
 
-/// What moves the system.
+/// The excitation of the system.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Excitation {
-    /// Nothing.
+    /// No excitation.
     #[default]
     None,
     /// A force on a mass.
     Force {
         /// The mass, counted from zero.
         mass: usize,
-        /// What stands beside the arrow.
+        /// Label next to the arrow.
         label: Label,
     },
     /// The motion of the base.
     Base {
-        /// What stands beside the arrow.
+        /// Label next to the arrow.
         label: Label,
     },
 }
 
-/// A mechanical system as a sketch.  Up to [`Sketch::MOST`] masses are drawn, with values [`Sketch::MOST_WITH_VALUES`], and
-/// nothing of a longer chain.  What ends on a mass that does not exist is left out.
+/// A mechanical system as a sketch. It is drawn with up to [`Sketch::MOST`] masses, or [`Sketch::MOST_WITH_VALUES`]
+/// with values, and not at all for a longer chain. A spring to a mass that does not exist is left out.
 ///
 /// ```
 /// use frictiongen_plot::{Contact, End, Excitation, Sketch, Spring};
@@ -73,23 +73,23 @@ pub enum Excitation {
 pub struct Sketch {
     /// The names of the masses, from left to right.
     pub masses: Vec<Label>,
-    /// What stands under those names, such as 3.27 kg; may be empty.  A sketch with values is as wide as its words need.
+    /// Texts under the names, such as 3.27 kg; may be empty. A sketch with values is as wide as its texts need.
     pub values: Vec<Label>,
     /// The springs.
     pub springs: Vec<Spring>,
-    /// Dashpots beside them.
+    /// Dashpots parallel to the springs.
     pub dashpots: Vec<Spring>,
-    /// The contact.
+    /// The friction contact.
     pub contact: Option<Contact>,
-    /// What moves the system.
+    /// The excitation.
     pub excitation: Excitation,
 }
 
 impl Sketch {
-    /// The most masses that are drawn.
+    /// Largest number of masses that are drawn.
     pub const MOST: usize = 6;
 
-    /// The most masses that are drawn with values.
+    /// Largest number of masses that are drawn with values.
     pub const MOST_WITH_VALUES: usize = 16;
 }
 

@@ -1,9 +1,9 @@
 //! Strokes and markers.
 
-/// How a line is dashed.
+/// The stroke of a line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Stroke {
-    /// Unbroken; for continuous motion.
+    /// Solid; for continuous motion.
     #[default]
     Solid,
     /// Dashes and dots; for stick-slip motion.
@@ -12,7 +12,7 @@ pub enum Stroke {
     Dotted,
     /// Dashes; for limits.
     Dashed,
-    /// Unbroken and thin; for what is there to compare with.
+    /// Solid and thin; for comparison.
     Thin,
 }
 
@@ -32,7 +32,7 @@ pub enum Marker {
 }
 
 impl Stroke {
-    /// The width and the dashes of a stroke.
+    /// Returns width and dashes of a stroke.
     pub(crate) fn look(self) -> (f64, &'static str) {
         match self {
             Self::Solid => (1.6, ""),

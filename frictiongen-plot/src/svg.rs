@@ -1,4 +1,4 @@
-//! The writer of SVG: a few elements, numbers of two decimals, text as text.
+//! Writer of SVG: a few elements, numbers with two decimals, text as text.
 
 use crate::geometry::{Point, Rect};
 use crate::palette::{PAPER, Rgb};
@@ -6,18 +6,18 @@ use crate::stroke::{Marker, Stroke};
 use crate::xml::{data, escaped, number};
 use std::fmt::Write as _;
 
-/// Families that look alike and are about as wide; PNG has the first one embedded, under another name.
+/// Font families of similar look and width. For PNG the first one is embedded under another name.
 const FAMILY: &str =
     "'STIX Two Text','Times New Roman',Times,'Liberation Serif','Noto Serif',serif";
 
-/// An SVG in the making.
+/// An SVG document under construction.
 #[derive(Debug, Default)]
 pub(crate) struct Canvas {
     pub(crate) body: String,
 }
 
 impl Canvas {
-    /// The whole document.
+    /// Returns the whole document.
     pub(crate) fn document(self, (width, height): Point, title: &str, description: &str) -> String {
         let (width, height) = (number(width.ceil()), number(height.ceil()));
         let mut text = format!(
@@ -26,7 +26,7 @@ impl Canvas {
         );
         for (name, content) in [("title", title), ("desc", description)] {
             if !content.is_empty() {
-                // Writing to a string cannot fail, here and below.
+                // A write to a string cannot fail, here and below.
                 let _ = writeln!(text, "<{name}>{}</{name}>", escaped(content));
             }
         }
@@ -39,13 +39,13 @@ impl Canvas {
         text
     }
 
-    /// Lines of one look.
+    /// Draws lines of one colour and stroke.
     pub(crate) fn lines(&mut self, lines: &[Vec<Point>], colour: Rgb, stroke: Stroke) {
         let (width, dashes) = stroke.look();
         self.path(lines, colour, width, dashes);
     }
 
-    /// Lines of any width.
+    /// Draws lines of any width.
     pub(crate) fn path(&mut self, lines: &[Vec<Point>], colour: Rgb, width: f64, dashes: &str) {
         let data = data(lines, "");
         if data.is_empty() {
@@ -63,7 +63,7 @@ impl Canvas {
         );
     }
 
-    /// Areas; where two overlap there is a hole.
+    /// Draws areas. Where two overlap there is a hole.
     pub(crate) fn areas(&mut self, outlines: &[Vec<Point>], fill: Rgb) {
         let data = data(outlines, "Z");
         if !data.is_empty() {
@@ -74,7 +74,7 @@ impl Canvas {
         }
     }
 
-    /// Rectangles of one colour, which meet without a seam.
+    /// Draws rectangles of one colour, which meet without a seam.
     pub(crate) fn cells(&mut self, cells: &[Rect], fill: Rgb) {
         let mut data = String::new();
         for cell in cells {
@@ -90,7 +90,7 @@ impl Canvas {
         }
     }
 
-    /// A rectangle; `fill` and `edge` are left out where there is none.
+    /// Draws a rectangle. `None` leaves out fill or edge.
     pub(crate) fn rect(&mut self, rect: Rect, fill: Option<Rgb>, edge: Option<(Rgb, f64)>) {
         let Rect {
             left,
@@ -109,7 +109,7 @@ impl Canvas {
         );
     }
 
-    /// Markers of one look.
+    /// Draws markers of one shape and colour.
     pub(crate) fn markers(&mut self, points: &[Point], colour: Rgb, marker: Marker) {
         let mut data = String::new();
         for (x, y) in points {

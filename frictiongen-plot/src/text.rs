@@ -1,4 +1,4 @@
-//! Text as text, with what SVG has no element for: subscripts and bars.
+//! Text elements, with the subscripts and bars for which SVG has no element.
 
 use crate::face::Face;
 use crate::geometry::Point;
@@ -10,15 +10,15 @@ use crate::svg::Canvas;
 use crate::xml::{escaped, number};
 use std::fmt::Write as _;
 
-/// How text is set.
+/// Style of a text.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Style {
     pub size: f64,
     pub anchor: Anchor,
     pub colour: Rgb,
-    /// Read from the bottom to the top.
+    /// Whether the text reads from bottom to top.
     pub upright: bool,
-    /// With a light edge that keeps it legible over lines.
+    /// Whether a light edge keeps the text legible over lines.
     pub halo: bool,
 }
 
@@ -39,23 +39,23 @@ impl Style {
     }
 }
 
-/// The size of a bar, relative to its letter's.  It is an en dash: few fonts that a browser may take place a combining
-/// macron well, and all have dashes of half an em at a fourth of it.
+/// Size of a bar, relative to its letter. The bar is drawn as an en dash, because few fonts of a browser place a
+/// combining macron well. All have dashes of half an em at a fourth of its height.
 const BAR: f64 = 0.8;
 const DASH: f64 = 0.5 * BAR;
 
-/// A run of text, moved from where the run before ends.
+/// A run of text with its offset from the end of the previous run.
 struct Piece<'a> {
     text: &'a str,
     face: Face,
     size: f64,
-    /// To the right.
+    /// Offset to the right.
     shift: f64,
-    /// Below the line.
+    /// Offset below the base line.
     drop: f64,
 }
 
-/// The runs of a label in a size, with bars as runs of their own.
+/// Returns the runs of a label at a size. Bars are separate runs.
 fn pieces(label: &Label, size: f64) -> Vec<Piece<'_>> {
     let mut pieces = Vec::new();
     for Span { text, face, level } in label.spans() {
@@ -88,7 +88,7 @@ fn pieces(label: &Label, size: f64) -> Vec<Piece<'_>> {
             drop,
         });
     }
-    // What follows a bar at a run's end moves with the next run.
+    // The offset after a bar at the end of a run moves to the next run.
     let mut carried = 0.0;
     for piece in &mut pieces {
         piece.shift += carried;
@@ -102,7 +102,7 @@ fn pieces(label: &Label, size: f64) -> Vec<Piece<'_>> {
     pieces
 }
 
-/// For the bar over a letter: the way back to it, the way on after it, and how high it stands; in ems.
+/// Returns the offsets of the bar over a letter, in ems: back to the letter, forward after the bar, and its height.
 fn bar(letter: char, face: Face) -> (f64, f64, f64) {
     let tall = letter.is_uppercase() || "bdfhklt".contains(letter);
     // Slanted letters end to the right of their middle.
@@ -117,7 +117,7 @@ fn bar(letter: char, face: Face) -> (f64, f64, f64) {
 }
 
 impl Canvas {
-    /// A line of text.
+    /// Draws a line of text.
     pub(crate) fn text(&mut self, label: &Label, (x, y): Point, style: Style) {
         if label.is_empty() || !x.is_finite() || !y.is_finite() {
             return;
@@ -140,7 +140,7 @@ impl Canvas {
         } else {
             String::new()
         };
-        // Writing to a string cannot fail.
+        // A write to a string cannot fail.
         let _ = write!(
             self.body,
             "<text {place} font-size=\"{}\" fill=\"{}\"{anchor}{halo}>",
@@ -208,7 +208,7 @@ mod tests {
         let found = pieces(&label, 10.0);
         let texts: Vec<&str> = found.iter().map(|piece| piece.text).collect();
         assert_eq!(texts, ["X", "–", "1", " and ", "x", "–"]);
-        // What goes back and what goes on make up for the dash.
+        // The offsets back and forward compensate for the width of the dash.
         assert!((found[1].shift + found[2].shift + 4.0).abs() < 1e-9);
         assert!(found[1].shift < 0.0 && found[1].drop < found[5].drop && found[5].drop < 0.0);
         assert_eq!((found[3].shift, found[3].drop), (0.0, 0.0));

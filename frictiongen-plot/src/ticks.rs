@@ -1,23 +1,23 @@
-//! Where an axis has ticks, and what they say.
+//! Positions and labels of the ticks of an axis.
 
 use crate::axis::{Axis, Scale, Unit};
 use crate::label::Label;
 use crate::number::{decimal, exponent, number, of_pi, scientific};
 use std::f64::consts::PI;
 
-/// A tick.
+/// A tick of an axis.
 #[derive(Clone, Debug)]
 pub(crate) struct Tick {
     pub value: f64,
-    /// Empty for a tick between others.
+    /// Label of the tick; empty for a tick between labelled ones.
     pub label: Label,
 }
 
-/// The ticks of an axis, at most some `count` with labels.
+/// Returns the ticks of an axis, with about `count` labels at most.
 pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     let (low, high) = axis.range();
     let count = count.max(2);
-    // Parts of a circle are few and round.
+    // A circle is divided into a few round fractions.
     let parts = count.min(5);
     match (axis.scale, axis.unit) {
         (Scale::Log, _) => log(low, high, count),
@@ -73,7 +73,7 @@ pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     }
 }
 
-/// How many multiples of a step lie in a range, which may miss its last one by roundings.
+/// Returns the number of multiples of a step in a range, which may miss its last one by rounding.
 fn multiples(low: f64, high: f64, step: f64) -> f64 {
     let (from, to) = bounds(low, high, step);
     to - from + 1.0
@@ -86,7 +86,7 @@ fn bounds(low: f64, high: f64, step: f64) -> (f64, f64) {
 
 fn whole(low: f64, high: f64, step: f64, label: impl Fn(i64) -> Label) -> Vec<Tick> {
     let (from, to) = bounds(low, high, step);
-    // As many as were counted before; a range of any size ends here.
+    // The number was counted before; the bound ends the loop for a range of any size.
     (0..=64)
         .map(|i| from as i64 + i)
         .take_while(|k| *k as f64 <= to)
@@ -97,7 +97,7 @@ fn whole(low: f64, high: f64, step: f64, label: impl Fn(i64) -> Label) -> Vec<Ti
         .collect()
 }
 
-/// Multiples of 1, 2 or 5 times a power of ten.
+/// Returns ticks at multiples of 1, 2 or 5 times a power of ten.
 fn plain(low: f64, high: f64, count: usize) -> Vec<Tick> {
     let span = 2.0 * (0.5 * high / count as f64 - 0.5 * low / count as f64);
     let first = exponent(span);
@@ -125,7 +125,8 @@ fn plain(low: f64, high: f64, count: usize) -> Vec<Tick> {
         .to_vec()
 }
 
-/// Decades, with 2 and 5 between where there are few, and no labels on what is between.
+/// Returns labelled ticks at decades, and also at 2 and 5 times a decade if the range is below two decades. Ticks
+/// between these have no labels.
 fn log(low: f64, high: f64, count: usize) -> Vec<Tick> {
     let (first, last) = (exponent(low), exponent(high));
     let decades = libm::log10(high) - libm::log10(low);

@@ -1,9 +1,9 @@
-//! Numbers, paths and words as XML has them.
+//! Numbers, paths and text in the form of XML.
 
 use crate::geometry::Point;
 use std::fmt::Write as _;
 
-/// The data of a path.
+/// Returns the data of a path.
 pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
     let mut data = String::new();
     for line in lines.iter().filter(|line| 1 < line.len()) {
@@ -13,7 +13,7 @@ pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
             if last.as_ref() == Some(&(x.clone(), y.clone())) {
                 continue;
             }
-            // Pairs after the first are lines.
+            // Pairs of coordinates after the first one are lines.
             let _ = write!(data, "{}{x} {y}", if last.is_none() { "M" } else { " " });
             last = Some((x, y));
         }
@@ -22,7 +22,7 @@ pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
     data
 }
 
-/// A finite number with two decimals, none of them needless.
+/// Formats a finite number with at most two decimals and without trailing zeros.
 pub(crate) fn number(value: f64) -> String {
     let value = if value.is_finite() { value } else { 0.0 };
     let text = format!("{value:.2}");
@@ -34,7 +34,7 @@ pub(crate) fn number(value: f64) -> String {
     }
 }
 
-/// Text that XML takes for text; control characters, which it forbids, become spaces.
+/// Escapes text for XML. Control characters, which XML forbids, become spaces.
 pub(crate) fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {

@@ -1,6 +1,7 @@
-//! Features of the response for emitted and run-time systems alike, without allocation.
+//! Features of the response, for emitted and run-time systems alike, without allocation.
 //!
-//! What needs the scene's shapes, and lists of which nothing is missing, are `System::features` (feature `study`).
+//! `System::features` (feature `study`) finds the features that need the scene's mode shapes, and lists that are
+//! complete.
 //!
 //! ```
 //! use frictiongen::features::{self, Change};
@@ -38,12 +39,13 @@ use crate::sweep::SweepError;
 use crate::{FrictionSystem, Limits, LimitsAt, OutOfDomain, Regime};
 use frictiongen_kernel::{Float, Scalar};
 
-/// β_lim at every resonance into a slice of the caller's, one for each, ascending: without damping β_n,i (6.2, 6.26), below
-/// which the resonance is unbounded; with damping what (7.62) estimates.  On a mode that the contact does not touch it bounds
-/// nothing.
+/// Writes β_lim at every resonance into the caller's slice, in ascending order of the resonances.
+///
+/// Without damping the value is the threshold β_n,i (6.2, 6.26), below which the resonance is unbounded. With damping
+/// it is the value that (7.62) estimates. For a mode that the contact does not touch, the value bounds nothing.
 ///
 /// # Errors
-/// [`SweepError::Length`] for a slice of another length, which stays as it is.
+/// [`SweepError::Length`] for a slice whose length is not the number of resonances. The slice stays unchanged.
 pub fn thresholds_into<F: FrictionSystem>(
     system: &F,
     thresholds: &mut [F::Scalar],
@@ -62,18 +64,18 @@ pub fn thresholds_into<F: FrictionSystem>(
     Ok(())
 }
 
-/// Both limits for r → 0: β_lim is 0 there (6.4), up to β*_lim there is a quasi-static start (6.5).
+/// Returns both limits for r → 0. There β_lim is 0 (6.4), and up to β*_lim there is a quasi-static start (6.5).
 ///
 /// # Errors
-/// None: 0 is in the domain.
+/// None, because 0 is in the domain.
 pub fn limits_at_rest<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>, OutOfDomain> {
     Ok(system.at(F::Scalar::constant(0.0))?.limits())
 }
 
-/// β_∞ and β*_∞ (6.28), both limits for r → ∞; infinite on a moving base.
+/// Returns β_∞ and β*_∞ (6.28), both limits for r → ∞. They are infinite for a contact with a moving base.
 ///
 /// # Errors
-/// None: ∞ is in the domain.
+/// None, because ∞ is in the domain.
 pub fn limits_at_infinity<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>, OutOfDomain> {
     Ok(system.at(F::Scalar::constant(f64::INFINITY))?.limits())
 }
@@ -81,15 +83,15 @@ pub fn limits_at_infinity<F: FrictionSystem>(system: &F) -> Result<Limits<F::Sca
 /// A change of the regime along frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change<S> {
-    /// The last r of the regime before.
+    /// The last r with the regime `before`.
     pub r: S,
-    /// The regime below it.
+    /// The regime below r.
     pub before: Regime,
-    /// The regime above it.
+    /// The regime above r.
     pub after: Regime,
 }
 
-/// The changes of the regime along frequency: see [`regime_changes`].
+/// Iterator over the changes of the regime along frequency, made by [`regime_changes`].
 #[derive(Clone, Debug)]
 pub struct RegimeChanges<'s, F: FrictionSystem> {
     system: &'s F,
@@ -100,14 +102,15 @@ pub struct RegimeChanges<'s, F: FrictionSystem> {
     last: (F::Scalar, Regime),
 }
 
-/// The changes of the regime from r to r at the friction ratio β, ascending, each halved to the last digits.
+/// Finds the changes of the regime over the range of r at the friction ratio β, in ascending order, each by bisection
+/// to the last digits.
 ///
-/// It looks at `steps` + 1 places: a regime that lies between two of them alone is not seen.  `System::features` misses fewer
-/// and says when it misses none.
+/// The search evaluates the regime at `steps` + 1 frequencies. It misses a regime that lies entirely between two of
+/// them. `System::features` misses fewer regimes and reports when it misses none.
 ///
 /// # Errors
-/// [`OutOfDomain`] for a range that is not from above 0 to a larger, finite r, for NaN, negative and infinite β, and for no
-/// steps.
+/// [`OutOfDomain`] for a range that does not run from above 0 to a larger, finite r; for NaN, negative and infinite β;
+/// and for zero steps.
 pub fn regime_changes<F: FrictionSystem>(
     system: &F,
     beta: F::Scalar,
@@ -136,7 +139,7 @@ impl<F: FrictionSystem> RegimeChanges<'_, F> {
         self.system.at(r).ok()?.regime(self.beta).ok()
     }
 
-    /// The next place that is looked at.
+    /// Returns the next frequency ratio to evaluate.
     fn next_place(&mut self) -> Option<F::Scalar> {
         if self.steps <= self.step {
             return None;
@@ -177,7 +180,7 @@ impl<F: FrictionSystem> Iterator for RegimeChanges<'_, F> {
                     (high, after) = (middle, regime);
                 }
             }
-            // Between both places may be a third regime: from here on once more.
+            // A third regime may lie between the two frequencies, so the search repeats from the change just found.
             self.last = (high, after);
             self.step -= 1;
             return Some(Change {

@@ -1,4 +1,4 @@
-//! Steady states, of emitted solvers and of the run-time `System` alike.
+//! Traits for steady states, of emitted solvers and of the run-time `System` alike.
 
 use crate::targets::Settles;
 use crate::{Complex, LimitsAt, NoOrbit, Of};
@@ -46,44 +46,45 @@ pub trait OrbitAt: LimitsAt {
     where
         Self: 'o;
 
-    /// The steady state at β = F/P that is reached from rest.
+    /// Returns the steady state at β = F/P that motion from rest reaches.
     ///
     /// # Errors
     /// [`NoOrbit`] says why there is none.
     fn orbit(&self, beta: Self::Scalar) -> Result<Self::Orbit<'_>, NoOrbit>;
 
-    /// The steady state as [`orbit`](Self::orbit) gives it.  Where the motion from rest does not settle, its last 64
-    /// cycles stand in its place, and [`SteadyState::is_settled`] is false.
+    /// Returns the steady state as [`orbit`](Self::orbit) does. Where the motion from rest does not settle, it returns
+    /// the last 64 cycles instead, and [`SteadyState::is_settled`] is false.
     ///
     /// # Errors
-    /// [`NoOrbit`] if the motion is unbounded, if following it takes too many steps, or if β is negative or not finite.
+    /// [`NoOrbit`] if the motion is unbounded, if the search takes too many steps, or if β is negative or not finite.
     fn orbit_or_last_cycles(&self, beta: Self::Scalar) -> Result<Self::Orbit<'_>, NoOrbit>;
 }
 
-/// A steady state in any regime.
+/// A steady state of the scene in any regime.
 pub trait SteadyState {
-    /// The scene's scalar.
+    /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// After how many cycles of the excitation it repeats: 1, or up to 64 for a subharmonic state.
+    /// Returns the number of excitation cycles after which the motion repeats: 1, or up to 64 for a subharmonic state.
     fn period(&self) -> u32;
-    /// Whether the motion repeats; otherwise this is what it does in its last 64 cycles.
+    /// Returns whether the motion repeats. If not, this value describes the last 64 cycles that were computed.
     fn is_settled(&self) -> bool;
-    /// How often the contact stops in a period.
+    /// Returns the number of stops of the contact in a period.
     fn stops(&self) -> usize;
-    /// How often the direction of sliding changes in a period without a stop.
+    /// Returns the number of times in a period that the sliding direction changes without a stop.
     fn reversals(&self) -> usize;
-    /// The part of the period for which the contact sticks.
+    /// Returns the fraction of the period during which the contact sticks.
     fn stuck_fraction(&self) -> Self::Scalar;
-    /// Whether every motion repeats with the opposite sign after half a period.
+    /// Returns whether every motion repeats with the opposite sign after half a period.
     fn is_symmetric(&self) -> bool;
-    /// Whether no small deviation grows.
+    /// Returns whether no small deviation grows.
     fn is_stable(&self) -> bool;
-    /// Whether the state is a member of a continuum, or at its end.
+    /// Returns whether the state is a member of a continuum, or at its end.
     fn is_marginal(&self) -> bool;
-    /// The Floquet multipliers.
+    /// Returns the Floquet multipliers.
     fn multipliers(&self) -> &[Complex<Self::Scalar>];
-    /// Puts a question to the contact's or a mass's motion; `None` if there is no such mass.
+    /// Calls `question` with the motion of the contact or of a mass and returns its answer. Returns `None` if there is
+    /// no such mass.
     fn ask<T>(
         &self,
         of: Of,
@@ -91,8 +92,9 @@ pub trait SteadyState {
     ) -> Option<T>;
 }
 
-/// The queries of the kernel's steady state.  [`SteadyState`] is for whatever derefs to it, and the kernel's type could
-/// come to do so itself: hence a trait of its own.
+/// Queries of the kernel's steady state, as a trait of their own. [`SteadyState`] is implemented for every type that
+/// derefs to a steady state of the kernel. The kernel's type could implement `Deref` itself in a later version, so that
+/// an implementation of [`SteadyState`] for it would conflict.
 #[doc(hidden)]
 pub trait Kept {
     type Scalar: Float;
@@ -158,7 +160,7 @@ where
     }
 }
 
-/// Emitted steady states and those of a `System` hold the kernel's.
+/// Emitted steady states and those of a `System` deref to the kernel's steady state.
 impl<O: Deref<Target: Kept>> SteadyState for O {
     type Scalar = <O::Target as Kept>::Scalar;
 
@@ -220,20 +222,21 @@ where
 
 /// The motion of the contact or of a mass in a steady state.
 pub trait Periodic {
-    /// The scene's scalar.
+    /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// The largest |x̄| of the period.
+    /// Returns the largest |x̄| of the period.
     fn amplitude(&self) -> Self::Scalar;
-    /// Lag of its maximum behind the excitation's, rad, in (−π, π].
+    /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, rad, in (−π, π].
     fn phase(&self) -> Self::Scalar;
-    /// x̄ at τ, from a maximum of the contact's relative motion.
+    /// Returns x̄ at τ, where τ = 0 is a maximum of the contact's relative motion.
     fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// dx̄/dτ at τ, from a maximum of the contact's relative motion.
+    /// Returns dx̄/dτ at τ, where τ = 0 is a maximum of the contact's relative motion.
     fn velocity(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// X_n with x̄ = Re Σ X_n e^{inτ_e}, τ_e from a maximum of the excitation; X_0 is the mean.
+    /// Returns X_n of x̄ = Re Σ X_n e^{inτ_e}, where τ_e = 0 is a maximum of the excitation. X_0 is the mean.
     fn harmonic(&self, n: u32) -> Complex<Self::Scalar>;
-    /// The component that turns k times in a period of the motion; every [`SteadyState::period`]-th is a harmonic.
+    /// Returns the complex amplitude of the component with k cycles in a period of the motion. Every
+    /// [`SteadyState::period`]-th component is a harmonic.
     fn subharmonic(&self, k: u32) -> Complex<Self::Scalar>;
 }
 

@@ -1,13 +1,13 @@
 //! Exact solvers for mass-spring chains with one Coulomb friction contact.
 //!
-//! A description of masses, springs, one contact and an excitation becomes a solver: the exact
-//! steady response, and the boundaries between continuous, stick-slip and stuck motion.
+//! A description of masses, springs, one contact and an excitation becomes a solver. The solver gives the exact steady
+//! response and the boundaries between continuous, stick-slip and stuck motion.
 //!
-//! * [`friction_system!`] does the modal analysis at compile time and emits specialised Rust:
-//!   `no_std`, without allocation, without `unsafe`, everything of fixed size.
-//! * `System` (feature `study`) reads the same text at run time.
-//! * `measure` (feature `measure`) reads the friction force from recordings, and [`watch`] from samples on a device.
-//! * The command `frictiongen` reads it from a file.
+//! * [`friction_system!`] does the modal analysis at compile time and emits specialised Rust: `no_std`, without
+//!   allocation, without `unsafe`, everything of fixed size.
+//! * `System` (feature `study`) reads the same description at run time.
+//! * `measure` (feature `measure`) finds the friction force in recordings. [`watch`] finds it in samples on a device.
+//! * The command `frictiongen` reads the same description from a file.
 //!
 //! ```
 //! use frictiongen::{Regime, friction_system};
@@ -35,30 +35,30 @@
 //!
 //! # What the macro gives
 //!
-//! For `struct Frame`, with S the scene's scalar, and N masses:
+//! For `struct Frame` with N masses, S being the scene's scalar type:
 //!
 //! | item | meaning |
 //! |---|---|
-//! | `Frame::NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES` | ω_i in rad/s, the ratios r of them, φ by mode and mass with φᵀΓφ = 1 |
+//! | `Frame::NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES` | ω_i in rad/s; the frequency ratios r of the resonances; φ by mode and mass with φᵀΓφ = 1 |
 //! | `Frame::frequency_ratio(omega)`, `friction_ratio(friction, load)` | r = ω√(m₁/k₁), β = F/P |
 //! | `Frame::at(r)` | the scene at one frequency ratio, `FrameAt`, or [`OutOfDomain`] |
-//! | `at.limits()`, `at.limits_searched()` | both limits by one search, [`Limits`], which answers for every β; with the search's [`Effort`] |
-//! | `at.continuous_limit()`, `.continuous_limit_without_search()`, `.continuous_limit_per_mode()` | β_lim exact; with S at τ → 0; as the thesis prints it |
+//! | `at.limits()`, `at.limits_searched()` | both limits by one search, as [`Limits`], which then answers for every β; `limits_searched` also returns the search's [`Effort`] |
+//! | `at.continuous_limit()`, `.continuous_limit_without_search()`, `.continuous_limit_per_mode()` | β_lim: exact; with S at τ → 0; as the thesis prints it |
 //! | `at.sliding_limit()` | β*_lim |
 //! | `at.regime(beta)`, `at.margin(beta)` | [`Regime`]; β/min(β_lim, β*_lim) − 1 |
 //! | `at.motion(beta)` | the exact continuous motion, `FrameMotion`, or [`NotContinuous`] |
-//! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::response::motion::Motion): `largest` (both of them by one search), `largest_near` (the same in a sweep, led by a [`Neighbour`]), `amplitude`, `phase`, `amplitude_monoharmonic`, `displacement`, `velocity`, `harmonic` |
+//! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::response::motion::Motion): `largest` (amplitude and phase by one search), `largest_near` (the same in a sweep, starting from a [`Neighbour`]), `amplitude`, `phase`, `amplitude_monoharmonic`, `displacement`, `velocity`, `harmonic` |
 //! | `at.stuck()` | the response with the contact stuck, or [`StuckResonance`] |
 //! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `period` (1, or up to 64 cycles if it is subharmonic), `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `intervals`, `friction`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
-//! | `at.orbit_or_last_cycles(beta)` | the same; where the motion does not settle, its last 64 cycles, with `is_settled()` false |
-//! | `Frame::simulation(r, beta)`, `simulation_from(r, beta, state)` | the exact motion in time, `FrameSimulation`: `next` and `advance` give its [`Segment`](kernel::simulation::Segment)s, `upper()` where a mass is |
-//! | `Frame::simulation_under(r, beta, amplitude)`, `simulation_under_from(r, beta, amplitude, state)` | the same where `friction: stribeck`, under a load of that amplitude in the scene's units: P, or for base motion Y |
-//! | `Frame::stepper(dt)`, `stepper_from(dt, state)` | the motion by steps of one length in s under any input, `FrameStepper`, in the scene's units: `advance(FrameInput)` gives what the contact does, its force and its events, a [`Stepped`](kernel::stepper::Stepped); `upper()`, `contact()`, `work()`, `steps()`, `exceeded()`, `begin`, `set_stiction`, `save`, `restore` |
-//! | `FrameInput { force, friction }`, `{ displacement, velocity, friction }` | what acts at the end of a step (`input: linear`) or over it (`hold`): a force on the excited mass, or the base's motion; a field more for each mass of `force`, by its name; and F |
+//! | `at.orbit_or_last_cycles(beta)` | like `at.orbit(beta)`. Where the motion does not settle, it returns the last 64 cycles, and `is_settled()` is false |
+//! | `Frame::simulation(r, beta)`, `simulation_from(r, beta, state)` | the exact motion in time, `FrameSimulation`: `next` and `advance` return its [`Segment`](kernel::simulation::Segment)s, `upper()` the present motion of that mass |
+//! | `Frame::simulation_under(r, beta, amplitude)`, `simulation_under_from(r, beta, amplitude, state)` | the exact motion in time with `friction: stribeck`, under a load of that amplitude in the scene's units: P, or Y for base motion |
+//! | `Frame::stepper(dt)`, `stepper_from(dt, state)` | the motion in steps of one length dt (s) under any input, `FrameStepper`, in the scene's units: `advance(FrameInput)` returns the contact's state, its force and its events, as [`Stepped`](kernel::stepper::Stepped); `upper()`, `contact()`, `work()`, `steps()`, `exceeded()`, `begin`, `set_stiction`, `save`, `restore` |
+//! | `FrameInput { force, friction }`, `{ displacement, velocity, friction }` | the input at the end of a step (`input: linear`) or over the whole step (`hold`): the force on the excited mass or the motion of the base; one more field for each mass of `force`, by its name; and the friction force F |
 //! | `Frame::STEP` | the declared step, whose tables are constants |
-//! | `Frame::limits_without_search(r)` | β_lim with S at τ → 0, and β*_lim: the shortest way, where nothing else is asked of r |
+//! | `Frame::limits_without_search(r)` | β_lim with S at τ → 0, and β*_lim: the fastest call if nothing else is needed at r |
 //! | `Frame::limits_into(&rs, &mut continuous, &mut sliding)` | both limits over a slice |
-//! | `Frame.limits_without_search_into(&rs, &mut continuous, &mut sliding)` | both without search over a slice, several r at once ([`FrictionSystem`]) |
+//! | `Frame.limits_without_search_into(&rs, &mut continuous, &mut sliding)` | both limits without search over a slice, several r at once ([`FrictionSystem`]) |
 //!
 //! # Fields of a description
 //!
@@ -71,37 +71,36 @@
 //! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |
 //! | `stiction` | μ = static over kinetic friction, at least 1 | 1 |
 //! | `scalar` | `f64`, `f32` | `f64` |
-//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation`, `stepper`; with `stepper` alone, and with `simulation` where `friction: stribeck`, nothing answers at a frequency | `[limits, motion]` |
+//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation`, `stepper`. A scene with `stepper` alone, or with `simulation` and `friction: stribeck`, gives no answers at a frequency | `[limits, motion]` |
 //! | `accuracy` | `exact`, or the largest relative error of an answer from tables: `1e-4` | `exact` |
-//! | `range` | where that holds: `{ r: 0.2..2.5 }`, also `beta: 0..1.5` | |
-//! | `side` | `near`, or `safe`: β_lim never above, β*_lim never below the exact one | `near` |
-//! | `budget` | in place of an accuracy, bytes: the best one that fits | |
+//! | `range` | the range in which the accuracy is kept: `{ r: 0.2..2.5 }`, also `beta: 0..1.5` | |
+//! | `side` | `near`; or `safe`: β_lim is never above and β*_lim never below the exact one | `near` |
+//! | `budget` | bytes, instead of an accuracy: the best accuracy that fits | |
 //! | `beyond` | outside the range: `error`, or `exact` for the formulas | `error` |
-//! | `friction` | `coulomb`, or `stribeck(v: f, …)`: the kinetic level over F at speeds, straight from 1 at rest and constant beyond the last; for `simulation` and `stepper` alone | `coulomb` |
-//! | `step` | the stepper's step in s, if it is known: its tables are then constants | |
-//! | `input` | `linear`, or `hold`: the stepper's input between samples | `linear` |
+//! | `friction` | `coulomb`; or `stribeck(v: f, …)`: the kinetic friction over F at the speeds v, linear between them, 1 at rest and constant beyond the last speed; for `simulation` and `stepper` alone | `coulomb` |
+//! | `step` | the stepper's step in s, if it is known at compile time: its tables are then constants | |
+//! | `input` | the stepper's input between samples: `linear`, or `hold` | `linear` |
 //! | `force` | `{ name, … }`: masses that the stepper may load besides `excitation` | |
-//! | `crate` | path of this crate, when it is renamed | `::frictiongen` |
+//! | `crate` | path of this crate, if it is renamed | `::frictiongen` |
 //!
-//! # What a call can cost
+//! # Upper bounds on the work of a call
 //!
-//! Nothing allocates, and everything that searches is bounded:
+//! No call allocates, and every search is bounded:
 //!
 //! | call | bound |
 //! |---|---|
-//! | `at`, `continuous_limit_without_search`, `continuous_limit_per_mode` in passes, `sliding_limit`, `stuck` | operations, listed with each emitted function |
-//! | `continuous_limit`, `limits`, `regime`, `margin` | one search; `motion` one or two |
+//! | `at`, `continuous_limit_without_search`, `sliding_limit`, `stuck`; `continuous_limit_per_mode` per pass | a number of operations, listed with each emitted function |
+//! | `continuous_limit`, `limits`, `regime`, `margin` | one search; `motion` takes one or two |
 //! | `amplitude`, `phase`, `largest` of a mass | one search |
-//! | a search | [`at.most_evaluations()`](kernel::response::At::most_evaluations) evaluations of a sum over the modes, by the scene and the least r: 256 or 1024 and some, where half the searches take 2 or 8; [`Effort`] tells if they did not do, and then the answer is the best seen: a limit on the unsafe side, an amplitude too small |
-//! | `simulation`'s `advance` | two segments of [`MAX_STEPS`](kernel::simulation::MAX_STEPS) steps each; with `friction: stribeck` [`MAX_STRETCHES`](kernel::simulation::MAX_STRETCHES) stretches of at most 128 steps, where the level is constant of `MAX_STEPS` |
-//! | `stepper`'s `advance` | for each part, of which a step has as many as stand with the emitted method: one product with the tables, or [`MAX_EVENTS`](kernel::stepper::MAX_EVENTS) events in [`MAX_STRETCHES`](kernel::stepper::MAX_STRETCHES) stretches; beyond, the contact is held for the rest of the part, and `exceeded` counts the step |
-//! | `orbit` | about [`MAX_CYCLES`](kernel::orbit::MAX_CYCLES) cycles, and [`orbit::MAX_STEPS`](kernel::orbit::MAX_STEPS) steps in all, else [`NoOrbit`] |
+//! | a search | [`at.most_evaluations()`](kernel::response::At::most_evaluations) evaluations of the modal sum: somewhat more than 256 or 1024, depending on the scene and the least r. If these did not suffice, [`Effort`] reports it, and the answer is the best value found: a limit on the unsafe side, or an amplitude that is too small |
+//! | `simulation`'s `advance` | two segments of [`MAX_STEPS`](kernel::simulation::MAX_STEPS) steps each. With `friction: stribeck`, [`MAX_STRETCHES`](kernel::simulation::MAX_STRETCHES) stretches of at most 128 steps, or of `MAX_STEPS` where the kinetic friction is constant |
+//! | `stepper`'s `advance` | for each part of a step: one product with the tables, or [`MAX_EVENTS`](kernel::stepper::MAX_EVENTS) events in [`MAX_STRETCHES`](kernel::stepper::MAX_STRETCHES) stretches. The emitted method's documentation gives the number of parts. If a part has more events, the contact sticks for the rest of that part, and `exceeded` counts the step |
+//! | `orbit` | about [`MAX_CYCLES`](kernel::orbit::MAX_CYCLES) cycles, and [`orbit::MAX_STEPS`](kernel::orbit::MAX_STEPS) steps in all; otherwise it returns [`NoOrbit`] |
 //!
 //! # Conventions
 //!
-//! x̄ = x/(P/k₁), for base motion x/Y; β = F/P, r = ω√(m₁/k₁), τ = ωt.  Phases are lags, in
-//! (−π, π].  Equation numbers are those of L. Marino, *Dynamic analysis of mechanical systems with
-//! Coulomb friction*, DPhil thesis, Oxford, 2021.
+//! x̄ = x/(P/k₁), for base motion x/Y; β = F/P, r = ω√(m₁/k₁), τ = ωt. A phase is a lag in (−π, π]. Equation numbers
+//! are those of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, DPhil thesis, Oxford, 2021.
 #![cfg_attr(not(feature = "std"), no_std)]
 
 pub mod features;

@@ -1,4 +1,4 @@
-//! Runs in time, of emitted solvers and of the run-time `System` alike.
+//! Traits for exact motion in time, of emitted solvers and of the run-time `System` alike.
 
 use crate::{FrictionSystem, OutOfDomain};
 use core::ops::DerefMut;
@@ -41,38 +41,39 @@ use frictiongen_kernel::simulation::{Contact, Level, Moment, Part, Segment, Simu
     label = "add `simulation` to the scene's `provide: [...]`"
 )]
 pub trait Simulates: FrictionSystem {
-    /// A run.
+    /// The type of a run in time.
     type Run<'a>: Run<Scalar = Self::Scalar>
     where
         Self: 'a;
 
-    /// The exact motion in time from rest, the excitation at its maximum.
+    /// Starts the exact motion in time from rest, with the excitation at its maximum.
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r is positive and finite and β finite and not negative.
+    /// [`OutOfDomain`] unless r is positive and finite, and β is finite and not negative.
     fn simulation(&self, r: Self::Scalar, beta: Self::Scalar)
     -> Result<Self::Run<'_>, OutOfDomain>;
 }
 
-/// A system whose exact motion in time depends on the load's amplitude: of `friction: stribeck`, and every run-time system.
+/// A scene whose exact motion in time depends on the load's amplitude: an emitted scene with `friction: stribeck`, and
+/// every run-time system.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no motion in time under a load of known amplitude",
     label = "add `simulation` to the scene's `provide: [...]`; without `friction: stribeck` it is `Simulates`"
 )]
 pub trait SimulatesUnder {
-    /// The scene's scalar.
+    /// The scalar type of the scene.
     type Scalar: Float;
-    /// A run.
+    /// The type of a run in time.
     type Run<'a>: Run<Scalar = Self::Scalar>
     where
         Self: 'a;
 
-    /// The exact motion in time from rest, the excitation at its maximum, under a load of this amplitude in the scene's
-    /// units.
+    /// Starts the exact motion in time from rest, with the excitation at its maximum, under a load of this amplitude in
+    /// the scene's units.
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r and the amplitude are positive and finite and β finite and not negative, and for a
-    /// friction law so steep that it cannot be followed.
+    /// [`OutOfDomain`] unless r and the amplitude are positive and finite, and β is finite and not negative. Also for a
+    /// friction law that is too steep to be followed.
     fn simulation_under(
         &self,
         r: Self::Scalar,
@@ -81,31 +82,31 @@ pub trait SimulatesUnder {
     ) -> Result<Self::Run<'_>, OutOfDomain>;
 }
 
-/// An exact run in time.
+/// An exact motion in time.
 pub trait Run {
-    /// The scene's scalar.
+    /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Moves on to the next event, at most by `reach` in τ; by 0 it does nothing.
+    /// Advances to the next event, at most by `reach` in τ. A reach of 0 does nothing.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN, which changes nothing.
+    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The run then stays unchanged.
     fn advance(&mut self, reach: Self::Scalar) -> Result<Segment<Self::Scalar>, OutOfDomain>;
-    /// How many cycles of the excitation are over.
+    /// Returns the number of completed cycles of the excitation.
     fn cycles(&self) -> u64;
-    /// τ within the excitation's cycle, [0, 2π).
+    /// Returns τ within the excitation's cycle, in [0, 2π).
     fn phase(&self) -> Self::Scalar;
-    /// What the contact does from now on.
+    /// Returns the state of the contact from now on.
     fn contact(&self) -> Contact;
-    /// z̄ and dz̄/dτ, the relative motion in the contact.
+    /// Returns z̄ and dz̄/dτ, the relative displacement and velocity in the contact.
     fn relative(&self) -> (Self::Scalar, Self::Scalar);
-    /// The friction force in the contact over P.
+    /// Returns the friction force in the contact over P.
     fn friction(&self) -> Self::Scalar;
-    /// A mass now, by its place in the description; at rest if there is no such mass.
+    /// Returns the present motion of a mass, by its index in the description. A mass that does not exist is at rest.
     fn moment(&self, mass: usize) -> Moment<Self::Scalar>;
 }
 
-/// Emitted runs and those of a `System` hold the kernel's.
+/// Emitted runs and those of a `System` deref to the kernel's simulation.
 impl<'a, S, P, L, R> Run for R
 where
     S: Float,

@@ -7,34 +7,34 @@ use frictiongen_kernel::oscillator::decay::Decay;
 use frictiongen_kernel::response::motion::{Largest, Motion};
 use frictiongen_kernel::table::{SteadyContact, TabledMotion};
 
-/// Which motion is meant.
+/// The motion that a question is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Of {
     /// The relative motion in the contact.
     Contact,
-    /// A mass, by its place in the description.
+    /// The displacement of a mass, by its index in the description.
     Mass(usize),
 }
 
 /// The steady motion of the contact or of a mass.
 pub trait Steady {
-    /// The scene's scalar.
+    /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Amplitude and phase by one search, and what that took.
+    /// Returns amplitude and phase by one search, with the work of that search.
     fn largest(&self) -> Largest<Self::Scalar>;
-    /// The exact maximum of |x̄|.
+    /// Returns the exact maximum of |x̄|.
     fn amplitude(&self) -> Self::Scalar;
-    /// The estimate 5.50, 7.33.
+    /// Returns the monoharmonic estimate of the amplitude (5.50, 7.33).
     fn amplitude_monoharmonic(&self) -> Self::Scalar;
-    /// Lag of its maximum behind the excitation's, rad, in (−π, π].
+    /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, rad, in (−π, π].
     fn phase(&self) -> Self::Scalar;
-    /// x̄ at τ, from a maximum of the contact's relative motion.
+    /// Returns x̄ at τ, where τ = 0 is a maximum of the contact's relative motion.
     fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// dx̄/dτ at τ, from a maximum of the contact's relative motion.
+    /// Returns dx̄/dτ at τ, where τ = 0 is a maximum of the contact's relative motion.
     fn velocity(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// X_n with x̄ = Re Σ X_n e^{inτ_e}, τ_e from a maximum of the excitation.
+    /// Returns X_n of x̄ = Re Σ X_n e^{inτ_e}, where τ_e = 0 is a maximum of the excitation.
     fn harmonic(&self, n: u32) -> Complex<Self::Scalar>;
 }
 

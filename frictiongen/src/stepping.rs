@@ -1,10 +1,10 @@
-//! Steppers, of emitted solvers and of the run-time `System` alike.
+//! Traits for steppers, of emitted solvers and of the run-time `System` alike.
 
 use crate::OutOfDomain;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::stepper::{ContactNow, MassNow, Stepped, Work};
 
-/// A scene that also moves by steps of one length, under any input.
+/// A scene that also moves in steps of one length, under any input.
 ///
 /// ```
 /// use frictiongen::{OutOfDomain, StepLoad, Stepping, Steps, friction_system};
@@ -42,14 +42,14 @@ use frictiongen_kernel::stepper::{ContactNow, MassNow, Stepped, Work};
     label = "add `stepper` to the scene's `provide: [...]`"
 )]
 pub trait Steps {
-    /// The scene's scalar.
+    /// The scalar type of the scene.
     type Scalar: Float;
-    /// A stepper.
+    /// The type of the stepper.
     type Stepper<'a>: Stepping<Scalar = Self::Scalar>
     where
         Self: 'a;
 
-    /// The motion by steps of dt, in s, from rest under no load.
+    /// Returns a stepper with steps of dt, in s, that starts from rest under no load.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
@@ -57,19 +57,20 @@ pub trait Steps {
     fn stepper(&self, dt: Self::Scalar) -> Result<Self::Stepper<'_>, OutOfDomain>;
 }
 
-/// What acts on any scene at an instant, in the scene's units.
+/// The input of any scene at one instant, in the scene's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepLoad<'l, S> {
-    /// Displacement and velocity of the base; zeros where the base is at rest.
+    /// Displacement and velocity of the base; zeros if the base is at rest.
     pub base: [S; 2],
-    /// Forces on masses, by their places in the description.  Those on the same mass add up; there is none on others.
+    /// Forces on masses, by their indices in the description. Forces on the same mass add up. The other masses carry no
+    /// force.
     pub forces: &'l [(usize, S)],
-    /// The kinetic friction force F at rest, not negative.
+    /// Kinetic friction force F at rest, not negative.
     pub friction: S,
 }
 
 impl<S: Float> StepLoad<'_, S> {
-    /// Friction alone.
+    /// Returns an input with this friction force and no load.
     #[must_use]
     pub fn friction(friction: S) -> Self {
         Self {
@@ -79,10 +80,10 @@ impl<S: Float> StepLoad<'_, S> {
         }
     }
 
-    /// The forces on these masses.
+    /// Writes the forces on these masses.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a force on another mass, and for a motion of a base at rest.
+    /// [`OutOfDomain`] for a force on another mass, and for motion of a base that is at rest in the scene.
     #[doc(hidden)]
     pub fn spread(&self, masses: &[usize], on_base: bool, to: &mut [S]) -> Result<(), OutOfDomain> {
         if !on_base && !self.base.iter().all(|value| value.is_zero()) {
@@ -99,46 +100,47 @@ impl<S: Float> StepLoad<'_, S> {
     }
 }
 
-/// A motion by steps of one length.
+/// A motion in steps of one length.
 pub trait Stepping {
-    /// The scene's scalar.
+    /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Says what acts before the first step; nothing unless said so.
+    /// Sets the input at the start of the first step. Without this call nothing acts there.
     ///
     /// # Errors
-    /// [`OutOfDomain`] as of [`step`](Self::step), and after the first step.
+    /// Same errors as [`step`](Self::step). Also [`OutOfDomain`] after the first step.
     fn begin_with(&mut self, load: &StepLoad<'_, Self::Scalar>) -> Result<(), OutOfDomain>;
-    /// Takes a step: in a straight line to this load, or under it where the scene says `input: hold`.
+    /// Takes a step to `load`. With `input: linear` forces go there in a straight line and the base along a cubic. With
+    /// `input: hold` the load acts over the whole step.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for what is NaN or infinite, for friction below zero, for a force on a mass that the scene does
-    /// not let be loaded and for a motion of a base at rest: the stepper is then what it was.
+    /// [`OutOfDomain`] for values that are NaN or infinite, for friction below zero, for a force on a mass that the
+    /// scene does not allow to be loaded, and for motion of a base at rest. The stepper then stays unchanged.
     fn step(
         &mut self,
         load: &StepLoad<'_, Self::Scalar>,
     ) -> Result<Stepped<Self::Scalar>, OutOfDomain>;
-    /// A mass now, by its place in the description; at rest if there is no such mass.
+    /// Returns the present motion of a mass, by its index in the description. A mass that does not exist is at rest.
     fn mass(&self, index: usize) -> MassNow<Self::Scalar>;
-    /// The contact now.
+    /// Returns the present state of the contact.
     fn contact(&self) -> ContactNow<Self::Scalar>;
-    /// The work done since the start.
+    /// Returns the work done since the start.
     fn work(&self) -> Work<Self::Scalar>;
-    /// How many steps were taken.
+    /// Returns the number of steps taken.
     fn steps(&self) -> u64;
-    /// In how many steps more events happened than are followed.
+    /// Returns the number of steps in which more events occurred than the stepper follows.
     fn exceeded(&self) -> u64;
-    /// The length of a step, in s.
+    /// Returns the length of a step, in s.
     fn dt(&self) -> Self::Scalar;
-    /// Another μ, from now on.
+    /// Sets μ from now on.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN, infinity, and less than 1.
+    /// [`OutOfDomain`] for NaN, infinity, and values below 1.
     fn set_stiction(&mut self, mu: Self::Scalar) -> Result<(), OutOfDomain>;
 }
 
-/// [`Steps`] of an emitted scene and [`Stepping`] of its stepper: the masses that may be loaded are all that the kernel
-/// does not know.
+/// Implements [`Steps`] for an emitted scene and [`Stepping`] for its stepper. The macro passes only the masses that
+/// may be loaded, because the kernel knows everything else.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! emitted_stepper {

@@ -1,5 +1,5 @@
-//! Sweeps over r and β, for emitted and run-time systems alike: serial, without allocation, into
-//! slices of the caller's.
+//! Sweeps over r and β, for emitted and run-time systems alike. They are serial, do not allocate, and write into the
+//! caller's slices.
 //!
 //! ```
 //! use frictiongen::sweep::{self, LimitsPoint};
@@ -39,25 +39,25 @@ use frictiongen_kernel::contact::regime;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LimitsPoint<S> {
-    /// r.
+    /// Frequency ratio r.
     pub r: S,
-    /// β_lim, exact.
+    /// The limit β_lim, exact.
     pub continuous: S,
-    /// β*_lim.
+    /// The limit β*_lim.
     pub sliding: S,
 }
 
-/// Why a sweep ends early.
+/// The reason why a sweep ends early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// A value of r or β; what came before it is filled in.
+    /// A value of r or β is out of the domain. The results before it are filled in.
     OutOfDomain(OutOfDomain),
-    /// The slice for the results does not hold one for each point.
+    /// The slice for the results does not have one entry for each point.
     Length {
-        /// How many points there are.
+        /// Number of points.
         points: usize,
-        /// How many results the slice holds.
+        /// Number of results that the slice can take.
         room: usize,
     },
 }
@@ -92,10 +92,10 @@ fn check_length(points: usize, room: usize) -> Result<(), SweepError> {
     }
 }
 
-/// Both limits over frequency ratios.
+/// Writes both limits over frequency ratios into a slice.
 ///
 /// # Errors
-/// [`SweepError`]: r out of the domain, or slices of different lengths.
+/// [`SweepError`] if an r is out of the domain, or if the slices have different lengths.
 pub fn limits<F: FrictionSystem>(
     system: &F,
     ratios: &[F::Scalar],
@@ -113,11 +113,11 @@ pub fn limits<F: FrictionSystem>(
     Ok(())
 }
 
-/// The regimes over frequency and friction ratios, all β of the first r first.  The limits are
+/// Writes the regimes over frequency and friction ratios into a slice: first all β of the first r. The limits are
 /// computed once for each r.
 ///
 /// # Errors
-/// [`SweepError`]: r or β out of the domain, or not one result for each pair.
+/// [`SweepError`] if an r or β is out of the domain, or if the slice does not have one entry for each pair.
 pub fn regimes<F: FrictionSystem>(
     system: &F,
     ratios: &[F::Scalar],
@@ -134,11 +134,11 @@ pub fn regimes<F: FrictionSystem>(
     Ok(())
 }
 
-/// Exact amplitudes over frequency and friction ratios, all β of the first r first; `None` outside
-/// the continuous regime, on an unbounded resonance, and for a motion that is not provided.
+/// Writes exact amplitudes over frequency and friction ratios into a slice: first all β of the first r. The entry is
+/// `None` outside the continuous regime, on an unbounded resonance, and for a motion that is not provided.
 ///
 /// # Errors
-/// [`SweepError`]: r or β out of the domain, or not one result for each pair.
+/// [`SweepError`] if an r or β is out of the domain, or if the slice does not have one entry for each pair.
 pub fn amplitudes<F>(
     system: &F,
     of: Of,

@@ -1,5 +1,4 @@
-//! What emitted solvers and the run-time `System` have in common, so that a sweep, a map or a fit
-//! is written once.
+//! Traits that emitted solvers and the run-time `System` have in common. A sweep, a map or a fit is then written once.
 
 pub use crate::steady::{Of, Steady};
 use crate::targets::{HeldStill, InParts, Limited, Moved};
@@ -34,28 +33,28 @@ use frictiongen_kernel::contact::regime::{Limits, limits_into};
 /// assert!(narrowest(&Block, &[0.8, 1.0, 2.0]) > 0.5);
 /// ```
 pub trait FrictionSystem {
-    /// The scene's scalar.
+    /// The scalar type of the scene.
     type Scalar: Float;
-    /// The scene at one frequency ratio.
+    /// The type of the scene at one frequency ratio.
     type At<'a>: LimitsAt<Scalar = Self::Scalar>
     where
         Self: 'a;
 
-    /// The frequency ratios of the undamped resonances, ascending.
+    /// Returns the frequency ratios of the undamped resonances, ascending.
     fn resonances(&self) -> &[Self::Scalar];
-    /// How many masses there are.
+    /// Returns the number of masses.
     fn masses(&self) -> usize;
-    /// The name of a mass, by its place in the description.
+    /// Returns the name of a mass, by its index in the description.
     fn mass_name(&self, index: usize) -> Option<&str>;
-    /// The scene at the frequency ratio r = ω√(m₁/k₁).
+    /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁).
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    /// [`OutOfDomain`] for NaN and negative r. At 0 and ∞ the answers are the limits.
     fn at(&self, r: Self::Scalar) -> Result<Self::At<'_>, OutOfDomain>;
-    /// Both limits without search, where nothing else is asked of r.
+    /// Returns both limits without search. This is the fastest call if nothing else is needed at r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r; 0 and ∞ answer with the limits.
+    /// [`OutOfDomain`] for NaN and negative r. At 0 and ∞ the answers are the limits.
     fn limits_without_search(&self, r: Self::Scalar) -> Result<Limits<Self::Scalar>, OutOfDomain> {
         let at = self.at(r)?;
         Ok(Limits {
@@ -63,9 +62,11 @@ pub trait FrictionSystem {
             sliding: at.sliding_limit(),
         })
     }
-    /// [Both limits without search](Self::limits_without_search) over a slice of frequency ratios, into slices of the
-    /// same length: the same bits, in less time where all modes are undamped or all lightly damped, as several
-    /// frequencies then go side by side.
+    /// Writes [both limits without search](Self::limits_without_search) over a slice of frequency ratios into slices of
+    /// the same length.
+    ///
+    /// The results are bit for bit those of the single calls. They take less time where all modes are undamped or all
+    /// lightly damped, because several frequencies are then computed side by side.
     ///
     /// ```
     /// use frictiongen::{FrictionSystem, friction_system};
@@ -87,8 +88,8 @@ pub trait FrictionSystem {
     /// ```
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a slice of another length, which leaves both as they are, and at the first NaN or negative
-    /// r; what came before it is filled in.
+    /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged. Also at the first NaN or
+    /// negative r; the results before it are filled in.
     fn limits_without_search_into(
         &self,
         rs: &[Self::Scalar],
@@ -99,7 +100,8 @@ pub trait FrictionSystem {
     }
 }
 
-/// [`FrictionSystem`] of an emitted scene: the names of its masses are all that the kernel does not know.
+/// Implements [`FrictionSystem`] for an emitted scene. The macro passes only the names of the masses, because the
+/// kernel knows everything else.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! emitted_system {
@@ -145,37 +147,37 @@ macro_rules! emitted_system {
 
 /// The boundaries of the regimes at one frequency ratio.
 pub trait LimitsAt {
-    /// The scene's scalar.
+    /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// β_lim, the exact boundary of continuous motion (5.65, 5.80, 5.96, 7.49).
+    /// Returns β_lim, the exact boundary of continuous motion (5.65, 5.80, 5.96, 7.49).
     fn continuous_limit(&self) -> Self::Scalar;
-    /// β_lim with S replaced by its limit for τ → 0 (5.64).
+    /// Returns β_lim with S replaced by its limit for τ → 0 (5.64).
     fn continuous_limit_without_search(&self) -> Self::Scalar;
-    /// β_lim with S as the sum of each mode's own maximum (5.55, 7.37), as the thesis prints it.
+    /// Returns β_lim with S as the sum of each mode's own maximum (5.55, 7.37), as the thesis prints it.
     fn continuous_limit_per_mode(&self) -> Self::Scalar;
-    /// β*_lim, from which on a stuck state exists (6.11, 6.27, 6.33).
+    /// Returns β*_lim, from which on a stuck state exists (6.11, 6.27, 6.33).
     fn sliding_limit(&self) -> Self::Scalar;
-    /// Both limits, by one search: what is asked of them needs no other.
+    /// Returns both limits by one search. Queries of the returned [`Limits`] need no further search.
     fn limits(&self) -> Limits<Self::Scalar> {
         Limits {
             continuous: self.continuous_limit(),
             sliding: self.sliding_limit(),
         }
     }
-    /// The regime at β = F/P.
+    /// Returns the regime at β = F/P.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     fn regime(&self, beta: Self::Scalar) -> Result<Regime, OutOfDomain>;
-    /// β/min(β_lim, β*_lim) − 1: negative below both limits, where the closed form exists.
+    /// Returns β/min(β_lim, β*_lim) − 1. It is negative below both limits, where the closed form exists.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     fn margin(&self, beta: Self::Scalar) -> Result<Self::Scalar, OutOfDomain>;
 }
 
-/// Emitted scenes at one frequency ratio and those of a `System` hold the kernel's.
+/// Emitted scenes at one frequency ratio and those of a `System` deref to the kernel's types.
 impl<A: Deref<Target: Limited>> LimitsAt for A {
     type Scalar = <A::Target as Limited>::Scalar;
 
@@ -202,19 +204,19 @@ impl<A: Deref<Target: Limited>> LimitsAt for A {
     }
 }
 
-/// A scene at one frequency ratio that also gives motions.
+/// A scene at one frequency ratio that also gives continuous motions.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no motion",
     label = "add `motion` to the scene's `provide: [...]`"
 )]
 pub trait MotionAt: LimitsAt {
-    /// The motion at one friction ratio.
+    /// The type of the motion at one friction ratio.
     type Motion: ContinuousMotion<Scalar = Self::Scalar>;
 
-    /// The exact continuous motion at β = F/P.
+    /// Returns the exact continuous motion at β = F/P.
     ///
     /// # Errors
-    /// [`NotContinuous`] says which regime it is instead.
+    /// [`NotContinuous`], which contains the regime at this β.
     fn motion(&self, beta: Self::Scalar) -> Result<Self::Motion, NotContinuous>;
 }
 
@@ -235,8 +237,8 @@ where
     label = "add `stuck` to the scene's `provide: [...]`"
 )]
 pub trait StuckAt: LimitsAt {
-    /// x̄* = V_k − H_kV/H, the complex amplitude of a mass, by its place in the description; none
-    /// if there is no such mass.
+    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of a mass, by its index in the description. Returns `None` if
+    /// there is no such mass.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
@@ -251,11 +253,11 @@ impl<A: Deref<Target: HeldStill>> StuckAt for A {
 
 /// The exact continuous motion at one frequency ratio and one friction ratio.
 pub trait ContinuousMotion {
-    /// The scene's scalar.
+    /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Puts a question to the contact's or a mass's motion; `None` if the scene does not provide
-    /// that one.
+    /// Calls `question` with the motion of the contact or of a mass and returns its answer. Returns `None` if the scene
+    /// does not provide that motion.
     fn ask<T>(
         &self,
         of: Of,
@@ -263,7 +265,7 @@ pub trait ContinuousMotion {
     ) -> Option<T>;
 }
 
-/// Emitted motions and those of a `System` hold the kernel's.
+/// Emitted motions and those of a `System` deref to the kernel's types.
 impl<M: Deref<Target: InParts>> ContinuousMotion for M {
     type Scalar = <M::Target as InParts>::Scalar;
 

@@ -1,5 +1,6 @@
-//! What the types of emitted scenes and of a `System` hold, by which one implementation serves all of them: a scene
-//! at one r by the exact formulas or by tables, and its motion.
+//! Internal traits of the kernel's types: a scene at one r, by the exact formulas or by tables, and its motion. The
+//! types of emitted scenes and of a `System` deref to one of them, so that one implementation of each public trait
+//! serves all.
 
 use crate::steady::{Of, Steady};
 use crate::{Complex, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
@@ -10,7 +11,7 @@ use frictiongen_kernel::orbit::ProvidesOrbit;
 use frictiongen_kernel::response::{At, Continuous, ProvidesMotion, ProvidesStuck, Scene, Stuck};
 use frictiongen_kernel::table::{Compiled, Moving, Sticking, Tabled, TabledMotion, TabledStuck};
 
-/// A scene at one frequency ratio.
+/// A kernel scene at one frequency ratio.
 pub trait Limited {
     type Scalar: Float;
 
@@ -56,7 +57,7 @@ macro_rules! limited {
 limited!(At of Scene);
 limited!(Compiled of Tabled);
 
-/// One that gives motions.
+/// A kernel scene at one frequency ratio that gives continuous motions.
 pub trait Moved: Limited {
     type Motion;
 
@@ -79,7 +80,7 @@ impl<T: TabledMotion> Moved for Compiled<T> {
     }
 }
 
-/// A motion of which parts can be asked for.
+/// A kernel motion that gives the motions of the contact and of single masses.
 pub trait InParts {
     type Scalar: Float;
 
@@ -112,7 +113,7 @@ macro_rules! in_parts {
 in_parts!(Continuous of ProvidesMotion);
 in_parts!(Moving of TabledMotion);
 
-/// One that gives the response with the contact stuck.
+/// A kernel scene at one frequency ratio that gives the response with the contact stuck.
 pub trait HeldStill: Limited {
     fn stuck_mass(&self, index: usize) -> Result<Option<Complex<Self::Scalar>>, StuckResonance>;
 }
@@ -135,7 +136,7 @@ where
     }
 }
 
-/// One that gives steady states.
+/// A kernel scene at one frequency ratio that gives steady states.
 pub trait Settles: Limited {
     type Orbit;
 

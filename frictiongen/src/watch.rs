@@ -1,13 +1,13 @@
-//! One frequency followed sample by sample, in fixed room: a device that watches its own friction.
+//! Follows one frequency sample by sample in fixed memory, so that a device can watch its own friction.
 //!
-//! A [`Watch`] is a sliding Goertzel filter: the Fourier sum of its last N samples at a frequency with whole cycles in N.  Two
-//! of them, of the base and of a mass, give the transmissibility, and [`friction_ratio`] what friction made of it.  Nothing
-//! allocates, nothing panics, and rounding does not add up.
+//! A [`Watch`] is a sliding Goertzel filter: the Fourier sum of its last N samples at a frequency with whole cycles in
+//! N. Two filters, one for the base and one for a mass, give the transmissibility. [`friction_ratio`] computes from it
+//! the friction ratio. Nothing allocates, nothing panics, and rounding errors do not accumulate.
 
 use crate::Complex;
 use frictiongen_kernel::Float;
 
-/// The last N samples of a signal at one frequency.
+/// A sliding Fourier sum over the last N samples of a signal, at one frequency.
 ///
 /// ```
 /// use frictiongen::watch::Watch;
@@ -25,21 +25,22 @@ use frictiongen_kernel::Float;
 #[derive(Clone, Debug)]
 pub struct Watch<S, const N: usize> {
     samples: [S; N],
-    /// Where the next sample goes.
+    /// Index at which the next sample is written.
     place: usize,
     full: bool,
-    /// Σ x e^{−iωt} of all N samples.
+    /// Fourier sum Σ x e^{−iωt} of all N samples.
     sum: Complex<S>,
-    /// The same of those since `place` was 0: it takes the sum's place every N samples, with roundings of its own alone.
+    /// Fourier sum of the samples since `place` was 0. It replaces `sum` every N samples, so that older rounding errors
+    /// disappear.
     fresh: Complex<S>,
-    /// e^{−iωt} of the next sample, and of a step.
+    /// The factor e^{−iωt} of the next sample, and the factor of one step in time.
     turn: Complex<S>,
     step: Complex<S>,
 }
 
 impl<S: Float, const N: usize> Watch<S, N> {
-    /// Of a frequency with so many whole cycles in N samples: the rate is N/cycles times the frequency.  None for no cycle and
-    /// for fewer than two samples in one.
+    /// Creates a filter for the frequency with `cycles` whole cycles in N samples. The sampling rate is N/cycles times
+    /// that frequency. Returns `None` for zero cycles, and if N is below 2·cycles + 1.
     #[must_use]
     pub fn new(cycles: u16) -> Option<Self> {
         let zero = S::constant(0.0);
@@ -61,12 +62,12 @@ impl<S: Float, const N: usize> Watch<S, N> {
         })
     }
 
-    /// Takes a sample; the oldest one goes.
+    /// Adds a sample and drops the oldest one.
     pub fn push(&mut self, sample: S) {
         let Some(slot) = self.samples.get_mut(self.place) else {
             return;
         };
-        // With whole cycles the sample N before turned as this one does.
+        // With whole cycles in N, the sample N steps ago has the same factor e^{−iωt} as the new one.
         let change = sample - *slot;
         *slot = sample;
         let turn = self.turn;
@@ -93,7 +94,8 @@ impl<S: Float, const N: usize> Watch<S, N> {
         }
     }
 
-    /// X of x = Re X e^{iωt} over the last N samples, with t = 0 at the first sample of all; none before there are N.
+    /// Returns X of x = Re X e^{iωt} over the last N samples, with t = 0 at the first sample ever added. Returns `None`
+    /// before there are N samples.
     #[must_use]
     pub fn fundamental(&self) -> Option<Complex<S>> {
         #[allow(clippy::cast_precision_loss, reason = "a count of samples")]
@@ -103,7 +105,7 @@ impl<S: Float, const N: usize> Watch<S, N> {
     }
 }
 
-/// X/Y; none where Y is 0.
+/// Returns the transmissibility X/Y. Returns `None` where Y is 0.
 #[must_use]
 pub fn transmissibility<S: Float>(mass: Complex<S>, base: Complex<S>) -> Option<Complex<S>> {
     let size = base.re * base.re + base.im * base.im;
@@ -114,12 +116,13 @@ pub fn transmissibility<S: Float>(mass: Complex<S>, base: Complex<S>) -> Option<
     (quotient.re.is_finite() && quotient.im.is_finite()).then_some(quotient)
 }
 
-/// β from the fundamental of a mass over that of the base, where the contact slides all the time.
+/// Returns β from the fundamental of a mass over that of the base, where the contact slides all the time.
 ///
-/// There the fundamental is X = V − (4iβ/π)e^{−iφ}H and |X − V| = 4β|H|/π (thesis 4.5, 6.4.2): friction moves it along a line
-/// whose unit a scene tells at any other β.  `still` is what the scene does without friction, `known` what it does at
-/// `beta`.  Beyond β_lim the contact stops and the answer is too small; `continuous_limit` says where that is.  None where
-/// friction does not move the fundamental at all.
+/// There the fundamental is X = V − (4iβ/π)e^{−iφ}H, so that |X − V| = 4β|H|/π (thesis 4.5, 6.4.2). Friction shifts the
+/// fundamental by a distance proportional to β, and the scene's response at one other β gives the scale. `still` is the
+/// scene's fundamental without friction, `known` its fundamental at `beta`. Beyond β_lim the contact stops and the
+/// result is too small; `continuous_limit` returns that limit. Returns `None` where friction does not shift the
+/// fundamental.
 ///
 /// ```
 /// use frictiongen::watch::friction_ratio;

@@ -1,11 +1,11 @@
-//! What is handed to Python: arrays by name, in the order of the command's columns.
+//! Answers for Python: arrays by name, in the order of the command's columns.
 
 use numpy::{Complex64, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::borrow::Cow;
 
-/// Words of a column, each kept once.
+/// Words of a column. Each distinct word is stored once.
 #[derive(Default)]
 pub struct Words {
     known: Vec<Cow<'static, str>>,
@@ -13,7 +13,7 @@ pub struct Words {
 }
 
 impl Words {
-    /// Adds one.
+    /// Adds a word.
     pub fn push(&mut self, word: impl Into<Cow<'static, str>>) {
         let word = word.into();
         let place = self.known.iter().position(|known| *known == word);
@@ -33,12 +33,13 @@ impl<W: Into<Cow<'static, str>>> FromIterator<W> for Words {
     }
 }
 
-/// A number of a column: without −0, which the command does not print either; NaN where there is none.
+/// Returns a number of a column. −0 becomes 0, because the command does not print −0 either. A missing number becomes
+/// NaN.
 pub fn cell(value: Option<f64>) -> f64 {
     value.map_or(f64::NAN, |value| value + 0.0)
 }
 
-/// A count of a column, −1 where there is none.
+/// Returns a count of a column, −1 if it is missing.
 pub fn count(value: Option<usize>) -> i64 {
     value
         .and_then(|value| i64::try_from(value).ok())
@@ -52,7 +53,7 @@ pub struct Columns<'py> {
 }
 
 impl<'py> Columns<'py> {
-    /// None yet; those to come have this shape.
+    /// Starts without arrays. The arrays to add have this shape.
     pub fn new(py: Python<'py>, shape: &[usize]) -> Self {
         Self {
             dict: PyDict::new(py),
@@ -60,36 +61,36 @@ impl<'py> Columns<'py> {
         }
     }
 
-    /// From now on in this shape.
+    /// Sets the shape of the arrays added from now on.
     pub fn reshape(&mut self, shape: &[usize]) {
         self.shape = shape.to_vec();
     }
 
-    /// Numbers.
+    /// Adds numbers.
     pub fn numbers(&mut self, name: impl AsRef<str>, values: Vec<f64>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// Whole numbers.
+    /// Adds whole numbers.
     pub fn counts(&mut self, name: impl AsRef<str>, values: Vec<i64>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// A flag: yes or no.
+    /// Adds flags.
     pub fn flags(&mut self, name: impl AsRef<str>, values: Vec<bool>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// Complex numbers.
+    /// Adds complex numbers.
     pub fn complex(&mut self, name: impl AsRef<str>, values: Vec<Complex64>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// Words.
+    /// Adds words.
     pub fn words(&mut self, name: impl AsRef<str>, words: Words) -> PyResult<()> {
         let py = self.dict.py();
         let numpy = py.import("numpy")?;
@@ -101,7 +102,7 @@ impl<'py> Columns<'py> {
         self.put(name.as_ref(), known.get_item(places)?)
     }
 
-    /// Anything else, as it is.
+    /// Adds any other object unchanged.
     pub fn other(&mut self, name: &str, value: impl IntoPyObject<'py>) -> PyResult<()> {
         self.dict.set_item(name, value)
     }
@@ -109,7 +110,7 @@ impl<'py> Columns<'py> {
     fn put(&mut self, name: &str, array: Bound<'py, PyAny>) -> PyResult<()> {
         let py = self.dict.py();
         let array = match self.shape.as_slice() {
-            // A number rather than an array of one.
+            // This gives a number instead of an array with one element.
             [] => array
                 .call_method1("reshape", (PyTuple::empty(py),))?
                 .get_item(PyTuple::empty(py))?,
@@ -119,7 +120,7 @@ impl<'py> Columns<'py> {
         self.dict.set_item(name, array)
     }
 
-    /// All of them.
+    /// Returns all arrays.
     pub fn done(self) -> Bound<'py, PyDict> {
         self.dict
     }

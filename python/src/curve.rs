@@ -1,4 +1,4 @@
-//! Responses along frequency, refined where they bend.
+//! Responses along frequency, with more points where a curve bends.
 
 use crate::asked::{
     Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, MOST_POINTS, Measure,
@@ -14,9 +14,9 @@ use frictiongen::{Error, Of};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// A line: a point of a piece, or the end of a gap.
+/// A line of the answer: a point of a piece, or an end point of a gap.
 struct Line {
-    /// The place of its friction.
+    /// Index of the friction.
     friction: usize,
     start: CurveStart,
     r: f64,
@@ -24,7 +24,7 @@ struct Line {
     found: Result<CurvePoint, Error>,
 }
 
-/// The lines of one curve, with ascending frequency.
+/// Returns the lines of one curve, with ascending frequency.
 fn lines(friction: usize, curve: Curve) -> Vec<Line> {
     let (start, mut lines) = (curve.start, Vec::new());
     for (piece, found) in (1..).zip(curve.pieces) {
@@ -53,7 +53,7 @@ fn lines(friction: usize, curve: Curve) -> Vec<Line> {
     lines
 }
 
-/// Accuracy, the largest step, the highest harmonic, whether velocities are asked for, and the starts.
+/// Accuracy, largest step, highest harmonic, whether velocities are asked for, and the starts.
 type Fineness<'py> = (
     Optional<'py>,
     Optional<'py>,
@@ -62,7 +62,7 @@ type Fineness<'py> = (
     Vec<String>,
 );
 
-/// Where the motions of each curve start.
+/// Reads the starts of the motions of each curve.
 fn starts(names: &[String]) -> PyResult<Vec<CurveStart>> {
     let all = [CurveStart::Rest, CurveStart::Up, CurveStart::Down];
     let start = |name: &String| {
@@ -80,7 +80,7 @@ fn starts(names: &[String]) -> PyResult<Vec<CurveStart>> {
     Ok(starts)
 }
 
-/// The responses along frequency, one curve for each friction.
+/// Computes responses along frequency, one curve for each friction.
 #[pyfunction]
 pub fn curve<'py>(
     py: Python<'py>,
@@ -112,7 +112,7 @@ pub fn curve<'py>(
         rates,
         orders: &request.harmonics,
     };
-    // Before refinement it is not known how many points there will be.
+    // The number of points is not known before the refinement.
     check_size(
         frictions.beta.len().saturating_mul(1000 * starts.len()),
         11 + parts.len() * extent.numbers(),
@@ -123,7 +123,7 @@ pub fn curve<'py>(
             if !stop.goes_on() || MOST_POINTS < found.len() {
                 break;
             }
-            // A sweep goes from point to point; several go side by side.
+            // A sweep goes from point to point, so that several sweeps run in parallel.
             let asked: Vec<_> = starts.iter().map(|start| (*beta, *start)).collect();
             for curve in system.curves(&request, &asked)? {
                 found.extend(lines(place, curve));

@@ -30,10 +30,10 @@ pyo3::create_exception!(
      wrong, and otherwise None."
 );
 
-/// What a measurement says of itself, after the name of the recording if there is one.
+/// Makes the exception of a measurement, with the name of the recording first if it has one.
 pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyErr {
     let text = match error {
-        // What the library says for a command line.
+        // The library's message for these errors names options of the command, so that Python needs its own.
         Untold::NoUnit(channel) => format!(
             "the channel `{channel}` has no unit: give one, as in {{{channel:?}: (samples, \"mm\")}}, or of a column of a \
              file {{{channel:?}: (\"COLUMN\", \"mm\")}}"
@@ -60,22 +60,22 @@ pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyEr
     }
 }
 
-/// What is outside the domain.
+/// Makes the exception for an argument outside its domain.
 pub fn domain(message: impl Display) -> PyErr {
     DomainError::new_err(message.to_string())
 }
 
-/// What is of the wrong type.
+/// Makes the exception for an argument of the wrong type.
 pub fn wrong_type(message: impl Display) -> PyErr {
     PyTypeError::new_err(message.to_string())
 }
 
-/// What a computation should never do.
+/// Makes the exception for a defect of the library.
 pub fn defect(message: impl Display) -> PyErr {
     PyRuntimeError::new_err(message.to_string())
 }
 
-/// A description with mistakes: `(line, column, message)` of each in `errors`.
+/// Makes the exception for a description with mistakes. `errors` has `(line, column, message)` of each.
 pub fn scene(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
     let error = SceneError::new_err(diagnostics.to_string());
     let list: Vec<(usize, usize, &str)> = diagnostics

@@ -1,4 +1,4 @@
-//! Goes along with a load step by step, from rest, from a state, or from where an earlier run ended.
+//! Follows a load step by step, from rest, from a state, or from the end of an earlier run.
 
 use crate::asked::{Part, check_size, numbers};
 use crate::columns::{Columns, Words, cell};
@@ -11,10 +11,10 @@ use frictiongen::{Of, Stepping, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// How many steps are taken between two looks whether to go on.
+/// Number of steps between two checks for an interrupt.
 const PORTION: usize = 4096;
 
-/// Where a run has ended: everything that another goes on from.
+/// The end of a run, with everything from which another run continues.
 #[pyclass(frozen, module = "frictiongen._native", name = "StepState")]
 pub struct NativeStepState {
     saved: SystemStepSaved,
@@ -22,18 +22,18 @@ pub struct NativeStepState {
     system: Py<NativeSystem>,
 }
 
-/// Where a run begins.
+/// The start of a run.
 pub enum Start {
-    /// At rest.
+    /// Rest.
     Rest,
-    /// With displacements and velocities of all masses.
+    /// Displacements and velocities of all masses.
     Moving(Vec<f64>, Vec<f64>),
-    /// Where another ended.
+    /// The end of another run.
     After(Py<NativeStepState>),
 }
 
 impl Start {
-    /// As given: nothing, a state, or two rows of numbers.
+    /// Reads the start: none, a state, or two rows of numbers.
     pub fn of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
         let Some(given) = given else {
             return Ok(Self::Rest);
@@ -52,24 +52,24 @@ impl Start {
     }
 }
 
-/// What is asked.
+/// Options of a run.
 pub struct Course {
-    /// From one sample to the next, s.
+    /// Time between two samples, s.
     pub dt: f64,
-    /// How many there are.
+    /// Number of samples.
     pub samples: usize,
-    /// Whose motion is kept.
+    /// Parts whose motion is returned.
     pub parts: Vec<Part>,
-    /// Where it begins.
+    /// Start of the run.
     pub start: Start,
-    /// μ from the start on, if it is another.
+    /// Ratio μ from the start on, if it differs from the description's.
     pub stiction: Option<f64>,
 }
 
-/// What has come of the steps.
+/// Result of the steps.
 #[derive(Default)]
 struct Followed {
-    /// Displacements and velocities, one motion after the other.
+    /// Displacements and velocities, one pair for each part.
     motions: Vec<[Vec<f64>; 2]>,
     force: Vec<f64>,
     state: Vec<Contact>,
@@ -101,7 +101,8 @@ impl Followed {
     }
 }
 
-/// A stepper where the course begins, and whether its first sample is a step's end rather than the start.
+/// Returns a stepper at the start of the run. The flag tells whether the first sample is the end of a step instead of
+/// the start.
 fn ready<'s>(
     py: Python<'_>,
     system: &'s Bound<'_, NativeSystem>,
@@ -150,7 +151,7 @@ fn ready<'s>(
     Ok((stepper, goes_on))
 }
 
-/// The motion at every sample, the work, and where it ends.
+/// Returns the motion at every sample, the work, and the end of the run.
 pub fn follow<'py, 'r>(
     system: &Bound<'py, NativeSystem>,
     course: Course,

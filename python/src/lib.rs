@@ -1,8 +1,8 @@
-//! `frictiongen._native`: what Python calls, one file for each group of answers.
+//! `frictiongen._native`: the functions that Python calls, one file for each group of answers.
 //!
-//! Nothing is computed here.  Arguments become numbers and groups (`asked`), `frictiongen::System` answers without
-//! Python's lock (`work`), and the answers become arrays by name (`columns`, `motion`), with the words of the command
-//! (`words`).  The classes around them are Python's own, in `frictiongen/`.
+//! This crate computes nothing itself. Arguments become numbers and groups (`asked`). `frictiongen::System` answers
+//! without Python's lock (`work`). The answers become arrays by name (`columns`, `motion`), with the words of the
+//! command (`words`). The classes around them are written in Python, in `frictiongen/`.
 #![forbid(unsafe_code)]
 
 mod asked;
@@ -24,7 +24,7 @@ mod step;
 mod system;
 mod work;
 
-/// The compiled part of the package.
+/// The compiled module of the package.
 #[pyo3::pymodule]
 mod _native {
     #[pymodule_export]

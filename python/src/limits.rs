@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
-/// As the command names them.
+/// Names of the limits, the same as those of the command.
 const NAMES: [&str; 4] = [
     "continuous_limit",
     "continuous_limit_without_search",
@@ -18,22 +18,22 @@ const NAMES: [&str; 4] = [
     "sliding_limit",
 ];
 
-/// How many limits are computed between two looks whether to go on.
+/// Number of limits that are computed between two checks for an interrupt.
 const PORTION: usize = 4096;
 
-/// Which limits are asked for.
+/// The limits that are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
-    /// β_lim and β*_lim, exact.
+    /// The limits β_lim and β*_lim, exact.
     Exact,
-    /// The estimates of β_lim too.
+    /// Also the estimates of β_lim.
     All,
-    /// β*_lim, and β_lim as if its maximum were at the start.
+    /// The limit β*_lim, and β_lim with S at its start value τ → 0.
     WithoutSearch,
 }
 
 impl Kind {
-    /// The places of its columns.
+    /// Returns the indices of its columns.
     fn places(self) -> &'static [usize] {
         match self {
             Self::Exact => &[0, 3],
@@ -42,7 +42,7 @@ impl Kind {
         }
     }
 
-    /// Limits by their places, NaN where they are not asked for.
+    /// Returns the limits by their indices, NaN for those that are not asked for.
     fn at(self, system: &System, r: f64) -> Result<[f64; 4], OutOfDomain> {
         let none = f64::NAN;
         Ok(match self {
@@ -84,7 +84,7 @@ fn all(
     Ok(portions.into_iter().flatten().collect())
 }
 
-/// Both limits over frequency: exact, with their estimates, or without search.
+/// Computes both limits over frequency: exact, with their estimates, or without search.
 #[pyfunction]
 pub fn limits<'py>(
     py: Python<'py>,

@@ -14,7 +14,7 @@ use frictiongen::study::{MapPoint, MapRequest, words};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// What the contact does over frequency and friction.
+/// Computes the regime of the contact over frequency and friction.
 #[pyfunction]
 pub fn map<'py>(
     py: Python<'py>,
@@ -74,7 +74,7 @@ pub fn map<'py>(
             .map(|point| words::region(pattern(point)))
             .collect::<Words>(),
     )?;
-    // Of a motion that does not repeat nothing is counted.
+    // A motion that does not repeat has no counts.
     let counted = || found().map(|point| pattern(point).ok().filter(|pattern| 0 < pattern.period));
     columns.counts(
         "period",

@@ -1,4 +1,4 @@
-//! The columns of motions: amplitude, phase and what else was asked, of the contact and of masses.
+//! Columns of motions: amplitude, phase and further quantities of the contact and of masses.
 
 use crate::asked::{Measure, Part};
 use crate::columns::{Columns, cell};
@@ -7,25 +7,25 @@ use frictiongen::study::units::{fundamental_phase, polar, reversed_phase};
 use frictiongen::study::{Swing, SystemOrbitMotion, SystemResponse};
 use pyo3::prelude::*;
 
-/// One motion at one point, in groups; nothing where there is none.
+/// One motion at one point, in groups. Missing quantities are `None`.
 #[derive(Clone, Debug, Default)]
 pub struct Movement {
-    /// Amplitude and phase.
+    /// Amplitude and phase of the largest displacement.
     pub swing: Option<Swing>,
-    /// The amplitude about the motion's own middle.
+    /// Half the distance between the smallest and the largest displacement.
     pub centred: Option<f64>,
-    /// The lag of the fundamental component.
+    /// Lag of the fundamental component.
     pub fundamental_phase: Option<f64>,
-    /// The amplitude of the fundamental component alone, where it is estimated.
+    /// Monoharmonic estimate of the amplitude, if it is computed.
     pub monoharmonic: Option<f64>,
-    /// The largest velocity and acceleration.
+    /// Largest velocity and acceleration.
     pub rates: Option<(f64, f64)>,
     /// The harmonics asked for.
     pub harmonics: Vec<Complex<f64>>,
 }
 
 impl Movement {
-    /// Of a response in any regime; with the opposite sign where the measure asks for it.
+    /// Takes the motion of a response in any regime, with the opposite sign if `measure` asks for it.
     pub fn of(
         response: &SystemResponse<'_>,
         part: &Part,
@@ -49,7 +49,7 @@ impl Movement {
         movement
     }
 
-    /// Of a steady state.
+    /// Takes the motion of a steady state.
     pub fn of_orbit(motion: &SystemOrbitMotion<'_, '_>, orders: &[u32]) -> Self {
         let (amplitude, phase) = motion.largest();
         let centred = motion.centred_amplitude();
@@ -65,7 +65,7 @@ impl Movement {
         }
     }
 
-    /// The same with the opposite sign, where it has this phase.
+    /// Reverses the sign of the motion, which then has this phase.
     pub fn turn(&mut self, phase: Option<f64>) {
         if let Some(swing) = &mut self.swing {
             swing.phase = phase;
@@ -76,7 +76,7 @@ impl Movement {
         }
     }
 
-    /// What is left where nothing has time to move: the formulas are evaluated at a finite r.
+    /// Sets displacements that vanish at r = ∞ to zero. The formulas are evaluated at a large, finite r.
     pub fn settle(&mut self) {
         let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
         if let Some(swing) = &mut self.swing {
@@ -91,25 +91,25 @@ impl Movement {
     }
 }
 
-/// Which columns a motion has beside amplitude and phase.
+/// Columns of a motion besides amplitude and phase.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent<'a> {
-    /// The monoharmonic amplitude.
+    /// Whether it has the monoharmonic amplitude.
     pub monoharmonic: bool,
-    /// Velocity and acceleration.
+    /// Whether it has velocity and acceleration.
     pub rates: bool,
-    /// These harmonics.
+    /// Orders of the harmonics.
     pub orders: &'a [u32],
 }
 
 impl Extent<'_> {
-    /// How many numbers that is.
+    /// Returns the number of columns.
     pub fn numbers(&self) -> usize {
         4 + usize::from(self.monoharmonic) + 2 * usize::from(self.rates) + 2 * self.orders.len()
     }
 }
 
-/// Puts the columns of one motion over all points; ω of each point scales velocities.
+/// Adds the columns of one motion over all points. The second value of each movement is ω, which scales velocities.
 pub fn put(
     columns: &mut Columns<'_>,
     (name, measure): (&str, &Measure),

@@ -9,7 +9,7 @@ use frictiongen::study::{FrequencyBand, OperatingPoint, OptimumRequest, words};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The best friction, the peaks there, how flat it is, and how it moves with each parameter.
+/// Finds the best friction. Returns it with the peaks, the tolerances and the sensitivities.
 #[pyfunction]
 pub fn optimum<'py>(
     py: Python<'py>,
@@ -99,7 +99,7 @@ pub fn optimum<'py>(
 
     let mut sensitivities = Columns::new(py, &[optimum.sensitivities.len()]);
     if let Some(load) = measure.load() {
-        // Names and units do not depend on where it is.
+        // Names and units do not depend on the operating point, so that any point will do.
         let point = OperatingPoint::Physical {
             hertz: 1.0,
             friction: 1.0,

@@ -1,4 +1,4 @@
-//! The steady state at one point, stops included.
+//! The steady state at one point, with its stops.
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
@@ -14,7 +14,7 @@ use frictiongen::{Complex, NoOrbit, Of, OutOfDomain, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// What there is of a steady state.
+/// Data of a steady state.
 struct Steady {
     regime: &'static str,
     state: &'static str,
@@ -41,7 +41,7 @@ struct Question<'a> {
     orders: Vec<u32>,
 }
 
-/// A steady state, or the regime and why there is none.
+/// A steady state, or the regime and the reason why there is none.
 type Found = Result<Steady, [&'static str; 2]>;
 
 impl<'a> Question<'a> {
@@ -105,12 +105,13 @@ impl<'a> Question<'a> {
         }
     }
 
-    /// The state from rest.
+    /// Returns the steady state that motion from rest reaches.
     fn found_from_rest(&self, at: &SystemAt<'_>, beta: f64) -> Result<Found, OutOfDomain> {
         match at.orbit_or_last_cycles(beta) {
             Ok(orbit) => {
                 let mut steady = self.steady(at, &orbit);
-                // Where motion does not settle, `response` answers with another state: this is that state's regime.
+                // Where the motion does not settle, `response` answers with another state, whose regime is written
+                // here.
                 if !orbit.is_settled()
                     && let Ok(response) = at.response(beta)
                 {
@@ -217,7 +218,7 @@ impl<'a> Question<'a> {
     }
 }
 
-/// The steady state from rest at one frequency and one friction.
+/// Computes the steady state that motion from rest reaches, at one frequency and one friction.
 #[pyfunction]
 pub fn orbit<'py>(
     py: Python<'py>,
@@ -236,7 +237,7 @@ pub fn orbit<'py>(
     question.columns(py, found)
 }
 
-/// Every steady state that is found at one frequency and one friction.
+/// Computes every steady state that can be found at one frequency and one friction.
 #[pyfunction]
 pub fn states<'py>(
     py: Python<'py>,

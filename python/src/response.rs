@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
-/// What is asked at every point.
+/// The question at every point.
 struct Question<'a> {
     system: &'a System,
     measure: &'a Measure,
@@ -35,10 +35,10 @@ struct Point {
 }
 
 impl Question<'_> {
-    /// The points at one frequency.
+    /// Computes the points at one frequency.
     fn column(&self, r: f64, frictions: &[f64]) -> Result<Vec<Point>, OutOfDomain> {
         let at = self.system.at(r)?;
-        // One search for all β.
+        // One search for the limits serves all β.
         let limits = at.limits();
         let point = |beta: &f64| {
             let margin = limits.margin(*beta)?;
@@ -77,7 +77,7 @@ impl Question<'_> {
     }
 }
 
-/// The response over frequency and friction.
+/// Computes the response over frequency and friction.
 #[pyfunction]
 pub fn response<'py>(
     py: Python<'py>,

@@ -11,10 +11,10 @@ use frictiongen::study::{OperatingPoint, ParameterSensitivity, Slope, words};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// What reads an answer.
+/// Function that reads an answer.
 type Read = fn(&ParameterSensitivity) -> Option<Slope>;
 
-/// The answers, by the names of their columns and their units.
+/// Answers: names of their columns, their units, and the functions that read them.
 const ANSWERS: [(&str, &str, Read); 4] = [
     ("amplitude", "_m", |of| Some(of.amplitude)),
     ("phase", "_deg", |of| of.phase),
@@ -22,7 +22,7 @@ const ANSWERS: [(&str, &str, Read); 4] = [
     ("sliding_limit", "_N", |of| of.sliding_limit),
 ];
 
-/// The derivatives at one point, a line for each parameter.
+/// Computes the derivatives at one point, one line for each parameter.
 #[pyfunction]
 pub fn sensitivities<'py>(
     py: Python<'py>,

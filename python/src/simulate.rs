@@ -14,10 +14,10 @@ use frictiongen::{Of, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The most cycles, cycles skipped and samples of a cycle.
+/// Largest number of cycles, of skipped cycles and of samples in a cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
-/// How many cycles, how many before them, and how many samples each has; the state to start from; whether one period of
+/// Number of cycles, number of skipped cycles, samples in a cycle, the state to start from, and whether one period of
 /// the steady state is asked for instead.
 type Extent<'py> = (
     Optional<'py>,
@@ -27,7 +27,7 @@ type Extent<'py> = (
     bool,
 );
 
-/// Displacements and velocities of all masses, as groups.
+/// Reads displacements and velocities of all masses, and returns them as groups.
 fn start(
     (displacements, velocities): &(Bound<'_, PyAny>, Bound<'_, PyAny>),
     system: &System,
@@ -61,7 +61,7 @@ fn start(
     ))
 }
 
-/// Samples and events of a run, or of one period of the steady state.
+/// Computes samples and events of a run, or of one period of the steady state.
 #[pyfunction]
 pub fn simulate<'py>(
     py: Python<'py>,

@@ -10,17 +10,17 @@ use frictiongen::{Of, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// `force`, `base` and `base_velocity`, one number for each sample.
+/// The arguments `force`, `base` and `base_velocity`, one number for each sample.
 type Acting<'py> = (Optional<'py>, Optional<'py>, Optional<'py>);
 
-/// Where it begins, and with which μ.
+/// The start of the run, and the ratio μ from the start on.
 pub type Beginning<'py> = (Optional<'py>, Optional<'py>);
 
 /// The load over time.
 struct Recording {
-    /// Of the excitation: forces, or displacements and velocities of the base.
+    /// The excitation: forces, or displacements and velocities of the base.
     excitation: Excited,
-    /// On further masses.
+    /// Forces on further masses.
     more: Vec<(String, Vec<f64>)>,
     friction: Vec<f64>,
 }
@@ -30,7 +30,7 @@ enum Excited {
     Base(Vec<f64>, Vec<f64>),
 }
 
-/// One number for each sample, or one for all.
+/// Reads one number for each sample, or one for all.
 fn course(argument: &str, given: &Bound<'_, PyAny>, samples: Option<usize>) -> PyResult<Vec<f64>> {
     let given = numbers(argument, given)?;
     if let Some(place) = given.values.iter().position(|value| !value.is_finite()) {
@@ -129,7 +129,7 @@ impl Recording {
     }
 }
 
-/// The motion under a load that is known sample by sample.
+/// Computes the motion under a load that is known sample by sample.
 #[pyfunction]
 pub fn step<'py>(
     system: &Bound<'py, NativeSystem>,

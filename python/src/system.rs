@@ -1,4 +1,4 @@
-//! The system itself: made from a text, and what it is made of.
+//! The system: made from a description, with its data.
 
 use crate::errors::scene;
 use frictiongen::System;
@@ -10,7 +10,7 @@ use pyo3::types::PyList;
 /// A scene with its modal analysis.
 #[pyclass(frozen, module = "frictiongen._native", name = "System")]
 pub struct NativeSystem {
-    /// The same in Rust.
+    /// The system in Rust.
     pub system: System,
 }
 
@@ -25,7 +25,7 @@ impl NativeSystem {
         }
     }
 
-    /// The names of the masses, in the order of the description.
+    /// Returns the names of the masses, in the order of the description.
     #[getter]
     fn masses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         let masses = self.system.scene().masses.iter();
@@ -35,14 +35,14 @@ impl NativeSystem {
         )
     }
 
-    /// Masses, kg.
+    /// Returns the masses, kg.
     #[getter]
     fn mass_values<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let masses = self.system.scene().masses.iter();
         PyArray1::from_vec(py, masses.map(|mass| mass.value).collect())
     }
 
-    /// Springs: the names of both ends, and the stiffness in N/m.
+    /// Returns the springs: the names of both ends, and the stiffness in N/m.
     #[getter]
     fn springs(&self) -> Vec<(String, String, f64)> {
         let scene = self.system.scene();
@@ -53,7 +53,7 @@ impl NativeSystem {
             .collect()
     }
 
-    /// The two nodes that rub on each other.
+    /// Returns the two nodes that rub on each other.
     #[getter]
     fn contact(&self) -> (String, String) {
         let scene = self.system.scene();
@@ -64,7 +64,7 @@ impl NativeSystem {
         )
     }
 
-    /// The mass that a force drives; none if the base moves.
+    /// Returns the mass that a force drives, or `None` if the base moves.
     #[getter]
     fn driven_mass(&self) -> Option<String> {
         match self.system.scene().excitation {
@@ -78,37 +78,37 @@ impl NativeSystem {
         }
     }
 
-    /// Natural frequencies, rad/s.
+    /// Returns the natural frequencies, rad/s.
     #[getter]
     fn natural_frequencies<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_vec(py, self.system.natural_frequencies())
     }
 
-    /// The frequency ratios of the undamped resonances.
+    /// Returns the frequency ratios of the undamped resonances.
     #[getter]
     fn resonances<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, self.system.resonances())
     }
 
-    /// ζ of each mode.
+    /// Returns the damping ratio ζ of each mode.
     #[getter]
     fn damping_ratios<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let ratios = self.system.modal().damping_ratios.iter();
         PyArray1::from_vec(py, ratios.map(|ratio: &Dd| ratio.hi).collect())
     }
 
-    /// Shapes by mode and mass.
+    /// Returns the mode shapes by mode and mass.
     #[getter]
     fn mode_shapes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         Ok(PyArray2::from_vec2(py, &self.system.mode_shapes())?)
     }
 
-    /// Hz → r.
+    /// Converts a frequency in Hz to the frequency ratio r.
     fn frequency_ratio_at_hertz(&self, hertz: f64) -> f64 {
         self.system.frequency_ratio_at_hertz(hertz)
     }
 
-    /// r → Hz.
+    /// Converts a frequency ratio r to Hz.
     fn hertz(&self, r: f64) -> f64 {
         self.system.hertz(r)
     }

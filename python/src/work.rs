@@ -1,4 +1,4 @@
-//! Computes without Python's lock, and listens to Ctrl-C meanwhile.
+//! Computes without Python's lock, and handles Ctrl-C during the computation.
 
 use crate::errors::defect;
 use pyo3::prelude::*;
@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, Thread};
 use std::time::Duration;
 
-/// How long Ctrl-C may wait.
+/// Longest time until Ctrl-C is noticed.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Wakes whoever waits, whether the work ends well or not.
+/// Wakes the waiting thread when the work ends, with or without an error.
 struct Bell<'a> {
     done: &'a AtomicBool,
     waiting: Thread,
@@ -22,18 +22,18 @@ impl Drop for Bell<'_> {
     }
 }
 
-/// Whether somebody wants the work to stop.
+/// Request to stop the work.
 pub struct Stop(AtomicBool);
 
 impl Stop {
-    /// Whether it is to go on.
+    /// Returns whether the work should continue.
     pub fn goes_on(&self) -> bool {
         !self.0.load(Ordering::Relaxed)
     }
 }
 
-/// The result of some work, done on a thread of its own while other threads may run Python.  Ctrl-C tells the work to
-/// stop; work that does not ask goes on to its end, and then the interrupt is raised.
+/// Returns the result of some work, which runs on its own thread while other threads may run Python. Ctrl-C asks the
+/// work to stop. Work that does not check for it runs to its end, and then the interrupt is raised.
 pub fn without_lock<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop(AtomicBool::new(false));
     let done = AtomicBool::new(false);

@@ -1,30 +1,30 @@
-//! What the commands take that print code or look after a description.
+//! Arguments of the commands that print code, check a description or write a new one.
 
 use super::shared::FileArgument;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
-/// In which form tables are written.
+/// The form in which tables are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum TableFormat {
     /// Rust.
     Rust,
     /// C99.
     C,
-    /// Data.
+    /// JSON.
     Json,
 }
 
-/// Of `frictiongen compile`.
+/// Arguments of `frictiongen compile`.
 #[derive(Debug, Args)]
 pub struct CompileArguments {
     /// The description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// The largest relative error of an answer; of a phase in radians
+    /// Largest relative error of an answer; for a phase, largest error in radians
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub accuracy: Option<String>,
-    /// In place of an accuracy, bytes: the best accuracy that fits
+    /// Size of the tables in bytes, instead of --accuracy: the best accuracy that fits is taken
     #[arg(
         long,
         value_name = "BYTES",
@@ -32,16 +32,16 @@ pub struct CompileArguments {
         conflicts_with = "accuracy"
     )]
     pub budget: Option<String>,
-    /// Frequency ratios from a to b
+    /// Range of frequency ratios, from a to b
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     pub r: Option<String>,
-    /// beta_lim never above, beta*_lim never below the exact one
+    /// Keep limits on the safe side: beta_lim never above the exact one, beta*_lim never below
     #[arg(long)]
     pub safe: bool,
     /// Print code or data instead of the figures
     #[arg(long, value_enum)]
     pub format: Option<TableFormat>,
-    /// Names in C begin with this [default: the scene's name]. Two tables of one scene need two names
+    /// Prefix of all names in C [default: the scene's name]. Two tables of one scene need two names
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
     /// Write to this file instead of standard output
@@ -49,7 +49,7 @@ pub struct CompileArguments {
     pub output: Option<PathBuf>,
 }
 
-/// Of `frictiongen expand`.
+/// Arguments of `frictiongen expand`.
 #[derive(Debug, Args)]
 pub struct ExpandArguments {
     /// The description.
@@ -60,7 +60,7 @@ pub struct ExpandArguments {
     pub output: Option<PathBuf>,
 }
 
-/// Of `frictiongen check`.
+/// Arguments of `frictiongen check`.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
     /// The description.
@@ -68,23 +68,23 @@ pub struct CheckArguments {
     pub file: FileArgument,
 }
 
-/// Of `frictiongen new`.
+/// Arguments of `frictiongen new`.
 #[derive(Debug, Args)]
 pub struct NewArguments {
-    /// The file to write, which must not be there; standard output if it is - or left out
+    /// File to write, which must not exist yet; standard output if it is - or left out
     pub file: Option<PathBuf>,
 }
 
-/// Of `frictiongen completions`.
+/// Arguments of `frictiongen completions`.
 #[derive(Debug, Args)]
 pub struct CompletionsArguments {
     /// The shell
     pub shell: clap_complete::Shell,
 }
 
-/// Of `frictiongen man`.
+/// Arguments of `frictiongen man`.
 #[derive(Debug, Args)]
 pub struct ManArguments {
-    /// Of this command [default: of all]
+    /// Command whose page is printed [default: all commands]
     pub command: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! What `--help` says below the options.
+//! Texts that `--help` prints below the options.
 #![allow(missing_docs, reason = "each text says what it is about")]
 
 pub const GRIDS: &str = "\

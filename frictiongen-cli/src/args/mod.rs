@@ -1,4 +1,4 @@
-//! What can be typed.
+//! Command-line arguments: the commands and their options.
 
 mod code;
 mod desk;
@@ -40,68 +40,68 @@ pub use shared::{
 #[derive(Debug, Parser)]
 #[command(name = "frictiongen", version)]
 pub struct Arguments {
-    /// What to do.
+    /// The command to run.
     #[command(subcommand)]
     pub command: Command,
 }
 
-/// What to do.
+/// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// The limits of continuous motion and of sliding over frequency
+    /// Print the limits of continuous motion and of sliding over frequency
     #[command(after_help = format!("{LIMITS}{UNITS}{GRIDS}"))]
     Limits(LimitsArguments),
-    /// Regime, amplitudes, phases and harmonics over frequency and friction
+    /// Print regimes, amplitudes, phases and harmonics over frequency and friction
     #[command(after_help = format!("{RESPONSES}{UNITS}{GRIDS}"))]
     Response(ResponseArguments),
-    /// The steady state from rest over frequency and friction, stops included
+    /// Print the steady state that motion from rest reaches, also where the contact stops
     #[command(after_help = format!("{ORBITS}{STATES}{UNITS}{GRIDS_IN_TIME}"))]
     Orbit(OrbitArguments),
-    /// Responses along frequency in every regime, refined where they bend
+    /// Draw or print responses along frequency in every regime, with more points where a curve bends
     #[command(after_help = format!("{CURVES}{UNITS}{RANGES}"))]
     Curve(CurveArguments),
-    /// What the contact does over frequency and friction
+    /// Draw or print a map of the regimes over frequency and friction
     #[command(after_help = format!("{MAPS}{UNITS}{GRIDS}"))]
     Map(MapArguments),
-    /// Displacements, velocities, the friction force and events over time, and spectra
+    /// Draw or print displacements, velocities, the friction force and events over time, and spectra
     #[command(after_help = format!("{TIMES}{UNITS}{ONE_POINT}"))]
     Time(TimeArguments),
-    /// The friction that keeps the largest amplitude over a band of frequencies smallest
+    /// Find the friction that makes the largest amplitude over a frequency band as small as possible
     #[command(after_help = format!("{OPTIMA}{UNITS}"))]
     Optimum(OptimumArguments),
-    /// Resonances, thresholds, invariant points, sliding ranges, regimes and peaks of a scene
+    /// List resonances, thresholds, invariant points, sliding ranges, regimes and peaks of a scene
     #[command(after_help = format!("{FEATURES}{UNITS}"))]
     Features(FeaturesArguments),
-    /// Everything about a description on one page: HTML that needs no network
+    /// Write one HTML page about a description, which a browser shows without a network
     #[cfg(feature = "report")]
     #[command(after_help = format!("{}{UNITS}{}", report::REPORTS, report::RANGES))]
     Report(ReportArguments),
-    /// The derivatives of amplitude, phase and limits with respect to every parameter, in any regime
+    /// Print derivatives of amplitude, phase and limits with respect to every parameter, in any regime
     #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]
     Sensitivity(SensitivityArguments),
-    /// Driving frequency, transmissibility and phase of recordings
+    /// Find the driving frequency, the transmissibility and the phase in recordings
     #[command(after_help = RECORDINGS)]
     Transmissibility(TransmissibilityArguments),
-    /// The friction force from recordings, with its interval
+    /// Find the friction force from recordings, with its 95 % interval
     #[command(after_help = format!("{IDENTIFICATIONS}{RECORDINGS}"))]
     Identify(IdentifyArguments),
-    /// Frequencies, mass and stiffness ratios from a sweep without friction
+    /// Fit natural frequencies, mass ratios and stiffness ratios to a sweep without friction
     #[command(after_help = FITS)]
     Fit(FitArguments),
-    /// The motion under a recorded force or motion of the base, step by step
+    /// Compute the motion under a recorded force or base motion, step by step
     #[command(after_help = DRIVES)]
     Drive(DriveArguments),
-    /// Tables of the limits, the contact's motion and stuck responses, to a declared accuracy
+    /// Write tables of the limits, the contact motion and stuck responses, to a declared accuracy
     #[command(after_help = TABLES)]
     Compile(CompileArguments),
-    /// The Rust that the macro emits for a description
+    /// Print the Rust code that the macro emits for a description
     Expand(ExpandArguments),
-    /// Every error of a description, each with the line that it is on
+    /// List every error of a description, each with its line
     Check(CheckArguments),
-    /// A commented description to start from
+    /// Write a commented description as a starting point
     New(NewArguments),
-    /// A script that completes this command's words in a shell
+    /// Print a script that completes the words of this command in a shell
     Completions(CompletionsArguments),
-    /// The manual page, in roff
+    /// Print the manual page, in roff
     Man(ManArguments),
 }

@@ -1,11 +1,11 @@
-//! What the commands take that answer at points: limits, responses, steady states.
+//! Arguments of the commands that answer on a grid of points: limits, responses and steady states.
 
 use super::shared::{
     FileArgument, FormatArguments, FrequencyArguments, LoadArguments, PointArguments,
 };
 use clap::Args;
 
-/// Of `frictiongen limits`.
+/// Arguments of `frictiongen limits`.
 #[derive(Debug, Args)]
 pub struct LimitsArguments {
     /// The description.
@@ -22,16 +22,16 @@ pub struct LimitsArguments {
     pub format: FormatArguments,
 }
 
-/// Of `frictiongen response`.
+/// Arguments of `frictiongen response`.
 #[derive(Debug, Args)]
 pub struct ResponseArguments {
-    /// What is asked about.
+    /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Only this mass; may be given more than once [default: every mass]
+    /// Print only this mass; may be given more than once [default: every mass]
     #[arg(long, value_name = "NAME")]
     pub mass: Vec<String>,
-    /// Also the harmonics X_1, X_3, ... up to this one
+    /// Print also the harmonics X_1, X_3, ... up to order N
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
     /// The format.
@@ -39,19 +39,19 @@ pub struct ResponseArguments {
     pub format: FormatArguments,
 }
 
-/// Of `frictiongen orbit`.
+/// Arguments of `frictiongen orbit`.
 #[derive(Debug, Args)]
 pub struct OrbitArguments {
-    /// What is asked about.
+    /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Only this mass; may be given more than once [default: every mass]
+    /// Print only this mass; may be given more than once [default: every mass]
     #[arg(long, value_name = "NAME")]
     pub mass: Vec<String>,
-    /// Also the harmonics X_0, X_1, ... up to this one
+    /// Print also the harmonics X_0, X_1, ... up to order N
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
-    /// Every steady state that is found, not only that from rest
+    /// Print every steady state that is found, not only the one that motion from rest reaches
     #[arg(long)]
     pub states: bool,
     /// The format.

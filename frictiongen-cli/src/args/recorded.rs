@@ -1,4 +1,4 @@
-//! What can be typed to read recordings, and what `--help` says of it.
+//! Arguments of the commands that read recordings, with the text that `--help` prints below their options.
 
 use super::FormatArguments;
 use clap::{Args, ValueEnum};
@@ -7,35 +7,35 @@ use std::path::PathBuf;
 /// The scene and its recordings.
 #[derive(Debug, Args)]
 pub struct RecordingArguments {
-    /// The description; standard input if it is -
+    /// File with the description; standard input if it is -
     #[arg(value_name = "FILE")]
     pub scene: PathBuf,
     /// Recordings, as CSV or UFF58
     #[arg(value_name = "RECORDING", required = true)]
     pub recordings: Vec<PathBuf>,
-    /// Which column is what: base, force or a mass; may be given more than once [default: by their names]
+    /// Column and unit of a channel: base, force or a mass; may be given more than once [default: by name]
     #[arg(long, value_name = "NAME=COLUMN:UNIT")]
     pub channel: Vec<String>,
-    /// Samples a second, where no column has the time
+    /// Samples per second, if no column has the time
     #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
     pub rate: Option<String>,
 }
 
-/// Of `frictiongen transmissibility`.
+/// Arguments of `frictiongen transmissibility`.
 #[derive(Debug, Args)]
 pub struct TransmissibilityArguments {
-    /// The files.
+    /// The description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; its ending decides: .csv, .json
+    /// Write to this file; the file extension sets the format: .csv, .json
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }
 
-/// What of a motion is compared.
+/// The quantities of a motion that are compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum By {
     /// Amplitude and phase.
@@ -47,90 +47,90 @@ pub enum By {
     Phase,
 }
 
-/// What is looked for beside the friction force.
+/// An unknown that is fitted together with the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Also {
     /// One damping ratio for all modes.
     Damping,
     /// A factor on all natural frequencies.
     Frequency,
-    /// Static over kinetic friction, where the contact stops.
+    /// Static over kinetic friction. Only motions with stops depend on it.
     Stiction,
 }
 
-/// Of `frictiongen identify`.
+/// Arguments of `frictiongen identify`.
 #[derive(Debug, Args)]
 pub struct IdentifyArguments {
-    /// The files.
+    /// The description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
-    /// What of a motion is compared
+    /// Quantities that are compared with the recording
     #[arg(long, value_enum, default_value_t)]
     pub by: By,
-    /// Only this mass; may be given more than once [default: every mass that was recorded]
+    /// Use only this mass; may be given more than once [default: every recorded mass]
     #[arg(long, value_name = "NAME")]
     pub mass: Vec<String>,
-    /// Also look for this; may be given more than once
+    /// Fit this too, together with the friction force; may be given more than once
     #[arg(long, value_enum)]
     pub also: Vec<Also>,
-    /// Also the odd harmonics up to this one
+    /// Use also the odd harmonics up to order N
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
-    /// Friction forces in N to look between [default: from 0 to where the contact is stuck]
+    /// Range of friction forces to search, in N [default: from 0 to where the contact is stuck]
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     pub between: Option<String>,
-    /// The recording is a free vibration of the only mass
+    /// The recording is a free vibration of a scene with one mass
     #[arg(long, conflicts_with_all = ["by", "mass", "harmonics", "between"])]
     pub decay: bool,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; its ending decides: .csv, .json; .svg or, with the feature png, .png: the residuals
+    /// Write to this file; .csv and .json have the answers, .svg (and .png with the feature png) shows the residuals
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }
 
-/// Of `frictiongen fit`.
+/// Arguments of `frictiongen fit`.
 #[derive(Debug, Args)]
 pub struct FitArguments {
-    /// The description: what is joined to what, and values to start from; standard input if it is -
+    /// File with the description, whose values are the first guess; standard input if it is -
     #[arg(value_name = "FILE")]
     pub scene: PathBuf,
     /// The sweep, as CSV: frequency_Hz, and NAME.transmissibility and NAME.deviation of masses
     #[arg(value_name = "SWEEP")]
     pub sweep: PathBuf,
-    /// Also one damping ratio for all modes
+    /// Fit also one damping ratio for all modes
     #[arg(long)]
     pub damping: bool,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; its ending decides: .csv, .json
+    /// Write to this file; the file extension sets the format: .csv, .json
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }
 
-/// Of `frictiongen drive`.
+/// Arguments of `frictiongen drive`.
 #[derive(Debug, Args)]
 pub struct DriveArguments {
-    /// The files.
+    /// The description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
-    /// The kinetic friction force F in N [default: the channel friction]
+    /// Kinetic friction force F in N [default: the channel friction]
     #[arg(long, value_name = "F", allow_hyphen_values = true)]
     pub friction: Option<String>,
-    /// Only this mass, or the contact; may be given more than once [default: every mass and the contact]
+    /// Print only this mass, or the contact; may be given more than once [default: every mass and the contact]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; its ending decides: .csv, .json, .svg; .png with the feature png
+    /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }
 
-/// Below the options of `drive`.
+/// Text below the options of `drive`.
 pub const DRIVES: &str = "\
 Recording:
   A CSV of the inputs at even times: base, or force on the excited mass, names of masses for forces on
@@ -153,7 +153,7 @@ in how many steps more events happened than are followed.
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.";
 
-/// Below the options of all that read recordings.
+/// Text below the options of all commands that read recordings.
 pub const RECORDINGS: &str = "\
 Recordings:
   A CSV has one line of names with their units, then numbers, separated by commas, semicolons or tabs:
@@ -171,7 +171,7 @@ Recordings:
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.";
 
-/// Below the options of `identify`.
+/// Text below the options of `identify`.
 pub const IDENTIFICATIONS: &str = "\
 Answers:
   not explained   the description does not move like the rig: residuals exceed what noise makes once in
@@ -192,7 +192,7 @@ Quantities:
 
 ";
 
-/// Below the options of `fit`.
+/// Text below the options of `fit`.
 pub const FITS: &str = "\
 The sweep is measured without friction; `frictiongen transmissibility -o sweep.csv` writes one from
 recordings. The scene is driven by its base. One storey gives its natural frequency, two r, gamma and

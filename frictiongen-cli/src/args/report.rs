@@ -1,4 +1,4 @@
-//! What can be typed after `frictiongen report`.
+//! Arguments of `frictiongen report`.
 
 use super::{FileArgument, FrequencyArguments, FrictionArguments, LoadArguments};
 use clap::Args;
@@ -31,7 +31,7 @@ Ranges:
 Exit status:
   0, or 2 with one line on standard error for each thing that is wrong.";
 
-/// Of `frictiongen report`.
+/// Arguments of `frictiongen report`.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
     /// The description.
@@ -46,7 +46,7 @@ pub struct ReportArguments {
     /// The load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Only this mass, or `contact`; may be given more than once [default: see below]
+    /// Print only this mass, or `contact`; may be given more than once [default: see below]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Write to this file instead of standard output
@@ -54,35 +54,35 @@ pub struct ReportArguments {
     pub output: Option<PathBuf>,
 }
 
-/// A range of frequencies, in one of three ways or none.
+/// A range of frequencies as ratios, in Hz or in rad/s. It may be left out.
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 struct RangeArguments {
-    /// A range of frequency ratios r = omega sqrt(m1/k1)
+    /// Range of frequency ratios r = omega sqrt(m1/k1)
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     r: Option<String>,
-    /// In place of --r, in Hz
+    /// Range of frequencies in Hz, instead of --r
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     hz: Option<String>,
-    /// In place of --r, in rad/s
+    /// Range of angular frequencies in rad/s, instead of --r
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     omega: Option<String>,
 }
 
-/// Frictions, in one of two ways or none.
+/// Frictions as ratios or in N. They may be left out.
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 struct LevelArguments {
     /// Friction ratios beta = F/P, for base motion F/(k1 Y)
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     beta: Option<String>,
-    /// In place of --beta, kinetic friction forces F in N; needs --force or --base
+    /// Kinetic friction forces F in N, instead of --beta; needs --force or --base
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     friction: Option<String>,
 }
 
 impl ReportArguments {
-    /// The range, if one is given.
+    /// Returns the range of frequencies, if one is given.
     pub fn range(&self) -> Option<FrequencyArguments> {
         let RangeArguments { r, hz, omega } = &self.range;
         let given = [r, hz, omega].iter().any(|text| text.is_some());
@@ -93,7 +93,7 @@ impl ReportArguments {
         })
     }
 
-    /// The frictions, if any are given.
+    /// Returns the frictions, if any are given.
     pub fn frictions(&self) -> Option<FrictionArguments> {
         let LevelArguments { beta, friction } = &self.levels;
         let given = beta.is_some() || friction.is_some();

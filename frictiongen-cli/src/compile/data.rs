@@ -5,7 +5,7 @@ use frictiongen::study::scene::{Scene, Side};
 use frictiongen::study::table::{HeldForm, Product, Proof, Tables};
 use serde_json::{Value, json};
 
-/// The tables as data.
+/// Converts the tables to JSON.
 pub(super) fn of<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> Value {
     let value = |value: S| value.to_f64();
     let factor = |factor: &Factor<S>| match *factor {
@@ -98,7 +98,7 @@ pub(super) fn of<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S
     })
 }
 
-/// The proofs of the tables, as data.
+/// Converts the proofs of the tables to JSON.
 fn proof(proof: &Proof) -> Value {
     json!({
         "evidence": proof.evidence.word(),

@@ -1,4 +1,4 @@
-//! `frictiongen compile`: tables of a declared accuracy, their figures, or them as code or data.
+//! `frictiongen compile`: builds tables of a declared accuracy, and prints their figures, code or data.
 
 mod data;
 
@@ -15,7 +15,7 @@ use frictiongen_codegen::{Limits, SceneTables};
 use std::io::Write;
 use std::path::Path;
 
-/// What a macro takes, without the tables, which are built with the options.
+/// Limits of the macro on a description, but without tables. The command builds those itself, with its options.
 const LIMITS: Limits = Limits {
     tables: false,
     ..Limits::MACRO
@@ -42,7 +42,7 @@ pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Fail
     Ok(())
 }
 
-/// With what the names in C begin.
+/// Returns the prefix of the names in C.
 fn c_prefix(scene: &Scene, arguments: &CompileArguments) -> Result<String, Failure> {
     let Some(name) = &arguments.name else {
         return Ok(c_name(scene));
@@ -63,7 +63,7 @@ fn c_prefix(scene: &Scene, arguments: &CompileArguments) -> Result<String, Failu
     Ok(name.clone())
 }
 
-/// Says on standard error what of `provide` is not written.
+/// Reports on standard error the items of `provide` that are not written.
 fn say_what_is_left_out(scene: &Scene) {
     let word = |item: &Provide| match item {
         Provide::Motion(Some(masses)) if !masses.is_empty() => {
@@ -85,10 +85,10 @@ fn say_what_is_left_out(scene: &Scene) {
     }
 }
 
-/// What the options say in place of the description.
+/// Replaces the declarations of the description by those of the options.
 fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failure> {
     let declared = &mut scene.declared;
-    // This command looks for the whole proof in any case.
+    // This command always computes the whole proof.
     declared.proof = Proving::Quick;
     if let Some(accuracy) = &arguments.accuracy {
         declared.accuracy = Accuracy::Relative(number(accuracy, "--accuracy")?);
@@ -176,7 +176,7 @@ fn write<S: frictiongen::kernel::Float>(
     }
 }
 
-/// The figures, one a line.
+/// Returns the figures, one per line.
 fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> String {
     let report = &tables.report;
     let (low, high) = tables.request.r;

@@ -9,7 +9,7 @@ use frictiongen_plot::desk::{Drawn, curve_figure};
 use frictiongen_plot::{Colour, Label};
 use std::io::Write;
 
-/// Draws the curves: amplitude and phase of each motion.
+/// Draws amplitude and phase of each motion.
 pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
     let scales = picture::scales(&report.system, report.band.is_physical(), &report.measure);
     let curves = report.curves.iter().enumerate();
@@ -33,7 +33,7 @@ pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(),
     )
 }
 
-/// Where the motions of a curve start, as a legend says it.
+/// Returns the start of a curve's motions as a legend words it.
 fn way(start: CurveStart) -> &'static str {
     match start {
         CurveStart::Rest => ", from rest",

@@ -1,4 +1,4 @@
-//! `frictiongen curve`: responses along frequency in every regime.
+//! `frictiongen curve`: computes responses along frequency in every regime.
 
 #[cfg(feature = "pictures")]
 mod draw;
@@ -81,7 +81,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     })
 }
 
-/// Where the motions of each curve start, in the order asked for, each once.
+/// Returns the starts of the curves in the order asked for, each once.
 fn starts(asked: &[StartFrom]) -> Result<Vec<CurveStart>, Failure> {
     let mut starts = Vec::new();
     for from in asked {

@@ -1,4 +1,4 @@
-//! Writes curves: a line for each point, with the piece that it belongs to.
+//! Writes curves: one line for each point, with the number of its piece.
 
 use crate::asked::Part;
 use crate::failure::Failure;
@@ -13,19 +13,19 @@ use frictiongen::study::{Curve, CurvePoint, CurveRequest, CurveStart, Movement, 
 use frictiongen::{Error, System};
 use serde_json::Value as Json;
 
-/// What is computed.
+/// The curves with everything needed to write them.
 pub struct CurveReport {
-    /// Of which system.
+    /// The system.
     pub system: System,
-    /// Over which frequencies.
+    /// The range of frequencies.
     pub band: Band,
-    /// At which friction.
+    /// The frictions.
     pub frictions: Frictions,
-    /// In which units.
+    /// The units of the answers.
     pub measure: Measure,
-    /// Of which motions.
+    /// The motions to write.
     pub parts: Vec<Part>,
-    /// What was asked.
+    /// The request that made the curves.
     pub request: CurveRequest,
     /// The curves, one for each friction and start.
     pub curves: Vec<(Friction, Curve)>,
@@ -33,18 +33,18 @@ pub struct CurveReport {
     pub swept: bool,
 }
 
-/// A line: a point of a piece, or the end of a gap.
+/// A line of the output: a point of a piece, or an end point of a gap.
 pub struct Line {
     friction: Friction,
     start: CurveStart,
     frequency: Frequency,
-    /// Counted from 1 along the frequency.
+    /// Number of the piece, counted from 1 along the frequency.
     piece: Option<usize>,
     found: Result<CurvePoint, Error>,
 }
 
 impl CurveReport {
-    /// The lines of one curve, with ascending frequency.
+    /// Returns the lines of one curve, with ascending frequency.
     fn lines(&self, friction: Friction, curve: &Curve) -> Vec<Line> {
         let at = |r| self.band.frequency(&self.system, r);
         let pieces = (1..).zip(&curve.pieces);
@@ -78,7 +78,7 @@ impl CurveReport {
         words::on_curve(line.found.as_ref().map_err(|error| *error))
     }
 
-    /// What a line says once.
+    /// Returns the values that a line contains once, and not for each motion.
     fn once(&self, line: &Line) -> Vec<Value<'static>> {
         let mut values = line.friction.values();
         if self.swept {
@@ -166,7 +166,8 @@ impl CurveReport {
         values
     }
 
-    /// The movements of a line, in the order of the parts; the contact's with the sign that the scene says.
+    /// Returns the movements of a line in the order of the parts. The contact's movement has the sign that the scene
+    /// gives.
     fn movements(&self, line: &Line) -> Vec<Vec<Value<'static>>> {
         let places = 0..self.parts.len();
         let found = places.map(|index| {

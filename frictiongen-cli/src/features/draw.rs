@@ -12,24 +12,24 @@ use frictiongen_plot::desk::{Drawn, Reading, Scales, keys, panel};
 use frictiongen_plot::{Colour, Figure, Label, Marker, Markers};
 use std::io::Write;
 
-/// What is marked, how, and in which words.
+/// The marked features: name, marker, and words in the legend.
 const MARKS: [(&str, Marker, &str); 3] = [
     ("invariant point", Marker::Circle, "invariant point"),
     ("same amplitude", Marker::Square, "same amplitude"),
     ("peak", Marker::Triangle, "peak"),
 ];
 
-/// What is marked among the amplitudes of a motion.
+/// Returns the features to mark among the amplitudes of a motion.
 pub fn marks(lines: &[Line], part: &Part, measure: &Measure, scales: &Scales) -> Vec<Markers> {
     let mut marks = Vec::new();
     for (feature, marker, name) in MARKS {
-        // Drawn are amplitudes: points of the fundamental component lie elsewhere.
+        // The picture shows amplitudes. Points of the fundamental component would not lie on those curves.
         let marked = lines.iter().filter(|line| {
             line.feature == feature
                 && line.of == part.name
                 && !line.detail.starts_with("fundamental")
         });
-        // A line's amplitude is in m already; the scales count in mm.
+        // The amplitude of a line is already in m, while the scales count in mm.
         let points: Vec<_> = marked
             .filter_map(|line| {
                 let height = measure.length_ratio(line.amplitude?);
@@ -44,7 +44,7 @@ pub fn marks(lines: &[Line], part: &Part, measure: &Measure, scales: &Scales) ->
     marks
 }
 
-/// Draws every motion in a panel of its own; without friction if none is asked for.
+/// Draws every motion in its own panel. Without a friction it draws the motion without friction.
 pub fn draw(
     report: &FeaturesReport<'_>,
     parts: &[Part],

@@ -1,4 +1,4 @@
-//! The features, a line each.
+//! Collects the features, one per line.
 
 use crate::asked::Part;
 use crate::failure::Failure;
@@ -7,19 +7,19 @@ use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen::study::{Certainty, FeatureError, Features, Measured, RegimeEnd, Sensed, words};
 
-/// What stands behind a line.
+/// The method that found a feature, which tells how certain it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ground {
     /// A closed form.
     Exact,
-    /// All of its kind in the range, by intervals.
+    /// Interval arithmetic, which finds every feature of this type in the range.
     All,
-    /// Samples, refined.
+    /// Close samples, refined.
     Sampled,
 }
 
 impl Ground {
-    /// In a word.
+    /// Returns the method in one word.
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",
@@ -29,26 +29,26 @@ impl Ground {
     }
 }
 
-/// A feature.
+/// A feature with its numbers.
 #[derive(Clone, Debug)]
 pub struct Line {
-    /// What it is.
+    /// Name of the feature.
     pub feature: &'static str,
-    /// Of what.
+    /// The chain, the contact or the mass that has the feature.
     pub of: String,
-    /// What more there is to say.
+    /// Further details in words.
     pub detail: String,
-    /// Where it is, or begins; none of what has no place.
+    /// Frequency ratio at which it is or begins; `None` if it has no frequency.
     pub r: Option<f64>,
-    /// Where it ends.
+    /// Frequency ratio at which it ends.
     pub to: Option<f64>,
-    /// The friction that it is, or up to which it holds: N under a load.
+    /// Friction of the feature, or the friction up to which it is valid: N under a load.
     pub friction: Option<f64>,
-    /// The amplitude there: m under a load.
+    /// Amplitude at the feature: m under a load.
     pub amplitude: Option<f64>,
-    /// What stands behind it.
+    /// The method that found it.
     pub ground: Ground,
-    /// Its numbers with their derivatives, by their names; the first is shown.
+    /// Numbers of the feature with their derivatives, by name. The first is shown.
     pub sensed: Vec<(&'static str, Sensed)>,
 }
 
@@ -91,8 +91,8 @@ impl Line {
     }
 }
 
-/// All features of a scene, those of each friction after those that depend on none; with or without the true peaks, which
-/// take long of a long chain.
+/// Returns all features of a scene. The features at each friction come after those that do not depend on friction.
+/// `peaks` adds the true peaks, which take long for a long chain.
 pub fn lines(
     system: &System,
     band: &Band,
@@ -241,7 +241,7 @@ struct Own<'f, 's> {
 }
 
 impl Own<'_, '_> {
-    /// A line about this friction.
+    /// Returns a line with this friction.
     fn line(&self, feature: &'static str, of: &str, ground: Ground) -> Line {
         let mut line = Line::new(feature, of, ground);
         line.friction = Some(self.friction);

@@ -1,4 +1,4 @@
-//! `frictiongen features`: what the response of a scene is made of, without a sweep.
+//! `frictiongen features`: lists the features of a scene's response without a sweep.
 
 #[cfg(feature = "pictures")]
 pub mod draw;
@@ -21,7 +21,7 @@ use frictiongen_codegen::Limits;
 use report::FeaturesReport;
 use std::io::Write;
 
-/// No more frictions than this at once.
+/// Largest number of frictions in one call.
 const MOST_FRICTIONS: usize = 16;
 
 /// Runs the command.
@@ -67,7 +67,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
     }
     let mut parts = asked::parts(&system, &arguments.of)?;
     if arguments.of.is_empty() && !system.modal().on_moving_base {
-        // The mass that rubs on a support at rest moves as the contact does: said once.
+        // A mass that rubs on a support at rest moves as the contact does, so that it is listed only once.
         let rubbing = system.modal().rubbing().map(Of::Mass);
         parts.retain(|part| Some(part.of) != rubbing);
     }

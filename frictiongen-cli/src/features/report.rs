@@ -1,4 +1,4 @@
-//! Writes features: a line each.
+//! Writes features, one per line.
 
 use super::lines::Line;
 use crate::failure::Failure;
@@ -11,13 +11,13 @@ use frictiongen::System;
 use frictiongen::study::{OperatingPoint, Parameter, Sensed};
 use serde_json::Value as Json;
 
-/// What is written.
+/// The features with everything needed to write them.
 pub struct FeaturesReport<'s> {
-    /// Of which system.
+    /// The system.
     pub system: &'s System,
-    /// Over which frequencies.
+    /// The range of frequencies.
     pub band: Band,
-    /// In which units.
+    /// The units of the answers.
     pub measure: Measure,
     /// The features.
     pub lines: Vec<Line>,
@@ -35,12 +35,13 @@ impl FeaturesReport<'_> {
         }
     }
 
-    /// What a parameter is called.
+    /// Returns the symbol of a parameter.
     pub fn symbol(&self, parameter: Parameter) -> String {
         parameter.symbol(self.system.scene(), &self.point())
     }
 
-    /// What moves a line's first number most: in words, and by how many per cent for one.
+    /// Returns the parameter to which a line's first number is most sensitive: the number's name, the parameter, and
+    /// the change in per cent for one per cent of the parameter.
     pub fn strongest(line: &Line) -> Option<(&'static str, Parameter, f64)> {
         let (name, sensed) = line.sensed.first()?;
         let (parameter, relative) = sensed.strongest()?;

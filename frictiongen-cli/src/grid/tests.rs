@@ -1,4 +1,4 @@
-//! Of the grid parser.
+//! Tests of the grid parser.
 
 use super::{MOST_POINTS, Quantity, parse};
 
@@ -39,7 +39,7 @@ fn ranges_include_their_end_and_are_not_accumulated() {
     }
 }
 
-/// A decimal grid has the numbers that its points are written as, whatever its length and its exponents.
+/// The points of a decimal grid are the decimal numbers themselves, whatever its length and its exponents.
 #[test]
 fn decimal_points() {
     let (mut compared, mut differ) = (0, 0);
@@ -62,7 +62,7 @@ fn decimal_points() {
             compared += 1;
         }
     }
-    // Steps in binary miss a good part of them.
+    // Steps in binary arithmetic miss many of these points.
     assert!(
         compared == 1000 + 20 + 2500 + 8301 + 991 && differ > 1000,
         "{compared} {differ}"

@@ -10,10 +10,10 @@ use frictiongen_plot::Label;
 use frictiongen_plot::desk::{self, map_figure};
 use std::io::Write;
 
-/// How far a limit may stray from its line, in β/(1 + β).
+/// Largest distance of a limit from its drawn line, in β/(1 + β).
 const LINES: f64 = 2e-4;
 
-/// Draws a map, with the limits over it.
+/// Draws a map with the limits over it.
 pub fn draw(
     report: &MapReport,
     boundaries: &[Boundary],

@@ -10,15 +10,15 @@ use frictiongen::study::{Boundary, words};
 use serde_json::Value as Json;
 use std::borrow::Cow;
 
-/// Where what the contact does changes.
+/// The boundaries between the regions of a map, with the map itself.
 pub struct BoundaryReport<'a> {
-    /// Of which map.
+    /// The map.
     pub map: &'a MapReport,
     /// The boundaries, in the order of the frequencies, with ascending friction.
     pub boundaries: Vec<Boundary>,
 }
 
-/// A boundary, with the names of its two sides.
+/// A boundary with the names of the regions on its two sides.
 pub struct Point {
     frequency: Frequency,
     beta: f64,

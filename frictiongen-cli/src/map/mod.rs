@@ -1,4 +1,4 @@
-//! `frictiongen map`: what the contact does over frequency and friction.
+//! `frictiongen map`: computes the regime of the contact over frequency and friction.
 
 #[cfg(feature = "pictures")]
 mod draw;
@@ -26,7 +26,7 @@ use points::MapReport;
 use std::io::Write;
 use std::sync::Mutex;
 
-/// The most digits of a boundary.
+/// Largest number of digits of a boundary.
 const MOST_DIGITS: u32 = 12;
 
 /// Runs the command.

@@ -13,23 +13,23 @@ use frictiongen::{Error, System};
 use serde_json::Value as Json;
 use std::borrow::Cow;
 
-/// What is computed.
+/// The map with everything needed to write it.
 pub struct MapReport {
-    /// Of which system.
+    /// The system.
     pub system: System,
-    /// At which frequencies.
+    /// The frequencies.
     pub frequencies: Frequencies,
-    /// At which friction.
+    /// The frictions.
     pub frictions: Frictions,
-    /// In which units.
+    /// The units of the answers.
     pub measure: Measure,
-    /// Of which motions.
+    /// The motions whose amplitudes are written.
     pub parts: Vec<Part>,
     /// The map.
     pub map: Map,
 }
 
-/// A point, with its region's name.
+/// A point with the name of its region.
 pub struct Point {
     frequency: Frequency,
     friction: Friction,
@@ -38,8 +38,7 @@ pub struct Point {
 }
 
 impl MapReport {
-    /// What the map has at its frequencies, in their order, with the frequency of each.  A map that was cancelled lacks
-    /// some frequencies.
+    /// Pairs the entries of the map with their frequencies, in order. A map that was cancelled lacks some frequencies.
     pub fn placed<'a, T>(
         &'a self,
         found: &'a [T],
@@ -58,7 +57,7 @@ impl MapReport {
         let found = point.found.as_ref().ok();
         let pattern = found.map(|found| found.pattern);
         let count = |value: Option<usize>| value.map_or(Value::Missing, Value::Count);
-        // Of a motion that does not repeat nothing is counted.
+        // A motion that does not repeat has no counts.
         let counted = pattern.filter(|pattern| 0 < pattern.period);
         values.extend([
             pattern.map_or(Value::Missing, |pattern| {
@@ -78,7 +77,7 @@ impl MapReport {
         values
     }
 
-    /// The sign with which the scene's contact moves.
+    /// Returns the sign with which the scene's contact moves.
     fn sign(&self) -> f64 {
         if self.measure.turns_contact() {
             -1.0

@@ -1,4 +1,4 @@
-//! `frictiongen orbit`: the steady state over frequency and friction, stops included.
+//! `frictiongen orbit`: computes the steady state over frequency and friction, also where the contact stops.
 
 mod point;
 mod report;

@@ -10,62 +10,62 @@ use frictiongen::{Complex, NoOrbit, NotContinuous, OutOfDomain, Regime};
 /// The steady state at one frequency ratio and one friction ratio.
 #[derive(Debug)]
 pub struct Point {
-    /// At which frequency.
+    /// The frequency.
     pub frequency: Frequency,
-    /// At which friction.
+    /// The friction.
     pub friction: Friction,
-    /// Continuous, stick-slip, stuck or unbounded.
+    /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
-    /// Stable, marginal, unsettled, or why there is none.
+    /// Stable, marginal or unsettled, or the reason why there is no steady state.
     pub state: &'static str,
-    /// What there is.
+    /// The steady state, if there is one.
     pub orbit: Option<Steady>,
 }
 
 /// A steady state, or the last cycles of a motion that does not settle.
 #[derive(Debug)]
 pub struct Steady {
-    /// What repeats, if anything does.
+    /// Data of the periodic motion, if the motion repeats.
     pub period: Option<Period>,
-    /// Whether motion from rest ends in it.
+    /// Whether motion from rest reaches it.
     pub from_rest: bool,
-    /// Whether it is one of a continuum.
+    /// Whether it is a member of a continuum of steady states.
     pub marginal: bool,
-    /// The middle of the contact's motion, over P/k₁, for base motion over Y.
+    /// Mean of the contact's largest and smallest displacement, over P/k₁, for base motion over Y.
     pub offset: f64,
-    /// The part of the period for which it sticks.
+    /// Fraction of the period during which the contact sticks.
     pub stuck_fraction: f64,
-    /// When it sticks: start and length in τ.
+    /// Stops of the contact: start and length in τ.
     pub sticking: Vec<(f64, f64)>,
     /// Floquet multipliers.
     pub multipliers: Vec<Complex<f64>>,
-    /// The contact and the masses asked for, in their order.
+    /// Movements of the contact and of the masses asked for, in their order.
     pub movements: Vec<Movement>,
 }
 
-/// How a motion repeats.
+/// Data of a periodic motion.
 #[derive(Debug)]
 pub struct Period {
-    /// After how many cycles.
+    /// Number of excitation cycles in the period.
     pub cycles: usize,
-    /// Whether half a period repeats with the opposite sign.
+    /// Whether the second half of the period is the first with the opposite sign.
     pub symmetric: bool,
-    /// How often the contact stops in a period.
+    /// Number of stops of the contact in a period.
     pub stops: usize,
-    /// How often it reverses without a stop.
+    /// Number of reversals without a stop in a period.
     pub reversals: usize,
 }
 
-/// How the contact or a mass moves.
+/// Movement of the contact or of a mass.
 #[derive(Clone, Debug)]
 pub struct Movement {
     /// Largest displacement.
     pub amplitude: f64,
-    /// Its lag.
+    /// Lag of the largest displacement behind the maximum of the excitation.
     pub phase: f64,
-    /// The amplitude about the motion's own middle.
+    /// Half the distance between the smallest and the largest displacement.
     pub centred: f64,
-    /// The lag of the fundamental component; none for what does not move.
+    /// Lag of the fundamental component; `None` for a part that does not move.
     pub fundamental_phase: Option<f64>,
     /// The harmonics asked for, in ascending order.
     pub harmonics: Vec<Complex<f64>>,
@@ -84,7 +84,7 @@ impl Movement {
         }
     }
 
-    /// The same with the opposite sign, where it has this phase.
+    /// Reverses the sign of the movement, which then has this phase.
     fn turn(&mut self, phase: f64) {
         self.phase = phase;
         self.fundamental_phase = self.fundamental_phase.map(reversed_phase);
@@ -123,13 +123,13 @@ impl Steady {
         }
     }
 
-    /// How long the contact sticks at most without a break, in τ, if it sticks.
+    /// Returns the length of the longest stop of the contact, in τ, if it stops.
     pub fn longest_stop(&self) -> Option<f64> {
         let lengths = self.sticking.iter().map(|(_, length)| *length);
         lengths.reduce(f64::max)
     }
 
-    /// The largest modulus of a multiplier, if there are any.
+    /// Returns the largest modulus of a Floquet multiplier, if there are any.
     pub fn largest_multiplier(&self) -> Option<f64> {
         let moduli = self
             .multipliers
@@ -139,13 +139,13 @@ impl Steady {
     }
 }
 
-/// What is asked at every point.
+/// The question at every point.
 pub struct Question<'a> {
-    /// Of which masses.
+    /// The masses to answer for.
     pub masses: &'a [Mass],
-    /// Which harmonics.
+    /// The orders of the harmonics.
     pub orders: &'a [u32],
-    /// Whether the contact's motion is asked for with the opposite sign.
+    /// Whether the sign of the contact's motion is reversed.
     pub turn_contact: bool,
 }
 
@@ -159,7 +159,7 @@ pub fn answer(
     match at.orbit_or_last_cycles(beta) {
         Ok(orbit) => {
             let mut point = found(at, (frequency, friction), &orbit, question);
-            // Where motion does not settle, `response` answers with another state: this is that state's regime.
+            // Where the motion does not settle, `response` answers with another state, whose regime is written here.
             if !orbit.is_settled()
                 && let Ok(response) = at.response(beta)
             {
@@ -172,7 +172,7 @@ pub fn answer(
     }
 }
 
-/// Computes every steady state at a point that is found; one point that says why where there is none.
+/// Computes every steady state at a point that can be found. If there is none, it returns one point with the reason.
 pub fn states(
     at: &SystemAt<'_>,
     (frequency, friction): (Frequency, Friction),
@@ -216,7 +216,7 @@ fn none(
     })
 }
 
-/// The regime in a word, where there is no steady state.
+/// Returns the regime in a word, where there is no steady state.
 fn regime(
     at: &SystemAt<'_>,
     motion: &Result<SystemMotion<'_>, NotContinuous>,
@@ -225,7 +225,7 @@ fn regime(
         Ok(_) => words::regime(Regime::Continuous),
         Err(NotContinuous::StickSlip) => words::regime(Regime::StickSlip),
         Err(NotContinuous::Stuck) if at.stuck().is_ok() => words::regime(Regime::Stuck),
-        // On an undamped resonance, of the chain or of the chain with its contact stuck.
+        // This is an undamped resonance of the chain, or of the chain with its contact stuck.
         Err(NotContinuous::Stuck | NotContinuous::Unbounded) => "unbounded",
         Err(_) => return Err(OutOfDomain { argument: "beta" }),
     })

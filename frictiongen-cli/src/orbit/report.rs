@@ -1,5 +1,4 @@
-//! Writes steady states: a table line for each part that moves, a CSV line and a JSON object for
-//! each point.
+//! Writes steady states: a table line for each moving part, and a CSV line and a JSON object for each point.
 
 use super::point::{Movement, Point, Question, Steady, answer, states};
 use crate::asked::{CONTACT, Mass};
@@ -14,25 +13,25 @@ use crate::table::Column;
 use frictiongen::System;
 use serde_json::Value as Json;
 
-/// What is computed.
+/// The steady states with everything needed to write them.
 pub struct OrbitReport {
-    /// Of which system.
+    /// The system.
     pub system: System,
-    /// At which frequencies.
+    /// The frequencies.
     pub frequencies: Frequencies,
-    /// At which friction.
+    /// The frictions.
     pub frictions: Frictions,
-    /// In which units.
+    /// The units of the answers.
     pub measure: Measure,
-    /// Of which masses.
+    /// The masses to write.
     pub masses: Vec<Mass>,
-    /// Which harmonics.
+    /// The orders of the harmonics.
     pub orders: Vec<u32>,
     /// True if the user asked for every steady state; false for the one from rest.
     pub states: bool,
 }
 
-/// What a point says once, beside frequency and friction.
+/// Columns that a point has once, besides frequency and friction.
 const ONCE: [&str; 7] = [
     "regime",
     "state",
@@ -52,7 +51,7 @@ fn pair((first, second): (f64, f64)) -> Json {
 }
 
 impl OrbitReport {
-    /// What a point says once.
+    /// Returns the values that a point has once.
     fn once<'a>(&self, point: &'a Point) -> Vec<Value<'a>> {
         let orbit = point.orbit.as_ref();
         let period = orbit.and_then(|orbit| orbit.period.as_ref());
@@ -79,7 +78,7 @@ impl OrbitReport {
         values
     }
 
-    /// Columns that only CSV and JSON have.
+    /// Returns the columns that only CSV and JSON have.
     fn flags(point: &Point) -> [Value<'static>; 2] {
         let orbit = point.orbit.as_ref();
         [
@@ -88,18 +87,18 @@ impl OrbitReport {
         ]
     }
 
-    /// How long an angle of the excitation lasts.
+    /// Converts an angle of the excitation to seconds.
     fn seconds(&self, point: &Point, angle: f64) -> f64 {
         angle / self.system.angular_frequency(point.frequency.r)
     }
 
-    /// The names of the parts that move.
+    /// Returns the names of the moving parts.
     fn parts(&self) -> impl Iterator<Item = &str> {
         let masses = self.masses.iter().map(|mass| mass.name.as_str());
         std::iter::once(CONTACT).chain(masses)
     }
 
-    /// Amplitude and phase; the same of each harmonic.
+    /// Returns amplitudes and phases of a movement, then amplitude and phase of each harmonic.
     fn values<'a>(&self, movement: Option<&Movement>) -> Vec<Value<'a>> {
         let Some(movement) = movement else {
             return vec![Value::Missing; 4 + 2 * self.orders.len()];
@@ -110,7 +109,7 @@ impl OrbitReport {
         values
     }
 
-    /// Amplitudes and phases.
+    /// Returns the amplitudes and phases of a movement.
     fn first(&self, movement: &Movement) -> [Value<'static>; 4] {
         let measure = &self.measure;
         [
@@ -124,7 +123,7 @@ impl OrbitReport {
         ]
     }
 
-    /// The names of those.
+    /// Returns the names of the columns of [`first`](Self::first).
     fn first_names(&self) -> [String; 4] {
         [
             self.measure.length_name("amplitude"),
@@ -134,7 +133,7 @@ impl OrbitReport {
         ]
     }
 
-    /// The names of what a point says once.
+    /// Returns the names of the columns that a point has once.
     fn once_names(&self) -> Vec<String> {
         let names = [self.frequencies.names(), self.frictions.names(), &ONCE].concat();
         let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();

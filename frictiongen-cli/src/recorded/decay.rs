@@ -1,4 +1,4 @@
-//! `frictiongen identify --decay`: friction from a free vibration.
+//! `frictiongen identify --decay`: finds friction in a free vibration.
 
 use super::lines::Lines;
 use super::read;
@@ -6,7 +6,7 @@ use crate::args::IdentifyArguments;
 use crate::failure::Failure;
 use frictiongen::System;
 
-/// What the only recording says.
+/// Returns the result for the only recording.
 pub fn lines(arguments: &IdentifyArguments, system: &System) -> Result<Lines, Failure> {
     let files = &arguments.recordings;
     let recordings = files.recordings()?;
@@ -15,7 +15,7 @@ pub fn lines(arguments: &IdentifyArguments, system: &System) -> Result<Lines, Fa
             "--decay: one recording of one free vibration is needed",
         ));
     };
-    // Damping that the description has is known, unless it is asked for.
+    // Damping of the description counts as known, unless the user asks for it.
     let described = system.described_damping();
     let known = described.filter(|_| arguments.also.is_empty());
     let found = system

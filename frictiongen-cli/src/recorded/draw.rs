@@ -12,10 +12,10 @@ use frictiongen_plot::{
 };
 use std::io::Write;
 
-/// How much wider the frame is than the points.
+/// Largest value on an axis over the largest drawn value.
 const ROOM: f64 = 1.15;
 
-/// Residuals over their deviations, over frequency: real parts and imaginary parts, and the lines at ±2.
+/// Draws residuals over their deviations against frequency: real parts, imaginary parts, and lines at ±2.
 pub fn residuals(
     system: &System,
     observations: &[Observation],
@@ -59,7 +59,7 @@ pub fn residuals(
     picture::write(figure, system, form, out)
 }
 
-/// Displacements over time, and the friction force.
+/// Draws displacements and the friction force over time.
 pub fn driven(
     system: &System,
     driven: &Driven,

@@ -1,4 +1,4 @@
-//! `frictiongen drive`: a scene under a recorded input.
+//! `frictiongen drive`: computes the motion of a scene under a recorded input.
 
 use super::driven::Driven;
 use super::read;

@@ -1,4 +1,4 @@
-//! What a scene does under a recorded input, sample by sample.
+//! The motion of a scene under a recorded input, sample by sample.
 
 use crate::asked::{CONTACT, Part};
 use crate::failure::Failure;
@@ -11,23 +11,23 @@ use frictiongen::study::{SystemStepper, words};
 use frictiongen::{Of, System};
 use serde_json::{Value as Json, json};
 
-/// The motion under the inputs.
+/// The motion under the recorded inputs.
 pub struct Driven {
-    /// Whose motion.
+    /// The moving parts.
     pub parts: Vec<Part>,
-    /// Sample after sample.
+    /// The samples in order.
     pub samples: Vec<Sample>,
     work: Work<f64>,
     exceeded: u64,
 }
 
-/// What there is at a sample.
+/// State at one sample.
 pub struct Sample {
-    /// In s.
+    /// Time, in s.
     pub time: f64,
     /// Displacement and velocity of each part, in m and m/s.
     pub motions: Vec<[f64; 2]>,
-    /// The friction force, in N.
+    /// Friction force, in N.
     pub force: f64,
     state: &'static str,
     events: u32,
@@ -59,7 +59,7 @@ impl Driven {
         })
     }
 
-    /// Work and bounds, each with its name.
+    /// Returns the terms of the energy balance, each with its name.
     fn sums(&self) -> [(&'static str, f64); 4] {
         let Work {
             load,
@@ -75,7 +75,7 @@ impl Driven {
         ]
     }
 
-    /// The sums in words.
+    /// Returns the energy balance in words.
     pub fn account(&self) -> String {
         let Work {
             load,

@@ -1,4 +1,4 @@
-//! `frictiongen fit`: a scene's parameters from a sweep without friction.
+//! `frictiongen fit`: fits a scene's parameters to a sweep without friction.
 
 use super::lines::Lines;
 use super::read;
@@ -38,7 +38,7 @@ fn lines(system: &System, found: &SweepFit, points: usize) -> Lines {
         lines.said.push(("verdict", note.to_owned()));
     }
     lines.estimate("sqrt(k1/m1)", found.reference, 1.0, "Hz");
-    // r over f, and over ω.
+    // The factors from f to r, and from ω to r.
     let inverse = frictiongen::measure::Estimate {
         value: 1.0 / found.reference.value,
         from: 1.0 / found.reference.to,
@@ -70,7 +70,7 @@ fn lines(system: &System, found: &SweepFit, points: usize) -> Lines {
         lines.number("misfit (1 is noise)", misfit, "");
     }
     lines.number("condition", found.condition, "");
-    // The description with what was found, its first mass as it was.
+    // These are the values of the fitted description. Its first mass keeps its value.
     for (mass, new) in scene.masses.iter().zip(&found.system.scene().masses) {
         lines.number(
             format!("mass {} of the description", mass.name),

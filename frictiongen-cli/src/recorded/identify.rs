@@ -1,4 +1,4 @@
-//! `frictiongen identify`: the friction force from recordings.
+//! `frictiongen identify`: finds the friction force from recordings.
 
 use super::lines::Lines;
 use super::{decay, read};
@@ -78,7 +78,7 @@ pub fn run(arguments: &IdentifyArguments, out: &mut dyn Write) -> Result<(), Fai
     })
 }
 
-/// Two friction forces, a:b.
+/// Parses a range of friction forces, a:b.
 fn between(text: &str) -> Result<(f64, f64), Failure> {
     let ends = text
         .split_once(':')

@@ -1,4 +1,4 @@
-//! Answers as lines: a quantity, its value with an interval, its unit.
+//! Results as lines: a quantity, its value with an interval, and its unit.
 
 use crate::failure::Failure;
 use crate::number::Value;
@@ -7,7 +7,7 @@ use crate::table::Column;
 use frictiongen::measure::Estimate;
 use serde_json::Value as Json;
 
-/// A quantity.
+/// A quantity with its value, interval and unit.
 pub struct Line {
     name: String,
     value: Value<'static>,
@@ -15,11 +15,11 @@ pub struct Line {
     unit: &'static str,
 }
 
-/// Quantities, with what is said once.
+/// Quantities, and texts that come once.
 #[derive(Default)]
 pub struct Lines {
     lines: Vec<Line>,
-    /// Titles and texts.
+    /// Titles and texts before the quantities.
     pub said: Vec<(&'static str, String)>,
 }
 
@@ -34,7 +34,7 @@ impl Lines {
         self.add(name.into(), word.into(), None, "");
     }
 
-    /// Adds a number with its interval, both times `scale`.
+    /// Adds a number with its interval, both multiplied by `scale`.
     pub fn estimate(
         &mut self,
         name: impl Into<String>,

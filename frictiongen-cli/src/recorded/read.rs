@@ -9,7 +9,7 @@ use frictiongen_codegen::Limits;
 use std::fs;
 use std::path::Path;
 
-/// The scene that recordings are of.
+/// Reads the scene of the recordings.
 pub fn scene(path: &Path) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(path.to_owned()),
@@ -18,7 +18,7 @@ pub fn scene(path: &Path) -> Result<System, Failure> {
     System::try_from(description.scene).map_err(Failure::new)
 }
 
-/// The text of a file.
+/// Reads the text of a file.
 pub fn text(path: &Path) -> Result<String, Failure> {
     let bytes = fs::read(path).map_err(|error| {
         Failure::new(format_args!(
@@ -35,7 +35,7 @@ pub fn text(path: &Path) -> Result<String, Failure> {
     })
 }
 
-/// What is wrong with a file.
+/// Makes the message for an error in a file.
 pub fn told(path: &Path, error: &MeasureError) -> Failure {
     Failure::new(format_args!("{}: {error}", path.display()))
 }
@@ -54,7 +54,7 @@ impl RecordingArguments {
         })
     }
 
-    /// All recordings, in the order given.
+    /// Reads all recordings in the order given.
     pub fn recordings(&self) -> Result<Vec<Recording>, Failure> {
         let request = self.request()?;
         let read = |path: &std::path::PathBuf| {
@@ -64,7 +64,7 @@ impl RecordingArguments {
         self.recordings.iter().map(read).collect()
     }
 
-    /// The one recording, as what drives a scene.
+    /// Reads the one recording that drives a scene.
     pub fn inputs(&self) -> Result<Recording, Failure> {
         let [path] = self.recordings.as_slice() else {
             return Err(Failure::new("one recording at a time drives a scene"));
@@ -73,7 +73,7 @@ impl RecordingArguments {
         Recording::inputs_from_csv(&text, &self.request()?).map_err(|error| told(path, &error))
     }
 
-    /// The steady motion in each of them.
+    /// Returns the steady motion in each recording.
     pub fn measured(&self, system: &System) -> Result<Vec<Measured>, Failure> {
         let recordings = self.recordings()?;
         let pairs = self.recordings.iter().zip(&recordings);
@@ -85,7 +85,7 @@ impl RecordingArguments {
     }
 }
 
-/// `NAME=COLUMN:UNIT`.
+/// Parses `NAME=COLUMN:UNIT`.
 fn column(text: &str) -> Result<Column, Failure> {
     let wrong = || {
         Failure::new(format_args!(

@@ -1,4 +1,4 @@
-//! `frictiongen transmissibility`: driving frequency, transmissibility and phase of recordings.
+//! `frictiongen transmissibility`: finds driving frequency, transmissibility and phase in recordings.
 
 use super::read;
 use crate::args::TransmissibilityArguments;

@@ -1,4 +1,4 @@
-//! What the page is about: what was asked for, and what is chosen where nothing was.
+//! Subject of the page: what the options set, and the choices for everything else.
 
 use super::words::Words;
 use crate::args::ReportArguments;
@@ -12,35 +12,35 @@ use frictiongen::study::scene::{Excitation, Node};
 use frictiongen::study::units;
 use frictiongen::{Of, System};
 
-/// The most frictions of a page: more colours are not told apart.
+/// Largest number of frictions on a page. More colours could not be told apart.
 const MOST_FRICTIONS: usize = 6;
-/// The most masses whose motions are all shown.
+/// Largest number of masses for which all motions are shown.
 const ALL_SHOWN: usize = 4;
-/// Of the lowest and of the highest resonance.
+/// End points of the default range, over the lowest and over the highest resonance.
 const RANGE: [f64; 2] = [0.3, 1.5];
-/// Of the sliding limit that half of the range exceeds.
+/// Default frictions, over the sliding limit that half of the range exceeds.
 const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
-/// Frequencies at which the sliding limit is looked at for that.
+/// Number of frequencies at which the sliding limit is evaluated for that.
 const PLACES: usize = 401;
 
-/// What the page is about.
+/// Subject of the page.
 pub struct Asked {
-    /// Of which system.
+    /// The system.
     pub system: System,
-    /// Over which frequencies.
+    /// The range of frequencies.
     pub band: Band,
-    /// In which units.
+    /// The units and their words.
     pub words: Words,
-    /// Of which motions.
+    /// The motions that are shown.
     pub parts: Vec<Part>,
-    /// β, as far as it was given.
+    /// Friction ratios β, if frictions are given.
     pub frictions: Option<Vec<f64>>,
-    /// What was chosen, and by which rule.
+    /// Sentences about the choices and their rules.
     pub chosen: Vec<String>,
 }
 
 impl Asked {
-    /// What the options say.
+    /// Reads the options.
     pub fn of(arguments: &ReportArguments, system: System) -> Result<Self, Failure> {
         let measure = Measure::of(&arguments.load, &system)?;
         let mut chosen = Vec::new();
@@ -92,17 +92,17 @@ impl Asked {
         })
     }
 
-    /// Frequency ratios evenly over the range, both ends among them.
+    /// Returns frequency ratios evenly over the range, both end points included.
     pub fn even(&self, count: usize) -> impl Iterator<Item = f64> + use<> {
         evenly(&self.band, count)
     }
 
-    /// The masses by how far they move with the contact stuck, the farthest first.
+    /// Returns the masses in descending order of their motion with the contact stuck.
     pub fn farthest_if_stuck(&self) -> Vec<usize> {
         farthest_if_stuck(&self.system, &self.band)
     }
 
-    /// The sliding limits over the range, ascending; without those that are infinite.
+    /// Returns the finite sliding limits over the range, ascending.
     pub fn sliding_limits(&self) -> Vec<f64> {
         let at = |r: f64| Some(self.system.at(r).ok()?.sliding_limit());
         let mut limits: Vec<f64> = self.even(PLACES).filter_map(at).collect();
@@ -111,7 +111,8 @@ impl Asked {
         limits
     }
 
-    /// The frictions of the curves: those given, or parts of the sliding limit and the best one, ascending.
+    /// Returns the frictions of the curves, ascending: those given, or fractions of the sliding limit and the best
+    /// friction.
     pub fn levels(&mut self, best: Option<f64>) -> Vec<f64> {
         if let Some(given) = &self.frictions {
             return given.clone();
@@ -133,7 +134,7 @@ impl Asked {
             if best.is_some() { ", and the best friction" } else { "" },
         ));
         if let Some(best) = best.filter(|best| 0.0 < *best && best.is_finite()) {
-            // Two curves that nobody tells apart are one.
+            // A curve too close to the best one could not be told apart, so that it is left out.
             levels.retain(|level| 0.05 * best < (level - best).abs());
             levels.push(best);
         }
@@ -144,7 +145,7 @@ impl Asked {
     }
 }
 
-/// Frequency ratios evenly over a range, both ends among them.
+/// Returns frequency ratios evenly over a range, both end points included.
 fn evenly(band: &Band, count: usize) -> impl Iterator<Item = f64> + use<> {
     let (from, to) = (band.from, band.to);
     let steps = count.max(2) - 1;
@@ -157,7 +158,7 @@ fn evenly(band: &Band, count: usize) -> impl Iterator<Item = f64> + use<> {
     })
 }
 
-/// The masses by how far they move with the contact stuck, the farthest first.
+/// Returns the masses in descending order of their motion with the contact stuck.
 fn farthest_if_stuck(system: &System, band: &Band) -> Vec<usize> {
     let stuck = evenly(band, PLACES).filter_map(|r| system.at(r).ok()?.stuck().ok());
     let mut most = vec![(0.0_f64, 0); system.scene().masses.len()];
@@ -190,7 +191,8 @@ fn automatic(system: &System, in_hertz: bool) -> Band {
     )
 }
 
-/// The motions of a page: all, or of a long chain those that count first.  The motion that rubs on a wall is its mass's.
+/// Returns the motions of a page: all, or the most important ones of a long chain. If the contact is with a wall, only
+/// its mass is listed, because both move alike.
 fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<Part>, Failure> {
     let mut all = asked::parts(system, &[])?;
     let scene = system.scene();

@@ -9,25 +9,25 @@ use frictiongen::study::{FrequencyBand, Optimum, OptimumEnd, OptimumKind, Optimu
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// The most masses of a chain whose best friction is looked for.
+/// Largest number of masses of a chain whose best friction is searched.
 const MOST_MASSES: usize = 16;
-/// The work of one search, less than “frictiongen optimum” may take: a page should come within seconds.
+/// Work of one search, less than that of “frictiongen optimum”, because a page should be ready within seconds.
 const WORK: usize = 150_000;
-/// The most motions whose best friction is looked for,
+/// Largest number of motions that are searched in a chain of at most [`ALL_MOTIONS`] masses.
 const MOST_MOTIONS: usize = 4;
-/// up to so many masses; of longer chains so many motions.
+/// Largest number of masses of a short chain. In a longer one [`MOST_OF_LONG`] motions are searched.
 const ALL_MOTIONS: usize = 4;
 const MOST_OF_LONG: usize = 2;
 
-/// The best friction for one motion, or why there is none.
+/// The best friction for one motion, or the reason why there is none.
 pub struct Best {
-    /// Of which motion.
+    /// The motion.
     pub part: Part,
-    /// What was found.
+    /// The result of the search.
     pub found: Result<Optimum, String>,
 }
 
-/// The best frictions, or why none was looked for.
+/// Searches the best frictions, or returns the reason why it does not.
 pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let masses = asked.system.scene().masses.len();
     if MOST_MASSES < masses {
@@ -40,7 +40,7 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let parts = asked.parts.iter();
     let parts = parts.filter(|part| only_contact || part.of != Of::Contact);
     let mut parts: Vec<Part> = parts.cloned().collect();
-    // Those that too much friction does most harm to.
+    // The motions that too much friction enlarges most are kept.
     let farthest = asked.farthest_if_stuck();
     let rank = |part: &Part| match part.of {
         Of::Mass(mass) => farthest.iter().position(|other| *other == mass),
@@ -69,29 +69,30 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     Ok(at_once(parts, best))
 }
 
-/// Up to which friction nothing sticks anywhere in the range, and from which on a stuck state exists all over it.
+/// Returns the friction up to which the contact sticks nowhere in the range, and the friction from which on a stuck
+/// state exists in the whole range.
 pub fn limits(best: &Result<Vec<Best>, String>) -> Option<(f64, f64)> {
     let mut all = best.iter().flatten();
     let found = all.find_map(|best| best.found.as_ref().ok())?;
     Some((found.free_of_sticking, found.locked))
 }
 
-/// Between which frictions the largest amplitude is at most a tenth above the best.
+/// Returns the range of frictions in which the largest amplitude is at most a tenth above the best.
 pub fn within(optimum: &Optimum) -> Option<(f64, f64)> {
     let widest = optimum.tolerances.last();
     widest.map(|widest| (widest.from, widest.to))
 }
 
-/// The one for what moves farthest.
+/// Returns the result of the motion with the largest best amplitude.
 pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
     let all = best.as_ref().ok()?.iter();
     let found = all.filter_map(|best| Some((best, best.found.as_ref().ok()?)));
-    // A mass that a contact can hold at rest asks for no choice.
+    // A mass that stays at rest when the contact sticks needs no choice of friction.
     let found = found.filter(|(_, answer)| 0.0 < answer.amplitude);
     found.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude))
 }
 
-/// What limits the amplitude there, in words.
+/// Returns what limits the amplitude, in words.
 pub fn kind(optimum: &Optimum) -> &'static str {
     match (optimum.kind, optimum.end) {
         (_, OptimumEnd::WorkSpent) => {
@@ -107,7 +108,7 @@ pub fn kind(optimum: &Optimum) -> &'static str {
     }
 }
 
-/// The section.
+/// Returns the section of the page.
 pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
     let words = &asked.words;
     html! {
@@ -145,7 +146,7 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
     }
 }
 
-/// An amplitude, or that it has none or no bound.
+/// Formats an amplitude, also if it is zero or unbounded.
 pub fn bound(words: &Words, ratio: f64) -> String {
     match ratio {
         0.0 => "at rest".to_owned(),
@@ -186,7 +187,7 @@ fn row(best: &Best, asked: &Asked) -> Markup {
     }
 }
 
-/// The same as data.
+/// Returns the section as data.
 pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
     let words = &asked.words;
     let one = |best: &Best| match &best.found {

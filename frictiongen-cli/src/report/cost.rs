@@ -1,4 +1,4 @@
-//! What the emitted code costs and how exact it is: as emitted, and as measured here.
+//! Cost and accuracy of the emitted code: counted in the code, and measured here.
 
 use super::asked::Asked;
 use super::words::{digits, number};
@@ -10,16 +10,16 @@ use frictiongen_codegen::{Limits, SceneTables, parse_text, pretty};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// The most masses whose answers are compared with double-double.
+/// Largest number of masses for which answers are compared with double-double.
 const MOST_COMPARED: usize = 16;
-/// Frequencies at which they are.
+/// Number of frequencies at which answers are compared.
 const PLACES: usize = 101;
-/// The most masses for which tables are made.
+/// Largest number of masses for which tables are made.
 const MOST_TABLED: usize = 4;
-/// The accuracy declared for them.
+/// Accuracy declared for the tables.
 const DECLARED: f64 = 1e-4;
 
-/// Steps in a period of the highest resonance.
+/// Number of steps in a period of the highest resonance.
 const STEPS_OF_A_PERIOD: f64 = 20.0;
 
 /// An emitted function.
@@ -29,13 +29,13 @@ struct Function {
     operations: String,
 }
 
-/// By how much answers differ from those in double-double, at most.
+/// Largest differences of the answers from those in double-double.
 struct Measured {
     precision: &'static str,
     continuous: f64,
     sliding: f64,
     amplitude: f64,
-    /// Limits, and amplitudes.
+    /// Number of compared limits, and of compared amplitudes.
     compared: (usize, usize),
 }
 
@@ -49,18 +49,18 @@ struct Tabled {
     operations: usize,
 }
 
-/// What answers take at most, counted from the sizes of the scene.
+/// Upper bounds on the work of the answers, from the sizes of the scene.
 struct Bounds {
-    /// Evaluations of a sum over the modes, of a search for β_lim and for an amplitude.
+    /// Evaluations of the modal sum in a search for β_lim, and in a search for an amplitude.
     limit: u32,
     amplitude: u32,
-    /// The numbers that a steady state with stops keeps, in bytes.
+    /// Size of a steady state with stops, in bytes.
     orbit: usize,
-    /// The length of a step, in seconds, and its operations by the tables and with one event.
+    /// Length of a step in seconds, and its operations by the tables and with one event.
     step: Option<(f64, u64, u64)>,
 }
 
-/// The section's contents.
+/// Contents of the section.
 pub struct Cost {
     bounds: Option<Bounds>,
     functions: Result<Vec<Function>, String>,
@@ -70,7 +70,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// Of a description.
+    /// Computes the section for a description.
     pub fn of(text: &str, asked: &Asked) -> Self {
         let scene = asked.system.scene();
         Self {
@@ -85,7 +85,7 @@ impl Cost {
         }
     }
 
-    /// The section.
+    /// Returns the section of the page.
     pub fn html(&self) -> Markup {
         html! {
             section #cost {
@@ -141,7 +141,7 @@ impl Cost {
         }
     }
 
-    /// The same as data.
+    /// Returns the section as data.
     pub fn data(&self) -> Json {
         let none = |reason: &String| json!({ "none": reason });
         let functions = self.functions.as_ref().map_or_else(none, |all| {
@@ -233,7 +233,7 @@ fn bounds(asked: &Asked) -> Option<Bounds> {
     })
 }
 
-/// The emitted functions whose documentation counts operations.
+/// Returns the emitted functions whose documentation counts operations.
 fn functions(text: &str) -> Result<Vec<Function>, String> {
     let description = parse_text(text, &Limits::CHECK).map_err(|_| {
         "The macro refuses this description; “frictiongen check” says why.".to_owned()
@@ -286,7 +286,7 @@ fn measured(text: &str, asked: &Asked) -> Result<Vec<Measured>, String> {
     ])
 }
 
-/// The largest differences of a system's answers from a reference's.
+/// Returns the largest differences between a system's answers and those of a reference.
 fn compared<S: Float>(
     precision: &'static str,
     system: &System<S>,
@@ -301,7 +301,7 @@ fn compared<S: Float>(
         compared: (0, 0),
     };
     for r in asked.even(PLACES) {
-        // The very same r for both.
+        // Both systems get exactly the same r.
         let own = S::constant(r);
         let (Ok(at), Ok(exact)) = (system.at(own), reference.at(Dd::from(own.to_f64()))) else {
             continue;

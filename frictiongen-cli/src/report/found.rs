@@ -1,16 +1,16 @@
-//! What a motion does at one frequency and one friction, and questions asked at once.
+//! The motion at one frequency and one friction, and questions that are answered in parallel.
 
 use super::asked::Asked;
 use frictiongen::study::{Swing, SystemResponse, units};
 use frictiongen::{Error, Of, Regime};
 
-/// So much friction that nothing slides but beside a resonance of the chain with its contact stuck.
+/// Friction ratio at which nothing slides except near a resonance of the chain with its contact stuck.
 pub const STUCK: f64 = 1e9;
 
-/// Regime, amplitude and phase, or why there are none.
+/// Regime, amplitude and phase, or the reason why there are none.
 pub type Found = Result<(Regime, Swing), Error>;
 
-/// At one frequency and one friction; with the contact stuck at any frequency if that is [`STUCK`].
+/// Returns the motion at one frequency and one friction. [`STUCK`] stands for a contact that sticks at any frequency.
 pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
     let at = asked.system.at(r)?;
     let rest = Swing::REST;
@@ -40,7 +40,7 @@ pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
     Ok((response.regime(), swing))
 }
 
-/// Answers questions at once, each in a thread: they take seconds, and there are a few.
+/// Answers questions in parallel, each in its own thread. There are a few, and each takes seconds.
 pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sync) -> Vec<A> {
     let answer = &answer;
     std::thread::scope(|scope| {
@@ -50,7 +50,7 @@ pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sy
         let threads: Vec<_> = threads.collect();
         let answers = threads.into_iter().map(|thread| match thread.join() {
             Ok(answer) => answer,
-            // As if it had been answered here.
+            // A panic continues here as if this thread had computed the answer.
             Err(panic) => std::panic::resume_unwind(panic),
         });
         answers.collect()

@@ -11,15 +11,15 @@ use frictiongen_plot::{Across as Line, Colour, Figure, Guide, Layer, Panel};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// How far a limit may stray from its line, in β/(1 + β).
+/// Largest distance of a limit from its drawn line, in β/(1 + β).
 const LINES: f64 = 5e-4;
-/// Rows of the table.
+/// Number of rows of the table.
 const ROWS: usize = 31;
 
-/// The section's contents.
+/// Contents of the section.
 pub struct Regimes {
     lines: LimitLines,
-    /// None of a long chain, whose steady states take too long for a map.
+    /// The map; `None` for a long chain, whose steady states take too long.
     map: Option<Map>,
     top: f64,
     rows: Vec<(f64, Limits<f64>)>,
@@ -28,15 +28,15 @@ pub struct Regimes {
     levels: Vec<f64>,
 }
 
-/// The ends of both limits over the range.
+/// Extreme values of both limits over the range.
 pub struct Spread {
-    /// Up to this β nothing sticks anywhere in it.
+    /// Largest β up to which the contact sticks nowhere in the range.
     pub continuous_to: f64,
-    /// From this β on the contact is stuck all over it.
+    /// Least β from which on the contact is stuck in the whole range.
     pub stuck_from: f64,
 }
 
-/// How many frequencies and frictions a map has.
+/// Returns the number of frequencies and of frictions of a map.
 fn cells(masses: usize) -> Option<(usize, usize)> {
     match masses {
         0..=4 => Some((120, 72)),
@@ -46,7 +46,8 @@ fn cells(masses: usize) -> Option<(usize, usize)> {
 }
 
 impl Regimes {
-    /// Over the range, and over frictions with room for some levels; `known` are the ends of both limits.
+    /// Computes the map over the range, up to a friction above all `levels`. `known` contains the extreme values of
+    /// both limits, if they are known.
     pub fn of(asked: &Asked, levels: &[f64], known: Option<(f64, f64)>) -> Result<Self, Failure> {
         let system = &asked.system;
         let (from, to) = (asked.band.from, asked.band.to);
@@ -57,7 +58,7 @@ impl Regimes {
                 (low.min(limit), high.max(limit))
             })
         };
-        // As the best frictions know them: a line goes through points.
+        // The values from the best frictions are better, because a drawn line passes through points only.
         let (continuous_to, stuck_from) = known.unwrap_or_else(|| {
             (
                 ends(|limits| limits.continuous.min(limits.sliding)).0,
@@ -83,7 +84,7 @@ impl Regimes {
             Some((columns, count)) => {
                 let step = (to - from) / columns as f64;
                 let rise = top / count as f64;
-                // Middles of cells that fill the range.
+                // The points are the middles of cells that fill the range.
                 let request = MapRequest {
                     r: (0..columns)
                         .map(|i| from + step * (i as f64 + 0.5))
@@ -105,7 +106,7 @@ impl Regimes {
         })
     }
 
-    /// The picture.
+    /// Returns the picture.
     pub fn plot(&self, asked: &Asked) -> Plot {
         let scales = &asked.words.scales;
         let mut panel = match &self.map {
@@ -172,7 +173,7 @@ impl Regimes {
         )
     }
 
-    /// What the contact does in each cell, row after row from the least friction.
+    /// Returns the regime in each cell, row after row from the least friction.
     fn cells(&self, asked: &Asked) -> Json {
         let Some(map) = &self.map else {
             return Json::Null;
@@ -207,7 +208,7 @@ impl Regimes {
         json!({ "x": x, "y": y, "names": names, "cells": cells })
     }
 
-    /// The section.
+    /// Returns the section of the page.
     pub fn html(&self, plot: &Plot, asked: &Asked) -> Markup {
         let words = &asked.words;
         html! {
@@ -251,7 +252,7 @@ impl Regimes {
         }
     }
 
-    /// The limits as data.
+    /// Returns the limits as data.
     pub fn data(&self, asked: &Asked) -> Json {
         let words = &asked.words;
         let limit = |beta: f64| object(words.friction_json(beta));
@@ -270,7 +271,7 @@ impl Regimes {
     }
 }
 
-/// What the contact does, in words.
+/// Returns in words how the contact moves.
 fn does(pattern: Pattern) -> String {
     use frictiongen::Regime;
     match (pattern.regime, pattern.period, pattern.stops) {

@@ -1,4 +1,4 @@
-//! `frictiongen report`: everything about a description on one page of HTML, without network.
+//! `frictiongen report`: writes everything about a description on one HTML page that needs no network.
 
 mod asked;
 mod best;
@@ -26,7 +26,7 @@ use std::io::Write;
 /// Runs the command.
 pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(path) = arguments.output.as_deref() {
-        // Said before a long computation, not after it.
+        // A file that cannot be written is reported before a long computation, not after it.
         file::check(path, arguments.file.path())?;
     }
     let name = arguments.file.name();

@@ -1,4 +1,4 @@
-//! The modes: frequencies, damping, shapes, and how load and contact take part.
+//! The modes: frequencies, damping, shapes, and participation of load and contact.
 
 use super::asked::Asked;
 use super::plot::{Across, Axes, Plot, Series};
@@ -9,11 +9,11 @@ use frictiongen_plot::{
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// The most modes that are drawn: colours beyond are not told apart.
+/// Largest number of modes that are drawn. More colours could not be told apart.
 const MOST_DRAWN: usize = 5;
-/// The most modes in the table; all are in the data.
+/// Largest number of modes in the table. The data contain all modes.
 const MOST_LISTED: usize = 16;
-/// A part smaller than this share of the largest is called none.
+/// Participation, relative to the largest, below which it counts as none.
 const NONE: f64 = 1e-12;
 
 /// A mode.
@@ -21,18 +21,18 @@ struct Mode {
     r: f64,
     hertz: f64,
     zeta: f64,
-    /// By mass, the largest ±1.
+    /// Mode shape by mass, with the largest displacement ±1.
     shape: Vec<f64>,
     load: f64,
     contact: f64,
     threshold: Option<f64>,
 }
 
-/// The section's contents.
+/// Contents of the section.
 pub struct Modes(Vec<Mode>);
 
 impl Modes {
-    /// Of a system.
+    /// Collects the modes of a system.
     pub fn of(asked: &Asked) -> Self {
         let system = &asked.system;
         let modal = system.modal();
@@ -61,12 +61,12 @@ impl Modes {
         )
     }
 
-    /// The resonances, in words: those that the load drives.
+    /// Returns the resonances in words.
     pub fn resonances(&self, words: &Words) -> Vec<String> {
         self.0.iter().map(|mode| words.frequency(mode.r)).collect()
     }
 
-    /// The picture of the shapes.
+    /// Returns the picture of the shapes.
     pub fn plot(&self, asked: &Asked) -> Plot {
         let masses = asked.system.scene().masses.len();
         let x = Axis::new(
@@ -121,7 +121,7 @@ impl Modes {
         )
     }
 
-    /// The section.
+    /// Returns the section of the page.
     pub fn html(&self, plot: &Plot, asked: &Asked) -> Markup {
         let scene = asked.system.scene();
         let words = &asked.words;
@@ -189,7 +189,7 @@ impl Modes {
         }
     }
 
-    /// All modes as data.
+    /// Returns all modes as data.
     pub fn data(&self) -> Json {
         let modes = self.0.iter().map(|mode| {
             json!({
@@ -206,7 +206,7 @@ impl Modes {
     }
 }
 
-/// With the largest displacement 1, and that positive.
+/// Scales a shape so that its largest displacement is 1 and positive.
 fn normalised(shape: &[f64]) -> Vec<f64> {
     let largest =
         shape.iter().copied().fold(

@@ -11,21 +11,21 @@ use super::{scene, summary};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Of the data's form: it grows when a field is renamed or means something else.
+/// Version of the data's format. It grows when a field is renamed or changes its meaning.
 const VERSION: u32 = 1;
 
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("read.js");
-/// The hash of the script: the page lets nothing else run.  A test compares them.
+/// Hash of the script. The page allows no other script to run. A test compares hash and script.
 const SCRIPT_HASH: &str = include_str!("read.js.sha256");
 
-/// What stands on the page.
+/// Contents of the page.
 pub struct Page<'a> {
-    /// What the description is called.
+    /// Name of the description.
     pub file: &'a str,
-    /// Its doc comments.
+    /// Doc comments of the description.
     pub documentation: &'a str,
-    /// What was asked and chosen.
+    /// Subject of the page, asked for or chosen.
     pub asked: Asked,
     /// The modes.
     pub modes: Modes,
@@ -33,16 +33,16 @@ pub struct Page<'a> {
     pub responses: Responses,
     /// Limits and regimes.
     pub regimes: Regimes,
-    /// What the response is made of.
+    /// Features of the response.
     pub features: Features,
     /// The best frictions.
     pub best: Result<Vec<Best>, String>,
-    /// What emitted code costs.
+    /// Cost of the emitted code.
     pub cost: Cost,
 }
 
 impl Page<'_> {
-    /// The page.
+    /// Returns the HTML of the page.
     pub fn html(&self) -> String {
         let asked = &self.asked;
         let (modes, regimes) = (self.modes.plot(asked), self.regimes.plot(asked));
@@ -81,7 +81,7 @@ impl Page<'_> {
                     meta name="viewport" content="width=device-width, initial-scale=1";
                     meta name="color-scheme" content="light dark";
                     title { (name) ": friction report" }
-                    // Both are this crate's own text, and no name goes into them.
+                    // Both texts belong to this crate and contain no name of the user.
                     style { (PreEscaped(STYLE)) }
                 }
                 body {
@@ -110,7 +110,7 @@ impl Page<'_> {
         page.into_string()
     }
 
-    /// What was chosen, and in what the page counts.
+    /// Returns the choices that were made, and the units of the page.
     fn chosen(&self) -> Markup {
         let words = &self.asked.words;
         let option = words.measure.option();
@@ -132,7 +132,7 @@ impl Page<'_> {
     }
 }
 
-/// What a reader should not look for here.
+/// Returns the questions that the page does not answer.
 fn limits_of_the_page() -> Markup {
     html! {
         section #beyond {
@@ -147,7 +147,7 @@ fn limits_of_the_page() -> Markup {
     }
 }
 
-/// JSON that ends no script element and begins no comment, whatever is in its strings.
+/// Returns JSON for a script element. No string in it can end that element or begin a comment.
 fn within_script(data: &Json) -> String {
     data.to_string()
         .replace('&', "\\u0026")

@@ -1,26 +1,26 @@
-//! A picture of which values can be read off, on the page and in the data.
+//! A picture whose values can be read off on the page and in the data.
 
 use super::words::rounded;
 use frictiongen_plot::{Colour, Figure, Label, Layer, Page, PanelFrame, Scale, Stroke};
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// How far straight lines through the points of the data may stray, relative to a value and to the largest.
+/// Largest distance of straight lines through the data from the curve, relative to a value and to the largest value.
 const STRAYS: [f64; 2] = [5e-4, 2e-5];
 
-/// A curve of a panel: what was drawn, in the units of the axes.
+/// A curve of a panel as it was drawn, in the units of the axes.
 pub struct Series {
     name: String,
     colour: Colour,
-    /// By regime, or by no regime.
+    /// Pieces by regime, or without a regime.
     runs: Vec<(Option<&'static str>, Pieces)>,
 }
 
-/// What is joined.
+/// Points that are joined, by piece.
 type Pieces = Vec<Vec<(f64, f64)>>;
 
 impl Series {
-    /// Of the layers that draw one curve; their strokes tell the regime if `by_regime`.
+    /// Makes a series from the layers that draw one curve. If `by_regime`, the stroke of a layer gives its regime.
     pub fn of(name: &Label, colour: Colour, layers: &[Layer], by_regime: bool) -> Self {
         let lines = layers.iter().filter_map(|layer| match layer {
             Layer::Line(line) => Some(line),
@@ -63,8 +63,8 @@ impl Series {
     }
 }
 
-/// The points of a piece without which straight lines would stray too far: a curve has many times as many where it was
-/// followed into a pole or an edge.
+/// Keeps the points of a piece that straight lines need to stay close to the curve. A curve that was followed into a
+/// pole or an edge has many times as many points.
 fn thinned(piece: &[(f64, f64)], most: f64) -> Vec<(f64, f64)> {
     let [relative, absolute] = STRAYS;
     let mut kept = vec![false; piece.len()];
@@ -105,32 +105,33 @@ fn thinned(piece: &[(f64, f64)], most: f64) -> Vec<(f64, f64)> {
 
 /// A picture with the curves of each of its panels.
 pub struct Plot {
-    /// Its name in the page and in the data.
+    /// Identifier in the page and in the data.
     pub id: String,
-    /// What it shows.
+    /// Title of the picture.
     pub title: String,
     svg: String,
     data: Json,
 }
 
-/// What a panel's values are called and counted in.
+/// Name and unit of a panel's values.
 pub struct Axes<'a> {
-    /// What is read.
+    /// Name of the quantity.
     pub quantity: &'a str,
-    /// Its unit; may be empty.
+    /// Unit of the quantity, which may be empty.
     pub unit: &'a str,
 }
 
-/// What the axis to the right counts.
+/// Name and unit of the horizontal axis.
 pub struct Across<'a> {
-    /// What it is called.
+    /// Name of the axis.
     pub name: &'a str,
-    /// Its unit; may be empty.
+    /// Unit of the axis, which may be empty.
     pub unit: &'a str,
 }
 
 impl Plot {
-    /// Of a figure, for a column as wide as a telephone's; `curves` has those of each panel, `more` what is said besides.
+    /// Makes a plot of a figure, as wide as the screen of a telephone. `curves` has the curves of each panel, `more`
+    /// further data.
     pub fn new(
         id: &str,
         title: &str,
@@ -174,23 +175,23 @@ impl Plot {
         }
     }
 
-    /// On the page.
+    /// Returns the picture for the page.
     pub fn html(&self) -> Markup {
         html! {
             figure.plot data-plot=(self.id) aria-label=(self.title) {
-                // Made by frictiongen-plot, which escapes every word in it.
+                // frictiongen-plot made this text and escapes every word in it.
                 div.paper { (PreEscaped(&self.svg)) }
             }
         }
     }
 
-    /// In the data.
+    /// Returns the picture's data.
     pub fn data(&self) -> &Json {
         &self.data
     }
 }
 
-/// Where a frame is, in the units of the picture, and what its sides stand for.
+/// Returns the position of a frame, in the units of the picture, and the values at its sides.
 fn placed(frame: &PanelFrame) -> Json {
     json!({
         "left": rounded(frame.left),

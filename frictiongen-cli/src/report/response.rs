@@ -15,16 +15,16 @@ use frictiongen_plot::{Axis, Colour, Figure, Label, Layer, Markers, Panel};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Rows of the table.
+/// Number of rows of the table.
 const ROWS: usize = 31;
-/// The most stretches of one regime that are told in words.
+/// Largest number of intervals of one regime that are listed in words.
 const MOST_STRETCHES: usize = 6;
-/// The work of a curve: a page has up to eight.
+/// Work of one curve. A page has up to eight.
 const WORK: usize = 60_000;
-/// How many decades an axis of amplitudes shows.
+/// Least amplitude on an axis over the largest: the axis shows four decades.
 const DECADES: f64 = 1e-4;
 
-/// A curve and what it is called.
+/// A curve and its name.
 struct Level {
     name: String,
     beta: f64,
@@ -32,15 +32,15 @@ struct Level {
     curve: Curve,
 }
 
-/// The section's contents.
+/// Contents of the section.
 pub struct Responses {
     levels: Vec<Level>,
-    /// By frequency, then by friction, then by motion.
+    /// Motions by frequency, then by friction, then by part.
     rows: Vec<(f64, Vec<Vec<Found>>)>,
 }
 
 impl Responses {
-    /// At some frictions.
+    /// Computes the curves at some frictions.
     pub fn of(asked: &Asked, frictions: &[f64], best: Option<f64>) -> Result<Self, Failure> {
         let words = &asked.words;
         let of: Vec<Of> = asked.parts.iter().map(|part| part.of).collect();
@@ -95,7 +95,7 @@ impl Responses {
         Ok(Self { levels, rows })
     }
 
-    /// What the contact does along the curve of a friction, and from where to where; none where that is a long story.
+    /// Returns the regimes along the curve of a friction, each with its range. Returns `None` if there are too many.
     pub fn stretches(&self, beta: f64) -> Option<Vec<(&'static str, f64, f64)>> {
         let level = self.levels.iter().find(|level| level.beta == beta)?;
         let mut found: Vec<(&'static str, f64, f64)> = Vec::new();
@@ -116,7 +116,7 @@ impl Responses {
         (1..=MOST_STRETCHES).contains(&found.len()).then_some(found)
     }
 
-    /// A picture for each motion, with its features marked.
+    /// Returns a picture for each motion, with its features marked.
     pub fn plots(&self, asked: &Asked, features: &[Line]) -> Vec<Plot> {
         let parts = asked.parts.iter().enumerate();
         parts
@@ -200,7 +200,8 @@ impl Responses {
         )
     }
 
-    /// The ends of the axis of amplitudes: all, or where one has no bound what is seen of it on an even grid, times a few.
+    /// Returns the end points of the amplitude axis: all values, or, if one is unbounded, a multiple of those on an
+    /// even grid.
     fn ends(&self, part: usize, words: &Words) -> (f64, f64) {
         let sizes = |level: &Level| -> Vec<f64> {
             let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
@@ -237,7 +238,7 @@ impl Responses {
         (low.max(DECADES * high).min(0.1 * high), 1.3 * high)
     }
 
-    /// The section.
+    /// Returns the section of the page.
     pub fn html(&self, plots: &[Plot], asked: &Asked) -> Markup {
         let words = &asked.words;
         html! {
@@ -265,7 +266,7 @@ impl Responses {
         }
     }
 
-    /// The largest amplitude of each curve.
+    /// Returns the largest amplitude of a curve.
     fn peak(level: &Level, part: usize) -> Option<(f64, f64, Regime)> {
         let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
         let sizes = points.filter_map(|point| {
@@ -334,7 +335,7 @@ impl Responses {
         }
     }
 
-    /// The table and the peaks as data.
+    /// Returns the table and the peaks as data.
     pub fn data(&self, asked: &Asked) -> Json {
         let words = &asked.words;
         let cell = |found: &Found| match found {
@@ -371,7 +372,8 @@ impl Responses {
     }
 }
 
-/// How far straight lines may stray: the more masses, the longer a steady state takes.
+/// Returns the largest distance of straight lines from the curve. More masses have a larger one, because their steady
+/// states take longer.
 fn accuracy(masses: usize) -> f64 {
     match masses {
         0..=4 => 5e-4,
@@ -380,7 +382,7 @@ fn accuracy(masses: usize) -> f64 {
     }
 }
 
-/// The ends of an axis of phases: whole eighths of a turn.
+/// Returns the end points of a phase axis, in whole eighths of a turn.
 fn turns(layers: &[Layer]) -> (f64, f64) {
     let lines = layers.iter().filter_map(|layer| match layer {
         Layer::Line(line) => Some(line.pieces.iter().flatten()),

@@ -8,12 +8,12 @@ use frictiongen_plot::{Excitation as Drawn, Label, Sketch, desk};
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// What an end is called.
+/// Returns the name of a node.
 fn node(scene: &Scene, node: Node) -> &str {
     scene.node_name(node)
 }
 
-/// The sketch with its values; none where the chain is too long.
+/// Returns the sketch with its values, or `None` if the chain is too long.
 fn drawing(asked: &Asked) -> Option<String> {
     let scene = asked.system.scene();
     let plain = desk::sketch(scene, true);
@@ -38,7 +38,7 @@ fn drawing(asked: &Asked) -> Option<String> {
     sketch.svg()
 }
 
-/// The damping, in words.
+/// Returns the damping in words.
 fn damping(scene: &Scene) -> String {
     match &scene.damping {
         Damping::None => "none but friction".to_owned(),
@@ -55,7 +55,7 @@ fn damping(scene: &Scene) -> String {
     }
 }
 
-/// What drives it, in words.
+/// Returns the load in words.
 fn load(asked: &Asked) -> String {
     let scene = asked.system.scene();
     let place = match scene.excitation {
@@ -75,7 +75,7 @@ fn load(asked: &Asked) -> String {
     }
 }
 
-/// The section.
+/// Returns the section of the page.
 pub fn html(asked: &Asked) -> Markup {
     let scene = asked.system.scene();
     let contact = (
@@ -86,7 +86,7 @@ pub fn html(asked: &Asked) -> Markup {
         section #scene {
             h2 { "The chain" }
             @match drawing(asked) {
-                // Made by frictiongen-plot, which escapes every word in it.
+                // frictiongen-plot made this text and escapes every word in it.
                 Some(svg) => div.scroll.paper.sketch tabindex="0" role="region" aria-label="Drawing of the chain" { (PreEscaped(svg)) },
                 None => p { "A chain of " (scene.masses.len()) " masses is not drawn; its values are in the tables." },
             }
@@ -124,7 +124,7 @@ pub fn html(asked: &Asked) -> Markup {
     }
 }
 
-/// The scene as data.
+/// Returns the scene as data.
 pub fn data(asked: &Asked) -> Json {
     let scene = asked.system.scene();
     let masses = scene.masses.iter();

@@ -1,4 +1,4 @@
-//! What a reader is to take along: the first lines of the page.
+//! Main results: the first lines of the page.
 
 use super::asked::Asked;
 use super::best::{self, Best};
@@ -10,10 +10,10 @@ use frictiongen::study::scene::Excitation;
 use frictiongen::study::{Load, OptimumEnd, OptimumKind};
 use maud::{Markup, html};
 
-/// The most resonances that are named.
+/// Largest number of resonances that are named.
 const MOST_NAMED: usize = 4;
 
-/// The first lines.
+/// Returns the first lines of the page.
 pub fn html(
     asked: &Asked,
     modes: &Modes,

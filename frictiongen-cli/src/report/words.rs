@@ -1,4 +1,4 @@
-//! How the page writes numbers, for people: four digits, with the unit.
+//! Formats the numbers of the page for people: four digits with the unit.
 
 use crate::measure::Measure;
 use frictiongen::System;
@@ -6,18 +6,18 @@ use frictiongen::study::units;
 use frictiongen_plot::desk::Scales;
 use serde_json::Value as Json;
 
-/// In what the page counts.
+/// Units of the page.
 #[derive(Clone, Copy, Debug)]
 pub struct Words {
-    /// On the axes.
+    /// Units of the axes.
     pub scales: Scales,
     /// Whether frequencies are in Hz.
     pub in_hertz: bool,
-    /// The load and what it makes of the groups.
+    /// The load and its units.
     pub measure: Measure,
 }
 
-/// Four digits.
+/// Formats a number with four digits.
 pub fn digits(value: f64) -> String {
     let size = value.abs();
     if value.is_nan() {
@@ -42,7 +42,7 @@ pub fn digits(value: f64) -> String {
     text.replace('-', "−")
 }
 
-/// Without needless noughts.
+/// Removes trailing zeros.
 fn trimmed(text: &str) -> String {
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -51,18 +51,18 @@ fn trimmed(text: &str) -> String {
     }
 }
 
-/// A number in the JSON, which has no infinity: a string stands for it.
+/// Converts a number to JSON. JSON has no infinity, so that a string replaces it.
 pub fn number(value: f64) -> Json {
     crate::number::Value::from(value).json()
 }
 
-/// To six digits: what a picture shows.
+/// Rounds to six digits, which is what a picture shows.
 pub fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 impl Words {
-    /// The unit of displacements.
+    /// Returns the unit of displacements.
     pub fn length_unit(&self) -> &'static str {
         match (self.measure.scale(), self.measure.option()) {
             (Some(_), _) => "mm",
@@ -71,18 +71,18 @@ impl Words {
         }
     }
 
-    /// A displacement.
+    /// Formats a displacement.
     pub fn length(&self, ratio: f64) -> String {
         let value = digits(self.scales.length(ratio));
         format!("{value} {}", self.length_unit())
     }
 
-    /// A friction.
+    /// Formats a friction ratio.
     pub fn friction(&self, beta: f64) -> String {
         self.force(self.scales.friction(beta))
     }
 
-    /// A friction that is in its unit already.
+    /// Formats a friction that is already in its unit.
     pub fn force(&self, force: f64) -> String {
         let value = digits(force);
         match self.measure.scale() {
@@ -91,7 +91,7 @@ impl Words {
         }
     }
 
-    /// A frequency.
+    /// Formats a frequency.
     pub fn frequency(&self, r: f64) -> String {
         let value = digits(self.scales.frequency(r));
         if self.in_hertz {
@@ -101,18 +101,18 @@ impl Words {
         }
     }
 
-    /// What heads a column of frequencies.
+    /// Returns the heading of a column of frequencies.
     pub fn frequency_title(&self) -> &'static str {
         if self.in_hertz { "f (Hz)" } else { "r" }
     }
 
-    /// A phase, rad → degrees.
+    /// Formats a phase given in rad, in degrees.
     pub fn angle(radians: f64) -> String {
-        // A thousandth of a degree is more than anybody reads off.
+        // Nobody reads off more than a tenth of a degree.
         format!("{:.1}°", radians.to_degrees() + 0.0).replace('-', "−")
     }
 
-    /// The fields of a frequency.
+    /// Returns the JSON fields of a frequency.
     pub fn frequency_json(&self, system: &System, r: f64) -> Vec<(&'static str, Json)> {
         let hertz = units::hertz(system.angular_frequency(r));
         let mut fields = vec![("r", number(r))];
@@ -122,7 +122,7 @@ impl Words {
         fields
     }
 
-    /// The fields of a friction, or of a limit of it.
+    /// Returns the JSON fields of a friction or of a limit.
     pub fn friction_json(&self, beta: f64) -> Vec<(&'static str, Json)> {
         let mut fields = vec![("beta", number(beta))];
         if self.measure.scale().is_some() {
@@ -131,14 +131,14 @@ impl Words {
         fields
     }
 
-    /// The field of an amplitude.
+    /// Returns the JSON field of an amplitude.
     pub fn length_json(&self, ratio: f64) -> (String, Json) {
         let name = self.measure.length_name("amplitude");
         (name, number(self.measure.length(ratio)))
     }
 }
 
-/// An object of some fields.
+/// Returns an object of some fields.
 pub fn object<K: Into<String>>(fields: impl IntoIterator<Item = (K, Json)>) -> Json {
     let fields = fields.into_iter().map(|(name, value)| (name.into(), value));
     Json::Object(fields.collect())

@@ -1,4 +1,4 @@
-//! `frictiongen response`: regime and motion over frequency and friction.
+//! `frictiongen response`: computes regime and motion over frequency and friction.
 
 mod point;
 mod report;

@@ -12,36 +12,36 @@ use frictiongen::{Complex, Limits, Of, OutOfDomain, Regime};
 /// The response at one frequency ratio and one friction ratio.
 #[derive(Debug)]
 pub struct Point {
-    /// At which frequency.
+    /// The frequency.
     pub frequency: Frequency,
-    /// At which friction.
+    /// The friction.
     pub friction: Friction,
-    /// Continuous, stick-slip, stuck or unbounded.
+    /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
-    /// β/min(β_lim, β*_lim) − 1.
+    /// Margin β/min(β_lim, β*_lim) − 1.
     pub margin: f64,
-    /// Where the motion comes from, or why there is none.
+    /// Method that computed the motion, or the reason why there is none.
     pub answer: &'static str,
-    /// The middle of the contact's motion, over P/k₁, for base motion over Y.
+    /// Mean of the contact's largest and smallest displacement, over P/k₁, for base motion over Y.
     pub offset: Option<f64>,
-    /// Whether it is one of a continuum.
+    /// Whether the state is a member of a continuum of steady states.
     pub marginal: Option<bool>,
-    /// Whether motion from rest ends in it.
+    /// Whether motion from rest reaches the state.
     pub from_rest: Option<bool>,
     /// The relative motion in the contact.
     pub contact: Movement,
-    /// The motion of the masses asked for, in their order.
+    /// Motions of the masses asked for, in their order.
     pub masses: Vec<Movement>,
 }
 
-/// How the contact or a mass moves; nothing where that is not known.
+/// Movement of the contact or of a mass. Unknown quantities are `None`.
 #[derive(Clone, Debug, Default)]
 pub struct Movement {
-    /// Largest displacement, and its lag.
+    /// Largest displacement, and its lag behind the maximum of the excitation.
     pub swing: Option<Swing>,
-    /// The amplitude about the motion's own middle.
+    /// Half the distance between the smallest and the largest displacement.
     pub centred: Option<f64>,
-    /// The lag of the fundamental component.
+    /// Lag of the fundamental component.
     pub fundamental_phase: Option<f64>,
     /// The monoharmonic estimate of the amplitude.
     pub monoharmonic: Option<f64>,
@@ -50,7 +50,7 @@ pub struct Movement {
 }
 
 impl Movement {
-    /// The same with the opposite sign, where it has this phase.
+    /// Reverses the sign of the movement, which then has this phase.
     fn turn(&mut self, phase: Option<f64>) {
         if let Some(swing) = &mut self.swing {
             swing.phase = phase;
@@ -61,7 +61,7 @@ impl Movement {
         }
     }
 
-    /// What is left where nothing has time to move: the formulas are evaluated at a finite r.
+    /// Sets displacements that vanish at r = ∞ to zero. The formulas are evaluated at a large, finite r.
     fn at_infinity(&mut self) {
         let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
         if let Some(swing) = &mut self.swing {
@@ -75,18 +75,18 @@ impl Movement {
     }
 }
 
-/// What is asked at every point.
+/// The question at every point.
 pub struct Question<'a> {
-    /// Of which masses.
+    /// The masses to answer for.
     pub masses: &'a [Mass],
-    /// Which harmonics.
+    /// The orders of the harmonics.
     pub orders: &'a [u32],
-    /// Whether the contact's motion is asked for with the opposite sign.
+    /// Whether the sign of the contact's motion is reversed.
     pub turn_contact: bool,
 }
 
 impl Question<'_> {
-    /// Computes the points at one frequency ratio, until the visitor fails.
+    /// Computes the points at one frequency ratio until the visitor fails.
     pub fn answers(
         &self,
         at: &SystemAt<'_>,
@@ -94,7 +94,7 @@ impl Question<'_> {
         frictions: &Frictions,
         visit: Visitor<'_, Point>,
     ) -> Result<(), Failure> {
-        // One search for all β.
+        // One search for the limits serves all β.
         let limits = at.limits();
         for friction in frictions.iter() {
             let point = self.answer(at, &limits, frequency, friction);
@@ -148,7 +148,7 @@ impl Question<'_> {
         Ok(point)
     }
 
-    /// How the contact moves: nothing where it never slides.
+    /// Returns the movement of the contact, which is empty if the contact never slides.
     fn contact(&self, response: &SystemResponse<'_>) -> Movement {
         if response.regime() == Regime::Stuck {
             return Movement::default();
@@ -168,7 +168,7 @@ impl Question<'_> {
             fundamental_phase: response.fundamental_phase(of),
             monoharmonic: response.monoharmonic(of),
             harmonics: match response.regime() {
-                // One harmonic: the motion itself.
+                // A stuck response has one harmonic, which is the motion itself.
                 Regime::Stuck => Vec::new(),
                 _ => orders
                     .filter_map(|order| response.harmonic(of, *order))

@@ -1,5 +1,4 @@
-//! Writes responses: a table line for each part that moves, a CSV line and a JSON object for each
-//! point.
+//! Writes responses: a table line for each moving part, and a CSV line and a JSON object for each point.
 
 use super::point::{Movement, Point, Question};
 use crate::asked::{CONTACT, Mass};
@@ -14,36 +13,36 @@ use crate::table::Column;
 use frictiongen::System;
 use serde_json::Value as Json;
 
-/// What is computed.
+/// The responses with everything needed to write them.
 pub struct ResponseReport {
-    /// Of which system.
+    /// The system.
     pub system: System,
-    /// At which frequencies.
+    /// The frequencies.
     pub frequencies: Frequencies,
-    /// At which friction.
+    /// The frictions.
     pub frictions: Frictions,
-    /// In which units.
+    /// The units of the answers.
     pub measure: Measure,
-    /// Of which masses.
+    /// The masses to write.
     pub masses: Vec<Mass>,
-    /// Which harmonics.
+    /// The orders of the harmonics.
     pub orders: Vec<u32>,
 }
 
 impl ResponseReport {
-    /// The names of the parts that move.
+    /// Returns the names of the moving parts.
     fn parts(&self) -> impl Iterator<Item = &str> {
         let masses = self.masses.iter().map(|mass| mass.name.as_str());
         std::iter::once(CONTACT).chain(masses)
     }
 
-    /// The parts that move, with their movements.
+    /// Returns the moving parts with their movements.
     fn movements<'a>(&'a self, point: &'a Point) -> impl Iterator<Item = (&'a str, &'a Movement)> {
         self.parts()
             .zip(std::iter::once(&point.contact).chain(&point.masses))
     }
 
-    /// Amplitude, phase, estimate; amplitude and phase of each harmonic.
+    /// Returns amplitudes, phases and estimate of a movement, then amplitude and phase of each harmonic.
     fn values<'a>(&self, movement: &Movement) -> Vec<Value<'a>> {
         let mut values = self.first(movement).to_vec();
         let mut harmonics = movement.harmonics.iter();
@@ -58,7 +57,7 @@ impl ResponseReport {
         values
     }
 
-    /// Amplitudes, phases, estimate.
+    /// Returns the amplitudes, phases and estimate of a movement.
     fn first(&self, movement: &Movement) -> [Value<'static>; 5] {
         let measure = &self.measure;
         let swing = movement.swing;
@@ -80,7 +79,7 @@ impl ResponseReport {
         ]
     }
 
-    /// The names of those.
+    /// Returns the names of the columns of [`first`](Self::first).
     fn first_names(&self) -> [String; 5] {
         [
             self.measure.length_name("amplitude"),
@@ -105,7 +104,7 @@ impl ResponseReport {
         fields
     }
 
-    /// What a point says once.
+    /// Returns the values that a point has once.
     fn once<'a>(&self, point: &'a Point) -> Vec<Value<'a>> {
         let mut values: Vec<Value<'a>> = point.frequency.values();
         values.extend(point.friction.values());
@@ -121,12 +120,12 @@ impl ResponseReport {
         values
     }
 
-    /// Columns that only CSV and JSON have.
+    /// Returns the columns that only CSV and JSON have.
     fn flags(point: &Point) -> [Value<'static>; 2] {
         [point.marginal.into(), point.from_rest.into()]
     }
 
-    /// The names of that.
+    /// Returns the names of the columns that a point has once.
     fn once_names(&self) -> Vec<String> {
         let groups = [self.frequencies.names(), self.frictions.names()];
         let first = [groups.concat(), vec!["regime", "margin", "answer"]].concat();

@@ -1,4 +1,4 @@
-//! What is asked of a motion over time: how much of it, and from where.
+//! Options of a motion over time: its length and its start.
 
 use super::course::Course;
 use crate::args::TimeArguments;
@@ -7,26 +7,26 @@ use crate::failure::Failure;
 use frictiongen::System;
 use frictiongen::study::MOST_SAMPLES;
 
-/// The most cycles, cycles skipped and samples of a cycle.
+/// Largest number of cycles, of skipped cycles and of samples in a cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
-/// How much of a motion.
+/// Length and form of a motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
-    /// Cycles that are written.
+    /// Number of cycles that are written.
     pub cycles: u32,
-    /// Cycles that are passed before.
+    /// Number of cycles that are computed before.
     pub skip: u32,
-    /// Samples of a cycle.
+    /// Number of samples in a cycle.
     pub samples: u32,
-    /// One period of the steady state instead.
+    /// Whether one period of the steady state is written instead.
     pub steady: bool,
-    /// Whether its spectrum is written.
+    /// Whether the spectrum is written.
     pub spectrum: bool,
 }
 
 impl Asked {
-    /// As the options say.
+    /// Reads the options.
     pub fn parse(arguments: &TimeArguments) -> Result<Self, Failure> {
         let number = |option, text: &Option<String>, least, default| match text {
             Some(text) => whole(option, text, least..=MOST),
@@ -50,10 +50,10 @@ impl Asked {
     }
 }
 
-/// Displacements and velocities of all masses, as groups.
+/// Displacements and velocities of all masses, as non-dimensional groups.
 pub type Start = (Vec<f64>, Vec<f64>);
 
-/// The state of `--from`, in the units of the load if there is one.
+/// Parses the state of `--from`, in the units of the load if there is one.
 pub fn start(text: &str, system: &System, course: &Course) -> Result<Start, Failure> {
     let refuse = |why: &str| Failure::new(format_args!("--from `{text}`: {why}"));
     let halves: Vec<&str> = text.split(';').collect();

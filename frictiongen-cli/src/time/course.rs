@@ -1,21 +1,21 @@
-//! What a motion over time is of.
+//! Frequency, friction and units of a motion over time.
 
 use crate::asked::Part;
 use crate::frequency::Frequency;
 use crate::friction::Friction;
 use crate::measure::Measure;
 
-/// Where a motion is followed, whose, and what it is counted in.
+/// Frequency, friction, parts and units of a motion.
 pub struct Course {
-    /// The names of the frequency's cells, and the frequency.
+    /// Names of the frequency's cells, and the frequency.
     pub frequency: (&'static [&'static str], Frequency),
-    /// The names of the friction's cells, and the friction.
+    /// Names of the friction's cells, and the friction.
     pub friction: (&'static [&'static str], Friction),
-    /// In which units.
+    /// The units of the answers.
     pub measure: Measure,
-    /// Whose motions.
+    /// The moving parts.
     pub parts: Vec<Part>,
-    /// rad/s.
+    /// Angular frequency, rad/s.
     pub omega: f64,
     /// Whether times are given in seconds too.
     pub in_seconds: bool,

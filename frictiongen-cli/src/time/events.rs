@@ -1,4 +1,4 @@
-//! Writes the events of a motion, one a line.
+//! Writes the events of a motion, one per line.
 
 use super::motion::Motion;
 use crate::asked::CONTACT;
@@ -9,9 +9,9 @@ use crate::table::Column;
 use frictiongen::study::{HistoryEvent, words};
 use serde_json::Value as Json;
 
-/// The events of a motion.
+/// Writer of the events of a motion.
 pub struct EventsReport<'m> {
-    /// Of this motion.
+    /// The motion.
     pub motion: &'m Motion,
 }
 

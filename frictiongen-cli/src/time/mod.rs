@@ -1,4 +1,4 @@
-//! `frictiongen time`: displacements, velocities, the friction force and events over time, and spectra.
+//! `frictiongen time`: computes displacements, velocities, the friction force and events over time, and spectra.
 
 mod asked;
 mod course;

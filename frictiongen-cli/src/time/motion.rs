@@ -1,4 +1,4 @@
-//! The motion over time that is written, in groups, and what it is counted in.
+//! A motion over time in non-dimensional groups, with the units in which it is written.
 
 use super::asked::{Asked, Start};
 use super::course::Course;
@@ -14,20 +14,20 @@ use serde_json::{Map, Value as Json, json};
 
 /// A motion over time.
 pub struct Motion {
-    /// Where and whose.
+    /// Frequency, friction, parts and units.
     pub course: Course,
-    /// Its samples and events.
+    /// Samples and events.
     pub history: History,
-    /// Of a steady state whose spectrum is asked for, that of each motion.
+    /// Exact spectrum of each motion, if the spectrum of a steady state is asked for.
     pub exact: Vec<Spectrum>,
-    /// From rest, from a state, or a steady state.
+    /// Start of the motion in words: from rest, from a state, or a steady state.
     kind: &'static str,
-    /// The regime of a steady state.
+    /// Regime of a steady state.
     regime: Option<&'static str>,
 }
 
 impl Motion {
-    /// Computes it.
+    /// Computes the motion.
     pub fn of(
         system: &System,
         course: Course,
@@ -74,14 +74,14 @@ impl Motion {
         })
     }
 
-    /// Whether the sign of what belongs to this part is turned round.
+    /// Returns whether the sign of the values of this part is reversed.
     pub fn is_turned(&self, of: Of) -> bool {
         of == Of::Contact && self.course.measure.turns_contact()
     }
 
-    /// A number of a part, with the sign that it is asked for with.
+    /// Returns a value of a part with the sign in which it is asked for.
     pub fn signed(&self, of: Of, value: f64) -> f64 {
-        // Not −0.
+        // The subtraction avoids −0.
         if self.is_turned(of) {
             0.0 - value
         } else {
@@ -89,13 +89,13 @@ impl Motion {
         }
     }
 
-    /// A displacement of a part.
+    /// Returns a displacement of a part in its unit.
     pub fn displacement(&self, of: Of, value: f64) -> Value<'static> {
         let value = self.signed(of, value);
         self.course.measure.length(value).into()
     }
 
-    /// What the contact does, in a word.
+    /// Returns the state of the contact in a word.
     pub fn state(&self, contact: Contact) -> &'static str {
         let contact = match self.is_turned(Of::Contact) {
             true => contact.reversed(),
@@ -104,14 +104,14 @@ impl Motion {
         words::contact(contact)
     }
 
-    /// The cells of an instant.
+    /// Returns the cells of an instant.
     pub fn time(&self, tau: f64) -> Vec<Value<'static>> {
         let seconds = units::seconds(tau, self.course.omega);
         let seconds = self.course.in_seconds.then_some(seconds);
         seconds.into_iter().chain([tau]).map(Value::from).collect()
     }
 
-    /// The names of those.
+    /// Returns the names of the cells of an instant.
     pub fn time_names(&self) -> &'static [&'static str] {
         match self.course.in_seconds {
             true => &["time_s", "tau"],
@@ -119,7 +119,7 @@ impl Motion {
         }
     }
 
-    /// The columns of those.
+    /// Returns the columns of an instant.
     pub fn time_columns(&self) -> Vec<Column> {
         let seconds = self.course.in_seconds;
         let seconds = seconds.then(|| Column::computed(&["time", "(s)"]));
@@ -127,17 +127,17 @@ impl Motion {
         seconds.into_iter().chain([tau]).collect()
     }
 
-    /// The column of the contact's state.
+    /// Returns the column of the contact's state.
     pub fn state_column() -> Column {
         Column::words(&[CONTACT, "state"], ["backward"])
     }
 
-    /// The name of a cell of a part.
+    /// Returns the name of a cell of a part.
     pub fn name(part: &Part, what: &str) -> String {
         format!("{}.{what}", part.name)
     }
 
-    /// A point in the JSON: what belongs to the contact in an object, what belongs to masses in a list.
+    /// Returns a point as JSON, with an object for the contact and a list for the masses.
     pub fn json(&self, names: Vec<String>, values: &[Value<'_>]) -> Json {
         let (mut point, mut contact) = (Map::new(), Map::new());
         let mut masses: Vec<Map<String, Json>> = Vec::new();
@@ -165,7 +165,7 @@ impl Motion {
         Json::Object(point)
     }
 
-    /// Frequency and friction, by their names.
+    /// Returns frequency and friction with their names.
     fn point(&self) -> impl Iterator<Item = (&'static str, Value<'static>)> {
         let (names, frequency) = self.course.frequency;
         let frequency = names.iter().copied().zip(frequency.values());
@@ -173,7 +173,7 @@ impl Motion {
         frequency.chain(names.iter().copied().zip(friction.values()))
     }
 
-    /// What the JSON says once.
+    /// Returns the fields that the JSON has once.
     pub fn head(&self) -> Vec<(String, Json)> {
         let history = &self.history;
         let point = self.point();
@@ -189,7 +189,7 @@ impl Motion {
         head
     }
 
-    /// What a table says once.
+    /// Returns the lines that a table has once.
     pub fn preamble(&self) -> Vec<(&'static str, String)> {
         let history = &self.history;
         let number = |value: &Value<'_>| match value {
@@ -219,7 +219,7 @@ impl Motion {
     }
 }
 
-/// What the options have to say to an error.
+/// Makes the message for an error, with the names of the options.
 fn told(error: HistoryError) -> Failure {
     match error {
         HistoryError::TooManySamples => {

@@ -1,4 +1,4 @@
-//! Writes samples, one a line.
+//! Writes samples, one per line.
 
 use super::motion::Motion;
 use crate::asked::{CONTACT, Part};
@@ -9,14 +9,14 @@ use crate::table::Column;
 use frictiongen::Of;
 use serde_json::Value as Json;
 
-/// The samples of a motion.
+/// Writer of the samples of a motion.
 pub struct SamplesReport<'m> {
-    /// Of this motion.
+    /// The motion.
     pub motion: &'m Motion,
 }
 
 impl SamplesReport<'_> {
-    /// Displacement and velocity of each part.
+    /// Returns displacement and velocity of each part.
     fn movements(&self, index: usize) -> impl Iterator<Item = (&Part, [Value<'static>; 2])> {
         let motion = self.motion;
         let course = &motion.course;
@@ -34,7 +34,7 @@ impl SamplesReport<'_> {
         })
     }
 
-    /// Displacement and velocity, by name.
+    /// Returns the names of displacement and velocity.
     fn movement_names(&self) -> [String; 2] {
         let measure = &self.motion.course.measure;
         [
@@ -43,7 +43,7 @@ impl SamplesReport<'_> {
         ]
     }
 
-    /// Friction force and state of the contact.
+    /// Returns friction force and state of the contact.
     fn contact(&self, index: usize) -> [Value<'static>; 2] {
         let motion = self.motion;
         let friction = motion.history.friction.get(index).copied();
@@ -56,7 +56,7 @@ impl SamplesReport<'_> {
         [friction.into(), state]
     }
 
-    /// The names of those.
+    /// Returns the names of friction force and state.
     fn contact_names(&self) -> [String; 2] {
         let force = self.motion.course.measure.force_name("friction");
         [force, "state".to_owned()]

@@ -1,4 +1,4 @@
-//! Writes spectra, one order a line.
+//! Writes spectra, one order per line.
 
 use super::motion::Motion;
 use crate::asked::Part;
@@ -12,15 +12,15 @@ use frictiongen::study::{Spectrum, units};
 use serde_json::Value as Json;
 use std::borrow::Cow;
 
-/// The spectra of a motion.
+/// Writer of the spectra of a motion.
 pub struct SpectrumReport<'m> {
     motion: &'m Motion,
-    /// Of each part.
+    /// Spectrum of each part.
     spectra: Cow<'m, [Spectrum]>,
 }
 
 impl SpectrumReport<'_> {
-    /// Those of each part.
+    /// Returns the spectrum of each part.
     #[cfg(feature = "pictures")]
     pub fn spectra(&self) -> &[Spectrum] {
         &self.spectra
@@ -28,7 +28,7 @@ impl SpectrumReport<'_> {
 }
 
 impl<'m> SpectrumReport<'m> {
-    /// Those of a steady state, or of the samples of a run.
+    /// Takes the exact spectra of a steady state, or computes those of a run's samples.
     pub fn of(motion: &'m Motion) -> Self {
         let parts = &motion.course.parts;
         let spectra = match motion.exact.is_empty() {
@@ -43,7 +43,7 @@ impl<'m> SpectrumReport<'m> {
         Self { motion, spectra }
     }
 
-    /// The cells of an order.
+    /// Returns the cells of an order.
     fn order(&self, index: usize) -> Vec<Value<'static>> {
         let line = self
             .spectra
@@ -56,7 +56,7 @@ impl<'m> SpectrumReport<'m> {
         both.map(Value::from).collect()
     }
 
-    /// Amplitude and phase of each part.
+    /// Returns amplitude and phase of each part.
     fn components(&self, index: usize) -> impl Iterator<Item = (&Part, [Value<'static>; 2])> {
         let parts = self.motion.course.parts.iter().zip(&*self.spectra);
         parts.filter_map(move |(part, spectrum)| {

@@ -1,4 +1,4 @@
-//! Responses along frequency: strokes tell the regime, colours the friction.
+//! Responses along frequency. The stroke of a line gives the regime, its colour the friction.
 
 use super::scales::Scales;
 use crate::{Axis, Colour, Figure, Key, Label, Line, Marker, Markers, Panel, Point, Stroke};
@@ -6,36 +6,36 @@ use frictiongen::Regime;
 use frictiongen::study::units::polar;
 use frictiongen::study::{Curve, CurvePoint, End, Piece};
 
-/// What of a motion is read.
+/// The quantity of a motion that is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
     /// The amplitude of the motion.
     Amplitude,
-    /// Its phase in degrees.
+    /// The phase of the motion in degrees.
     Phase,
-    /// The amplitude of a harmonic, by its place among those asked for.
+    /// The amplitude of a harmonic, by its index among those asked for.
     Harmonic(usize),
-    /// The phase of a harmonic in degrees.
+    /// The phase of a harmonic in degrees, by its index among those asked for.
     HarmonicPhase(usize),
 }
 
-/// A curve, with what the legend calls it and its colour.
+/// A curve with its name in the legend and its colour.
 #[derive(Clone, Debug)]
 pub struct Drawn<'a> {
     /// The curve.
     pub curve: &'a Curve,
-    /// Its name.
+    /// Name in the legend.
     pub name: Label,
-    /// Its colour.
+    /// Colour of the curve.
     pub colour: Colour,
 }
 
-/// Neighbours whose phases differ by more, rad, are not joined.
+/// Largest difference of phase, rad, at which neighbouring points are joined.
 const TURN: f64 = 0.6;
-/// A phase is left out where its amplitude is below this share of the one that the piece exceeds over half of its range.
+/// Least amplitude at which a phase is drawn, over the amplitude that the piece exceeds over half of its range.
 const VANISHING: f64 = 2e-3;
 
-/// The stroke of a regime.
+/// Returns the stroke of a regime.
 fn stroke(regime: Regime) -> Stroke {
     match regime {
         Regime::Stuck => Stroke::Dotted,
@@ -44,7 +44,7 @@ fn stroke(regime: Regime) -> Stroke {
     }
 }
 
-/// What the strokes mean.
+/// Returns the legend entries of the strokes.
 #[must_use]
 pub fn keys() -> Vec<Key> {
     vec![
@@ -59,7 +59,7 @@ impl Reading {
         matches!(self, Self::Phase | Self::HarmonicPhase(_))
     }
 
-    /// Amplitude and phase of a motion, by its place among those asked for.
+    /// Returns amplitude and phase of a motion, by its index among those asked for.
     fn polar(self, point: &CurvePoint, part: usize) -> Option<(f64, Option<f64>)> {
         let movement = point.movements.get(part)?;
         Some(match self {
@@ -72,7 +72,7 @@ impl Reading {
     }
 }
 
-/// The curve of one motion, piece by piece, each with its regime and its points on paper.
+/// Returns the curve of one motion by pieces, each with its regime and its points in the units of the axes.
 fn traced(
     curve: &Curve,
     part: usize,
@@ -96,7 +96,8 @@ fn traced(
     pieces.collect()
 }
 
-/// The phases of a piece in degrees, continuous along each run; the first run begins near where the last one ended.
+/// Returns the phases of a piece in degrees, continuous along each run. The first run begins near the end of the last
+/// piece's run.
 fn phases(
     piece: &Piece,
     part: usize,
@@ -108,7 +109,7 @@ fn phases(
     let sizes: Vec<Point> = sizes
         .filter_map(|point| Some((point.r, reading.polar(point, part)?.0)))
         .collect();
-    // Points crowd towards a pole: it is the range that counts, not their number.
+    // Points are dense near a pole, so that the share of the range counts and not the number of points.
     let least = VANISHING * exceeded(&sizes, 0.5);
     let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
     let mut before: Option<f64> = None;
@@ -128,8 +129,8 @@ fn phases(
             Some(before) => near(before),
             None => {
                 runs.push(Vec::new());
-                // Of all turns the one next to the last run, of two the one next to a quarter: lags are mostly between 0
-                // and a half turn.
+                // A new run takes the multiple of a full turn nearest to the last run. Between two equally near ones it
+                // takes the one nearer to a quarter turn, because lags are mostly between 0 and half a turn.
                 let quarter = 0.25 * FULL;
                 near(last.map_or(quarter, |last| last + 0.02 * (quarter - last)))
             }
@@ -146,7 +147,7 @@ fn phases(
 
 const FULL: f64 = std::f64::consts::TAU;
 
-/// The lines of one motion of a curve. The legend names the curve once, whatever its regimes are.
+/// Returns the lines of one motion of a curve. The legend names the curve once, whatever its regimes are.
 #[must_use]
 pub fn lines(
     drawn: &Drawn<'_>,
@@ -169,7 +170,7 @@ pub fn lines(
         layers.push(Line { name, ..line }.into());
     }
     if !reading.is_phase() {
-        // Of a motion that does not settle the amplitudes scatter.
+        // The amplitudes of a motion that does not settle scatter.
         let lone = drawn
             .curve
             .pieces
@@ -191,7 +192,7 @@ pub fn lines(
     layers
 }
 
-/// A panel of one motion of several curves, its range fitted to them.
+/// Returns a panel with one motion of several curves. Its range is fitted to them.
 #[must_use]
 pub fn panel(
     title: impl Into<Label>,
@@ -212,7 +213,7 @@ pub fn panel(
     let (low, high) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), r| {
         (low.min(r), high.max(r))
     });
-    // An axis that begins just above 0 begins at 0.
+    // An axis whose least value is just above 0 begins at 0.
     let low = if low < 0.25 * high { 0.0 } else { low };
     let x = Axis::new(scales.frequency_label(), low, high);
     let y = if reading.is_phase() {
@@ -242,13 +243,14 @@ fn phase_axis(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scale
             }
         }
     }
-    // To whole eighths of a turn: a phase may stray from 0 and 180 by rounding.
+    // The range is rounded outwards to eighths of a turn. A phase may differ from 0 and 180 by rounding.
     let step = |value: f64| (value / 45.0).abs() - 1e-6;
     let (low, high) = (-45.0 * step(low).ceil().max(0.0), 45.0 * step(high).ceil());
     Axis::new("phase *φ* (degrees)", low, high).degrees()
 }
 
-/// The upper end of an axis of amplitudes: all of them, or nine tenths of the range where one grows without bound.
+/// Returns the upper end of an amplitude axis. It contains all amplitudes, or those over nine tenths of the range if
+/// one is unbounded.
 fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f64 {
     let mut largest = 0.0_f64;
     for drawn in drawn {
@@ -265,7 +267,7 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
         };
         let most = points().fold(0.0, |most, (_, size)| size.max(most));
         let shown = if pole {
-            // Beyond this over a tenth of the range only, times a little.
+            // The limit is a little above the amplitude that only a tenth of the range exceeds.
             (1.3 * exceeded(&points().collect::<Vec<_>>(), 0.1)).min(most)
         } else {
             most
@@ -275,7 +277,7 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
     if largest > 0.0 { 1.06 * largest } else { 1.0 }
 }
 
-/// What the amplitude exceeds over so large a share of the range.
+/// Returns the amplitude that is exceeded over this share of the range.
 fn exceeded(points: &[Point], share: f64) -> f64 {
     let mut parts: Vec<Point> = points
         .windows(2)
@@ -296,7 +298,7 @@ fn exceeded(points: &[Point], share: f64) -> f64 {
     0.0
 }
 
-/// Amplitude and phase of every motion asked for, one row each.
+/// Returns a figure with amplitude and phase of every motion asked for, one row for each.
 #[must_use]
 pub fn curve_figure(
     title: impl Into<Label>,

@@ -6,23 +6,23 @@ use crate::{Axis, Cells, Colour, Figure, Fill, Label, Line, Panel, Point, Raster
 use frictiongen::study::{Boundary, LimitLines, Map, MapPoint, Pattern};
 use frictiongen::{Error, Regime};
 
-/// What the colours of a map tell.
+/// The quantity that the colours of a map show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shade {
-    /// What the contact does.
+    /// The regime of the contact.
     Regime,
-    /// How often the contact stops in a period, each number in its own colour whatever the map holds.
+    /// Number of stops in a period. Each number has its own colour, the same in every map.
     Stops,
-    /// The part of the period for which it sticks.
+    /// Fraction of the period during which the contact sticks.
     Stuck,
-    /// The amplitude of a motion, by its place among those asked for.
+    /// Amplitude of a motion, by its index among those asked for.
     Amplitude(usize),
 }
 
-/// Cells of a map whose places are not evenly spaced.
+/// Number of cells of a map along an axis whose points are not evenly spaced.
 const CELLS: usize = 400;
 
-/// A map with the limits and boundaries over it.
+/// Returns a figure of a map with the limits and boundaries over it.
 #[must_use]
 pub fn map_figure(
     title: impl Into<Label>,
@@ -40,7 +40,7 @@ pub fn map_figure(
     )
 }
 
-/// The same as a panel.
+/// Returns a panel of a map with the limits and boundaries over it.
 #[must_use]
 pub fn map_panel(
     title: impl Into<Label>,
@@ -113,11 +113,11 @@ pub fn map_panel(
     panel.with(continuous).with(sliding)
 }
 
-/// Places in even cells.
+/// Points of an axis assigned to even cells.
 struct Spread {
-    /// From where to where the cells reach.
+    /// End points of the cells.
     ends: (f64, f64),
-    /// For each cell the place nearest to its middle.
+    /// Index of the point nearest to the middle of each cell.
     places: Vec<usize>,
 }
 
@@ -138,7 +138,7 @@ impl Spread {
         });
         if even {
             let half = 0.5 * step;
-            // Half a cell beyond both ends, but not below 0.
+            // The cells reach half a cell beyond both ends, but not below 0.
             return Self {
                 ends: ((low - half).max(0.0), high + half),
                 places: (0..values.len()).collect(),
@@ -167,8 +167,8 @@ fn values(places: &Places<'_>, read: impl Fn(&MapPoint) -> f64) -> Vec<f64> {
     places.iter().map(value).collect()
 }
 
-/// The end of the scale of colours, and the largest value.  The end is at most twice what nine tenths of the cells stay below: a
-/// pole would leave the rest in one colour.
+/// Returns the end of the colour scale, and the largest value. The end is at most twice the value that nine tenths of
+/// the cells do not exceed, because a pole would leave all other cells in one colour.
 fn upper(cells: &[f64]) -> (f64, f64) {
     let mut finite: Vec<f64> = cells
         .iter()
@@ -178,7 +178,7 @@ fn upper(cells: &[f64]) -> (f64, f64) {
     finite.sort_by(f64::total_cmp);
     let most = finite.last().copied().unwrap_or(1.0);
     let usual = finite.get(finite.len() * 9 / 10).copied().unwrap_or(1.0);
-    // A motion that rests at nine tenths of the places has no usual size.
+    // If nine tenths of the cells are at rest, the tenth part alone sets the scale.
     let end = if 0.0 < usual {
         most.min(2.0 * usual)
     } else {
@@ -217,7 +217,7 @@ fn classes(places: &Places<'_>) -> Cells {
     }
 }
 
-/// The classes by the number of stops, with the colours of the regimes for continuous, two stops and stuck.
+/// Classes by the number of stops. Continuous, two stops and stuck have the colours of the regimes.
 const STOPS: [(&str, usize); 8] = [
     ("continuous", 0),
     ("reversals only", 7),
@@ -252,7 +252,7 @@ fn stops(places: &Places<'_>) -> Cells {
     }
 }
 
-/// What a class is called in a legend: what is counted in few cells stands together.
+/// Returns the legend name of a class. Numbers of stops that are rare share a class.
 fn class(pattern: Pattern) -> String {
     match (pattern.regime, pattern.period, pattern.stops) {
         (Regime::Continuous, ..) => "continuous".to_owned(),
@@ -266,7 +266,7 @@ fn class(pattern: Pattern) -> String {
     }
 }
 
-/// The boundaries between stick-slip motions as lines from column to column.
+/// Joins the boundaries between stick-slip motions to lines from column to column.
 fn trace(map: &Map, boundaries: &[Boundary], scales: &Scales) -> Vec<Vec<Point>> {
     let inner = |of: &&Boundary| {
         let slips = |side: &Result<Pattern, Error>| {
@@ -287,7 +287,7 @@ fn trace(map: &Map, boundaries: &[Boundary], scales: &Scales) -> Vec<Vec<Point>>
             .filter(inner)
             .filter(|boundary| boundary.r == column.r)
         {
-            // The line of the same two motions that is nearest in the last column.
+            // A boundary continues the nearest line of the last column that separates the same two motions.
             let fits = |(at, line): &(usize, Vec<&Boundary>)| {
                 let last = line.last()?;
                 let same = last.below == boundary.below && last.above == boundary.above;

@@ -1,4 +1,4 @@
-//! Pictures of what a [`System`](frictiongen::System) answers: curves, regimes, maps, the system itself.
+//! Pictures of the answers of a [`System`](frictiongen::System): curves, regimes, maps, and a sketch of the system.
 
 mod curves;
 mod map;

@@ -5,11 +5,11 @@ use crate::{Across, Axis, Colour, Figure, Guide, Label, Line, Panel, Point, Stro
 use frictiongen::study::{History, Spectrum, Track};
 use std::f64::consts::PI;
 
-/// A spectrum is drawn down to this share of its largest line.
+/// Least line of a spectrum that is drawn, over the largest line.
 const FLOOR: f64 = 1e-5;
 
-/// Displacements and the friction force over time, and the phase portraits. Of the contact's motion with the opposite sign
-/// if it is `turned`.
+/// Returns a figure of displacements and the friction force over time, with phase portraits. If `turned`, the contact's
+/// motion has the opposite sign.
 #[must_use]
 pub fn history_figure(
     title: impl Into<Label>,
@@ -106,7 +106,7 @@ pub fn history_figure(
     Figure::new("", title, 2, vec![moves, pulls, phase])
 }
 
-/// The lines of spectra, one panel for each motion.
+/// Returns a figure of the lines of spectra, one panel for each motion.
 #[must_use]
 pub fn spectrum_figure(
     title: impl Into<Label>,

@@ -4,12 +4,12 @@ use super::scales::Scales;
 use crate::{Axis, Colour, Fill, Label, Line, Panel, Point, Region, Stroke};
 use frictiongen::study::LimitLines;
 
-/// The regime between β*_lim and a larger β_lim.
+/// Name of the regime between β*_lim and a larger β_lim.
 const BISTABLE: &str = "sliding or stuck, by the start";
-/// An area lower than this share of the axis is not seen.
+/// Least height of an area, over that of the axis, that is drawn.
 const SEEN: f64 = 1e-3;
 
-/// Both limits as lines, up to a friction ratio somewhat above `top`.
+/// Returns both limits as lines, up to a friction ratio somewhat above `top`.
 #[must_use]
 pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour) -> [Line; 2] {
     let line = |name: Label, stroke, read: fn(f64, f64) -> f64| {
@@ -34,7 +34,7 @@ pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour
     ]
 }
 
-/// The regimes up to a friction ratio: areas with their names, and both limits.
+/// Returns a panel of the regimes up to a friction ratio: named areas, and both limits.
 #[must_use]
 pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &Scales) -> Panel {
     let low = lines.points.first().map_or(0.0, |point| point.0);
@@ -68,12 +68,12 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
                 )
             })
             .collect();
-        // With μ = 1 the limits do not cross, but for rounding.
+        // With μ = 1 the limits do not cross except by rounding.
         if name == BISTABLE && places.iter().all(|(_, low, high)| high - low < SEEN * top) {
             continue;
         }
         let mut region = Region::between(name, Fill::Class(fill), &drawn);
-        // Wedges are too narrow for their long name.
+        // A bistable area is a narrow wedge without room for its long name.
         let room = (name != BISTABLE).then(|| roomiest(&places, top)).flatten();
         if let Some((r, beta)) = room {
             region = region.named_at((scales.frequency(r), scales.friction(beta)));
@@ -84,7 +84,7 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
     panel.with(continuous).with(sliding)
 }
 
-/// A side of an area.
+/// The lower or upper curve of an area.
 #[derive(Clone, Copy)]
 enum Edge {
     Zero,
@@ -107,8 +107,8 @@ impl Edge {
     }
 }
 
-/// Where an area has the most room for its name, if it has enough: the middle of the highest place around which it stays
-/// high.
+/// Returns the position with the most room for an area's name, if there is enough: the middle of the highest interval
+/// around which the area stays high.
 fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
     let first = places.first()?.0;
     let width = places.last()?.0 - first;
@@ -120,7 +120,7 @@ fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
             (low.max(place.1), high.min(place.2))
         });
         let height = high - low;
-        // Of places with nearly as much room the one nearest to the middle.
+        // Among positions with nearly as much room, the one nearest to the middle is preferred.
         let aside = (2.0 * (at - first) / width - 1.0).abs();
         let room = height * (1.0 - 0.7 * aside);
         if 0.06 * top < height && best.is_none_or(|best| best.2 < room) {

@@ -1,23 +1,23 @@
-//! In what an axis counts: groups, or physical units.
+//! Units of the axes: non-dimensional groups or physical units.
 
 use crate::Label;
 use frictiongen::System;
 use frictiongen::study::{LoadScale, scene::Excitation};
 
-/// In what frequencies, frictions and displacements are counted.
+/// Units of frequencies, frictions and displacements.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales {
-    /// r → Hz, if frequencies are in Hz.
+    /// Frequency in Hz at r = 1, if frequencies are in Hz.
     hertz: Option<f64>,
-    /// What a load makes of the groups, if it is known.
+    /// Units of force and displacement under the load, if it is known.
     load: Option<LoadScale>,
     base_motion: bool,
-    /// ω in rad/s, if times are in seconds.
+    /// Angular frequency ω in rad/s, if times are in seconds.
     omega: Option<f64>,
 }
 
 impl Scales {
-    /// Groups: r, β, x̄.
+    /// Makes scales in groups: r, β, x̄.
     #[must_use]
     pub fn groups(system: &System) -> Self {
         Self {
@@ -28,7 +28,7 @@ impl Scales {
         }
     }
 
-    /// Frequencies in Hz.
+    /// Returns the scales with frequencies in Hz.
     #[must_use]
     pub fn in_hertz(self, system: &System) -> Self {
         Self {
@@ -37,7 +37,7 @@ impl Scales {
         }
     }
 
-    /// Forces in N, displacements in mm.
+    /// Returns the scales with forces in N and displacements in mm.
     #[must_use]
     pub fn under(self, load: LoadScale) -> Self {
         Self {
@@ -46,7 +46,7 @@ impl Scales {
         }
     }
 
-    /// Times in seconds, of a motion at an angular frequency in rad/s.
+    /// Returns the scales with times in seconds, for a motion at an angular frequency in rad/s.
     #[must_use]
     pub fn at(self, omega: f64) -> Self {
         Self {
@@ -55,19 +55,19 @@ impl Scales {
         }
     }
 
-    /// Whether times are in seconds.
+    /// Returns whether times are in seconds.
     #[must_use]
     pub fn in_seconds(&self) -> bool {
         self.omega.is_some()
     }
 
-    /// τ on its axis.
+    /// Returns the value of τ on the time axis.
     #[must_use]
     pub fn time(&self, tau: f64) -> f64 {
         self.omega.map_or(tau, |omega| tau / omega)
     }
 
-    /// What stands along that axis.
+    /// Returns the label of the time axis.
     #[must_use]
     pub fn time_label(&self) -> Label {
         match self.omega {
@@ -76,13 +76,13 @@ impl Scales {
         }
     }
 
-    /// A derivative by τ of what is drawn, on its axis.
+    /// Returns a derivative by τ on its axis.
     #[must_use]
     pub fn rate(&self, slope: f64) -> f64 {
         self.omega.map_or(slope, |omega| slope * omega)
     }
 
-    /// What stands along that axis.
+    /// Returns the label of the axis of derivatives.
     #[must_use]
     pub fn rate_label(&self) -> Label {
         match (self.load, self.omega) {
@@ -91,14 +91,14 @@ impl Scales {
         }
     }
 
-    /// An order of the excitation on its axis.
+    /// Returns an order of the excitation on its axis.
     #[must_use]
     pub fn order(&self, order: f64) -> f64 {
         self.omega
             .map_or(order, |omega| order * omega / std::f64::consts::TAU)
     }
 
-    /// What stands along that axis.
+    /// Returns the label of the axis of orders.
     #[must_use]
     pub fn order_label(&self) -> Label {
         match self.omega {
@@ -107,7 +107,7 @@ impl Scales {
         }
     }
 
-    /// What stands along an axis of displacements in time.
+    /// Returns the label of an axis of displacements over time.
     #[must_use]
     pub fn displacement_label(&self) -> Label {
         match (self.load, self.base_motion) {
@@ -117,13 +117,13 @@ impl Scales {
         }
     }
 
-    /// r on its axis.
+    /// Returns the value of r on the frequency axis.
     #[must_use]
     pub fn frequency(&self, r: f64) -> f64 {
         self.hertz.map_or(r, |hertz| r * hertz)
     }
 
-    /// What stands along that axis.
+    /// Returns the label of the frequency axis.
     #[must_use]
     pub fn frequency_label(&self) -> Label {
         match self.hertz {
@@ -132,13 +132,13 @@ impl Scales {
         }
     }
 
-    /// β on its axis.
+    /// Returns the value of β on the friction axis.
     #[must_use]
     pub fn friction(&self, beta: f64) -> f64 {
         self.load.map_or(beta, |load| load.friction(beta))
     }
 
-    /// What stands along that axis.
+    /// Returns the label of the friction axis.
     #[must_use]
     pub fn friction_label(&self) -> Label {
         match self.load {
@@ -147,13 +147,13 @@ impl Scales {
         }
     }
 
-    /// A friction, as a legend names it.
+    /// Returns the name of a friction for a legend.
     #[must_use]
     pub fn friction_name(&self, beta: f64) -> Label {
         self.swept_name(beta, "")
     }
 
-    /// The same, with what else tells a curve from others: `, swept up`.
+    /// Returns the name of a friction for a legend, followed by `what`, such as `, swept up`.
     #[must_use]
     pub fn swept_name(&self, beta: f64, what: &str) -> Label {
         let value = short(self.friction(beta));
@@ -163,27 +163,27 @@ impl Scales {
         }
     }
 
-    /// A limit of the friction, as a legend names it: F_lim in newtons, β_lim as a ratio.
+    /// Returns the name of a limit for a legend: F_lim in newtons, or β_lim as a ratio.
     #[must_use]
     pub(super) fn limit_name(&self, mark: &str, what: &str) -> Label {
         let symbol = if self.load.is_some() { "F" } else { "β" };
         format!("*{symbol}*_lim{mark}, {what}").into()
     }
 
-    /// A displacement on its axis: in mm, or as a ratio.
+    /// Returns a displacement on its axis, in mm or as a ratio.
     #[must_use]
     pub fn length(&self, ratio: f64) -> f64 {
         self.load
             .map_or(ratio, |load| load.displacement(ratio) * 1e3)
     }
 
-    /// What stands along that axis.
+    /// Returns the label of an amplitude axis.
     #[must_use]
     pub fn length_label(&self) -> Label {
         self.length_text().into()
     }
 
-    /// The same with its markup.
+    /// Returns the label of an amplitude axis as markup.
     pub(super) fn length_text(&self) -> &'static str {
         match (self.load, self.base_motion) {
             (Some(_), _) => "amplitude (mm)",
@@ -193,7 +193,7 @@ impl Scales {
     }
 }
 
-/// A number in a legend: four digits, without needless noughts.
+/// Formats a number for a legend, with four digits and without trailing zeros.
 pub(super) fn short(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return value.to_string();

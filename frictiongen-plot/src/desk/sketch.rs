@@ -1,9 +1,10 @@
-//! The system as a sketch.
+//! Sketch of a system.
 
 use crate::{Contact, End, Excitation, Label, Sketch, Spring};
 use frictiongen::study::scene::{self, Node, Scene};
 
-/// The sketch of a scene whose excitation is a record: *y*(*t*) or *f*(*t*) in place of a cosine.  Masses have their own names.
+/// Returns the sketch of a scene whose excitation is a record: *y*(*t*) or *f*(*t*) instead of a cosine. The masses
+/// have their own names.
 #[must_use]
 pub fn sketch_under_record(scene: &Scene) -> Sketch {
     let mut sketch = sketch(scene, true);
@@ -15,8 +16,8 @@ pub fn sketch_under_record(scene: &Scene) -> Sketch {
     sketch
 }
 
-/// The sketch of a scene: masses with the names that the theory gives them, or with the scene's own, and springs by their
-/// number, in the order of the description.
+/// Returns the sketch of a scene. Masses have the names of the theory, or the scene's own names. Springs are numbered
+/// in the order of the description.
 #[must_use]
 pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
     let end = |node: Node| match node {

@@ -1,8 +1,9 @@
-//! Friction and damping from a free vibration of one mass (thesis 4.3.2).
+//! Finds friction and damping from a free vibration of one mass (thesis 4.3.2).
 //!
-//! Pulled and released, a mass swings about one point going up and about another going down, 2F/k apart, and its extremes
-//! fall by 4F/k a cycle (4.2); with viscous damping each half cycle also multiplies by e^{−πζ/√(1−ζ²)} (Feeny and Liang,
-//! J. Sound Vib. 195 (1996) 149).  The extremes give a start; the samples between them are then fitted whole, because single
+//! After its release, a mass swings about one point going up and about another going down, 2F/k apart. Its extremes
+//! fall by 4F/k per cycle (4.2). With viscous damping each half cycle also multiplies the distance from that point by
+//! e^{−πζ/√(1−ζ²)} (Feeny and Liang, J. Sound Vib. 195 (1996) 149). The extremes give a first guess. All samples
+//! between the first and the last extreme are then fitted, because single peaks of a noisy signal come out too high.
 //! peaks of a noisy signal are found too high.
 
 use super::identify::Estimate;
@@ -15,38 +16,39 @@ use crate::study::scene::Damping;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// Extremes that are needed: one more than the unknowns of their decrease.
+/// Least number of extremes: one more than the unknowns of their decrease.
 const FEWEST: usize = 4;
-/// A swing ends where it turns by so many deviations of the noise, …
+/// Least turning back that ends a swing, in standard deviations of the noise. [`PART`] bounds it too.
 const TURN: f64 = 8.0;
-/// … and by this part of the whole range.
+/// Least turning back that ends a swing, as a fraction of the whole range.
 const PART: f64 = 0.02;
-/// What falls by less in a half cycle, of a swing, does not fall.
+/// A decrease in a half cycle below this fraction of a swing counts as rounding error.
 const ROUNDING: f64 = 1e-9;
-/// The step of a difference, of a parameter's scale.
+/// Step of a finite difference, relative to the scale of the parameter.
 const DIFFERENCE: f64 = 1e-6;
 
-/// What a free vibration says.
+/// Friction, damping and natural frequency found in a free vibration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeDecay {
-    /// F, N.
+    /// Friction force F, N.
     pub friction: Estimate,
-    /// F/k, m: half the distance of the two points about which the mass swings.
+    /// F/k, m: half the distance between the two points about which the mass swings.
     pub length: Estimate,
-    /// ζ; its interval is a point where it was given.
+    /// Damping ratio ζ. Its interval is a single point if ζ was given.
     pub damping: Estimate,
-    /// The undamped natural frequency, Hz.
+    /// Undamped natural frequency, Hz.
     pub hertz: Estimate,
-    /// F/k as the linear decrement has it: the mean of (x⁽¹⁾ − x⁽²⁾)/4 over the extremes (4.2), m.
+    /// F/k by the linear decrement, m: the mean of (x⁽¹⁾ − x⁽²⁾)/4 over the extremes (4.2).
     pub linear_decrement: f64,
-    /// The extremes that were used: s from the first sample, and m.
+    /// Extremes that were used, as pairs: time from the first sample in s, and displacement in m.
     pub extremes: Vec<(f64, f64)>,
-    /// The deviation of the residuals over that of the noise; well above 1 the mass does not move like this.
+    /// Standard deviation of the residuals over that of the noise. Well above 1, the mass does not move as the model
+    /// says.
     pub misfit: f64,
 }
 
 impl FreeDecay {
-    /// β for a base motion of amplitude Y: (4.3).
+    /// Returns β for a base motion of amplitude Y in m (4.3).
     #[must_use]
     pub fn friction_ratio(&self, amplitude: f64) -> f64 {
         self.length.value / amplitude
@@ -54,7 +56,8 @@ impl FreeDecay {
 }
 
 impl System {
-    /// ζ of the first mode, if the description gives ratios: what [`free_decay`](Self::free_decay) may take as known.
+    /// Returns ζ of the first mode, if the description gives damping ratios. It may serve as the known damping in
+    /// [`free_decay`](Self::free_decay).
     #[must_use]
     pub fn described_damping(&self) -> Option<f64> {
         match &self.scene().damping {
@@ -64,9 +67,9 @@ impl System {
         }
     }
 
-    /// Friction, damping and natural frequency from a free vibration of the only mass.
+    /// Finds friction, damping and natural frequency from a free vibration of a scene with one mass.
     ///
-    /// `damping` is ζ where it is known; otherwise it is found with the rest.
+    /// `damping` is ζ if it is known; otherwise ζ is fitted with the other unknowns.
     ///
     /// ```
     /// use frictiongen::measure::{Channel, Recording, Unit};
@@ -92,8 +95,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`MeasureError`]: more than one mass, a channel that is not the displacement of it, too few extremes above the noise,
-    /// and extremes that do not fall.
+    /// [`MeasureError`] for more than one mass, a channel that is not the displacement of the mass, too few extremes
+    /// above the noise, and extremes that do not fall.
     pub fn free_decay(
         &self,
         recording: &Recording,
@@ -119,7 +122,7 @@ impl System {
     }
 }
 
-/// The deviation of the noise, from third differences: a smooth motion leaves little in them.
+/// Returns the standard deviation of the noise, from third differences. A smooth motion contributes little to them.
 fn noise(samples: &[f64]) -> f64 {
     let thirds = samples.windows(4).filter_map(|w| {
         let &[a, b, c, d] = w else { return None };
@@ -129,7 +132,8 @@ fn noise(samples: &[f64]) -> f64 {
     (thirds.sum::<f64>() / (20.0 * count)).sqrt()
 }
 
-/// Where the motion turns, by its place, and how far it is there; the start and what is within the noise left out.
+/// Returns the index and the value of each sample where the motion turns. The start of the record and turns within the
+/// noise are left out.
 fn extremes(samples: &[f64], turn: f64) -> Vec<(usize, f64)> {
     let mut found = Vec::new();
     let Some(first) = samples.first() else {
@@ -154,17 +158,18 @@ fn extremes(samples: &[f64], turn: f64) -> Vec<(usize, f64)> {
             high = (place, *value);
         }
     }
-    // A mass that is held before it is let go has its first extreme anywhere.
+    // A mass that is held before its release has its first extreme at an arbitrary sample of that interval.
     if !found.is_empty() {
         found.remove(0);
     }
     found
 }
 
-/// Place and value of the first extreme, the middle, half a cycle, its decrement, F/k; in samples and m.
+/// Parameters of the decay, in samples and m: position and value of the first extreme, middle, half cycle, its
+/// decrement, F/k.
 type Shape = [f64; 6];
 
-/// The displacement at each sample from the first extreme to the last.
+/// Returns the displacement at each sample from the first extreme to the last.
 fn wave(shape: &[f64], from: usize, count: usize) -> Option<Vec<f64>> {
     let &[start, first, middle, half, decrement, length] = shape else {
         return None;
@@ -250,7 +255,7 @@ fn of(
             values.iter().zip(window).map(|(a, b)| a - b),
         ))
     };
-    // What each part is measured by.
+    // Natural scale of each parameter.
     let size = swings.first().copied().unwrap_or(1.0);
     let scales = [half, size, size, half, 1.0, size];
     let scale = |index: usize| {
@@ -304,7 +309,7 @@ fn of(
     };
     let ((length, reach), (decrement, wide), (half, slow)) =
         (estimate(5), estimate(4), estimate(3));
-    // Sampled extremes may seem to fall where the motion between them does not.
+    // Sampled extremes may seem to fall although the motion between the samples does not.
     if !(ROUNDING < length / size + decrement) {
         return Err(MeasureError::NoDecay);
     }
@@ -344,8 +349,9 @@ mod tests {
     use rand_distr::{Distribution, StandardNormal};
     use std::f64::consts::TAU;
 
-    /// White noise of deviation 1 has the deviation 1, also on a motion a hundred times as large.  Third differences of 40,000
-    /// samples tell it to 0.54 %, taken five times; those of the motion are 100 (2π/2000)³, some 3e-6.
+    /// White noise of deviation 1 is estimated as 1, also on a motion a hundred times as large. From 40,000 samples the
+    /// estimate has a standard deviation of 0.54 %; the tolerance is five of these. The motion's own third differences
+    /// are 100 (2π/2000)³, about 3e-6.
     #[test]
     fn white_noise_has_its_deviation() {
         let mut random = ChaCha8Rng::seed_from_u64(1);
@@ -359,7 +365,7 @@ mod tests {
             let found = noise(&samples);
             assert!((found - 1.0).abs() < 0.027, "{size}: {found}");
         }
-        // A parabola has no third difference, whatever is rounded of values up to 10⁴.
+        // A parabola has no third difference. Rounding of values up to 10⁴ remains.
         let parabola: Vec<f64> = (0..100).map(|i| f64::from(i * i)).collect();
         assert!(noise(&parabola) < 1e-10);
         assert_eq!(noise(&[1.0, 2.0]), 0.0);

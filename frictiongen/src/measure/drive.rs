@@ -1,15 +1,15 @@
-//! A scene driven by a recording: its inputs, step by step.
+//! Inputs of a scene that a recording drives, step by step.
 
 use super::{Channel, Dimension, MeasureError, Recording};
 use crate::System;
 use crate::study::SystemInput;
 use crate::study::scene::Excitation;
 
-/// What drives a scene, at every sample of a recording.
+/// Inputs that drive a scene, at every sample of a recording.
 ///
-/// The base comes as displacement, velocity or acceleration.  A displacement goes along the cubic spline through its samples,
-/// a velocity and an acceleration in straight lines between theirs; they begin at rest, and displacements are counted from
-/// the first sample.  Forces, and a friction force that is recorded, go in straight lines.
+/// The base is recorded as displacement, velocity or acceleration. A displacement follows the cubic spline through its
+/// samples. A velocity or an acceleration is linear between its samples. All start at rest, and displacements count
+/// from the first sample. Forces and a recorded friction force are linear between their samples.
 ///
 /// ```
 /// use frictiongen::System;
@@ -42,7 +42,7 @@ pub struct Inputs<'r> {
     friction: Friction<'r>,
 }
 
-/// A channel in SI.
+/// A channel whose samples are converted to SI units.
 #[derive(Clone, Copy, Debug)]
 struct Track<'r> {
     samples: &'r [f64],
@@ -62,12 +62,12 @@ enum Friction<'r> {
 }
 
 impl<'r> Inputs<'r> {
-    /// The inputs of a scene: `base`, or `force` on the excited mass and the names of others, and `friction` unless it is given
-    /// here, in N.
+    /// Collects the inputs of a scene from the channels `base`, or `force` for the excited mass and the names of other
+    /// masses. The kinetic friction force is `friction`, in N, or the channel `friction`.
     ///
     /// # Errors
-    /// [`MeasureError`] for channels that are neither, for units that do not fit, where the excitation is not recorded, and
-    /// without a friction force, or with two.
+    /// [`MeasureError`] for channels with other names, for units that do not fit, if the excitation is not recorded,
+    /// and unless there is exactly one friction force.
     pub fn of(
         recording: &'r Recording,
         system: &System,
@@ -117,25 +117,25 @@ impl<'r> Inputs<'r> {
         Ok(inputs)
     }
 
-    /// The time between two samples, in s.
+    /// Returns the time between two samples, in s.
     #[must_use]
     pub fn dt(&self) -> f64 {
         self.dt
     }
 
-    /// How many samples there are.
+    /// Returns the number of samples.
     #[must_use]
     pub fn len(&self) -> usize {
         self.len
     }
 
-    /// Whether there are none, which never is so.
+    /// Returns whether there are no samples, which never is the case.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
 
-    /// The input at a sample.
+    /// Returns the input at a sample, counted from 0.
     pub fn at(&self, sample: usize) -> SystemInput<'r> {
         let mut input = match &self.base {
             Some(base) => {
@@ -171,7 +171,7 @@ fn wrong(channel: &Channel) -> MeasureError {
     }
 }
 
-/// Displacement and velocity of the base at every sample.
+/// Returns displacement and velocity of the base at every sample.
 fn base(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
     let scale = channel.unit.scale();
     let values = channel.samples.iter().map(|value| value * scale);
@@ -212,7 +212,8 @@ fn base(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
     })
 }
 
-/// The slopes at its points, a step apart, of the cubic spline that begins at rest and ends without curvature.
+/// Returns the slopes, per sample step, of the cubic spline through `values` that begins at rest and ends without
+/// curvature.
 fn spline_slopes(values: &[f64]) -> Vec<f64> {
     // s₀ = 0; s_{i−1} + 4s_i + s_{i+1} = 3(y_{i+1} − y_{i−1}); s_{n−1} + 2s_n = 3(y_n − y_{n−1}).
     let last = values.len().saturating_sub(1);
@@ -247,13 +248,13 @@ mod tests {
 
     #[test]
     fn a_spline_keeps_what_it_can() {
-        // A cubic that begins at rest with its curvature vanishing at the end: y = s²(3n − s).
+        // The cubic y = s²(3n − s) begins at rest, and its curvature vanishes at the end.
         let n = 20_u32;
         let value = |s: f64| s * s * (3.0 * f64::from(n) - s);
         let slope = |s: f64| 6.0 * f64::from(n) * s - 3.0 * s * s;
         let values: Vec<f64> = (0..=n).map(|s| value(f64::from(s))).collect();
         for (s, found) in (0..=n).zip(spline_slopes(&values)) {
-            // Rounding of values up to 16,000.
+            // The tolerance covers the rounding of values up to 16,000.
             assert!((found - slope(f64::from(s))).abs() < 1e-11, "{s}: {found}");
         }
         assert_eq!(spline_slopes(&[1.0]), [0.0]);

@@ -1,9 +1,9 @@
-//! What can be wrong with a measurement.
+//! Errors of measurements.
 
 use crate::study::{InvalidScene, LoadError};
 use crate::{Error, OutOfDomain};
 
-/// Why a measurement tells nothing.
+/// Reason why a measurement gives no result.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MeasureError {
@@ -13,156 +13,156 @@ pub enum MeasureError {
         line: usize,
         /// The channel.
         channel: String,
-        /// What stands there.
+        /// The text of the cell.
         text: String,
     },
-    /// A file that is no table of numbers, or no UFF58: the line and what is wrong.
+    /// A file is neither a table of numbers nor a UFF58 file.
     Format {
         /// The line, from 1.
         line: usize,
-        /// What is wrong.
+        /// Description of the mistake.
         what: String,
     },
-    /// A channel without a unit.
+    /// A channel has no unit.
     NoUnit(String),
-    /// A unit that is not known.
+    /// A unit is unknown.
     UnknownUnit(String),
-    /// A channel that is there twice.
+    /// A channel occurs twice.
     Twice(String),
-    /// Nothing says how many samples a second has.
+    /// The sampling rate is not known.
     NoRate,
     /// The samples are not evenly spaced in time.
     MixedRates {
-        /// Where it changes: a line of the file, or a channel.
+        /// The place where the step changes: a line of the file, or a channel.
         place: String,
         /// The first step, s.
         before: f64,
         /// The other step, s.
         after: f64,
     },
-    /// Channels with different numbers of samples.
+    /// Channels have different numbers of samples.
     Lengths(String),
-    /// Too little to tell a frequency.
+    /// The recording is too short for the frequency to be found.
     TooShort {
-        /// What there is.
+        /// The length of the recording.
         found: String,
-        /// What is needed.
+        /// The length that is needed.
         needed: &'static str,
     },
-    /// A value that is not finite.
+    /// A value is not finite.
     NotFinite {
         /// The channel.
         channel: String,
         /// The sample, from 0.
         sample: usize,
     },
-    /// A channel that never changes.
+    /// A channel never changes.
     Constant(String),
-    /// A channel that stays at its largest or smallest value although it moves fast there.
+    /// A channel stays at its largest or smallest value although it moves fast just before.
     Clipped {
         /// The channel.
         channel: String,
         /// The value, in the channel's unit.
         value: f64,
-        /// The part of the samples.
+        /// Fraction of the samples that are clipped.
         share: f64,
     },
-    /// A channel that is neither the excitation nor a mass.
+    /// A channel is neither the excitation nor a mass.
     NoSuchPlace {
         /// The channel.
         channel: String,
-        /// What there is.
+        /// The names that are possible.
         known: Vec<String>,
     },
     /// The excitation was not recorded.
     NoDrive(&'static str),
     /// No friction force was given.
     NoFriction,
-    /// The friction force was given, and recorded too.
+    /// The friction force was both given and recorded.
     TwoFrictions,
     /// No mass was recorded.
     NoMass,
-    /// A channel whose unit does not fit what it is of.
+    /// The unit of a channel does not fit the quantity of the channel.
     WrongDimension {
         /// The channel.
         channel: String,
         /// Its unit.
         unit: &'static str,
     },
-    /// The excitation does not stand out of its noise.
+    /// The excitation does not exceed its noise.
     Silent(String),
     /// The frequency of the excitation changes.
     Drifts {
-        /// Hz at the start.
+        /// Frequency at the start, Hz.
         from: f64,
-        /// Hz at the end.
+        /// Frequency at the end, Hz.
         to: f64,
     },
-    /// The amplitude of the excitation changes by this part.
+    /// The amplitude of the excitation changes by this fraction.
     Swells(f64),
-    /// No part of the recording is steady.
+    /// No interval of the recording is steady.
     NotSteady(String),
-    /// The samples are too far apart for the driving frequency.
+    /// The sampling rate is too low for the driving frequency.
     TooSlow {
-        /// Samples a second.
+        /// Samples per second.
         rate: f64,
-        /// The frequency, Hz.
+        /// The driving frequency, Hz.
         hertz: f64,
     },
-    /// Nothing was observed of what is asked.
+    /// No observation concerns the quantities that are asked for.
     NoObservation,
-    /// The measured size is a power of 1000 from what the scene can do: a unit is wrong.
+    /// The measured amplitude differs by a power of 1000 from those the scene can have, so a unit is wrong.
     WrongUnit {
-        /// The measured amplitude over the nearest that the scene has, rounded to a power of 1000.
+        /// The measured amplitude over the nearest amplitude of the scene, rounded to a power of 1000.
         factor: f64,
         /// The mass.
         mass: String,
     },
-    /// No friction makes the scene move like that.
+    /// No friction force gives the scene this amplitude.
     NotExplained {
         /// The mass.
         mass: String,
-        /// Measured |x̄|.
+        /// Measured amplitude |x̄|.
         measured: f64,
-        /// The nearest of the scene.
+        /// The nearest amplitude of the scene.
         nearest: f64,
     },
-    /// No friction gives the motion of the scene such a phase.
+    /// No friction force gives the scene this phase.
     PhaseNotExplained {
         /// The mass.
         mass: String,
-        /// The measured lag behind the excitation, degrees.
+        /// Measured lag behind the excitation, degrees.
         measured: f64,
-        /// The lag of the scene where it fits best.
+        /// Lag of the scene at its best fit, degrees.
         nearest: f64,
     },
     /// There are fewer data than unknowns.
     TooFewData {
-        /// How many numbers were measured.
+        /// Number of measured values.
         data: usize,
-        /// How many are asked.
+        /// Number of unknowns.
         unknowns: usize,
     },
-    /// The fit does not settle.
+    /// The fit does not converge.
     NoFit,
-    /// What is asked cannot be asked of this scene.
+    /// The question does not apply to this scene, or an argument is out of its range.
     Asked(&'static str),
-    /// A free decay with too few peaks.
+    /// A free decay has too few peaks.
     FewPeaks(usize),
     /// The peaks of a free decay do not fall.
     NoDecay,
-    /// A row of a sweep that cannot be used: its line and why.
+    /// A row of a sweep cannot be used.
     Sweep {
         /// The line, from 1.
         line: usize,
-        /// What is wrong.
+        /// Description of the mistake.
         what: String,
     },
-    /// Numbers that make no scene.
+    /// The fitted numbers do not form a valid scene.
     Scene(InvalidScene),
-    /// A load that does not fit the scene.
+    /// A load does not fit the scene.
     Load(LoadError),
-    /// What a solver refuses.
+    /// A solver returned an error.
     Solver(Error),
 }
 
@@ -327,7 +327,7 @@ impl From<InvalidScene> for MeasureError {
     }
 }
 
-/// Seven digits of a number, without needless noughts.
+/// Rounds a number to seven digits, so that it prints without trailing zeros.
 fn short(value: f64) -> f64 {
     format!("{value:.6e}").parse().unwrap_or(value)
 }

@@ -1,50 +1,54 @@
-//! Least squares by Levenberg and Marquardt's damped Gauss–Newton steps.
+//! Least squares by the damped Gauss–Newton steps of Levenberg and Marquardt, with exact Jacobians.
 //!
-//! The crate `levenberg-marquardt` does the same over nalgebra 0.34, a second nalgebra beside the 0.35 of this crate (16
-//! crates in all); argmin brings 21.  This is one file over the nalgebra that is there, with exact Jacobians.
+//! The crate `levenberg-marquardt` offers the same over nalgebra 0.34. This crate uses nalgebra 0.35, so that it would
+//! add a second nalgebra (16 crates in all). The crate argmin would add 21. This file needs only the nalgebra that is
+//! already a dependency.
 
 use nalgebra::{DMatrix, DVector};
 
-/// Steps, rejected ones included.
+/// Largest number of steps, rejected steps included.
 const MOST_STEPS: usize = 200;
-/// A step that changes every parameter by less than this part is the last one, or all residuals together by less than this part
-/// of a deviation.
+/// Bound of the last step: it changes every parameter by less than this fraction, or all residuals together by less
+/// than this fraction of a deviation.
 const SMALL: f64 = 1e-10;
-/// What damping grows and shrinks by (Marquardt's choice).
+/// Factor by which damping grows and shrinks (Marquardt's choice).
 const GROWTH: f64 = 10.0;
-/// The data do not determine a direction whose singular value is below this part of the largest.
+/// A direction counts as undetermined if its singular value is below this fraction of the largest.
 const RANK: f64 = 1e-12;
-/// A parameter whose relative change in such a direction is below this one, of a direction of length 1, is determined.
+/// A parameter counts as determined if its relative change is below this value in every undetermined direction of
+/// length 1.
 const APART: f64 = 1e-6;
 
-/// Residuals with their derivatives, one column for each parameter.
+/// Residuals and their derivatives, one column for each parameter.
 pub(super) struct Linearised {
     pub(super) residuals: DVector<f64>,
     pub(super) jacobian: DMatrix<f64>,
 }
 
-/// What a fit found.
+/// Result of a fit.
 #[derive(Debug)]
 pub(super) struct Fit {
     pub(super) parameters: Vec<f64>,
-    /// Whether the steps came to an end.
+    /// Whether the steps converged.
     pub(super) settled: bool,
     /// The sum of squares.
     pub(super) squares: f64,
-    /// The number of directions that the data determine: of parameters, if each is determined.
+    /// Number of directions that the data determine. It equals the number of parameters if every parameter is
+    /// determined.
     pub(super) rank: usize,
-    /// The largest singular value of the Jacobian over the smallest of a determined direction, with each parameter measured by
-    /// its own size.
+    /// Largest singular value of the Jacobian over the smallest of a determined direction, with each parameter divided
+    /// by its scale.
     pub(super) condition: f64,
     /// The scale of each parameter.
     sizes: Vec<f64>,
-    /// Directions in the parameters' relative changes, each with its singular value, 0 where the data do not determine it.
+    /// Directions of relative parameter changes, each with its singular value, or 0 where the data do not determine the
+    /// direction.
     directions: Vec<(DVector<f64>, f64)>,
 }
 
 impl Fit {
-    /// The variance, for residuals of deviation 1, of a quantity with this gradient by the parameters: infinite where the data
-    /// do not determine it.
+    /// Returns the variance of a quantity with this gradient by the parameters, for residuals of deviation 1. It is
+    /// infinite where the data do not determine the quantity.
     pub(super) fn variance(&self, gradient: &DVector<f64>) -> f64 {
         if self.directions.is_empty() {
             return f64::INFINITY;
@@ -69,7 +73,7 @@ impl Fit {
         terms.sum()
     }
 
-    /// The variance of a parameter.
+    /// Returns the variance of a parameter.
     pub(super) fn own_variance(&self, index: usize) -> f64 {
         let count = self.parameters.len();
         self.variance(&DVector::from_fn(count, |row, _| {
@@ -78,8 +82,9 @@ impl Fit {
     }
 }
 
-/// The scale of each parameter, by which its changes are divided: its value, or the change that moves the residuals by one
-/// deviation if that is larger.  A parameter that tends to zero has no scale of its own.
+/// Returns the scale of each parameter, by which its changes are divided. The scale is the parameter's value, or the
+/// change that shifts the residuals by one deviation if that is larger. A parameter that tends to zero has no scale of
+/// its own.
 fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
     let columns = jacobian.column_iter();
     let sizes = parameters.iter().zip(columns).map(|(value, column)| {
@@ -96,8 +101,8 @@ fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
 
 /// Minimises the sum of squares from `start`.
 ///
-/// `residuals` gives them at parameters, or none where there is no answer; `linearise` also their derivatives.  A parameter
-/// stays within its bounds.  None if nothing can be evaluated at the start.
+/// `residuals` returns the residuals at the given parameters, or `None` where there is no answer. `linearise` also
+/// returns their derivatives. Parameters stay within `bounds`. Returns `None` if the start cannot be evaluated.
 pub(super) fn minimise(
     start: &[f64],
     bounds: &[(f64, f64)],
@@ -115,7 +120,7 @@ pub(super) fn minimise(
         let mut damped = normal.clone();
         for index in 0..damped.nrows() {
             if let Some(value) = damped.get_mut((index, index)) {
-                // A parameter that nothing tells keeps its value.
+                // A parameter that no residual depends on keeps its value.
                 *value += damping * value.max(f64::MIN_POSITIVE);
             }
         }
@@ -134,7 +139,7 @@ pub(super) fn minimise(
             .iter()
             .zip(&at)
             .all(|(new, old)| (new - old).abs() <= SMALL * old.abs().max(SMALL));
-        // A parameter that tends to 0 never changes by a small part of itself.
+        // A parameter that tends to 0 never changes by a small fraction of itself.
         let small = small || (&lines.jacobian * &step).norm() <= SMALL;
         let new = residuals(&moved).map(|values| values.norm_squared());
         if let Some(new) = new.filter(|new| *new <= squares) {
@@ -163,7 +168,7 @@ pub(super) fn minimise(
     Some(fit)
 }
 
-/// A fit with what the data determine.
+/// Returns the fit with the directions that the data determine.
 fn judged(parameters: Vec<f64>, squares: f64, jacobian: &DMatrix<f64>) -> Fit {
     let mut scaled = jacobian.clone();
     let sizes = sizes(&parameters, jacobian);

@@ -1,4 +1,4 @@
-//! What a recording says of a scene's motion: driving frequency, transmissibilities, phases, harmonics.
+//! Driving frequency, transmissibilities, phases and harmonics of a scene's motion in a recording.
 
 use super::recording::Dimension;
 use super::tone::{Basis, FEWEST_CYCLES, HARMONICS, Tone, frequency};
@@ -8,10 +8,10 @@ use crate::study::scene::{Excitation, Scene};
 use crate::study::units::polar;
 use std::f64::consts::TAU;
 
-/// Samples of a cycle, at least.
+/// Least number of samples in a cycle.
 const FEWEST_SAMPLES: f64 = 5.0;
 
-/// The steady motion in a recording.
+/// The steady motion found in a recording.
 ///
 /// ```
 /// use frictiongen::System;
@@ -38,35 +38,35 @@ const FEWEST_SAMPLES: f64 = 5.0;
 pub struct Measured {
     /// The driving frequency, Hz.
     pub hertz: f64,
-    /// Its standard deviation.
+    /// Standard deviation of the driving frequency, Hz.
     pub hertz_deviation: f64,
-    /// Samples a second.
+    /// Samples per second.
     pub rate: f64,
-    /// Where the steady part begins and ends, s from the first sample.
+    /// Start and end of the steady interval, s from the first sample.
     pub steady: (f64, f64),
-    /// Of the excitation: displacements of the base in m, or the force in N.
+    /// Excitation: displacement of the base in m, or the force in N.
     pub drive: Tone,
-    /// Of each mass that was recorded, by its place: displacements in m.
+    /// Displacement in m of each recorded mass, with the index of the mass.
     pub masses: Vec<(usize, Tone)>,
 }
 
 /// A complex amplitude over that of the excitation, with its uncertainty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transmissibility {
-    /// X/Y, or X/P in m/N.
+    /// Complex ratio X/Y, or X/P in m/N.
     pub value: Complex<f64>,
-    /// The standard deviation of its real part, and of its imaginary one.
+    /// Standard deviation of the real part, and of the imaginary part.
     pub deviation: f64,
 }
 
 impl Transmissibility {
-    /// |X/Y| (4.4).
+    /// Returns |X/Y| (4.4), or |X/P| in m/N.
     #[must_use]
     pub fn amplitude(&self) -> f64 {
         polar(self.value).0
     }
 
-    /// The lag behind the excitation, rad, in (−π, π] (4.5, with the sign that makes a lag positive).
+    /// Returns the lag behind the excitation, rad, in (−π, π] (4.5, with the sign that makes a lag positive).
     #[must_use]
     pub fn lag(&self) -> f64 {
         polar(self.value).1
@@ -74,13 +74,14 @@ impl Transmissibility {
 }
 
 impl Measured {
-    /// Of a recording: the channel of the excitation is called `base` or `force`, the others as the masses of the scene.
+    /// Finds the steady motion in a recording. The channel of the excitation is called `base` or `force`. The other
+    /// channels have the names of the scene's masses.
     ///
-    /// Velocities and accelerations are made displacements at each harmonic.
+    /// Velocities and accelerations are converted to displacements at each harmonic.
     ///
     /// # Errors
-    /// [`MeasureError`]: a channel that is nothing of the scene or in a unit that it cannot have, no excitation or no mass,
-    /// an excitation that is silent or drifts, too few cycles, and a motion that is never steady.
+    /// [`MeasureError`] for a channel that does not belong to the scene or has an impossible unit, no excitation or no
+    /// mass, an excitation that is silent or drifts, too few cycles, and a motion that is never steady.
     pub fn of(recording: &Recording, scene: &Scene) -> Result<Self, MeasureError> {
         let places = places(recording, scene)?;
         let rate = recording.rate();
@@ -120,7 +121,8 @@ impl Measured {
         let masses = masses.map(|(place, channel)| Ok((*place, tone(channel, &kept(channel))?)));
         let masses = masses.collect::<Result<Vec<_>, MeasureError>>()?;
         let seconds = driven.len() as f64 / rate;
-        // Two halves, each with √2 of the deviation of a phase, half the time apart: 2·phase over 2π·T/2.
+        // Each half of the record has √2 of the deviation of a phase, and the halves are half the record apart. The
+        // deviation is 2·phase over 2π·T/2.
         let phase = drive_tone.deviation / drive_tone.fundamental().norm();
         Ok(Self {
             hertz: per_sample * rate,
@@ -132,13 +134,13 @@ impl Measured {
         })
     }
 
-    /// The amplitude of the excitation: Y in m, or P in N.
+    /// Returns the amplitude of the excitation: Y in m, or P in N.
     #[must_use]
     pub fn drive_amplitude(&self) -> f64 {
         self.drive.fundamental().norm()
     }
 
-    /// X_1 of a mass over the excitation; none if it was not recorded.
+    /// Returns X_1 of a mass over the excitation, or `None` if the mass was not recorded.
     #[must_use]
     pub fn transmissibility(&self, mass: usize) -> Option<Transmissibility> {
         let tone = self.tone(mass)?;
@@ -151,7 +153,8 @@ impl Measured {
         })
     }
 
-    /// X_n of a mass over the amplitude of the excitation, with τ = 0 at a maximum of the excitation.
+    /// Returns X_n of a mass over the amplitude of the excitation, with τ = 0 at a maximum of the excitation. Returns
+    /// `None` if it was not recorded.
     #[must_use]
     pub fn harmonic(&self, mass: usize, n: u32) -> Option<Complex<f64>> {
         let tone = self.tone(mass)?;
@@ -162,7 +165,7 @@ impl Measured {
         Some(value / (turn.powu(n) * drive.norm()))
     }
 
-    /// Of a mass; none if it was not recorded.
+    /// Returns the tone of a mass, or `None` if the mass was not recorded.
     #[must_use]
     pub fn tone(&self, mass: usize) -> Option<&Tone> {
         let found = self.masses.iter().find(|(place, _)| *place == mass);
@@ -170,7 +173,7 @@ impl Measured {
     }
 }
 
-/// Which channel is what.
+/// The channels of the excitation and of the masses.
 struct Places<'r> {
     drive: (&'r Channel, Dimension),
     masses: Vec<(usize, &'r Channel)>,
@@ -218,7 +221,7 @@ fn places<'r>(recording: &'r Recording, scene: &Scene) -> Result<Places<'r>, Mea
     Ok(Places { drive, masses })
 }
 
-/// Displacements in m, of whatever was measured; a force in N.
+/// Converts a measured tone to displacements in m, or to a force in N.
 fn in_metres(tone: Tone, channel: &Channel, omega: f64) -> Tone {
     let scale = channel.unit.scale();
     let derivatives = match channel.unit.dimension() {
@@ -232,7 +235,7 @@ fn in_metres(tone: Tone, channel: &Channel, omega: f64) -> Tone {
     });
     let at_omega = scale / omega.powi(derivatives);
     Tone {
-        // The mean of a velocity says nothing of the place.
+        // The mean of a velocity or an acceleration contains no information about the mean position.
         mean: if derivatives == 0 {
             tone.mean * scale
         } else {

@@ -1,14 +1,15 @@
-//! Reading a structure from measurements: recordings, the friction force in them, and a scene's parameters.
+//! Measurements of a structure: recordings, the friction force in them, and the parameters of a scene.
 //!
 //! * [`Recording`]: samples from CSV or UFF58, each channel with its unit.
-//! * [`Measured`]: driving frequency, transmissibility, phase and harmonics of the steady part, with their uncertainty
-//!   (thesis 4.3.3).
-//! * [`System::identify`](crate::System::identify): the friction force from amplitudes, phases or both, of any mass, at one
-//!   frequency or many, in any regime, with its interval, or why the measurement cannot tell it (4.5, 6.4.2).
+//! * [`Measured`]: driving frequency, transmissibility, phase and harmonics of the steady interval, with their
+//!   uncertainty (thesis 4.3.3).
+//! * [`System::identify`](crate::System::identify): the friction force from amplitudes, phases or both, of any mass, at
+//!   one frequency or many, in any regime. It returns the force with its interval, or the reason why the measurement
+//!   does not determine it (4.5, 6.4.2).
 //! * [`System::free_decay`](crate::System::free_decay): friction and damping from a free vibration (4.2, 4.3).
-//! * [`System::fit_sweep`](crate::System::fit_sweep): frequencies, masses and springs from sweeps without friction (4.1, 6.15
-//!   to 6.20).
-//! * [`Inputs`]: what drives a scene's stepper, from a recording.
+//! * [`System::fit_sweep`](crate::System::fit_sweep): frequencies, mass and stiffness ratios from sweeps without
+//!   friction (4.1, 6.15 to 6.20).
+//! * [`Inputs`]: inputs of a scene's stepper, from a recording.
 //! * [`Recording::regression`]: mass and friction of an axis without a spring.
 //!
 //! On a microcontroller [`crate::watch`] follows one frequency sample by sample.

@@ -1,10 +1,11 @@
-//! Mass, viscous and Coulomb friction of an axis without a spring, by linear regression.
+//! Finds mass, viscous and Coulomb friction of an axis without a spring, by linear regression.
 //!
-//! M q̈ + F_v q̇ + F_c sgn q̇ + offset = force is linear in all four: the identification of a drive, as in the EMPS benchmark
-//! (Janot, Gautier and Brunot, Data set and reference models of EMPS, 2019).
+//! The equation M q̈ + F_v q̇ + F_c sgn q̇ + offset = force is linear in all four unknowns. This is the identification
+//! of a drive, as in the EMPS benchmark (Janot, Gautier and Brunot, Data set and reference models of EMPS, 2019).
 //!
-//! No signal is differentiated: the equation is multiplied by a bump that vanishes with its slope at the ends of a window, and
-//! integrated by parts (modulating functions, Shinbrot 1957).  A derivative of a smoothed position comes out too small, by
+//! No signal is differentiated. The equation is multiplied by a bump function that vanishes with its slope at both ends
+//! of a window, and then integrated by parts (modulating functions, Shinbrot 1957). A derivative of a smoothed position
+//! would be too small, and the mass too large by as much.
 //! 0.3 % in a trial, and the mass as much too large.
 
 use super::identify::Estimate;
@@ -13,38 +14,38 @@ use super::statistics::student;
 use super::{MeasureError, Recording};
 use nalgebra::{DMatrix, DVector};
 
-/// The part of the largest speed below which the direction of sliding counts as unsure.
+/// Fraction of the largest speed below which the direction of sliding counts as unsure.
 const SLOW: f64 = 0.02;
-/// Fewer windows cannot tell four numbers and their scatter.
+/// Least number of windows for four unknowns and their scatter.
 const FEWEST: usize = 12;
 
-/// What a regression says.
+/// Mass, friction and offset found by a regression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Regression {
-    /// M, kg.
+    /// Mass M, kg.
     pub mass: Estimate,
-    /// F_v, N·s/m.
+    /// Viscous friction coefficient F_v, N·s/m.
     pub viscous: Estimate,
-    /// F_c, N.
+    /// Coulomb friction force F_c, N.
     pub coulomb: Estimate,
-    /// A constant force, N.
+    /// Constant force, N.
     pub offset: Estimate,
-    /// The root of the mean square of the residuals, N.
+    /// Root mean square of the residuals, N.
     pub residual: f64,
-    /// The condition of the regression, with each column at its own size.
+    /// Condition number of the regression, with each column scaled to unit length.
     pub condition: f64,
 }
 
 impl Recording {
-    /// Mass, viscous friction, Coulomb friction and offset from the position of an axis (the channel `axis`) and the force on
-    /// it (the channel `force`).
+    /// Finds mass, viscous friction, Coulomb friction and offset from the position of an axis (the channel `axis`) and
+    /// the force on it (the channel `force`).
     ///
-    /// Both are taken in windows of `seconds`, short beside what the motion does.  Windows in which the direction changes are left out; those that count do not overlap, so that their errors are
-    /// independent.
+    /// Both channels are divided into windows of `seconds`, which should be short compared with the motion. Windows in
+    /// which the direction changes are left out. The windows do not overlap, so that their errors are independent.
     ///
     /// # Errors
-    /// [`MeasureError`]: a channel that is missing or not a displacement and a force, windows of fewer than 5 samples, fewer
-    /// than 12 windows, and a motion that does not tell the four apart.
+    /// [`MeasureError`] for a channel that is missing or has the wrong quantity, windows of fewer than 5 samples, fewer
+    /// than 12 windows, and a motion that does not separate the four unknowns.
     pub fn regression(&self, axis: &str, seconds: f64) -> Result<Regression, MeasureError> {
         let channel = |name: &str, dimension: Dimension| {
             let found = self
@@ -78,7 +79,8 @@ impl Recording {
         }
         let length = length as usize;
         let step = 1.0 / self.rate();
-        // φ = (1 − s²)⁵ over s from −1 to 1, with its derivatives; so flat at its ends that sums are as good as integrals.
+        // The bump is φ = (1 − s²)⁵ over s from −1 to 1, with its derivatives. It is so flat at both ends that sums are
+        // as good as integrals.
         let half = 0.5 * length as f64 * step;
         let places = (0..length).map(|i| (2.0 * i as f64 + 1.0) / length as f64 - 1.0);
         let bump: Vec<[f64; 3]> = places
@@ -108,7 +110,8 @@ impl Recording {
             .zip(force.samples.chunks_exact(length));
         let fitted: Vec<Window> = windows
             .map(|(motion, push)| {
-                // About their mean: where the axis is says nothing, and would leave its rounding.
+                // The mean is subtracted, because the absolute position has no meaning here and would add its rounding
+                // error.
                 let mean = motion.iter().sum::<f64>() / length as f64;
                 let motion: Vec<f64> = motion
                     .iter()
@@ -153,12 +156,12 @@ impl Recording {
     }
 }
 
-/// The equation in one window.
+/// The equation integrated over one window.
 struct Window {
-    /// What M, F_v, F_c and the offset are multiplied by.
+    /// Coefficients of M, F_v, F_c and the offset.
     columns: [f64; 4],
     force: f64,
-    /// The least way within a quarter of it; 0 if the axis turns.
+    /// Least distance travelled within a quarter of the window; 0 if the axis turns.
     slowest: f64,
 }
 

@@ -1,38 +1,40 @@
 //! Quantiles for intervals of 95 %.
 
-/// Of the normal distribution, two-sided.
+/// Two-sided 95 % quantile of the normal distribution.
 pub(super) const NORMAL: f64 = 1.959_963_984_540_054;
-/// Of χ² with one degree of freedom: the square.
+/// 95 % quantile of χ² with one degree of freedom, the square of [`NORMAL`].
 pub(super) const CHI: f64 = NORMAL * NORMAL;
 
-/// Of the normal distribution, exceeded with probability 1/1000.
+/// Value that the normal distribution exceeds with probability 1/1000.
 const RARE: f64 = 3.090_232_306_167_813;
 
-/// The sum of squares over the degrees of freedom that noise of the known deviations exceeds once in 1000: χ² by Wilson and
-/// Hilferty's cube (Abramowitz and Stegun, 26.4.17), 3 % above the exact value for one degree, 0.6 % for ten.
+/// Returns the sum of squares over the degrees of freedom that noise of the known deviations exceeds once in 1000
+/// recordings. It is the χ² quantile by Wilson and Hilferty's cube (Abramowitz and Stegun, 26.4.17), 3 % above the
+/// exact value for one degree of freedom and 0.6 % for ten.
 fn most_by_chance(freedom: usize) -> f64 {
     let spread = 2.0 / (9.0 * freedom.max(1) as f64);
     (1.0 - spread + RARE * spread.sqrt()).powi(3)
 }
 
-/// Whether noise explains a misfit, the sum of squares over the degrees of freedom; without freedom nothing speaks against it.
+/// Returns whether noise explains a misfit, which is the sum of squares over the degrees of freedom. Without degrees of
+/// freedom the result is true.
 pub(super) fn is_chance(misfit: Option<f64>, freedom: usize) -> bool {
     misfit.is_none_or(|misfit| misfit <= most_by_chance(freedom))
 }
 
-/// The factor on the variances of a fit: its misfit where noise does not explain that, else 1, because the deviations are
-/// known.
+/// Returns the factor on the variances of a fit. It is the misfit if noise does not explain it, and otherwise 1,
+/// because the deviations are known.
 pub(super) fn excess(misfit: Option<f64>, freedom: usize) -> f64 {
     let unexplained = misfit.filter(|misfit| !is_chance(Some(*misfit), freedom));
     unexplained.unwrap_or(1.0)
 }
 
-/// Of Student's distribution with so many degrees of freedom, two-sided.
+/// Returns the two-sided 95 % quantile of Student's distribution.
 pub(super) fn student(freedom: usize) -> f64 {
     if freedom == 0 {
         return f64::INFINITY;
     }
-    // The probability within ±t is known in closed form (Abramowitz and Stegun, 26.7.3 and 26.7.4).
+    // The probability within ±t has a closed form (Abramowitz and Stegun, 26.7.3 and 26.7.4).
     let (mut low, mut high) = (NORMAL, 13.0);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -45,7 +47,7 @@ pub(super) fn student(freedom: usize) -> f64 {
     0.5 * (low + high)
 }
 
-/// Beyond so many degrees the normal distribution is as good, to 2e-4.
+/// Number of degrees of freedom beyond which the normal distribution is as good, to 2e-4.
 const MANY: usize = 10_000;
 
 fn within(t: f64, freedom: usize) -> f64 {
@@ -53,7 +55,7 @@ fn within(t: f64, freedom: usize) -> f64 {
     let angle = (t / n.sqrt()).atan();
     let cosine_squared = angle.cos().powi(2);
     let odd = !freedom.min(MANY).is_multiple_of(2);
-    // 1 + (1/2)c² + (1·3/2·4)c⁴ + … or, odd, c + (2/3)c³ + …
+    // The series is 1 + (1/2)c² + (1·3/2·4)c⁴ + …, or c + (2/3)c³ + … for an odd number of degrees of freedom.
     let (mut term, mut k) = if odd { (angle.cos(), 1.0) } else { (1.0, 0.0) };
     let mut sum = 0.0;
     while k <= n - 2.0 {
@@ -72,7 +74,7 @@ fn within(t: f64, freedom: usize) -> f64 {
 mod tests {
     use super::{most_by_chance, student};
 
-    /// The table of any textbook: χ² that is exceeded with probability 0.001.
+    /// Textbook table: χ² that is exceeded with probability 0.001.
     #[test]
     fn rare_sums_of_squares() {
         for (freedom, expected, apart) in [
@@ -87,7 +89,7 @@ mod tests {
         }
     }
 
-    /// The table of any textbook.
+    /// Textbook table.
     #[test]
     fn quantiles() {
         for (freedom, expected) in [

@@ -1,30 +1,30 @@
-//! The part of a recording in which the motion is steady, and whether its excitation is.
+//! Finds the interval of a recording in which the motion is steady, and checks that its excitation is steady.
 
 use super::MeasureError;
 use super::tone::Basis;
 use crate::Complex;
 use std::f64::consts::TAU;
 
-/// Cycles of a block, at least.
+/// Least number of cycles in a block.
 const BLOCK: f64 = 2.0;
-/// Blocks of a recording, at most.
+/// Largest number of blocks in a recording.
 const MOST_BLOCKS: usize = 40;
-/// Fewer blocks cannot be compared.
+/// Least number of blocks that can be compared.
 const FEWEST_BLOCKS: usize = 4;
-/// How far the phase of the excitation may stray from a steady turn, rad: its frequency then strays by less than 1/30 of
-/// the width of a line.
+/// Largest deviation, rad, of the excitation's phase from a constant frequency. The frequency then varies by less than
+/// 1/30 of the width of a spectral line.
 const STRAY: f64 = 0.05;
-/// How far its amplitude may change.
+/// Largest relative change of the excitation's amplitude.
 const SWELL: f64 = 0.05;
-/// What is so many times its scatter is no chance.
+/// A change of this many standard deviations does not count as chance.
 const SURE: f64 = 6.0;
-/// What the fundamental of a steady motion may change by in all, of its size: where nothing keeps to the first, friction may
-/// wander as far as the second.
+/// Largest relative changes of a steady motion's fundamental. The first is tried first. The second, wider one allows
+/// for friction that wanders.
 const STEADY: [f64; 2] = [2e-3, 2e-2];
-/// How far a fundamental may scatter about its mean and still count as steady, of its size.
+/// Largest relative scatter of a fundamental about its mean that counts as steady.
 const SCATTER: f64 = 0.1;
 
-/// The fundamentals of a channel, block by block, turned to one origin of time.
+/// The fundamentals of a channel in each block, referred to one origin of time.
 struct Blocks {
     values: Vec<Complex<f64>>,
     deviation: f64,
@@ -41,7 +41,7 @@ fn blocks(samples: &[f64], per_sample: f64, length: usize) -> Option<Blocks> {
         values.push(tone.fundamental() * Complex::new(cos, -sin));
         deviations.push(tone.deviation);
     }
-    // Of the last third: a transient at the start is no noise.
+    // The noise is taken from the last third, because a transient at the start is not noise.
     let last = deviations.len().div_ceil(3);
     let deviation = deviations.iter().rev().take(last).sum::<f64>() / last as f64;
     Some(Blocks { values, deviation })
@@ -51,7 +51,7 @@ fn mean(values: &[Complex<f64>]) -> Complex<f64> {
     values.iter().sum::<Complex<f64>>() / values.len().max(1) as f64
 }
 
-/// The first sample from which on all channels are steady; the excitation comes first in `channels`.
+/// Returns the first sample from which on all channels are steady. The excitation comes first in `channels`.
 pub(super) fn start(
     channels: &[(&str, &[f64])],
     per_sample: f64,
@@ -82,7 +82,7 @@ pub(super) fn start(
     Ok(first * length)
 }
 
-/// Nothing, if the excitation keeps its frequency and its amplitude; a start from rest counts as neither.
+/// Returns an error unless the excitation keeps its frequency and its amplitude. A start from rest is ignored.
 fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result<(), MeasureError> {
     let skip = blocks.values.len() / 4;
     let kept = blocks.values.get(skip..).unwrap_or(&[]);
@@ -90,7 +90,7 @@ fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result
     if !(5.0 * blocks.deviation < size * (kept.len() as f64).sqrt()) {
         return Err(MeasureError::Silent(name.to_owned()));
     }
-    // Phases without jumps.
+    // Phases are unwrapped, so that they have no jumps of 2π.
     let mut phases: Vec<f64> = Vec::new();
     for value in kept {
         let angle = value.im.atan2(value.re);
@@ -114,7 +114,8 @@ fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result
     Ok(())
 }
 
-/// The slope over the first half and over the second, and the largest distance from one straight line.
+/// Returns the slope over the first half, the slope over the second half, and the largest distance from one straight
+/// line.
 fn bend(phases: &[f64]) -> (f64, f64, f64) {
     let line = |part: &[f64]| {
         let n = part.len().max(1) as f64;
@@ -136,14 +137,14 @@ fn bend(phases: &[f64]) -> (f64, f64, f64) {
     (line(early).0, line(late).0, away.fold(0.0, f64::max))
 }
 
-/// The block from which on a channel keeps its fundamental.
+/// Returns the first block from which on a channel keeps its fundamental.
 fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     let values = &blocks.values;
     let last = values
         .get(values.len() - values.len().div_ceil(3)..)
         .unwrap_or(&[]);
     let middle = mean(last);
-    // Of neighbours, about what they have in common: a trend counts as none.
+    // The scatter is that of the differences of neighbours about their mean, so that a trend does not count.
     let pairs = last
         .windows(2)
         .filter_map(|pair| Some(pair.last()? - pair.first()?));
@@ -153,7 +154,7 @@ fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     let freedom = steps.len().saturating_sub(1).max(1);
     let scatter = (0.5 * squares / freedom as f64).sqrt();
     let noise = blocks.deviation * std::f64::consts::SQRT_2;
-    // What does not move more than its noise is steady.
+    // A motion that changes by no more than its noise is steady.
     if SCATTER * middle.norm() < scatter && SURE * noise < scatter {
         return Err(MeasureError::NotSteady(name.to_owned()));
     }

@@ -1,41 +1,42 @@
 //! One frequency and its harmonics in samples, with their uncertainty.
 //!
-//! Thesis 4.3.3 takes the peak of a spectrum under a Hann window with zero padding.  This is the same, with its two errors
-//! removed: the window's sums are solved for all harmonics and the mean at once, so that none leaks into another, and the
-//! frequency is not one of a grid.
+//! Thesis 4.3.3 takes the peak of a spectrum under a Hann window with zero padding. This file uses the same window
+//! without the two errors of that method. It solves the window's sums for all harmonics and the mean at once, so that
+//! no harmonic leaks into another. The frequency is not limited to a grid.
 
 use crate::Complex;
 use nalgebra::{DMatrix, DVector};
 use rustfft::FftPlanner;
 use std::f64::consts::TAU;
 
-/// The harmonics that are told apart, where there are samples enough for them.
+/// Number of harmonics that are separated, if there are enough samples.
 pub const HARMONICS: usize = 5;
-/// How far the noise beside the driving frequency is looked for, of that frequency; the other ends lie at the first
-/// subharmonic and at one and a half, where a contact may put something.
+/// Half-width of the band around the driving frequency in which the noise is measured, over that frequency. A wider
+/// band would reach the first subharmonic and one and a half times the frequency, where a contact may have components.
 const BESIDE: f64 = 0.45;
-/// Bins of a Hann window that belong to its line.
+/// Distance from a line, in bins of a Hann window, within which bins belong to the line.
 const LINE: f64 = 3.0;
-/// Fewer bins beside the line tell the noise to less than a tenth; then those between the harmonics are taken too.
+/// Number of bins in the band that give the noise to less than a tenth. With fewer bins, those between the harmonics
+/// are used too.
 const ENOUGH_BINS: usize = 64;
-/// Fewer bins do not make a floor.
+/// Least number of bins that give a noise floor.
 const FEWEST_BINS: usize = 12;
 
-/// A frequency and its harmonics in one channel: x = Re Σ X_n e^{inωt}, with t from the middle of the part that was taken.
+/// A frequency and its harmonics in one channel: x = Re Σ X_n e^{inωt}, with t = 0 in the middle of the samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tone {
-    /// The mean.
+    /// Mean of the samples.
     pub mean: f64,
-    /// X_1, X_2, ….
+    /// Complex amplitudes X_1, X_2, ….
     pub harmonics: Vec<Complex<f64>>,
-    /// The standard deviation of the real part, and of the imaginary one, of each of them.
+    /// Standard deviation of the real part, and of the imaginary part, of each harmonic.
     pub deviation: f64,
-    /// The root of the mean square of what is left when mean and harmonics are taken away.
+    /// Root mean square of the remainder after mean and harmonics are subtracted.
     pub residual: f64,
 }
 
 impl Tone {
-    /// X_1.
+    /// Returns X_1.
     #[must_use]
     pub fn fundamental(&self) -> Complex<f64> {
         let zero = Complex::new(0.0, 0.0);
@@ -43,25 +44,25 @@ impl Tone {
     }
 }
 
-/// The Hann window and the rotations of a frequency over a number of samples.
+/// The Hann window and the rotations e^{iωt} of a frequency over a number of samples.
 pub(super) struct Basis {
-    /// w_t.
+    /// Weights w_t of the window.
     window: Vec<f64>,
-    /// e^{iωt}.
+    /// Rotations e^{iωt}.
     turns: Vec<Complex<f64>>,
     harmonics: usize,
-    /// Of the sums of the window, factored.
+    /// Cholesky factor of the normal equations.
     normal: Option<nalgebra::Cholesky<f64, nalgebra::Dyn>>,
-    /// Cycles of the frequency in all.
+    /// Number of cycles in the samples.
     cycles: f64,
 }
 
 impl Basis {
-    /// For `count` samples of a frequency of so many cycles a sample.
+    /// Prepares `count` samples of a frequency of `per_sample` cycles per sample.
     pub(super) fn new(count: usize, per_sample: f64, most: usize) -> Self {
         let middle = 0.5 * (count as f64 - 1.0);
         let window = (0..count).map(|t| {
-            // Without the zeros at its ends: over count + 1 intervals.
+            // The window runs over count + 1 intervals, so that it has no zeros at its ends.
             0.5 - 0.5 * (TAU * (t as f64 + 1.0) / (count as f64 + 1.0)).cos()
         });
         let window: Vec<f64> = window.collect();
@@ -70,7 +71,7 @@ impl Basis {
             Complex::new(cos, sin)
         });
         let turns: Vec<Complex<f64>> = turns.collect();
-        // Below half the rate with room to spare.
+        // The highest harmonic stays below 0.45 of the sampling rate, safely below half of it.
         let room = (0.45 / per_sample).floor() as usize;
         let harmonics = most.min(room).max(1);
         let mut sums = vec![Complex::new(0.0, 0.0); 2 * harmonics + 1];
@@ -91,7 +92,7 @@ impl Basis {
         }
     }
 
-    /// Mean and harmonics of samples; none where they cannot be told apart.
+    /// Returns mean and harmonics of samples, or `None` where they cannot be separated.
     fn components(&self, samples: &[f64]) -> Option<(f64, Vec<Complex<f64>>)> {
         let mut sums = vec![Complex::new(0.0, 0.0); self.harmonics + 1];
         for ((value, weight), turn) in samples.iter().zip(&self.window).zip(&self.turns) {
@@ -101,7 +102,7 @@ impl Basis {
                 power *= turn.conj();
             }
         }
-        // Unknowns: the mean, then cosine and sine of each harmonic.
+        // The unknowns are the mean, then cosine and sine of each harmonic.
         let parts = sums.iter().enumerate().flat_map(|(n, sum)| {
             let sine = (n > 0).then_some(-sum.im);
             std::iter::once(sum.re).chain(sine)
@@ -115,7 +116,7 @@ impl Basis {
         Some((*mean, harmonics.collect()))
     }
 
-    /// The tone of samples, with its uncertainty; none where there are too few cycles.
+    /// Returns the tone of samples with its uncertainty, or `None` where there are too few cycles.
     pub(super) fn tone(&self, samples: &[f64]) -> Option<Tone> {
         let (mean, harmonics) = self.components(samples)?;
         let left: Vec<f64> = samples
@@ -138,13 +139,13 @@ impl Basis {
         Some(Tone {
             mean,
             harmonics,
-            // X = 2D/Σw, and each part of D has half of |D|².
+            // X = 2D/Σw, and the real and the imaginary part of D each have half of |D|².
             deviation: (2.0 * floor).sqrt() / whole,
             residual,
         })
     }
 
-    /// The mean of |D|² beside the driving frequency, D = Σ w x e^{−iωt} of what is left.
+    /// Returns the mean of |D|² near the driving frequency, where D = Σ w x e^{−iωt} is the spectrum of the remainder.
     fn floor(&self, left: &[f64], residual: f64) -> f64 {
         let count = left.len();
         let windowed = left.iter().zip(&self.window).map(|(x, w)| x * w);
@@ -166,7 +167,7 @@ impl Basis {
         if ENOUGH_BINS <= bins {
             return sum / bins as f64;
         }
-        // Few cycles: everything between the harmonics.
+        // With few cycles all bins between the harmonics count.
         let top = (self.harmonics as f64 + 0.5) * self.cycles;
         let between = |bin: f64| {
             let nearest = (bin / self.cycles).round() * self.cycles;
@@ -181,7 +182,7 @@ impl Basis {
     }
 }
 
-/// The matrix of the weighted least squares, of the sums Σ w e^{imωt}.
+/// Returns the matrix of the weighted least squares, from the sums Σ w e^{imωt}.
 fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
     let at = |m: isize| {
         let sum = sums
@@ -191,7 +192,7 @@ fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
         if m < 0 { sum.conj() } else { sum }
     };
     let size = 2 * harmonics + 1;
-    // Columns: 1, cos ωt, sin ωt, cos 2ωt, …
+    // The columns are 1, cos ωt, sin ωt, cos 2ωt, …
     let order = |index: usize| {
         (
             index.div_ceil(2) as isize,
@@ -210,20 +211,20 @@ fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
     })
 }
 
-/// How many times longer the samples are made with zeros before their spectrum is taken.
+/// Factor by which zeros lengthen the samples before their spectrum is taken.
 const PADDING: usize = 4;
-/// From so many samples on none are added.
+/// Number of samples from which on no zeros are added.
 const LONG: usize = 1 << 20;
-/// Steps in which a frequency is made better by the phases of both halves.
+/// Number of steps that refine a frequency by the phases of both halves.
 const STEPS: usize = 4;
-/// Fewer cycles do not tell a frequency.
+/// Least number of cycles that determine a frequency.
 pub(super) const FEWEST_CYCLES: f64 = 4.0;
 
-/// The frequency that stands out, in cycles a sample; none where the spectrum has its peak at its start.
+/// Returns the dominant frequency in cycles per sample, or `None` if it has fewer than [`FEWEST_CYCLES`] cycles.
 pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
     let count = samples.len();
     let mean = samples.iter().sum::<f64>() / count as f64;
-    // A long recording has bins enough.
+    // A long recording has enough bins.
     let padding = if count < LONG { PADDING } else { 1 };
     let padded = (padding * count).next_power_of_two();
     let mut spectrum: Vec<Complex<f64>> = samples
@@ -253,7 +254,7 @@ pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
             let (_, harmonics) = basis.components(part)?;
             harmonics.first().map(|x| x.im.atan2(x.re))
         };
-        // The middles of both halves are half of all samples apart, and the phases count from there.
+        // The middles of both halves are half of all samples apart, and each phase refers to its middle.
         let apart = 0.5 * count as f64;
         let turns = (phase(second)? - phase(first)?) / TAU - found * apart;
         found += (turns - turns.round()) / apart;

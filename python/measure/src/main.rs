@@ -1,11 +1,11 @@
-//! Times the map of `measure.py` in Rust: `measure SCENE` prints the seconds of one map after a first one, and how many
-//! of its points are stuck, for both sides to have computed the same.
+//! Times the map of `measure.py` in Rust. `measure SCENE` prints the seconds of one map after a first one. It also
+//! prints the number of stuck points, which shows that both sides computed the same.
 
 use frictiongen::study::MapRequest;
 use frictiongen::{Of, Regime, System};
 use std::time::Instant;
 
-/// As `numpy.linspace`.
+/// Returns evenly spaced numbers as `numpy.linspace` does.
 fn grid(from: f64, to: f64, count: u32) -> Vec<f64> {
     let step = (to - from) / f64::from(count - 1);
     let inner = (0..count - 1).map(|place| from + f64::from(place) * step);

@@ -1,4 +1,4 @@
-"""Texts from files."""
+"""Reads texts from files."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ File = str | os.PathLike[str] | IO[str]
 
 
 def text_of(file: File) -> str:
-    """The text of a file.
+    """Reads the text of a file.
 
-    :raises OSError: if it cannot be read.
+    :raises OSError: if the file cannot be read.
     """
     if isinstance(file, (str, os.PathLike)):
         return Path(file).read_text(encoding="utf-8")
@@ -26,7 +26,7 @@ def text_of(file: File) -> str:
 
 
 def name_of(file: File) -> str | None:
-    """What a file is called in messages."""
+    """Returns the name of a file in messages."""
     if isinstance(file, (str, os.PathLike)):
         return os.fspath(file)
     name = getattr(file, "name", None)

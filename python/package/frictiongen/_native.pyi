@@ -1,4 +1,4 @@
-"""The compiled part: what `frictiongen.System` calls."""
+"""The compiled module: the functions and classes that `frictiongen.System` calls."""
 
 from typing import Any, final
 

@@ -1,4 +1,4 @@
-"""Amplitudes and phases that were measured."""
+"""Measured amplitudes and phases."""
 
 from __future__ import annotations
 
@@ -10,19 +10,21 @@ if TYPE_CHECKING:
 
 
 class Observation:
-    """Amplitudes and phases of masses at one frequency or several, read from wherever they are: for
-    :meth:`System.identify` in place of recordings.
+    """Measured amplitudes and phases of masses at one or several frequencies.
 
-    :param hz: the driving frequencies, Hz.
-    :param base: the amplitude of the base motion, m, where the base moves: one, or one for each frequency.
-    :param force: the amplitude of the force, N, where a force drives a mass.
-    :param amplitude_m: the amplitude of each mass's fundamental, m, by its name.
-    :param phase_deg: by how much it lags behind the excitation, degrees.
-    :param deviation_m: the standard deviation of each amplitude, m.
-    :param phase_deviation_deg: of a phase without an amplitude, degrees.
-    :param load_deviation: the standard deviation of the excitation's amplitude, in its unit.
+    :meth:`System.identify` takes an observation instead of recordings.
 
-    Deviations are one number for all masses, or one by the name of each.  Either amplitudes or phases may be left out.
+    :param hz: driving frequencies, Hz.
+    :param base: amplitude of the base motion, m, if the base moves: one number, or one for each frequency.
+    :param force: amplitude of the force, N, if a force drives a mass: one number, or one for each frequency.
+    :param amplitude_m: amplitude of each mass's fundamental, m, by the mass's name.
+    :param phase_deg: lag of each mass's fundamental behind the excitation, degrees, by the mass's name.
+    :param deviation_m: standard deviation of each amplitude, m.
+    :param phase_deviation_deg: standard deviation of each phase that has no amplitude, degrees.
+    :param load_deviation: standard deviation of the excitation's amplitude, in the unit of that amplitude.
+
+    A deviation is one number for all masses, or a number for each mass by its name.  Either amplitudes or phases may be
+    left out.
 
     >>> import frictiongen
     >>> plate = frictiongen.System('''struct Plate {
@@ -76,5 +78,5 @@ def _by_name(argument: str, given: Any) -> dict[str, Any]:
 
 
 def _of(given: Any, name: str) -> Any:
-    """A deviation for all masses, or one of several."""
+    """Returns the deviation of a mass: the one for all masses, or its own."""
     return given.get(name) if isinstance(given, Mapping) else given

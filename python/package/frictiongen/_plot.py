@@ -1,4 +1,4 @@
-"""Pictures of answers.  matplotlib is imported where one is asked for, and nowhere else."""
+"""Pictures of answers.  matplotlib is imported only when a picture is asked for."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from . import _answers as answers
     from ._recording import Recording
 
-#: The stroke of each regime.
+#: Line style of each regime.
 STROKES = {"continuous": "-", "stick-slip": "--", "stuck": ":"}
 
 
@@ -27,7 +27,7 @@ def _axes(ax: Axes | None) -> Axes:
 
 
 def _frequency(answer: Any) -> tuple[Any, str]:
-    """Frequencies as they were given, and their label."""
+    """Returns the frequencies in the unit in which they were given, and their label."""
     if "omega_rad_s" in answer:
         return answer.omega_rad_s, "angular frequency (rad/s)"
     if "frequency_Hz" in answer:
@@ -40,7 +40,7 @@ def _friction(answer: Any) -> tuple[Any, str]:
 
 
 def _column(answer: Any, motion: str, name: str, unit: str) -> tuple[Any, str]:
-    """A column of a motion, and its label."""
+    """Returns a column of a motion and its label."""
     inner = answer[motion]
     if f"{name}_{unit}" in inner:
         return inner[f"{name}_{unit}"], f"{name} of {motion} ({unit})"
@@ -48,20 +48,23 @@ def _column(answer: Any, motion: str, name: str, unit: str) -> tuple[Any, str]:
 
 
 def _edges(values: Any) -> Any:
-    """Where cells about these values end: in the middle between neighbours, half a step beyond the ends, and not below 0."""
+    """Returns the bounds of cells around these values.
+
+    They lie in the middle between neighbours and half a step beyond the ends, but not below 0.
+    """
     middles = 0.5 * (values[1:] + values[:-1])
     first, last = values[0] - (middles[0] - values[0]), values[-1] + (values[-1] - middles[-1])
     return np.maximum(np.concatenate([[first], middles, [last]]), 0.0)
 
 
 def _within(ax: Axes, along: Any) -> None:
-    """Ends the frequency axis where the data end, and never below 0."""
+    """Ends the frequency axis at the first and last data point, and never below 0."""
     if np.size(along) > 1:
         ax.margins(x=0)
 
 
 def _first(answer: Any, of: str | None) -> str:
-    """The motion asked for, or the first mass, or else the contact."""
+    """Returns the motion asked for, or the first mass, or the contact if there is no mass."""
     if of is not None:
         return of
     return next((name for name in answer.motions if name != "contact"), "contact")
@@ -126,7 +129,7 @@ def curve(answer: answers.Curve, ax: Axes | None, of: str | None) -> Axes:
 
 
 def _order(region: str) -> tuple[int, str]:
-    """Regions from sliding to stuck."""
+    """Sort key of a region, from sliding to stuck."""
     first = ("continuous", "sliding reversals")
     last = ("subharmonic", "unsettled")
     if region in first:
@@ -139,7 +142,7 @@ def _order(region: str) -> tuple[int, str]:
 
 
 def _places(regions: Any, known: list[str]) -> Any:
-    """The place of each region among those that are known."""
+    """Returns the index of each region among the known ones."""
     codes = np.zeros(regions.shape, int)
     for place, region in enumerate(known):
         codes[regions == region] = place
@@ -168,7 +171,7 @@ def map(answer: answers.Map, ax: Axes | None, shade: str) -> Axes:
             values, title = answer.stuck_fraction, "stuck part of the period"
         else:
             values, title = _column(answer, shade, "amplitude", "m")
-        # Resonances stand out by orders of magnitude.
+        # Amplitudes at resonances are larger by orders of magnitude.
         norm = None if shade == "stuck" or not (values > 0).any() else "log"
         drawn = ax.pcolormesh(*cells, values.T, norm=norm)
         ax.figure.colorbar(drawn, ax=ax, label=title)
@@ -212,7 +215,7 @@ def sensitivities(answer: answers.Sensitivities, ax: Axes | None) -> Axes:
 
 def features(answer: answers.Features, ax: Axes | None) -> Axes:
     ax = _axes(ax)
-    # With a load in Hz and N, otherwise in groups.
+    # The axes are in Hz and N with a load, otherwise non-dimensional.
     load = "continuous_limit_N" in answer.ends
     along = "frequency_Hz" if load else "r"
     unit = "_N" if load else ""

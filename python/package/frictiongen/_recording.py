@@ -20,13 +20,15 @@ if TYPE_CHECKING:
 class Recording:
     """Samples of the excitation and of masses, each channel with its unit.
 
-    :param channels: samples and unit of each channel by what it is of: `base`, `force` or the name of a mass.  Units are m,
-        cm, mm, um, m/s, mm/s, m/s2, mm/s2, g, N, mN, kN; displacements, velocities and accelerations may be mixed.
-    :param rate: samples a second.
-    :param time_s: or the time of each sample, s, evenly spaced.
-    :param drives: of the inputs of :meth:`System.drive`; one channel will do, and a constant one too.
-    :raises MeasureError: for a channel without a unit, and for what cannot tell anything: too few samples, numbers that are
-        not finite, a channel that is constant or clipped, uneven times.
+    :param channels: samples and unit of each channel, by the channel's name: `base`, `force` or the name of a mass.
+        Units are m, cm, mm, um, m/s, mm/s, m/s2, mm/s2, g, N, mN, kN.  Displacements, velocities and accelerations may
+        be mixed.
+    :param rate: samples per second.
+    :param time_s: time of each sample, s, evenly spaced, instead of `rate`.
+    :param drives: whether the channels are inputs of :meth:`System.drive`.  Then one channel is enough, and it may be
+        constant.
+    :raises MeasureError: for a channel without a unit, too few samples, numbers that are not finite, a channel that is
+        constant or clipped, and uneven times.
 
     >>> import frictiongen, numpy
     >>> t = numpy.arange(5000) / 500
@@ -68,15 +70,17 @@ class Recording:
         rate: float | None = None,
         drives: bool = False,
     ) -> Recording:
-        """A recording as CSV, or as universal file (UFF58, text): a path, or a file opened for reading text.
+        """Reads a recording from a CSV or a universal file (UFF58, text).
 
         A CSV has one line of names with their units, `time_s,base_mm,upper_m_s2`, or a second line with the units.
 
-        :param channels: which columns are read: by what a column is of, its name or its number from 1, and its unit where
-            the file does not say it, `{"upper": ("AI1", "mm")}`.  All by their own names if left out.
-        :param rate: samples a second, where no column has the time.
-        :raises OSError: if it cannot be read.
-        :raises MeasureError: with `line` where a line is wrong.
+        :param file: a path, or a file opened for reading text.
+        :param channels: columns to read, by the name of the channel.  Each is the column's name or its number from 1,
+            with its unit if the file does not contain it: `{"upper": ("AI1", "mm")}`.  By default all columns are read
+            under their own names.
+        :param rate: samples per second, if no column has the time.
+        :raises OSError: if the file cannot be read.
+        :raises MeasureError: if a line is wrong, with its number in `line`, or if the recording cannot be used.
         """
         return cls.from_text(text_of(file), channels=channels, rate=rate, drives=drives, source=name_of(file))
 
@@ -90,7 +94,7 @@ class Recording:
         drives: bool = False,
         source: str | None = None,
     ) -> Recording:
-        """The same of the text of a file; `source` is what messages call it.
+        """Reads a recording from the text of a file, which messages call `source`.
 
         >>> import frictiongen
         >>> text = "t;AI1;AI2\\n" + "".join(f"{n};{n % 7};{n % 5}\\n" for n in range(40))
@@ -114,25 +118,25 @@ class Recording:
 
     @property
     def rate(self) -> float:
-        """Samples a second."""
+        """Number of samples per second."""
         return self._native.rate
 
     @property
     def time_s(self) -> Floats:
-        """The time of each sample, from 0."""
+        """Time of each sample in s, from 0."""
         return np.arange(len(self)) / self.rate
 
     @property
     def units(self) -> dict[str, str]:
-        """The unit of each channel, by its name."""
+        """Unit of each channel, by the channel's name."""
         return dict(self._native.channels)
 
     def keys(self) -> list[str]:
-        """The names of the channels."""
+        """Returns the names of the channels."""
         return list(self.units)
 
     def __getitem__(self, name: str) -> Floats:
-        """The samples of a channel, in its unit."""
+        """Returns the samples of a channel, in its unit."""
         if name not in self.units:
             raise KeyError(f"there is no channel {name!r}; there are {', '.join(self.units)}")
         return self._native.samples(name)
@@ -145,15 +149,15 @@ class Recording:
         return f"Recording of {len(self)} samples at {self.rate:.6g} Hz: {channels}"
 
     def to_csv(self) -> str:
-        """As a CSV that :meth:`from_text` reads back, every number with all its digits."""
+        """Returns a CSV that :meth:`from_text` reads back, every number with all its digits."""
         return self._native.to_csv()
 
     def to_uff58(self) -> str:
-        """As a universal file, with 13 digits of each number."""
+        """Returns a universal file, with 13 digits of each number."""
         return self._native.to_uff58()
 
     def to_frame(self) -> DataFrame:
-        """As a pandas frame, with the units in the names.
+        """Returns a pandas frame, with the units in the names.
 
         :raises ImportError: if pandas is not installed.
         """
@@ -175,7 +179,7 @@ def _name(name: Any) -> str:
 
 
 def _with_unit(given: Any) -> tuple[Any, str | None]:
-    """What is given with a unit, or without one."""
+    """Splits a value from its unit, if it has one."""
     if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
         return given
     return given, None

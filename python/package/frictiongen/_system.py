@@ -1,4 +1,4 @@
-"""The system: a description and what can be asked of it."""
+"""The system: a description with the methods that answer for it."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class System(Steady, InTime, Design, Measuring):
     """A chain of masses and springs with one friction contact.
 
     :param text: the description.
-    :raises SceneError: if the description makes no scene; `errors` lists every :class:`Mistake`.
+    :raises SceneError: if the description has mistakes; `errors` lists every :class:`Mistake`.
 
     >>> from frictiongen import FRAME, SceneError, System
     >>> System(FRAME)
@@ -51,10 +51,11 @@ class System(Steady, InTime, Design, Measuring):
     ...     print(error.errors[0].line, error.errors[0].column)
     5 14
 
-    Every question takes the frequency in one of three ways, all by name: `r`, the ratio omega sqrt(m1/k1), `hz`, or `omega`
-    in rad/s; friction as `beta` or, with a load, as `friction` in N; the load as `force` in N where a force drives a mass, or
-    as `base` in m where the base moves.  :class:`DomainError` is raised for numbers outside their domain, unknown names and
-    loads that do not fit, :class:`TypeError` for what is not a number.  While it computes, other threads can run.
+    Methods take the frequency by one of three names: `r`, the ratio omega sqrt(m1/k1), `hz`, or `omega` in rad/s.  They
+    take friction as `beta` or, with a load, as `friction` in N.  The load is `force` in N if a force drives a mass, or
+    `base` in m if the base moves.  Methods raise :class:`DomainError` for numbers outside their domain, unknown names
+    and loads that do not fit, and :class:`TypeError` for arguments that are not numbers.  Other threads can run during
+    a computation.
     """
 
     __slots__ = ()
@@ -72,15 +73,15 @@ class System(Steady, InTime, Design, Measuring):
 
     @classmethod
     def from_file(cls, file: File) -> System:
-        """The system that a file describes: a path, or a file opened for reading text.
+        """Reads the description of a system from a path, or from a file opened for reading text.
 
-        :raises OSError: if it cannot be read.
+        :raises OSError: if the file cannot be read.
         """
         return cls(text_of(file))
 
     @classmethod
     def _of(cls, native: _native.System) -> System:
-        """A system that is there already."""
+        """Wraps a compiled system that exists already."""
         system = cls.__new__(cls)
         system._native = native
         return system
@@ -90,32 +91,32 @@ class System(Steady, InTime, Design, Measuring):
 
     @property
     def masses(self) -> list[str]:
-        """The names of the masses, in the order of the description."""
+        """Names of the masses, in the order of the description."""
         return self._native.masses
 
     @property
     def mass_values(self) -> NDArray[np.float64]:
-        """The masses, kg."""
+        """Masses, kg."""
         return self._native.mass_values
 
     @property
     def springs(self) -> list[tuple[str, str, float]]:
-        """Both ends of each spring, and its stiffness in N/m."""
+        """Names of both ends of each spring, and its stiffness in N/m."""
         return self._native.springs
 
     @property
     def contact(self) -> tuple[str, str]:
-        """What rubs on what."""
+        """Names of the two nodes that rub on each other."""
         return self._native.contact
 
     @property
     def excitation(self) -> str:
-        """The mass that a force drives, or `base`."""
+        """Name of the mass that a force drives, or `base`."""
         return self._native.driven_mass or "base"
 
     @property
     def natural_frequencies(self) -> NDArray[np.float64]:
-        """The natural frequencies without friction and damping, rad/s.
+        """Natural frequencies without friction and damping, rad/s.
 
         >>> import frictiongen, math
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -126,25 +127,25 @@ class System(Steady, InTime, Design, Measuring):
 
     @property
     def resonances(self) -> NDArray[np.float64]:
-        """The same as frequency ratios r."""
+        """Natural frequencies without friction and damping, as frequency ratios r."""
         return self._native.resonances
 
     @property
     def damping_ratios(self) -> NDArray[np.float64]:
-        """The damping ratio of each mode."""
+        """Modal damping ratio of each mode."""
         return self._native.damping_ratios
 
     @property
     def mode_shapes(self) -> NDArray[np.float64]:
-        """Mode shapes by mode and mass, over the first mass: the sum of m phi**2 is m1."""
+        """Mode shapes by mode and mass, normalised so that the sum of m phi**2 is the first mass m1."""
         return self._native.mode_shapes
 
     def hertz(self, r: float) -> float:
-        """The frequency in Hz of a frequency ratio r."""
+        """Converts a frequency ratio r to a frequency in Hz."""
         return self._native.hertz(r)
 
     def frequency_ratio(self, hz: float) -> float:
-        """The frequency ratio r of a frequency in Hz.
+        """Converts a frequency in Hz to a frequency ratio r.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)

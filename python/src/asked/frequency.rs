@@ -1,4 +1,4 @@
-//! The frequencies asked for: ratios r, Hz or rad/s.
+//! Frequency arguments: ratios r, Hz or rad/s.
 
 use super::ACROSS;
 use super::measure::Measure;
@@ -9,14 +9,14 @@ use frictiongen::System;
 use frictiongen::study::units;
 use pyo3::prelude::*;
 
-/// `r`, `hz` and `omega`.
+/// The arguments `r`, `hz` and `omega`.
 pub type FrequencyArguments<'py> = (
     Option<Bound<'py, PyAny>>,
     Option<Bound<'py, PyAny>>,
     Option<Bound<'py, PyAny>>,
 );
 
-/// What frequencies are given in.
+/// The unit in which frequencies are given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Unit {
     Ratio,
@@ -53,21 +53,21 @@ fn chosen<'a, 'py>(
     }
 }
 
-/// Whether a number is neither lost nor made infinite where another is computed from it.
+/// Returns whether computing one number from another neither lost it nor made it infinite.
 pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
 
-/// Frequencies, in the order given.
+/// Frequencies in the order given.
 pub struct Frequencies {
     given: Given,
     unit: Unit,
-    /// The frequency ratios.
+    /// Frequency ratios r.
     pub r: Vec<f64>,
 }
 
 impl Frequencies {
-    /// As given; of a motion in time, which needs a cycle, or not.
+    /// Reads the frequencies. `in_time` requires frequencies that have a cycle.
     pub fn of(
         system: &System,
         arguments: &FrequencyArguments<'_>,
@@ -106,7 +106,7 @@ impl Frequencies {
         Ok(Self { given, unit, r })
     }
 
-    /// The only one.
+    /// Returns the only frequency, or an error if several are given.
     pub fn only(&self) -> PyResult<f64> {
         match (self.given.is_one, self.r.as_slice()) {
             (true, [r]) => Ok(*r),
@@ -117,12 +117,12 @@ impl Frequencies {
         }
     }
 
-    /// The shape of what answers to them.
+    /// Returns the shape of an answer over the frequencies.
     pub fn shape(&self) -> Vec<usize> {
         self.given.shape()
     }
 
-    /// The frequency in Hz, as given or from r.
+    /// Returns a frequency in Hz, as given or computed from r.
     pub fn hertz(&self, system: &System, index: usize) -> f64 {
         let given = self.given.values.get(index).copied().unwrap_or(f64::NAN);
         match self.unit {
@@ -132,12 +132,12 @@ impl Frequencies {
         }
     }
 
-    /// Whether Hz stand beside r: where they were given in a unit, or the load was.
+    /// Returns whether an answer has Hz next to r, because the frequencies were given in a unit or the load was.
     pub fn tell_hertz(&self, measure: &Measure) -> bool {
         self.unit != Unit::Ratio || measure.scale().is_some()
     }
 
-    /// Their columns.
+    /// Adds the columns of the frequencies.
     pub fn put(
         &self,
         columns: &mut Columns<'_>,
@@ -159,15 +159,15 @@ impl Frequencies {
 
 /// A range of frequencies.
 pub struct Band {
-    /// The lowest r.
+    /// Lowest frequency ratio r.
     pub from: f64,
-    /// The highest.
+    /// Highest frequency ratio r.
     pub to: f64,
     unit: Unit,
 }
 
 impl Band {
-    /// The two ends given, or, if none are, the range about the resonances: in Hz with a load.
+    /// Reads the two bounds of a band. Without them it returns the range around the resonances, in Hz with a load.
     pub fn of_or_usual(
         system: &System,
         arguments: &FrequencyArguments<'_>,
@@ -184,17 +184,17 @@ impl Band {
         Ok(Self { from, to, unit })
     }
 
-    /// Whether Hz stand beside r: where it was given in a unit, or the load was.
+    /// Returns whether an answer has Hz next to r, because the band was given in a unit or the load was.
     pub fn tells_hertz(&self, measure: &Measure) -> bool {
         self.unit != Unit::Ratio || measure.scale().is_some()
     }
 
-    /// The two ends given.
+    /// Reads the two bounds of a band.
     pub fn of(system: &System, arguments: &FrequencyArguments<'_>) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
         let argument = unit.argument();
         let Some((from, to)) = ends(argument, given)? else {
-            // A text is no number to begin with.
+            // A text must be refused as a text, before the message about bands.
             numbers(argument, given)?;
             return Err(domain(format_args!(
                 "{argument}: a band is needed, a tuple (from, to); a list or an array has points, for `limits`, `response` and `map`"
@@ -218,7 +218,7 @@ impl Band {
         })
     }
 
-    /// A distance between frequencies, in r.
+    /// Reads a distance between frequencies and returns it in r.
     pub fn step(&self, system: &System, given: &Bound<'_, PyAny>) -> PyResult<f64> {
         let given = one("step", given)?;
         let step = self.unit.ratio(system, given);
@@ -227,7 +227,7 @@ impl Band {
                 "step is {given:?}: it is above 0 and finite"
             )));
         }
-        // As the command, which refuses more points than it would write.
+        // As the command, this refuses more points than it could return.
         if super::MOST_POINTS as f64 <= (self.to - self.from) / step {
             return Err(domain(format_args!(
                 "step is {given:?}: more than {} points",
@@ -237,7 +237,7 @@ impl Band {
         Ok(step)
     }
 
-    /// The columns of frequencies of it.
+    /// Adds the columns of frequencies in the band.
     pub fn put(
         &self,
         columns: &mut Columns<'_>,

@@ -1,4 +1,4 @@
-//! The friction asked for: ratios β, or forces.
+//! Friction arguments: ratios β, or forces.
 
 use super::UP;
 use super::frequency::survives;
@@ -9,21 +9,21 @@ use crate::errors::domain;
 use frictiongen::study::LoadScale;
 use pyo3::prelude::*;
 
-/// `beta` and `friction`.
+/// The arguments `beta` and `friction`.
 pub type FrictionArguments<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
-/// Frictions, in the order given.
+/// Frictions in the order given.
 pub struct Frictions {
     given: Given,
     argument: &'static str,
-    /// The friction ratios.
+    /// Friction ratios β.
     pub beta: Vec<f64>,
-    /// The friction forces, where the load is known.
+    /// Friction forces in N, if the load is known.
     force: Option<Vec<f64>>,
 }
 
 impl Frictions {
-    /// As given, under a load.
+    /// Reads the frictions under a load.
     pub fn of((beta, friction): &FrictionArguments<'_>, measure: &Measure) -> PyResult<Self> {
         let (argument, given) = match (beta, friction) {
             (Some(beta), None) => ("beta", points("beta", beta, UP)?),
@@ -84,7 +84,7 @@ impl Frictions {
         })
     }
 
-    /// The same where each friction costs a whole curve: one number, or a list.
+    /// Reads frictions as one number or a list. A band is refused, because each friction costs a whole curve.
     pub fn listed(arguments: &FrictionArguments<'_>, measure: &Measure) -> PyResult<Self> {
         let (beta, friction) = arguments;
         for (argument, given) in [("beta", beta), ("friction", friction)] {
@@ -99,7 +99,7 @@ impl Frictions {
         Self::of(arguments, measure)
     }
 
-    /// The only one, and its force or else its ratio.
+    /// Returns the only friction ratio, with its force if the load is known and the ratio again if not.
     pub fn only(&self) -> PyResult<(f64, f64)> {
         match (self.given.is_one, self.beta.as_slice()) {
             (true, [beta]) => {
@@ -113,17 +113,17 @@ impl Frictions {
         }
     }
 
-    /// The shape of what answers to them.
+    /// Returns the shape of an answer over the frictions.
     pub fn shape(&self) -> Vec<usize> {
         self.given.shape()
     }
 
-    /// Their columns.
+    /// Adds the columns of the frictions.
     pub fn put(&self, columns: &mut Columns<'_>) -> PyResult<()> {
         self.put_places(columns, &(0..self.beta.len()).collect::<Vec<_>>())
     }
 
-    /// The same of those at some places.
+    /// Adds the columns of the frictions at some indices.
     pub fn put_places(&self, columns: &mut Columns<'_>, places: &[usize]) -> PyResult<()> {
         let of = |values: &[f64]| {
             places

@@ -1,4 +1,4 @@
-//! What displacements, phases and limits are counted in: the units of a load, or groups.
+//! Units of displacements, phases and limits: those of a load, or non-dimensional groups.
 
 use super::numbers::one;
 use crate::errors::domain;
@@ -8,10 +8,10 @@ use frictiongen::{Of, System};
 use pyo3::prelude::*;
 use std::f64::consts::TAU;
 
-/// `force` and `base`.
+/// The arguments `force` and `base`.
 pub type LoadArguments<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
-/// What answers are counted in.
+/// Units of the answers.
 #[derive(Clone, Copy, Debug)]
 pub struct Measure {
     scale: Option<LoadScale>,
@@ -21,7 +21,7 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// As the load says that is given, if any is.
+    /// Makes the units from the load arguments, if a load is given.
     pub fn of(system: &System, (force, base): &LoadArguments<'_>) -> PyResult<Self> {
         let mut measure = Self {
             scale: None,
@@ -51,65 +51,66 @@ impl Measure {
         Ok(measure)
     }
 
-    /// The units, if a load is given.
+    /// Returns the units, if a load is given.
     pub fn scale(&self) -> Option<LoadScale> {
         self.scale
     }
 
-    /// The load, if one is given.
+    /// Returns the load, if one is given.
     pub fn load(&self) -> Option<Load> {
         self.load
     }
 
-    /// The argument that gives the load of this scene.
+    /// Returns the argument that gives the load of this scene.
     pub fn argument(&self) -> &'static str {
         if self.base_motion { "base" } else { "force" }
     }
 
-    /// Whether the motion is the contact's and is turned round, so that no order of masses changes it.
+    /// Returns whether this is the contact's motion and its sign is reversed, so that the answer does not depend on the
+    /// order of the masses.
     pub fn turns(&self, of: Of) -> bool {
         of == Of::Contact && self.reversed && self.scale.is_some()
     }
 
-    /// The sign of the contact's displacement.
+    /// Returns the sign of the contact's displacement.
     pub fn sign(&self) -> f64 {
         if self.turns(Of::Contact) { -1.0 } else { 1.0 }
     }
 
-    /// A displacement.
+    /// Returns a displacement in these units.
     pub fn length(&self, ratio: f64) -> f64 {
         self.scale.map_or(ratio, |scale| scale.displacement(ratio))
     }
 
-    /// A velocity, at an angular frequency.
+    /// Returns a velocity in these units, at an angular frequency in rad/s.
     pub fn velocity(&self, rate: f64, omega: f64) -> f64 {
         self.scale.map_or(rate, |scale| scale.velocity(rate, omega))
     }
 
-    /// d²x̄/dτ², at the angular frequency ω; an acceleration where the load is known.
+    /// Returns d²x̄/dτ² at the angular frequency ω, or the acceleration if the load is known.
     pub fn acceleration(&self, rate: f64, omega: f64) -> f64 {
         self.scale
             .map_or(rate, |scale| scale.velocity(rate, omega) * omega)
     }
 
-    /// The work of a cycle over P²/k₁; the mean power where the load is known.
+    /// Returns the work of a cycle over P²/k₁, or the mean power if the load is known.
     pub fn power(&self, work: f64, omega: f64) -> f64 {
         self.scale.map_or(work, |scale| {
             scale.displacement(scale.friction(work)) * omega / TAU
         })
     }
 
-    /// A force.
+    /// Returns a force in these units.
     pub fn force(&self, ratio: f64) -> f64 {
         self.scale.map_or(ratio, |scale| scale.friction(ratio))
     }
 
-    /// A phase.
+    /// Returns a phase in these units.
     pub fn angle(&self, radians: f64) -> f64 {
         self.scale.map_or(radians, |_| radians.to_degrees())
     }
 
-    /// A name with its unit where the load is known: `amplitude`, `_m`.
+    /// Returns a name, with its unit if the load is known: `amplitude`, `_m`.
     pub fn name(&self, name: &str, unit: &str) -> String {
         format!("{name}{}", self.scale.map_or("", |_| unit))
     }

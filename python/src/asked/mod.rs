@@ -1,4 +1,4 @@
-//! What is asked, read from Python's objects: numbers, names, and what they mean in groups.
+//! Reads arguments from Python objects: numbers, names, and their values in non-dimensional groups.
 
 mod frequency;
 mod friction;
@@ -15,37 +15,37 @@ use frictiongen::{Of, System};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
-/// The points that cover a band of frequencies.
+/// Number of points that cover a band of frequencies.
 const ACROSS: u32 = 161;
 
-/// The points that cover a band of frictions.
+/// Number of points that cover a band of frictions.
 const UP: u32 = 81;
 
-/// The most points of an answer, as of the command.
+/// Largest number of points of an answer, the same as that of the command.
 pub const MOST_POINTS: usize = 10_000_000;
 
-/// The most numbers of an answer: 800 MB.
+/// Largest number of values of an answer: 800 MB.
 const MOST_NUMBERS: usize = 100_000_000;
 
-/// The highest harmonic there may be.
+/// Largest order of a harmonic.
 pub const MOST_HARMONICS: u32 = 9999;
 
-/// What the contact is called; no mass can be.
+/// Name of the contact, which no mass can have.
 pub const CONTACT: &str = "contact";
 
 /// An argument that may be left out.
 pub type Optional<'py> = Option<Bound<'py, PyAny>>;
 
-/// What moves: the contact or a mass.
+/// A moving part: the contact or a mass.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// Which.
+    /// The motion of the part.
     pub of: Of,
-    /// Its name.
+    /// Name of the part.
     pub name: String,
 }
 
-/// Names: one, or several.
+/// Reads one name or several names.
 pub fn names(argument: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
     let Some(given) = given else {
         return Ok(Vec::new());
@@ -60,7 +60,7 @@ pub fn names(argument: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<S
     })
 }
 
-/// The motions of these names, nothing twice; the contact and all masses if there are none.
+/// Returns the parts of these names, each once. Without names it returns the contact and all masses.
 pub fn parts(
     system: &System,
     argument: &str,
@@ -86,7 +86,7 @@ pub fn parts(
     Ok(parts)
 }
 
-/// The one motion of this name.
+/// Returns the part of this name.
 pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Part> {
     let Ok(name) = given.cast::<PyString>() else {
         return Err(wrong_type(format_args!(
@@ -99,12 +99,12 @@ pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResu
         .ok_or_else(|| domain(format_args!("{argument}: give the motion")))
 }
 
-/// The highest harmonic asked for, or 0.
+/// Reads the highest order of a harmonic, or 0.
 pub fn harmonics(given: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
     given.map_or(Ok(0), |given| whole("harmonics", given, 1..=MOST_HARMONICS))
 }
 
-/// Nothing, if an answer of so many points with so many numbers each fits.
+/// Returns an error if an answer of that many points with that many numbers each is too large.
 pub fn check_size(points: usize, numbers: usize) -> PyResult<()> {
     if points <= MOST_POINTS && points.saturating_mul(numbers) <= MOST_NUMBERS {
         return Ok(());

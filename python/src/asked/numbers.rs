@@ -1,4 +1,4 @@
-//! Numbers from Python: one, or several in a row.
+//! Reads numbers from Python: one, or several in a row.
 
 use crate::errors::{domain, wrong_type};
 use numpy::PyReadonlyArray1;
@@ -6,16 +6,16 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyTuple};
 use std::ops::RangeInclusive;
 
-/// Numbers, and whether it was one alone.
+/// Numbers that were given.
 pub struct Given {
-    /// The numbers.
+    /// The values.
     pub values: Vec<f64>,
-    /// Whether one alone was given rather than a row of them.
+    /// Whether a single number was given instead of a row.
     pub is_one: bool,
 }
 
 impl Given {
-    /// The shape of what answers to it.
+    /// Returns the shape of an answer over these numbers.
     pub fn shape(&self) -> Vec<usize> {
         if self.is_one {
             Vec::new()
@@ -24,7 +24,7 @@ impl Given {
         }
     }
 
-    /// What a number is called in a message.
+    /// Returns the name of a number in a message.
     pub fn place(&self, argument: &str, index: usize) -> String {
         if self.is_one {
             argument.to_owned()
@@ -34,13 +34,14 @@ impl Given {
     }
 }
 
-/// The type of an object, for a message.
+/// Returns the type of an object, for a message.
 fn type_name(object: &Bound<'_, PyAny>) -> String {
     let name = object.get_type().name();
     name.map_or_else(|_| "object".to_owned(), |name| name.to_string())
 }
 
-/// A number, or a row of numbers: whatever numpy reads as such, but no texts, no truth values and nothing complex.
+/// Reads a number or a row of numbers. It accepts everything that numpy reads as such, except texts, truth values and
+/// complex numbers.
 pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Given> {
     let py = given.py();
     let needed = || {
@@ -79,7 +80,7 @@ pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Given> {
     })
 }
 
-/// The two ends of a band, if a tuple is given; a list and an array have points.
+/// Reads the two bounds of a band, if a tuple is given. A list or an array has points.
 pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f64)>> {
     if !given.is_instance_of::<PyTuple>() {
         return Ok(None);
@@ -93,7 +94,7 @@ pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f
     }
 }
 
-/// One number, points in a row, or a band (from, to) that `count` points cover evenly.
+/// Reads one number, points in a row, or a band (from, to) that `count` points cover evenly.
 pub fn points(argument: &str, given: &Bound<'_, PyAny>, count: u32) -> PyResult<Given> {
     let Some((from, to)) = ends(argument, given)? else {
         return numbers(argument, given);
@@ -112,7 +113,7 @@ pub fn points(argument: &str, given: &Bound<'_, PyAny>, count: u32) -> PyResult<
     })
 }
 
-/// One number.
+/// Reads one number.
 pub fn one(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
     let given = numbers(argument, given)?;
     match (given.is_one, given.values.as_slice()) {
@@ -124,7 +125,7 @@ pub fn one(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
     }
 }
 
-/// One whole number.
+/// Reads one whole number.
 pub fn whole(
     argument: &str,
     given: &Bound<'_, PyAny>,

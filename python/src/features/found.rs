@@ -1,4 +1,4 @@
-//! All features, asked of the library.
+//! Computes all features.
 
 use crate::asked::Part;
 use frictiongen::study::{
@@ -6,50 +6,50 @@ use frictiongen::study::{
     Inversion, LimitsAtEnd, Measured, RegimeRange, Resonance, ResonantPeak, Sensed, SlidingRange,
 };
 
-/// Something of a motion.
+/// A feature of a motion.
 pub struct Named<T> {
-    /// The name of the motion.
+    /// Name of the motion.
     pub of: String,
-    /// What there is.
+    /// The feature.
     pub it: T,
 }
 
-/// Something at a friction.
+/// A feature at a friction.
 pub struct At<T> {
-    /// The friction, β.
+    /// Friction ratio β.
     pub beta: f64,
-    /// What there is.
+    /// The feature.
     pub it: T,
 }
 
 /// Lists of features, each in the order of the library.
 pub struct Found {
-    /// Of the chain.
+    /// Resonances of the chain.
     pub resonances: Vec<Resonance>,
-    /// Of the chain with its contact stuck.
+    /// Resonances of the chain with its contact stuck.
     pub held: Vec<HeldResonance>,
-    /// r → 0 and r → ∞.
+    /// Limits for r → 0 and r → ∞.
     pub ends: Vec<(f64, LimitsAtEnd)>,
-    /// Where a motion vanishes without friction.
+    /// Frequencies at which a motion vanishes without friction.
     pub antiresonances: Vec<Named<Antiresonance>>,
-    /// Where no friction changes it.
+    /// Frequencies at which no friction changes a motion.
     pub invariant: Vec<Named<(Measured, InvariantPoint)>>,
-    /// Where friction enlarges it.
+    /// Ranges in which friction enlarges a motion.
     pub inversions: Vec<Named<(Measured, Inversion)>>,
-    /// The motion of each mass for r → 0; none where the contact is stuck.
+    /// Motion of each mass for r → 0; `None` where the contact is stuck.
     pub starts: Vec<At<Named<Option<Sensed>>>>,
-    /// Where the contact slides.
+    /// Ranges in which the contact slides.
     pub sliding: Vec<At<SlidingRange>>,
     /// Regimes along frequency.
     pub regimes: Vec<At<(Certainty, RegimeRange)>>,
-    /// At the resonances.
+    /// Peaks at the resonances.
     pub peaks: Vec<At<Named<ResonantPeak>>>,
-    /// Where one friction and the next give the same.
+    /// Frequencies at which two neighbouring frictions give the same amplitude.
     pub crossings: Vec<At<Named<(f64, Crossing)>>>,
 }
 
 impl Found {
-    /// All of a range.
+    /// Computes all features in a range.
     pub fn of(
         features: &Features<'_>,
         parts: &[Part],

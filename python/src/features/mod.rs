@@ -1,4 +1,4 @@
-//! What a response is made of, without a sweep: thresholds, places that no friction moves, ranges, peaks.
+//! Features of a response without a sweep: thresholds, invariant points, ranges and peaks.
 
 mod found;
 mod sheet;
@@ -16,10 +16,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use sheet::Counted;
 
-/// No more frictions than this at once, as of the command.
+/// Largest number of frictions in one call, the same as that of the command.
 const MOST_FRICTIONS: usize = 16;
 
-/// Each list by its name: columns, and how their numbers move with every parameter.
+/// Returns each list by its name: its columns, and the derivatives of its numbers with respect to every parameter.
 #[pyfunction]
 pub fn features<'py>(
     py: Python<'py>,
@@ -43,7 +43,7 @@ pub fn features<'py>(
     }
     let mut parts = parts(system, "of", of.as_ref())?;
     if of.is_none() && !system.modal().on_moving_base {
-        // The mass that rubs on a support at rest moves as the contact does: said once.
+        // A mass that rubs on a support at rest moves as the contact does, so that it is listed only once.
         let rubbing = system.modal().rubbing().map(Of::Mass);
         parts.retain(|part| Some(part.of) != rubbing);
     }

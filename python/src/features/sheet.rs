@@ -8,21 +8,21 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
-/// In what the numbers of a sheet are counted.
+/// System, range and units of a sheet.
 #[derive(Clone, Copy)]
 pub struct Counted<'a> {
-    /// Of which system.
+    /// The system.
     pub system: &'a System,
-    /// Over which frequencies.
+    /// The range of frequencies.
     pub band: &'a Band,
-    /// In which units.
+    /// The units of the answers.
     pub measure: &'a Measure,
 }
 
 impl Counted<'_> {
     fn point(&self) -> OperatingPoint {
         match self.measure.load() {
-            // Names and units do not depend on where it is.
+            // Names and units do not depend on the operating point, so that any point will do.
             Some(load) => OperatingPoint::Physical {
                 hertz: 1.0,
                 friction: 1.0,
@@ -37,7 +37,7 @@ impl Counted<'_> {
     }
 }
 
-/// One list: columns, and by the name of a column how its numbers move with every parameter.
+/// One list: its columns, and for each column name the derivatives with respect to every parameter.
 pub struct Sheet<'a, 'py, T> {
     counted: Counted<'a>,
     found: &'a [T],
@@ -46,7 +46,7 @@ pub struct Sheet<'a, 'py, T> {
 }
 
 impl<'a, 'py, T> Sheet<'a, 'py, T> {
-    /// Without columns yet.
+    /// Starts without columns.
     pub fn new(py: Python<'py>, counted: Counted<'a>, found: &'a [T]) -> Self {
         Self {
             counted,
@@ -56,43 +56,43 @@ impl<'a, 'py, T> Sheet<'a, 'py, T> {
         }
     }
 
-    /// Words.
+    /// Adds words.
     pub fn words(&mut self, name: &str, of: impl Fn(&'a T) -> &'a str) -> PyResult<()> {
         let words = self.found.iter().map(|line| of(line).to_owned());
         self.columns.words(name, words.collect::<Words>())
     }
 
-    /// Counts.
+    /// Adds counts.
     pub fn counts(&mut self, name: &str, of: impl Fn(&T) -> usize) -> PyResult<()> {
         let counts = self.found.iter().map(|line| of(line) as i64);
         self.columns.counts(name, counts.collect())
     }
 
-    /// Whether or not.
+    /// Adds flags.
     pub fn flags(&mut self, name: &str, of: impl Fn(&T) -> bool) -> PyResult<()> {
         self.columns
             .flags(name, self.found.iter().map(of).collect())
     }
 
-    /// Numbers as they are.
+    /// Adds numbers without a unit.
     pub fn numbers(&mut self, name: &str, of: impl Fn(&T) -> Option<f64>) -> PyResult<()> {
         let numbers = self.found.iter().map(|line| cell(of(line)));
         self.columns.numbers(name, numbers.collect())
     }
 
-    /// Numbers that are forces under a load.
+    /// Adds numbers that are forces under a load.
     pub fn forces(&mut self, name: &str, of: impl Fn(&T) -> Option<f64>) -> PyResult<()> {
         let name = self.counted.measure.name(name, "_N");
         self.numbers(&name, of)
     }
 
-    /// Numbers that are lengths under a load.
+    /// Adds numbers that are lengths under a load.
     pub fn lengths(&mut self, name: &str, of: impl Fn(&T) -> Option<f64>) -> PyResult<()> {
         let name = self.counted.measure.name(name, "_m");
         self.numbers(&name, of)
     }
 
-    /// The friction asked for.
+    /// Adds the friction asked for.
     pub fn friction(&mut self, beta: impl Fn(&T) -> f64) -> PyResult<()> {
         let measure = self.counted.measure;
         if measure.scale().is_some() {
@@ -101,7 +101,7 @@ impl<'a, 'py, T> Sheet<'a, 'py, T> {
         self.numbers("beta", |line| Some(beta(line)))
     }
 
-    /// Places along frequency; `before` stands before the names.
+    /// Adds frequencies. Their names begin with `before`.
     pub fn places(&mut self, before: &str, of: impl Fn(&T) -> Option<f64>) -> PyResult<()> {
         if self.counted.has_hertz() {
             let system = self.counted.system;
@@ -112,13 +112,13 @@ impl<'a, 'py, T> Sheet<'a, 'py, T> {
         self.numbers(&format!("{before}r"), of)
     }
 
-    /// How places move with every parameter.
+    /// Adds the derivatives of frequencies with respect to every parameter.
     pub fn places_move(
         &mut self,
         before: &str,
         of: impl Fn(&'a T) -> Option<&'a Sensed>,
     ) -> PyResult<()> {
-        // Under a load their derivatives are those of Hz.
+        // Under a load the derivatives are those of the frequency in Hz.
         let name = match self.counted.measure.load() {
             Some(_) => format!("{before}frequency_Hz"),
             None => format!("{before}r"),
@@ -126,7 +126,7 @@ impl<'a, 'py, T> Sheet<'a, 'py, T> {
         self.moved(&name, of)
     }
 
-    /// How forces do.
+    /// Adds the derivatives of forces.
     pub fn forces_move(
         &mut self,
         name: &str,
@@ -136,7 +136,7 @@ impl<'a, 'py, T> Sheet<'a, 'py, T> {
         self.moved(&name, of)
     }
 
-    /// How lengths do.
+    /// Adds the derivatives of lengths.
     pub fn lengths_move(
         &mut self,
         name: &str,
@@ -146,7 +146,8 @@ impl<'a, 'py, T> Sheet<'a, 'py, T> {
         self.moved(&name, of)
     }
 
-    /// The parameters that move a column, and for each of them two arrays: derivatives, and per cent for one per cent.
+    /// Adds the parameters that change a column. Each has two arrays: derivatives, and per cent for one per cent of the
+    /// parameter.
     fn moved(&mut self, name: &str, of: impl Fn(&'a T) -> Option<&'a Sensed>) -> PyResult<()> {
         let py = self.derivatives.py();
         let sensed: Vec<Option<&Sensed>> = self.found.iter().map(of).collect();
@@ -174,7 +175,7 @@ impl<'a, 'py, T> Sheet<'a, 'py, T> {
         self.derivatives.set_item(name, all)
     }
 
-    /// Both.
+    /// Returns columns and derivatives.
     pub fn done(self) -> (Bound<'py, PyDict>, Bound<'py, PyDict>) {
         (self.columns.done(), self.derivatives)
     }

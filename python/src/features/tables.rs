@@ -9,13 +9,13 @@ use frictiongen::study::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Columns, and how their numbers move with every parameter.
+/// Columns of a list, and their derivatives with respect to every parameter.
 pub type Table<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>);
 
 /// Tables by their names.
 pub type Tables<'py> = Vec<(&'static str, Table<'py>)>;
 
-/// What belongs to the scene, whatever the friction.
+/// Returns the lists that do not depend on the friction.
 pub fn whole<'py>(py: Python<'py>, counted: Counted<'_>, found: &Found) -> PyResult<Tables<'py>> {
     let modes: Vec<_> = (1..).zip(&found.resonances).collect();
     let mut resonances = Sheet::new(py, counted, &modes);
@@ -92,7 +92,7 @@ fn inversions<'py>(
     Ok(sheet.done())
 }
 
-/// What belongs to a friction.
+/// Returns the lists that depend on the friction.
 pub fn of_frictions<'py>(
     py: Python<'py>,
     counted: Counted<'_>,

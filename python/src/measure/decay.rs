@@ -10,7 +10,7 @@ use crate::work::without_lock;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// What is said once, and the extremes.
+/// Finds friction and damping. Returns the single values, and the extremes.
 #[pyfunction]
 pub fn free_decay<'py>(
     py: Python<'py>,
@@ -34,7 +34,7 @@ pub fn free_decay<'py>(
         }
         (Some(ratio), false) => Some(ratio),
         (None, true) => None,
-        // Damping that the description has is known.
+        // Damping of the description counts as known.
         (None, false) => system.described_damping(),
     };
     let found = without_lock(py, |_| system.free_decay(&recording.recording, known))?;

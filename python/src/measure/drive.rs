@@ -10,7 +10,7 @@ use frictiongen::measure::Inputs;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The motion under a recording of the base or of forces.
+/// Computes the motion under a recording of the base or of forces.
 #[pyfunction]
 pub fn drive<'py>(
     system: &Bound<'py, NativeSystem>,

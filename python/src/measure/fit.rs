@@ -1,4 +1,4 @@
-//! A scene's parameters from a sweep without friction.
+//! Fits a scene's parameters to a sweep without friction.
 
 use super::estimate::{Interval, interval};
 use crate::asked::numbers;
@@ -11,13 +11,13 @@ use frictiongen::measure::{SweepFit, SweepPoint};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// A mass with its amplitudes over the excitation and, if they are known, their deviations.
+/// A mass with its amplitudes over the excitation and, if they are known, their standard deviations.
 type Swept<'py> = (String, Bound<'py, PyAny>, Option<Bound<'py, PyAny>>);
 
-/// What was found once, the points, and the system with what was found.
+/// The single values, the points, and the fitted system.
 type Answer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
 
-/// A row of numbers as long as the frequencies; NaN is none where there may be gaps.
+/// Reads a row of numbers as long as the frequencies. If `gaps`, NaN marks a missing number.
 fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> PyResult<Vec<f64>> {
     let given = numbers(argument, given)?;
     if given.values.len() != count {
@@ -38,7 +38,7 @@ fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> Py
     Ok(given.values)
 }
 
-/// The points of a sweep, in the order in which its table has them.
+/// Returns the points of a sweep in the order of its table.
 fn points(
     system: &System,
     hertz: &Bound<'_, PyAny>,
@@ -123,7 +123,7 @@ fn answer<'py>(
     Ok((once, columns, fitted))
 }
 
-/// Measured beside computed.
+/// Returns the measured and the computed amplitudes.
 fn compared<'py>(
     py: Python<'py>,
     system: &System,
@@ -148,7 +148,7 @@ fn compared<'py>(
     Ok(columns.done())
 }
 
-/// Of arrays; `gaps` says whether NaN is a point that was not measured.
+/// Fits a sweep given as arrays. If `gaps`, NaN marks a point that was not measured.
 #[pyfunction]
 pub fn fit<'py>(
     py: Python<'py>,
@@ -163,7 +163,7 @@ pub fn fit<'py>(
     answer(py, system, &points, (damping, None))
 }
 
-/// Of a table as text.
+/// Fits a sweep given as the text of a table.
 #[pyfunction]
 pub fn fit_text<'py>(
     py: Python<'py>,

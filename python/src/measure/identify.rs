@@ -1,4 +1,4 @@
-//! The friction force from measurements.
+//! Finds the friction force from measurements.
 
 use super::estimate::{Interval, interval, scaled};
 use super::observed::Observed;
@@ -13,10 +13,10 @@ use frictiongen::{Of, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// How it is asked: by, also, between, harmonics.
+/// Options: by, also, between, harmonics.
 type Asked<'py> = (Option<String>, Optional<'py>, Optional<'py>, Optional<'py>);
 
-/// What was found once, the motions, and the system with what was found.
+/// The single values, the motions, and the system with the values found.
 type Answer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
 
 fn unknowns(given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Unknown>> {
@@ -43,7 +43,7 @@ fn range(given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<(f64, f64)>> {
     }
 }
 
-/// The names of what else was found, each with its unit.
+/// Returns the names of the other unknowns, each with its unit.
 fn named(system: &System, found: &[(Unknown, Estimate)]) -> Vec<(String, Interval)> {
     let mut all = Vec::new();
     for (unknown, estimate) in found {
@@ -65,7 +65,7 @@ fn named(system: &System, found: &[(Unknown, Estimate)]) -> Vec<(String, Interva
     all
 }
 
-/// The friction force that explains what was measured, in any regime, with its interval.
+/// Finds the friction force that explains the measurements, in any regime, with its interval.
 #[pyfunction]
 pub fn identify<'py>(
     py: Python<'py>,

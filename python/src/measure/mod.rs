@@ -1,4 +1,4 @@
-//! Recordings, and what they tell: transmissibilities, the friction force, parameters.
+//! Recordings, and the results from them: transmissibilities, the friction force, parameters.
 
 pub mod decay;
 pub mod drive;

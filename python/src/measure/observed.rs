@@ -1,4 +1,4 @@
-//! What was observed, from recordings or from amplitudes and phases.
+//! Observations, from recordings or from amplitudes and phases.
 
 use super::recording::NativeRecording;
 use super::transmissibility::measured;
@@ -10,7 +10,8 @@ use frictiongen::study::scene::Excitation;
 use frictiongen::{Complex, Of, System};
 use pyo3::prelude::*;
 
-/// A mass, the harmonic, and its amplitude, phase, deviation and the deviation of its phase.
+/// A mass, the order of the harmonic, its amplitude, phase and standard deviation, and the standard deviation of its
+/// phase.
 type Told<'py> = (
     String,
     u32,
@@ -20,7 +21,7 @@ type Told<'py> = (
     Optional<'py>,
 );
 
-/// Frequencies, load, deviation of the load, motions.
+/// Frequencies, load, standard deviation of the load, motions.
 type Points<'py> = (
     Bound<'py, PyAny>,
     LoadArguments<'py>,
@@ -28,7 +29,7 @@ type Points<'py> = (
     Vec<Told<'py>>,
 );
 
-/// What was told of a motion.
+/// The quantities of a motion that were given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Known {
     /// Amplitude and phase.
@@ -39,16 +40,17 @@ pub enum Known {
     Phase,
 }
 
-/// Observations, and of each what is known of its motions.
+/// Observations, with the quantities that are known of each.
 #[derive(Default)]
 pub struct Observed {
-    /// As the library takes them.
+    /// Observations in the form of the library.
     pub all: Vec<Observation>,
-    /// One for each.
+    /// Known quantities of each observation.
     pub known: Vec<Known>,
 }
 
-/// Numbers, one for each frequency or one for all, that have to be such ones as the words say.
+/// Reads numbers, one for each frequency or one for all, that satisfy `sound`. `needed` words the condition in the
+/// message.
 fn row(
     argument: &str,
     given: &Bound<'_, PyAny>,
@@ -77,7 +79,7 @@ fn row(
 
 const ABOVE: &str = "a finite number above 0";
 
-/// Loads, one for each frequency.
+/// Reads loads, one for each frequency.
 fn loads(system: &System, load: &LoadArguments<'_>, count: usize) -> PyResult<Vec<Load>> {
     let above = |value| 0.0 < value;
     match (load, system.scene().excitation) {
@@ -166,7 +168,7 @@ impl Motion {
         }
     }
 
-    /// At a place, over a load; a motion of unknown size has the size 1, and of an unknown phase the phase 0.
+    /// Returns the motion at an index, over a load. An unknown amplitude counts as 1, and an unknown phase as 0.
     fn datum(&self, place: usize, load: f64) -> Datum {
         let at = |values: &Vec<f64>| values.get(place).copied().unwrap_or(f64::NAN);
         let phase = self.phase.as_ref().map_or(0.0, at).to_radians();
@@ -184,7 +186,7 @@ impl Motion {
 }
 
 impl Observed {
-    /// Of recordings and of what was told, in the order given; the odd harmonics of recordings up to this one.
+    /// Reads recordings and given motions, in their order. Of recordings it takes the odd harmonics up to `harmonics`.
     pub fn of(
         py: Python<'_>,
         system: &System,
@@ -259,7 +261,7 @@ impl Observed {
         Ok(())
     }
 
-    /// What is compared: as asked, or else what all of them know.
+    /// Returns the quantities to compare: those asked for, or those that all motions have.
     pub fn using(&self, by: Option<&str>) -> PyResult<Using> {
         let none = |without: Known| self.known.iter().all(|known| *known != without);
         let (amplitudes, phases) = (none(Known::Phase), none(Known::Amplitude));

@@ -1,4 +1,4 @@
-//! Samples of several channels, from arrays and from files.
+//! Samples of several channels, from arrays or from files.
 
 use crate::asked::{Optional, numbers, one};
 use crate::errors::{domain, measurement, wrong_type};
@@ -6,24 +6,24 @@ use frictiongen::measure::{Channel, Column, CsvRequest, MeasureError, Recording,
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-/// A recording, and what it is called in messages.
+/// A recording and its name in messages.
 #[pyclass(frozen, module = "frictiongen._native", name = "Recording")]
 pub struct NativeRecording {
-    /// The same in Rust.
+    /// The recording in Rust.
     pub recording: Recording,
-    /// The file that it is from.
+    /// The file from which it was read.
     pub source: Option<String>,
 }
 
 impl NativeRecording {
-    /// What it is called among several.
+    /// Returns the name of the recording among several.
     pub fn called(&self, place: usize, of: usize) -> Option<String> {
         let number = || (1 < of).then(|| format!("recording {}", place + 1));
         self.source.clone().or_else(number)
     }
 }
 
-/// A rate that is given.
+/// Reads the sampling rate, if it is given.
 fn rate_of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<f64>> {
     let rate = given.map(|given| one("rate", given)).transpose()?;
     match rate {
@@ -41,7 +41,7 @@ fn unit_of(name: &str, unit: &str) -> PyResult<Unit> {
 
 #[pymethods]
 impl NativeRecording {
-    /// Of arrays: name, samples and unit of each channel.
+    /// Makes a recording from arrays: name, samples and unit of each channel.
     #[new]
     fn new<'py>(
         py: Python<'py>,
@@ -104,7 +104,7 @@ impl NativeRecording {
         })
     }
 
-    /// Of a text: which channels are read from which columns, in which units.
+    /// Reads a recording from text. `channels` gives the columns to read and their units.
     #[staticmethod]
     fn read<'py>(
         py: Python<'py>,
@@ -136,13 +136,13 @@ impl NativeRecording {
         })
     }
 
-    /// Samples a second.
+    /// Returns the number of samples per second.
     #[getter]
     fn rate(&self) -> f64 {
         self.recording.rate()
     }
 
-    /// Name and unit of each channel.
+    /// Returns name and unit of each channel.
     #[getter]
     fn channels(&self) -> Vec<(String, &'static str)> {
         let channels = self.recording.channels().iter();
@@ -151,7 +151,7 @@ impl NativeRecording {
             .collect()
     }
 
-    /// The samples of a channel, in its unit.
+    /// Returns the samples of a channel, in its unit.
     fn samples<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
         match self.recording.channel(name) {
             Some(channel) => Ok(PyArray1::from_slice(py, &channel.samples)),
@@ -159,12 +159,12 @@ impl NativeRecording {
         }
     }
 
-    /// As a CSV that is read back.
+    /// Returns the recording as a CSV that can be read back.
     fn to_csv(&self, py: Python<'_>) -> String {
         py.detach(|| self.recording.to_csv())
     }
 
-    /// As a universal file.
+    /// Returns the recording as a universal file.
     fn to_uff58(&self, py: Python<'_>) -> String {
         py.detach(|| self.recording.to_uff58())
     }

@@ -1,4 +1,4 @@
-//! Each motion that was measured beside what the scene does.
+//! Compares each measured motion with that of the scene.
 
 use super::observed::{Known, Observed};
 use super::transmissibility::drive;
@@ -22,7 +22,8 @@ struct Line<'a> {
 }
 
 impl Line<'_> {
-    /// The residual over its deviation: of both parts, of the size or of the phase, whichever was measured.
+    /// Returns the residual over its deviation: of the complex value, of the amplitude or of the phase, whichever was
+    /// measured.
     fn over_deviation(&self) -> f64 {
         let apart = match self.known {
             Known::Both => self.residual.norm(),
@@ -33,7 +34,7 @@ impl Line<'_> {
     }
 }
 
-/// A line for each motion of each observation.
+/// Returns a line for each motion of each observation.
 pub fn table<'py>(
     py: Python<'py>,
     system: &System,

@@ -11,7 +11,7 @@ use frictiongen::study::scene::Excitation;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The steady motion in each recording.
+/// Returns the steady motion in each recording.
 pub fn measured(
     py: Python<'_>,
     system: &System,
@@ -36,7 +36,7 @@ pub fn measured(
     })
 }
 
-/// What drives a scene, and the unit of its amplitude.
+/// Returns the name of the excitation and the unit of its amplitude.
 pub fn drive(system: &System) -> (&'static str, &'static str) {
     match system.scene().excitation {
         Excitation::Base => ("base", "m"),
@@ -44,7 +44,7 @@ pub fn drive(system: &System) -> (&'static str, &'static str) {
     }
 }
 
-/// A line for each recording.
+/// Returns a line for each recording.
 #[pyfunction]
 pub fn transmissibility<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! What the response is made of: the features that `frictiongen features` lists, in the words of the page.
+//! Features of the response: those that `frictiongen features` lists, in the words of the page.
 
 mod tables;
 
@@ -11,16 +11,17 @@ use crate::output::Report as _;
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// The most masses whose features are looked for: each number comes with its derivatives by all masses and springs.
+/// Largest number of masses for which features are searched. Each number has its derivatives with respect to all masses
+/// and springs, which take time.
 const MOST_MASSES: usize = 16;
-/// The most masses for which that is done at every friction that is given, and with the true peaks.
+/// Largest number of masses for which features at every given friction and the true peaks are searched.
 const ALL_FRICTIONS: usize = 4;
-/// The most rows of a table; all are in the data.
+/// Largest number of rows of a table. The data contain all rows.
 const MOST_ROWS: usize = 24;
 
-/// The section's contents.
+/// Contents of the section.
 pub struct Features {
-    /// β of what depends on it.
+    /// Friction ratios β of the features that depend on friction.
     frictions: Vec<f64>,
     lines: Result<Vec<Line>, String>,
 }
@@ -34,7 +35,7 @@ struct Table {
 }
 
 impl Features {
-    /// At the frictions given, or at the best one; none of a long chain.
+    /// Finds the features at the given frictions, or at the best one. A long chain has none.
     pub fn of(asked: &Asked, levels: &[f64], best: Option<f64>) -> Self {
         let masses = asked.system.scene().masses.len();
         if MOST_MASSES < masses {
@@ -69,7 +70,7 @@ impl Features {
         Self { frictions, lines }
     }
 
-    /// All of them.
+    /// Returns all features.
     pub fn lines(&self) -> &[Line] {
         self.lines.as_deref().unwrap_or_default()
     }
@@ -79,7 +80,7 @@ impl Features {
         lines.filter(move |line| line.feature == feature)
     }
 
-    /// The same lines as the command's, with what moves their first number most.
+    /// Returns the same lines as the command, each with the parameter to which its first number is most sensitive.
     fn report<'a>(&self, asked: &'a Asked) -> FeaturesReport<'a> {
         FeaturesReport {
             system: &asked.system,
@@ -89,7 +90,7 @@ impl Features {
         }
     }
 
-    /// The section.
+    /// Returns the section of the page.
     pub fn html(&self, asked: &Asked) -> Markup {
         let damped = asked.system.modal().is_damped();
         html! {
@@ -115,7 +116,7 @@ impl Features {
         }
     }
 
-    /// As data: the lines of `frictiongen features --json`, with one derivative in place of all.
+    /// Returns the section as data: the lines of `frictiongen features --json`, with one derivative instead of all.
     pub fn data(&self, asked: &Asked) -> Json {
         if let Err(reason) = &self.lines {
             return json!({ "none": reason });
@@ -139,7 +140,7 @@ impl Features {
 }
 
 impl Table {
-    /// Without the column of this head.
+    /// Removes the column with this heading.
     fn leave_out(&mut self, head: &str) {
         let Some(place) = self.heads.iter().position(|other| *other == head) else {
             return;

@@ -1,4 +1,4 @@
-//! The tables of the features.
+//! Tables of the features.
 
 use super::super::asked::Asked;
 use super::super::words::{Words, digits};
@@ -7,7 +7,7 @@ use crate::features::lines::Line;
 use crate::features::report::FeaturesReport;
 
 impl Features {
-    /// Those that have rows.
+    /// Returns the tables that have rows.
     pub(super) fn tables(&self, asked: &Asked) -> Vec<Table> {
         let mut tables = self.about_the_chain(asked);
         if !asked.system.modal().is_damped() {
@@ -186,7 +186,7 @@ impl Features {
                 does(&line.detail).to_owned(),
             ]
         });
-        // What a contact holds at rest has none.
+        // A mass that a sticking contact keeps at rest has no peak.
         let moving = |line: &&Line| line.amplitude != Some(0.0);
         let peaks = self.named("peak").filter(moving).map(|line| {
             let (mode, regime) = line.detail.split_once(": ").unwrap_or((&line.detail, ""));
@@ -256,7 +256,7 @@ impl Features {
             },
         ];
         if let [_] = self.frictions.as_slice() {
-            // The title says it.
+            // The title already gives the only friction.
             for table in &mut tables {
                 table.leave_out("friction");
             }
@@ -278,7 +278,7 @@ fn range(words: &Words, line: &Line) -> String {
     }
 }
 
-/// A friction that may have no end.
+/// Formats a friction that may be infinite.
 fn limit(words: &Words, force: f64) -> String {
     if force.is_infinite() {
         "any friction".to_owned()
@@ -287,7 +287,7 @@ fn limit(words: &Words, force: f64) -> String {
     }
 }
 
-/// The amplitude of a line, which is in its unit already.
+/// Formats the amplitude of a line, which is already in its unit.
 fn amplitude(words: &Words, line: &Line) -> String {
     match line.amplitude {
         None => String::new(),
@@ -296,7 +296,7 @@ fn amplitude(words: &Words, line: &Line) -> String {
     }
 }
 
-/// What does not change, or grows, in words.
+/// Returns in words which quantity stays the same or grows.
 fn measured(detail: &str) -> &'static str {
     if detail.starts_with("fundamental") {
         "fundamental component"
@@ -309,7 +309,7 @@ fn measured(detail: &str) -> &'static str {
     }
 }
 
-/// What the contact does, in words.
+/// Returns in words how the contact moves.
 fn does(regime: &str) -> &str {
     match regime {
         "continuous" => "slides all the time",

@@ -1,4 +1,4 @@
-//! What measurements tell of the friction force.
+//! Result of an identification of the friction force.
 
 use super::observation::Observation;
 use super::request::Unknown;
@@ -6,47 +6,48 @@ use crate::measure::statistics::is_chance;
 use crate::study::System;
 use crate::{Complex, Regime};
 
-/// A number with its interval of 95 %.
+/// A number with its 95 % interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// The best one.
+    /// The best estimate.
     pub value: f64,
-    /// From here.
+    /// Lower bound of the interval.
     pub from: f64,
-    /// To here; infinite where every larger one fits as well.
+    /// Upper bound of the interval; infinite where every larger value fits as well.
     pub to: f64,
 }
 
 impl Estimate {
-    /// Whether a number lies within.
+    /// Returns whether a number lies within the interval.
     #[must_use]
     pub fn holds(&self, value: f64) -> bool {
         self.from <= value && value <= self.to
     }
 }
 
-/// What a measurement tells of the friction force.
+/// Conclusion that a measurement allows about the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// The description does not explain the measurement: residuals exceed what noise of the given deviations makes once in
-    /// 1000 recordings.  Force and interval are those of the best fit, and may be far from the rig's.
+    /// The description does not explain the measurement: the residuals exceed those that noise of the given deviations
+    /// produces once in 1000 recordings. Force and interval are those of the best fit and may be far from the force of
+    /// the rig.
     NotExplained,
-    /// It does.
+    /// The measurement determines one friction force.
     Told,
-    /// Several forces give this response: see [`Identified::levels`].
+    /// Several friction forces give this response; [`Identified::levels`] lists them.
     SeveralLevels,
-    /// The contact is stuck: any force from the lower end of the interval on gives this response.
+    /// The contact is stuck. Any force from the lower bound of the interval on gives this response.
     Stuck,
-    /// It does not: the response hardly changes with friction there, as at an invariant point, or friction is too small
-    /// to stand out of the noise.
+    /// The measurement does not determine the friction force. The response hardly changes with friction there, as at an
+    /// invariant point, or friction is too small to exceed the noise.
     NotTold,
-    /// Of amplitudes without phases: friction all but holds the contact, or a unit is wrong by 1000 or a million, as a motion
-    /// that many times as large is explained as well.
+    /// From amplitudes without phases: either friction almost sticks the contact, or a unit is wrong by 1000 or a
+    /// million, because a motion that many times as large is explained as well.
     AllButStuck,
 }
 
 impl Verdict {
-    /// In a word or two.
+    /// Returns the verdict in one or two words.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -73,52 +74,56 @@ impl std::fmt::Display for Verdict {
     }
 }
 
-/// One observation as the answer has it.
+/// One observation and the response of the fitted scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explained {
-    /// β = F/P, for base motion F/(k₁Y).
+    /// Friction ratio β = F/P, for base motion F/(k₁Y).
     pub beta: f64,
-    /// r.
+    /// Frequency ratio r.
     pub r: f64,
-    /// The regime.
+    /// Regime of the contact.
     pub regime: Regime,
-    /// What the scene does, in the order of the observation's motions.
+    /// Computed motions, in the order of the observation's motions.
     pub model: Vec<Complex<f64>>,
 }
 
-/// What measurements say.
+/// Result of an identification from measurements.
 #[derive(Clone, Debug)]
 pub struct Identified {
     /// The friction force F, N.
     pub friction: Estimate,
-    /// All forces that explain the measurements as well, with their intervals, ascending; one where it is told.
+    /// All friction forces that explain the measurements equally well, with their intervals, ascending. There is one if
+    /// the verdict is [`Verdict::Told`].
     pub levels: Vec<Estimate>,
-    /// What the measurements tell.
+    /// The conclusion about the friction force.
     pub verdict: Verdict,
-    /// The other unknowns, in the order of the request.  An infinite interval: see [`Identified::undetermined`].
+    /// The other unknowns, in the order of the request. [`Identified::undetermined`] lists those with an infinite
+    /// interval.
     pub unknowns: Vec<(Unknown, Estimate)>,
-    /// The sum of squares of the residuals over their deviations, over the degrees of freedom; none where there are none.
-    /// Above 1 by more than chance the verdict is [`Verdict::NotExplained`], and the intervals are that much wider.
+    /// Sum of the squared residuals over their variances, divided by the degrees of freedom; `None` without degrees of
+    /// freedom. If it exceeds 1 by more than chance, the verdict is [`Verdict::NotExplained`], and the intervals are
+    /// wider by its square root.
     pub misfit: Option<f64>,
-    /// The degrees of freedom: data less the unknowns that they determine.
+    /// Degrees of freedom: number of data less the number of unknowns that they determine.
     pub freedom: usize,
-    /// The largest factor on a relative error of the data, between determined parameters: the condition of the fit.
+    /// Condition of the fit: the largest factor from a relative error of the data to the determined parameters.
     pub condition: f64,
-    /// Each observation beside the scene's answer.
+    /// Each observation with the response of the scene.
     pub explained: Vec<Explained>,
-    /// The scene with what was found.
+    /// The scene with the values that were found.
     pub system: System,
 }
 
 impl Identified {
-    /// Whether noise explains the residuals.  Without freedom there is nothing to judge by, and this is true.
+    /// Returns whether noise explains the residuals. Without degrees of freedom they cannot be judged, and the result
+    /// is true.
     #[must_use]
     pub fn is_explained(&self) -> bool {
         is_chance(self.misfit, self.freedom)
     }
 
-    /// The unknowns that the measurements do not determine: the response does not change with them, or two of them change it
-    /// alike.  The other estimates hold whatever their values are.
+    /// Returns the unknowns that the measurements do not determine. Either the response does not change with them, or
+    /// two of them change it alike. The other estimates are valid for any value of these unknowns.
     #[must_use]
     pub fn undetermined(&self) -> Vec<Unknown> {
         let all = self.unknowns.iter();
@@ -126,7 +131,7 @@ impl Identified {
         open.map(|(unknown, _)| *unknown).collect()
     }
 
-    /// Residuals of an observation: measured less computed, over the load.
+    /// Returns the residuals of an observation over the load: measured less computed.
     #[must_use]
     pub fn residuals(&self, observations: &[Observation], index: usize) -> Vec<Complex<f64>> {
         let (Some(seen), Some(explained)) = (observations.get(index), self.explained.get(index))

@@ -1,4 +1,4 @@
-//! Residuals over their deviations: what was measured less what a scene does, made independent and of deviation 1.
+//! Residuals over their deviations: measured less computed motions, decorrelated and scaled to deviation 1.
 
 use super::observation::{Datum, Observation, Using};
 use crate::Complex;
@@ -6,16 +6,16 @@ use crate::study::Load;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// A phase that is less certain than this, rad, is left out.
+/// A phase with a larger deviation than this, rad, is left out.
 const VAGUE: f64 = 0.3;
 
-/// What of an observation is compared, with the covariance of its errors.
+/// The compared quantities of one observation, with the covariance of their errors.
 pub(super) struct Weighed<'o> {
     seen: &'o Observation,
     using: Using,
-    /// Which motions count, by their place.
+    /// Indices of the motions that are compared.
     kept: Vec<usize>,
-    /// The lower factor of the covariance.
+    /// Lower Cholesky factor of the covariance.
     factor: DMatrix<f64>,
 }
 
@@ -23,12 +23,12 @@ fn inner(a: Complex<f64>, b: Complex<f64>) -> f64 {
     a.re * b.re + a.im * b.im
 }
 
-/// i·x.
+/// Returns i·x.
 fn turned(x: Complex<f64>) -> Complex<f64> {
     Complex::new(-x.im, x.re)
 }
 
-/// How a small change of a value changes what is compared.
+/// Returns the change of the compared quantities for a small change of a complex value.
 fn seen_change(using: Using, value: Complex<f64>, change: Complex<f64>) -> Vec<f64> {
     let size = value.norm().max(f64::MIN_POSITIVE);
     match using {
@@ -39,9 +39,9 @@ fn seen_change(using: Using, value: Complex<f64>, change: Complex<f64>) -> Vec<f
 }
 
 impl<'o> Weighed<'o> {
-    /// With the errors of each channel and those of the load, which all motions share: an error ε of its amplitude moves
-    /// x/Y by −x/Y·ε and, through β = F/(k₁Y), what the scene does by −β·dx/dβ·ε.  `friction` is that last derivative,
-    /// dx/dF·F.
+    /// Builds the covariance from the errors of each channel and those of the load, which all motions share. A relative
+    /// error ε of the load's amplitude changes x/Y by −x/Y·ε. Through β = F/(k₁Y) it also changes the computed motion
+    /// by −β·dx/dβ·ε. `friction` contains the derivative β·dx/dβ, which equals F·dx/dF.
     pub(super) fn new(
         seen: &'o Observation,
         using: Using,
@@ -90,12 +90,12 @@ impl<'o> Weighed<'o> {
         })
     }
 
-    /// How many numbers are compared.
+    /// Returns the number of compared values.
     pub(super) fn len(&self) -> usize {
         self.factor.nrows()
     }
 
-    /// The residuals for what a scene does.
+    /// Returns the residuals for the computed motions of a scene.
     pub(super) fn residuals(&self, model: &[Complex<f64>]) -> Option<DVector<f64>> {
         let mut all = Vec::with_capacity(self.len());
         for place in &self.kept {
@@ -105,7 +105,7 @@ impl<'o> Weighed<'o> {
                 Using::Amplitude => all.push(seen.norm() - model.norm()),
                 Using::Phase | Using::PhaseAlone => {
                     let turn = seen * model.conj();
-                    // What does not move has no phase: as far off as can be.
+                    // A motion of zero amplitude has no phase. It counts as the largest possible error.
                     let still = model.norm() < f64::MIN_POSITIVE.sqrt();
                     all.push(if still { PI } else { turn.im.atan2(turn.re) });
                 }
@@ -114,7 +114,7 @@ impl<'o> Weighed<'o> {
         self.factor.solve_lower_triangular(&DVector::from_vec(all))
     }
 
-    /// How the residuals move with what the scene does.
+    /// Returns the derivatives of the residuals from the derivatives of the computed motions.
     pub(super) fn slopes(
         &self,
         model: &[Complex<f64>],

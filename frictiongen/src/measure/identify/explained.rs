@@ -1,4 +1,4 @@
-//! Whether a scene explains a measurement at all, and each observation beside it.
+//! Decides whether a scene explains a measurement at all, and pairs each observation with the scene's response.
 
 use super::answer::Explained;
 use super::friction::{PLACES, Problem};
@@ -9,17 +9,20 @@ use crate::study::System;
 use crate::study::units::polar;
 use std::f64::consts::PI;
 
-/// The root of the mean square of what is not explained, over that of the motion, from which on nothing is explained.
+/// Root mean square of the unexplained motion over that of the motion, from which on the measurement counts as not
+/// explained.
 const GROSS: f64 = 0.5;
-/// What is explained when a wrong unit is put right.
+/// Root mean square of the unexplained motion over that of the motion, below which a measurement counts as explained
+/// once a wrong unit is corrected.
 const MENDED: f64 = 0.2;
-/// A motion below this part of the largest that the scene has there, at any friction, may be one in another unit.
+/// A motion below this fraction of the scene's largest motion, over all friction forces, may be given in a wrong unit.
 const TINY: f64 = 0.01;
-/// The root of the mean square of how far phases are from the scene's, rad, from which on they are not explained: 15°.
+/// Root mean square of the differences of phase, rad, from which on phases count as not explained: 15°.
 const TURNED: f64 = PI / 12.0;
 
 impl Problem<'_> {
-    /// The part of the motion that is not explained at this friction force, and the mass and motion of which most is not.
+    /// Returns the unexplained fraction of the motion at this friction force, and the mass and motion with the largest
+    /// unexplained amount.
     fn unexplained(&self, friction: f64, factor: f64) -> Option<(f64, usize, f64, f64)> {
         let (mut left, mut all) = (0.0, 0.0);
         let mut worst = (0.0, 0, 0.0, 0.0);
@@ -32,7 +35,7 @@ impl Problem<'_> {
                     Using::Complex => (measured - value).norm(),
                     _ => (measured.norm() - value.norm()).abs(),
                 };
-                // What is no more than noise is explained.
+                // A difference within the noise counts as explained.
                 let apart = (apart - 5.0 * datum.deviation / factor.abs()).max(0.0);
                 left += apart * apart;
                 all += size * size;
@@ -49,12 +52,12 @@ impl Problem<'_> {
         ))
     }
 
-    /// Nothing, if the scene explains the measurement at this friction force somehow.
+    /// Returns an error unless the scene explains the measurement at this friction force.
     pub(super) fn explains(&self, friction: f64) -> Result<(), MeasureError> {
         if self.using == Using::PhaseAlone {
             return self.turns_alike(friction);
         }
-        // A phase alone does not ask for the right amplitude, only for a likely one.
+        // With phases alone the amplitude need not be right, only plausible.
         let gross = if self.using == Using::Phase {
             0.9
         } else {
@@ -80,13 +83,13 @@ impl Problem<'_> {
         })
     }
 
-    /// The friction forces of the range.
+    /// Returns the friction forces at which the range is scanned.
     fn forces(&self) -> impl Iterator<Item = f64> {
         let end = self.range.1;
         (0..=PLACES).map(move |i| end * f64::from(i) / f64::from(PLACES))
     }
 
-    /// Whether some friction force explains the motion with its unit put right.
+    /// Returns whether some friction force explains the motion once its unit is corrected.
     fn mends(&self, factor: f64) -> bool {
         let parts = self
             .forces()
@@ -94,7 +97,8 @@ impl Problem<'_> {
         parts.fold(f64::INFINITY, f64::min) < MENDED
     }
 
-    /// Whether amplitudes without phases are as small as beside sticking, and larger by a power of 1000 are explained too.
+    /// Returns whether amplitudes without phases are as small as those of an almost stuck contact, and amplitudes
+    /// larger by a power of 1000 are explained too.
     pub(super) fn doubts_unit(&self) -> bool {
         if self.using != Using::Amplitude {
             return false;
@@ -115,17 +119,17 @@ impl Problem<'_> {
         is_tiny && [1e-3, 1e-6].into_iter().any(|factor| self.mends(factor))
     }
 
-    /// The same of phases: nothing, if the root of the mean square of what is not explained is below [`TURNED`].
+    /// Returns an error unless the root mean square of the unexplained phases is below [`TURNED`].
     fn turns_alike(&self, friction: f64) -> Result<(), MeasureError> {
         let (mut squares, mut count) = (0.0, 0.0);
         let mut worst = (0.0, 0, 0.0, 0.0);
         for seen in self.observations {
             let answer = model::answer(self.system, seen, friction).ok_or(MeasureError::NoFit)?;
             for (datum, value) in seen.motions.iter().zip(&answer.values) {
-                // What does not move has no phase, and explains none.
+                // A motion of zero amplitude has no phase and explains none.
                 let (size, lag) = polar(value * datum.value.conj());
                 let apart = if 0.0 < size { lag.abs() } else { PI };
-                // What is no more than noise is explained.
+                // A difference within the noise counts as explained.
                 let noise = 5.0 * datum.deviation / datum.value.norm();
                 let apart = (apart - noise).max(0.0);
                 squares += apart * apart;
@@ -146,7 +150,7 @@ impl Problem<'_> {
         })
     }
 
-    /// Each observation beside what a scene does.
+    /// Returns the scene's response at each observation.
     pub(super) fn explained(
         &self,
         system: &System,

@@ -1,4 +1,4 @@
-//! The friction force alone: the sum of squares over its whole range.
+//! Finds the friction force alone, from the sum of squares over the whole range.
 
 use super::answer::{Estimate, Explained, Identified, Verdict};
 use super::data::Weighed;
@@ -10,23 +10,23 @@ use crate::measure::statistics::{CHI, excess, is_chance};
 use crate::study::System;
 use crate::{Complex, Regime};
 
-/// Places at which the range is looked through.  They lie closer at its start.
+/// Number of intervals into which the scan divides the range. They are shorter near its start.
 pub(super) const PLACES: u32 = 96;
-/// Steps of a golden section: 1e-9 of its width.
+/// Steps of a golden-section search. They narrow an interval to 1e-9 of its width.
 const SECTIONS: usize = 44;
-/// Steps of a bisection: 1e-12 of its width.
+/// Steps of a bisection. They narrow an interval to 1e-12 of its width.
 const HALVINGS: usize = 40;
-/// An interval that is so many times as wide as its force is large tells nothing.
+/// An interval wider than this multiple of its force does not determine the force.
 const WIDE: f64 = 1.0;
 
-/// Measurements beside a scene.
+/// Measurements and the scene that is compared with them.
 pub(super) struct Problem<'a> {
     pub(super) system: &'a System,
     pub(super) observations: &'a [Observation],
     pub(super) using: Using,
-    /// The friction forces that are looked through, N.
+    /// Range of the friction forces that are scanned, N.
     pub(super) range: (f64, f64),
-    /// Whether every larger force than the range's gives the same response.
+    /// Whether every friction force above the range gives the same response.
     pub(super) stuck_beyond: bool,
 }
 
@@ -80,7 +80,7 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// What is compared, with weights for this friction force.
+    /// Returns the compared quantities, with weights for this friction force.
     pub(super) fn weighed(
         &self,
         system: &System,
@@ -105,8 +105,8 @@ impl<'a> Problem<'a> {
             .ok_or(MeasureError::NoFit)
     }
 
-    /// What a slope of the scene is multiplied by beside a measured value: 1 where its size was measured, and otherwise that
-    /// size over the scene's.
+    /// Returns the factors that scale the scene's derivatives to the measured values. A factor is 1 if the amplitude
+    /// was measured, and otherwise the measured value's modulus over the scene's amplitude.
     fn sizes(&self, system: &System, seen: &Observation, friction: f64) -> Option<Vec<f64>> {
         if self.using != Using::PhaseAlone {
             return Some(vec![1.0; seen.motions.len()]);
@@ -121,7 +121,7 @@ impl<'a> Problem<'a> {
         )
     }
 
-    /// The sum of squares; infinite where there is no response.
+    /// Returns the sum of squares, or infinity where there is no response.
     fn squares(&self, weighed: &[Weighed<'_>], friction: f64) -> f64 {
         let sums = self
             .observations
@@ -134,7 +134,7 @@ impl<'a> Problem<'a> {
         sums.sum::<Option<f64>>().unwrap_or(f64::INFINITY)
     }
 
-    /// The friction force alone.
+    /// Finds the friction force alone.
     pub(super) fn friction(&self) -> Result<Alone, MeasureError> {
         let weighed = self.weighed(self.system, None)?;
         let data: usize = weighed.iter().map(Weighed::len).sum();
@@ -150,7 +150,7 @@ impl<'a> Problem<'a> {
             .map(|i| (place(i), self.squares(&weighed, place(i))))
             .collect();
         let best = self.lowest(&weighed, &scanned)?;
-        // Once more with the errors of the load as they are there.
+        // The second pass uses the errors of the load at the force of the first pass.
         let weighed = self.weighed(self.system, Some(best))?;
         let scanned: Vec<(f64, f64)> = scanned
             .iter()
@@ -195,7 +195,7 @@ impl<'a> Problem<'a> {
         best.map(|(force, _)| force).ok_or(MeasureError::NoFit)
     }
 
-    /// All minima of the places, made sharp.
+    /// Returns the local minima of the scan, refined by golden sections.
     fn minima(&self, weighed: &[Weighed<'_>], scanned: &[(f64, f64)]) -> Vec<(f64, f64)> {
         let mut found = Vec::new();
         for (index, (force, squares)) in scanned.iter().enumerate() {
@@ -235,7 +235,7 @@ impl<'a> Problem<'a> {
         if left.1 <= right.1 { left } else { right }
     }
 
-    /// Where the sum of squares rises above `most`, on one side of a minimum.
+    /// Returns the force at which the sum of squares rises above `most`, on one side of a minimum.
     fn edge(&self, weighed: &[Weighed<'_>], force: f64, most: f64, side: f64) -> f64 {
         let end = if side < 0.0 {
             self.range.0
@@ -274,9 +274,9 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// The friction force alone.
+/// Result of the search for the friction force alone.
 pub(super) struct Alone {
-    /// Each with its sum of squares; ascending forces.
+    /// Friction forces in ascending order, each with its sum of squares.
     pub(super) levels: Vec<(Estimate, f64)>,
     misfit: Option<f64>,
     freedom: usize,
@@ -289,7 +289,7 @@ impl Alone {
             .ok_or(MeasureError::NoFit)
     }
 
-    /// Nothing, if the best force explains the measurement somehow.
+    /// Returns an error unless the best force explains the measurement.
     pub(super) fn checked(&self, problem: &Problem<'_>) -> Result<(), MeasureError> {
         problem.explains(self.best()?.value)
     }
@@ -302,7 +302,7 @@ impl Alone {
             verdict = Verdict::AllButStuck;
         }
         if verdict == Verdict::Stuck {
-            // Every one from here on is as good.
+            // Every force from the lower bound on fits equally well.
             friction.value = friction.from;
         }
         if !is_chance(self.misfit, self.freedom) {
@@ -322,7 +322,7 @@ impl Alone {
     }
 }
 
-/// What an interval tells.
+/// Returns the verdict for an interval of the friction force.
 pub(super) fn verdict(friction: &Estimate, levels: usize, explained: &[Explained]) -> Verdict {
     let stuck = explained.iter().all(|point| point.regime == Regime::Stuck);
     let width = friction.to - friction.from;
@@ -337,7 +337,7 @@ pub(super) fn verdict(friction: &Estimate, levels: usize, explained: &[Explained
     }
 }
 
-/// The relative change of the motion over that of the friction force, upside down.
+/// Returns the relative change of the friction force over that of the motion.
 fn condition(problem: &Problem<'_>, friction: &Estimate, explained: &[Explained]) -> f64 {
     let Some(along) = Along::new(problem.system, Direction::Friction) else {
         return f64::INFINITY;

@@ -1,4 +1,4 @@
-//! The friction force from a response (thesis 4.5, 6.4.2), with what else is not known.
+//! Identification of the friction force from a response (thesis 4.5, 6.4.2), together with other unknowns.
 
 mod answer;
 mod data;
@@ -16,15 +16,16 @@ pub use observation::{Datum, Observation, Using};
 pub use request::{IdentifyRequest, Unknown};
 
 impl System {
-    /// The friction force that explains measurements, in any regime, with its interval.
+    /// Finds the friction force that explains measurements, in any regime, with its interval.
     ///
-    /// With the friction force alone the sum of squares is looked through over the whole range and the interval is where it
-    /// rises by less than χ² allows: two forces with the same response are both found, and a flat one is seen.  With more
-    /// unknowns a damped Gauss–Newton follows, with exact sensitivities, and the intervals are those of its covariance.
+    /// For the friction force alone, the sum of squares is scanned over the whole range. The interval contains the
+    /// forces at which the sum exceeds its minimum by less than χ² allows. This finds two forces with the same
+    /// response, and shows where the response is flat. With more unknowns, damped Gauss–Newton steps with exact
+    /// sensitivities follow, and the intervals are those of its covariance.
     ///
-    /// The fundamental of one mass gives β directly where the contact slides all the time: |X₁ − V| = 4β|H|/π.  The
-    /// two-amplitude method at resonance (Liang and Feeny, J. Vib. Acoust. 126 (2004) 118) is this with observations at two
-    /// loads and [`Unknown::Damping`].
+    /// Where the contact slides all the time, the fundamental of one mass gives β directly: |X₁ − V| = 4β|H|/π. The
+    /// two-amplitude method at resonance (Liang and Feeny, J. Vib. Acoust. 126 (2004) 118) corresponds to observations
+    /// at two loads with [`Unknown::Damping`].
     ///
     /// ```
     /// use frictiongen::measure::{Datum, IdentifyRequest, Observation, Verdict};
@@ -36,7 +37,7 @@ impl System {
     ///     masses: { plate: 2.0 }, springs: { base - plate: 752.0 }, contact: plate - wall, excitation: base,
     /// }"
     /// .parse()?;
-    /// // What a base motion of 1.75 mm at 4 Hz makes of it with F = 0.5 N.
+    /// // The response to a base motion of 1.75 mm at 4 Hz with F = 0.5 N.
     /// let load = Load::Base(1.75e-3);
     /// let at = plate.at(plate.frequency_ratio_at_hertz(4.0))?;
     /// let response = at.response(plate.load_scale(load)?.friction_ratio(0.5))?;
@@ -51,8 +52,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`MeasureError`]: no observation, a load that does not fit, fewer data than unknowns, a motion that no friction
-    /// explains or that is 1000 times too large, and a fit that does not settle.
+    /// [`MeasureError`] for no observation, a load that does not fit, fewer data than unknowns, a motion that no
+    /// friction explains or that is 1000 times too large, and a fit that does not converge.
     pub fn identify(
         &self,
         observations: &[Observation],

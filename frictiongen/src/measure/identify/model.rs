@@ -1,4 +1,4 @@
-//! What a scene does where something was measured, and how that moves with each unknown.
+//! Response of a scene at an observation, and its derivatives with respect to each unknown.
 
 use super::observation::Observation;
 use super::request::Unknown;
@@ -9,16 +9,16 @@ use crate::{Complex, Of, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// The response of a scene where something was measured.
+/// The response of a scene at an observation.
 pub(super) struct Answer {
     pub(super) r: f64,
     pub(super) beta: f64,
     pub(super) regime: Regime,
-    /// In the order of the observation's motions, over the load.
+    /// Computed motions over the load, in the order of the observation's motions.
     pub(super) values: Vec<Complex<f64>>,
 }
 
-/// The first spring's stiffness.
+/// Returns the stiffness of the first spring.
 fn reference(system: &System) -> f64 {
     system
         .scene()
@@ -27,7 +27,7 @@ fn reference(system: &System) -> f64 {
         .map_or(1.0, |spring| spring.stiffness)
 }
 
-/// What x̄ is multiplied by to be over the load: x/Y, or x/P in m/N.
+/// Returns the factor from x̄ to the response over the load: x/Y, or x/P in m/N.
 fn over_load(system: &System, load: Load) -> f64 {
     match load {
         Load::Base(_) => 1.0,
@@ -35,7 +35,7 @@ fn over_load(system: &System, load: Load) -> f64 {
     }
 }
 
-/// The unit of β in N.
+/// Returns the friction force in N that corresponds to β = 1.
 pub(super) fn force_scale(system: &System, load: Load) -> f64 {
     match load {
         Load::Base(length) => reference(system) * length,
@@ -43,7 +43,7 @@ pub(super) fn force_scale(system: &System, load: Load) -> f64 {
     }
 }
 
-/// The response at a friction force in N; none where there is no steady one.
+/// Returns the response at a friction force in N, or `None` where there is no steady response.
 pub(super) fn answer(system: &System, seen: &Observation, friction: f64) -> Option<Answer> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let beta = friction / force_scale(system, seen.load);
@@ -62,12 +62,12 @@ pub(super) fn answer(system: &System, seen: &Observation, friction: f64) -> Opti
     })
 }
 
-/// At an antiresonance of the contact nothing holds it, and friction forces are looked for up to so many times the
-/// largest that matters at other frequencies.
+/// Largest multiple of the greatest limit at other frequencies up to which friction forces are scanned. At an
+/// antiresonance of the contact no finite force sticks it, so that the scan needs a bound.
 const FAR: f64 = 20.0;
 
-/// The friction force from which on the contact is stuck, N, and up to which one is looked for: the same, but where the
-/// first is far beyond all that matters elsewhere.
+/// Returns two forces in N: the one from which on the contact is stuck, and the upper bound of the scan. They differ
+/// only where the first is more than [`FAR`] times the limits at other frequencies.
 pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f64)> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let limit = system.at(r).ok()?.sliding_limit();
@@ -85,7 +85,7 @@ pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f
     sought.is_finite().then_some((limit * scale, sought))
 }
 
-/// The value that a scene has of an unknown.
+/// Returns the value that a scene has for an unknown.
 pub(super) fn value(system: &System, unknown: Unknown) -> Option<f64> {
     let scene = system.scene();
     Some(match unknown {
@@ -112,7 +112,7 @@ pub(super) fn value(system: &System, unknown: Unknown) -> Option<f64> {
     })
 }
 
-/// Gives a scene another value of an unknown.
+/// Sets an unknown of a scene.
 fn set(scene: &mut Scene, unknown: Unknown, value: f64) -> Option<()> {
     let count = scene.masses.len();
     match unknown {
@@ -143,7 +143,7 @@ fn set(scene: &mut Scene, unknown: Unknown, value: f64) -> Option<()> {
     Some(())
 }
 
-/// The scene with other values of its unknowns.
+/// Returns the scene with other values of its unknowns.
 pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> Option<System> {
     let mut scene = system.scene().clone();
     for (unknown, value) in unknowns.iter().zip(values) {
@@ -152,18 +152,18 @@ pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> 
     System::try_from(scene).ok()
 }
 
-/// What a derivative is taken with respect to.
+/// The variable of a derivative.
 #[derive(Clone, Copy)]
 pub(super) enum Direction {
     /// The friction force, N.
     Friction,
-    /// A factor on all frequencies, at 1.
+    /// A factor on all frequencies, at the value 1.
     Frequencies,
     /// A number of the description.
     Quantity(Quantity),
 }
 
-/// A scene that carries one derivative through every answer.
+/// A scene that computes one derivative along with every answer.
 pub(super) struct Along<'s> {
     system: &'s System,
     direction: Direction,
@@ -183,7 +183,7 @@ impl<'s> Along<'s> {
         })
     }
 
-    /// The derivatives of the values of [`answer`]; none where there is no derivative.
+    /// Returns the derivatives of the values of [`answer`], or `None` where there is no derivative.
     pub(super) fn slopes(&self, seen: &Observation, friction: f64) -> Option<Vec<Complex<f64>>> {
         let number = |value: f64, own: bool| -> Sensitive {
             let value = Dd::from(value);

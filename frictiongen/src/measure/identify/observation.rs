@@ -1,38 +1,39 @@
-//! What was measured of one frequency, and how much of it is used.
+//! Measured motions at one frequency, and the quantities of them that are compared.
 
 use crate::Complex;
 use crate::measure::Measured;
 use crate::study::scene::Excitation;
 use crate::study::{Load, System};
 
-/// What was measured at one frequency.
+/// The measured motions at one frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observation {
     /// The driving frequency, Hz.
     pub hertz: f64,
     /// The load with its measured amplitude.
     pub load: Load,
-    /// The standard deviation of that amplitude.
+    /// Standard deviation of the load's amplitude, in the unit of the load.
     pub load_deviation: f64,
-    /// The motions.
+    /// The measured motions.
     pub motions: Vec<Datum>,
 }
 
-/// A harmonic of a mass.
+/// A measured harmonic of a mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Datum {
-    /// The mass, by its place.
+    /// Index of the mass in the description.
     pub mass: usize,
-    /// n.
+    /// Order n of the harmonic.
     pub harmonic: u32,
-    /// X_n over the amplitude of the load (m/m or m/N), with τ = 0 at a maximum of the load.
+    /// Complex amplitude X_n over the amplitude of the load (m/m or m/N), with τ = 0 at a maximum of the load.
     pub value: Complex<f64>,
-    /// The standard deviation of its real part, and of its imaginary one, as far as the mass's own channel has it.
+    /// Standard deviation of the real part, and of the imaginary part, from the noise of the mass's own channel.
     pub deviation: f64,
 }
 
 impl Observation {
-    /// Of the steady part of a recording: the fundamental of each mass, and the odd harmonics up to `harmonics`.
+    /// Takes the observation from the steady interval of a recording: the fundamental of each mass, and the odd
+    /// harmonics up to `harmonics`.
     #[must_use]
     pub fn of(measured: &Measured, system: &System, harmonics: u32) -> Self {
         let amplitude = measured.drive_amplitude();
@@ -60,7 +61,7 @@ impl Observation {
     }
 }
 
-/// What of a motion is compared.
+/// The quantities of a motion that are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Using {
     /// Amplitude and phase.
@@ -68,14 +69,14 @@ pub enum Using {
     Complex,
     /// The amplitude alone.
     Amplitude,
-    /// The phase alone, of motions of a likely size.
+    /// The phase alone, of motions whose amplitude is plausible.
     Phase,
-    /// The phase alone, of motions whose size was not measured: of [`Datum::value`] only the direction counts.
+    /// The phase alone, of motions whose amplitude was not measured. Only the direction of [`Datum::value`] counts.
     PhaseAlone,
 }
 
 impl Using {
-    /// Whether phases are compared, and nothing else.
+    /// Returns whether only phases are compared.
     pub(super) fn is_phase(self) -> bool {
         matches!(self, Self::Phase | Self::PhaseAlone)
     }

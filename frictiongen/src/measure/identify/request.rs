@@ -1,14 +1,14 @@
-//! What is asked of measurements.
+//! Options of an identification.
 
 use super::observation::Using;
 use crate::study::{Quantity, System};
 
-/// What is looked for beside the friction force.
+/// An unknown that is fitted together with the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unknown {
-    /// μ, which shows where the contact stops.
+    /// Ratio μ of static to kinetic friction. Only motions with stops depend on it.
     Stiction,
-    /// A factor on all natural frequencies; masses stay.
+    /// A factor on all natural frequencies. The masses keep their values.
     Frequencies,
     /// One damping ratio for all modes.
     Damping,
@@ -17,7 +17,7 @@ pub enum Unknown {
 }
 
 impl Unknown {
-    /// Its symbol, with the names of the description.
+    /// Returns the symbol of the unknown, with the names of the description.
     #[must_use]
     pub fn symbol(&self, system: &System) -> String {
         match self {
@@ -32,13 +32,13 @@ impl Unknown {
     }
 }
 
-/// What is asked of measurements.
+/// Options of an identification.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IdentifyRequest {
-    /// What of each motion is compared.
+    /// The quantities of each motion that are compared.
     pub using: Using,
-    /// What is looked for beside the friction force.
+    /// The unknowns that are fitted together with the friction force.
     pub unknowns: Vec<Unknown>,
-    /// Between which friction forces, N; up to where the contact is stuck at every frequency if this is none.
+    /// Range of the friction forces to scan, N. With `None` it ends where the contact is stuck at every frequency.
     pub range: Option<(f64, f64)>,
 }

@@ -1,4 +1,4 @@
-//! The friction force together with other unknowns.
+//! Fits the friction force together with other unknowns.
 
 use super::answer::{Estimate, Identified, Verdict};
 use super::data::Weighed;
@@ -12,14 +12,14 @@ use crate::measure::statistics::{NORMAL, excess, is_chance};
 use crate::study::{Quantity, System};
 use nalgebra::{DMatrix, DVector};
 
-/// The step of a difference where there is no derivative, of the value.
+/// Step of a finite difference relative to the value, where there is no derivative.
 const DIFFERENCE: f64 = 1e-6;
-/// A damping ratio to start from where the scene has none.
+/// First guess of the damping ratio if the scene has none.
 const SOME_DAMPING: f64 = 0.01;
-/// Levels of the friction force alone that are tried as starts.
+/// Number of friction forces, from the search for friction alone, that serve as starts.
 const STARTS: usize = 3;
 
-/// The bounds of an unknown.
+/// Returns the bounds of an unknown.
 fn bounds(unknown: Unknown, start: f64) -> (f64, f64) {
     match unknown {
         Unknown::Stiction | Unknown::Quantity(Quantity::Stiction) => (1.0, 10.0),
@@ -29,7 +29,7 @@ fn bounds(unknown: Unknown, start: f64) -> (f64, f64) {
     }
 }
 
-/// The directions whose derivatives add up to that of an unknown.
+/// Returns the directions whose derivatives add up to the derivative with respect to an unknown.
 fn directions(unknown: Unknown, masses: usize) -> Vec<Direction> {
     match unknown {
         Unknown::Stiction => vec![Direction::Quantity(Quantity::Stiction)],
@@ -78,7 +78,7 @@ impl Several<'_, '_> {
         })
     }
 
-    /// The derivatives of the residuals by dual numbers.
+    /// Returns the derivatives of the residuals by dual numbers.
     fn exact(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         let system = self.system(parameters)?;
         let friction = *parameters.first()?;
@@ -87,7 +87,8 @@ impl Several<'_, '_> {
             None => vec![Direction::Friction],
             Some(place) => directions(*self.unknowns.get(place)?, masses),
         };
-        // A factor on the frequencies is 1 in the changed scene, and not in the one that it is a factor of.
+        // The derivative is taken at a factor of 1 on the changed scene, whose frequencies already include the factor.
+        // The chain rule divides by it.
         let factor = match index
             .checked_sub(1)
             .and_then(|place| self.unknowns.get(place))
@@ -113,7 +114,8 @@ impl Several<'_, '_> {
         Some(DVector::from_vec(all))
     }
 
-    /// The same by differences, where an event is about to come or go.
+    /// Returns the derivatives of the residuals by finite differences, for points where an event is about to appear or
+    /// vanish.
     fn difference(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         let value = *parameters.get(index)?;
         let step = DIFFERENCE * value.abs().max(DIFFERENCE);
@@ -122,12 +124,12 @@ impl Several<'_, '_> {
             *moved.get_mut(index)? += by;
             self.residuals(&moved)
         };
-        // Towards larger values: a bound may lie below.
+        // The step goes towards larger values, because the value may lie on its lower bound.
         Some((moved(step)? - moved(0.0)?) / step)
     }
 }
 
-/// Friction and unknowns together.
+/// Fits the friction force and the other unknowns together.
 pub(super) fn fit(
     problem: &Problem<'_>,
     alone: &Alone,
@@ -156,7 +158,8 @@ pub(super) fn fit(
     let mut levels = alone.levels.clone();
     levels.sort_by(|a, b| a.1.total_cmp(&b.1));
     let (low, high) = problem.range;
-    // Also a third and two thirds of the range: other values of the unknowns may be far from the scene's.
+    // Forces at one third and two thirds of the range are further starts, because the unknowns may be far from the
+    // scene's values.
     let others = [1.0, 2.0].map(|part| low + (high - low) * part / 3.0);
     let forces = levels
         .iter()
@@ -205,7 +208,7 @@ pub(super) fn fit(
         }
     }
     let first = best.ok_or(MeasureError::NoFit)?;
-    // Once more with the errors of the load as they are there.
+    // The second pass uses the errors of the load at the solution of the first pass.
     let system = several
         .system(&first.parameters)
         .ok_or(MeasureError::NoFit)?;

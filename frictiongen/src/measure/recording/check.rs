@@ -1,34 +1,35 @@
-//! What a recording must not be.
+//! Checks that refuse unusable recordings.
 
 use super::channel::Channel;
 use super::unit::Dimension;
 use crate::measure::MeasureError;
 use std::f64::consts::PI;
 
-/// Fewer samples tell nothing.
+/// Least number of samples of a recording.
 const FEWEST: usize = 16;
-/// Equal samples in a row that count as flat.
+/// Number of equal samples in a row that count as flat.
 const FLAT: usize = 4;
-/// Flat places that are seen as clipping, not as chance.
+/// Number of flat places that count as clipping. Fewer may be chance.
 const PLACES: i32 = 2;
-/// How far before a flat place its slope is taken, in cycles.
+/// Distance before a flat place over which its slope is taken, in cycles.
 const BEFORE: f64 = 0.02;
-/// That slope over the largest one, from which on a flat place may be a clip.
+/// Least slope before a flat place, over the largest slope of a cycle, that may indicate a clip.
 const STEEP: f64 = 0.1;
-/// The same slope over that from twice as far: a half before a stop, to which a motion comes along a parabola, and nearly 1
-/// before a clip; of a sinusoid 0.75 if it is clipped at 0.99 of its amplitude.
+/// Least ratio of the slope just before a flat place to the slope over twice that distance that indicates a clip. The
+/// ratio is a half before a stop, which a motion reaches along a parabola, and nearly 1 before a clip. For a sinusoid
+/// clipped at 0.99 of its amplitude it is 0.75.
 const STRAIGHT: f64 = 0.7;
-/// A parabola's slope beside a flat of rounded values is √(2ag/A), with g the distance to the next value and the
-/// acceleration a up to so many times ω²A.
+/// Largest acceleration next to a flat of rounded values, as a multiple of ω²A. With an acceleration a, the slope of
+/// the parabola there is √(2ag/A), where g is the distance to the next value.
 const HARD: f64 = 10.0;
 
-/// Nothing, if these channels can tell something.
+/// Returns an error unless these channels can be used.
 pub(super) fn channels(channels: &[Channel]) -> Result<(), MeasureError> {
     form(channels, FEWEST)?;
     channels.iter().try_for_each(samples)
 }
 
-/// Nothing, if there are channels, of at least so many finite samples, all alike.
+/// Returns an error unless there are channels, all with the same number of finite samples, at least `fewest`.
 pub(super) fn form(channels: &[Channel], fewest: usize) -> Result<(), MeasureError> {
     let Some(first) = channels.first() else {
         return Err(MeasureError::TooShort {
@@ -90,15 +91,15 @@ fn samples(channel: &Channel) -> Result<(), MeasureError> {
     Ok(())
 }
 
-/// The part of the samples that are clipped at this value, if they are.
+/// Returns the fraction of the samples that are clipped at this value, if they are clipped.
 ///
-/// Rounded samples and a contact that stops are flat at an extreme too, but they come to it slowly.
+/// Rounded samples and a contact that stops are flat at an extreme too, but they approach it slowly.
 fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
     let crossings = values
         .windows(2)
         .filter(|pair| matches!(pair, [a, b] if (*a < middle) != (*b < middle)))
         .count();
-    // Two a cycle; noise adds some, which makes a cycle look shorter and the test milder.
+    // A cycle has two crossings. Noise adds some, which makes the cycle look shorter and the test milder.
     let cycle = 2.0 * values.len() as f64 / crossings.max(1) as f64;
     let reach = ((BEFORE * cycle).ceil() as usize).max(2);
     let largest = (extreme - middle).abs() * 2.0 * PI / cycle;
@@ -114,7 +115,8 @@ fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
             continue;
         }
         flat += group.len();
-        // From the last sample before, because the first flat one may lie anywhere beyond.
+        // The slope ends at the last sample before the flat place, because the clipped signal may lie anywhere beyond
+        // the first flat sample.
         let slope = |reach: usize| {
             let last = values.get(at.checked_sub(1)?)?;
             let before = values.get(at.checked_sub(1 + reach)?)?;

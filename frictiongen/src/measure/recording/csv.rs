@@ -1,4 +1,4 @@
-//! Recordings and sweeps as text: a line of names with units, then numbers.
+//! Recordings and sweeps as CSV text: a line of names with units, then numbers.
 
 use super::channel::Channel;
 use super::rate::even_rate;
@@ -7,38 +7,38 @@ use super::unit::{Dimension, Unit};
 use crate::measure::MeasureError;
 use std::fmt::Write as _;
 
-/// What a file does not say by itself.
+/// Options for reading a CSV, for facts that the file does not contain.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CsvRequest {
-    /// Samples a second, where no column has the time.
+    /// Samples per second, if no column has the time.
     pub rate: Option<f64>,
-    /// Which columns are read, and as what; every one by its own name if this is empty.
+    /// The columns to read, with their meaning. If empty, every column is read under its own name.
     pub columns: Vec<Column>,
 }
 
-/// A column that is read.
+/// A column to read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// What it is of: `base`, `force`, the name of a mass, or `time`.
+    /// Name of the signal: `base`, `force`, the name of a mass, or `time`.
     pub name: String,
-    /// Its name in the file, or its number from 1.
+    /// The column's name in the file, or its number from 1.
     pub column: String,
-    /// Its unit; as its name in the file says if this is none.
+    /// The column's unit. With `None` its name in the file gives the unit.
     pub unit: Option<Unit>,
 }
 
-/// A table of numbers with names, as it stands in a file.
+/// A table of numbers with names, as the file contains it.
 #[derive(Debug)]
 pub(crate) struct Table {
     pub(crate) names: Vec<String>,
-    /// The line of each row, from 1.
+    /// Line number of each row in the file, from 1.
     pub(crate) lines: Vec<usize>,
-    /// By row; an empty cell is none.
+    /// Cells by row; an empty cell is `None`.
     pub(crate) rows: Vec<Vec<Option<f64>>>,
 }
 
 impl Table {
-    /// Reads it: names, perhaps a line of units, then numbers; lines that begin with # are passed over.
+    /// Reads a table: names, perhaps a line of units, then numbers. It skips lines that begin with #.
     pub(crate) fn read(text: &str) -> Result<Self, MeasureError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut lines = text
@@ -118,7 +118,7 @@ impl Table {
         Ok(table)
     }
 
-    /// A whole column without gaps.
+    /// Returns a whole column without gaps.
     fn column(&self, index: usize) -> Result<Vec<f64>, MeasureError> {
         let name = self.names.get(index).cloned().unwrap_or_default();
         let cells = self.rows.iter().zip(&self.lines);
@@ -134,7 +134,7 @@ impl Table {
             .collect()
     }
 
-    /// The place of a column that is asked for by its name or its number.
+    /// Returns the index of a column, given its name or its number.
     fn place(&self, asked: &str) -> Option<usize> {
         let named = |name: &String| name == asked || Unit::split(name).0 == asked;
         let by_number = || asked.parse::<usize>().ok()?.checked_sub(1);
@@ -146,41 +146,43 @@ impl Table {
     }
 }
 
-/// What a column is of: its name without unit and without the kind of motion.
+/// Returns the signal that a column name refers to: the name without unit and kind of motion.
 fn subject(name: &str) -> &str {
     let kinds = [".displacement", ".velocity", ".acceleration", ".amplitude"];
     let stripped = kinds.iter().find_map(|kind| name.strip_suffix(kind));
     stripped.unwrap_or(name)
 }
 
-/// Whether a column is the time.
+/// Returns whether a column is the time.
 fn is_time(name: &str, unit: Option<Unit>) -> bool {
     ["time", "t", "Time"].contains(&name)
         || unit.is_some_and(|unit| unit.dimension() == Dimension::Time)
 }
 
 impl Recording {
-    /// Reads a CSV: a line of names with their units (`time_s,base_mm,upper_m_s2`, or a second line of units), then numbers.
-    /// Cells are separated by commas, semicolons or tabs.
+    /// Reads a CSV: a line of names with their units, then numbers.
+    ///
+    /// The units are endings of the names, as in `time_s,base_mm,upper_m_s2`, or a second line. Commas, semicolons or tabs
+    /// separate the cells.
     ///
     /// # Errors
-    /// [`MeasureError`]: what [`new`](Self::new) refuses, a unit or a rate that is missing, a column that is not there, a
-    /// cell that is no number, and steps of time that differ.
+    /// [`MeasureError`] for everything that [`new`](Self::new) refuses, a missing unit or rate, a missing column, a
+    /// cell that is not a number, and unequal time steps.
     pub fn from_csv(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
         let (rate, channels) = read(text, request)?;
         Self::new(rate, channels)
     }
 
-    /// The same of what drives a scene.
+    /// Reads a CSV of the inputs that drive a scene.
     ///
     /// # Errors
-    /// As of [`from_csv`](Self::from_csv), with what [`inputs`](Self::inputs) refuses.
+    /// Same errors as [`from_csv`](Self::from_csv), and those of [`inputs`](Self::inputs).
     pub fn inputs_from_csv(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
         let (rate, channels) = read(text, request)?;
         Self::inputs(rate, channels)
     }
 
-    /// The recording as a CSV that [`from_csv`](Self::from_csv) reads back; every number with all its digits.
+    /// Returns the recording as a CSV that [`from_csv`](Self::from_csv) reads back, every number with all its digits.
     #[must_use]
     pub fn to_csv(&self) -> String {
         let mut text = String::from("time_s");
@@ -200,7 +202,7 @@ impl Recording {
     }
 }
 
-/// Rate and channels of a CSV.
+/// Returns rate and channels of a CSV.
 fn read(text: &str, request: &CsvRequest) -> Result<(f64, Vec<Channel>), MeasureError> {
     let table = Table::read(text)?;
     let mut time = None;

@@ -18,11 +18,10 @@ pub use unit::{Dimension, Unit};
 use super::MeasureError;
 
 impl Recording {
-    /// Reads a CSV or a universal file, whichever it is: see [`from_csv`](Self::from_csv) and
-    /// [`from_uff58`](Self::from_uff58).
+    /// Reads a CSV or a universal file, after detecting which of them it is.
     ///
     /// # Errors
-    /// As of these.
+    /// Same errors as [`from_csv`](Self::from_csv) and [`from_uff58`](Self::from_uff58).
     pub fn from_text(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
         // A universal file begins with the mark of a data set.
         let first = text.lines().find(|line| !line.trim().is_empty());

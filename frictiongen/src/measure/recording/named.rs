@@ -1,10 +1,10 @@
-//! Units as they are written.
+//! Units as files spell them.
 
 use super::unit::{UNITS, Unit};
 use crate::measure::MeasureError;
 
 impl Unit {
-    /// The name of a column and the unit in which it ends; the longest ending counts.
+    /// Splits a header into the name of the column and its unit. The longest ending that is a unit counts.
     pub(super) fn split(header: &str) -> (&str, Option<Self>) {
         if let Some((name, unit)) = bracketed(header) {
             return (name, unit.parse().ok());
@@ -21,7 +21,7 @@ impl Unit {
     }
 }
 
-/// `name (unit)` and `name [unit]`.
+/// Splits `name (unit)` and `name [unit]`.
 fn bracketed(header: &str) -> Option<(&str, &str)> {
     [('(', ')'), ('[', ']')]
         .into_iter()

@@ -1,11 +1,11 @@
-//! How many samples a second has, from the times of the samples.
+//! Sampling rate from the times of the samples.
 
 use crate::measure::MeasureError;
 
-/// How far apart two steps of a time column may be, of the mean step: what a clock of six digits rounds.
+/// Largest difference between two steps of a time column, over the mean step. A clock of six digits rounds that much.
 const EVEN: f64 = 1e-2;
 
-/// The rate of times in s, if they are evenly spaced; `place` names a sample.
+/// Returns the rate of times in s, if they are evenly spaced. `place` names a sample in the error.
 pub(super) fn even_rate(
     time: &[f64],
     place: impl Fn(usize) -> String,
@@ -17,7 +17,7 @@ pub(super) fn even_rate(
         });
     };
     let steps = time.len().saturating_sub(1).max(1) as f64;
-    // Of the first two: what a mean over mixed steps hides.
+    // The first step shows a change that a mean over mixed steps would hide.
     let usual = time.get(1).map_or(0.0, |second| second - first);
     let mean = (last - first) / steps;
     let apart = |step: f64, other: f64| !((step - other).abs() <= EVEN * other.abs());
@@ -32,7 +32,7 @@ pub(super) fn even_rate(
         }
     }
     if apart(mean, usual) {
-        // Rounded times may differ step by step, but not in the end.
+        // Rounded times may differ from step to step, but their error does not grow over the record.
         let ten = time.len().min(11) - 1;
         let early = time
             .get(ten)

@@ -6,8 +6,8 @@ use crate::measure::MeasureError;
 
 /// Evenly spaced samples of several channels.
 ///
-/// A recording that cannot tell anything is refused when it is made: no samples, values that are not finite, a channel that
-/// never changes, or one that is clipped.
+/// A recording that cannot be used is refused when it is constructed: without samples, with values that are not finite,
+/// or with a channel that never changes or is clipped.
 ///
 /// ```
 /// use frictiongen::measure::{CsvRequest, MeasureError, Recording};
@@ -23,21 +23,21 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// Samples at `rate` a second.
+    /// Makes a recording of samples at `rate` per second.
     ///
     /// # Errors
-    /// [`MeasureError`] for a rate that is not above 0, no samples or a few, channels of different lengths or of the same
+    /// [`MeasureError`] for a rate that is not above 0, too few samples, channels of different lengths or with the same
     /// name, values that are not finite, and a channel that is constant or clipped.
     pub fn new(rate: f64, channels: Vec<Channel>) -> Result<Self, MeasureError> {
         check::channels(&channels)?;
         Self::inputs(rate, channels)
     }
 
-    /// The same of what drives a scene: one channel will do, and a constant one too.
+    /// Makes a recording of the inputs that drive a scene. One channel is enough, and it may be constant.
     ///
     /// # Errors
-    /// [`MeasureError`] for a rate that is not above 0, no samples, channels of different lengths or of the same name, and values
-    /// that are not finite.
+    /// [`MeasureError`] for a rate that is not above 0, fewer than two samples, channels of different lengths or with
+    /// the same name, and values that are not finite.
     pub fn inputs(rate: f64, channels: Vec<Channel>) -> Result<Self, MeasureError> {
         check::form(&channels, 2)?;
         if !(0.0 < rate && rate.is_finite()) {
@@ -46,7 +46,8 @@ impl Recording {
         Ok(Self { rate, channels })
     }
 
-    /// How many samples a second there are in a row of times, in s, which are evenly spaced but for what a clock rounds.
+    /// Returns the sampling rate, in samples per second, of times in s. The times are evenly spaced except for the
+    /// rounding of a clock.
     ///
     /// ```
     /// use frictiongen::measure::Recording;
@@ -57,7 +58,7 @@ impl Recording {
     /// ```
     ///
     /// # Errors
-    /// [`MeasureError::MixedRates`]; [`MeasureError::TooShort`] for fewer than two.
+    /// [`MeasureError::MixedRates`] for uneven times, and [`MeasureError::TooShort`] for fewer than two times.
     pub fn rate_of(times: &[f64]) -> Result<f64, MeasureError> {
         if times.len() < 2 {
             return Err(MeasureError::TooShort {
@@ -68,25 +69,25 @@ impl Recording {
         rate::even_rate(times, |index| format!("sample {index}"))
     }
 
-    /// How many samples a second has.
+    /// Returns the number of samples per second.
     #[must_use]
     pub fn rate(&self) -> f64 {
         self.rate
     }
 
-    /// All channels.
+    /// Returns all channels.
     #[must_use]
     pub fn channels(&self) -> &[Channel] {
         &self.channels
     }
 
-    /// A channel by its name.
+    /// Returns a channel by its name.
     #[must_use]
     pub fn channel(&self, name: &str) -> Option<&Channel> {
         self.channels.iter().find(|channel| channel.name == name)
     }
 
-    /// How many samples each channel has.
+    /// Returns the number of samples in each channel.
     #[must_use]
     pub fn len(&self) -> usize {
         self.channels
@@ -94,7 +95,7 @@ impl Recording {
             .map_or(0, |channel| channel.samples.len())
     }
 
-    /// Whether there are none, which never is so.
+    /// Returns whether there are no samples, which never is the case.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0

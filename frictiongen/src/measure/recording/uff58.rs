@@ -1,7 +1,8 @@
 //! Universal File Format, data set 58 in its text form: functions of time at nodes, one data set for each channel.
 //!
-//! No crate reads it, so this is the least that does: real, evenly or unevenly spaced, single or double precision.  What it
-//! writes is evenly spaced and double; its format keeps 13 digits of a sample and 6 of the time step.
+//! No crate reads this format. The reader covers real data, evenly or unevenly spaced, in single or double precision.
+//! The writer writes evenly spaced data in double precision. The format keeps 13 digits of a sample and 6 of the time
+//! step.
 
 use super::{Channel, Column, CsvRequest, Dimension, Recording, Unit};
 use crate::measure::MeasureError;
@@ -9,12 +10,12 @@ use std::fmt::Write as _;
 
 /// Function type 1: a response over time.
 const TIME_RESPONSE: i64 = 1;
-/// The abscissa is time.
+/// Abscissa type 17: time.
 const TIME: i64 = 17;
-/// How far two time steps of the file's six digits may be apart.
+/// Largest relative difference of two time steps that counts as equal, because the file has six digits.
 const SAME: f64 = 2e-5;
 
-/// A data set as it stands.
+/// One data set of the file.
 struct Set {
     line: usize,
     channel: Channel,
@@ -45,7 +46,7 @@ impl<'t> Lines<'t> {
     }
 }
 
-/// The columns from..to of a line, without blanks; lines may be short.
+/// Returns the columns from..to of a line without blanks. The line may be shorter.
 fn field(line: &str, from: usize, to: usize) -> &str {
     line.get(from..to.min(line.len())).unwrap_or("").trim()
 }
@@ -62,14 +63,15 @@ fn number<T: std::str::FromStr>(
 }
 
 impl Recording {
-    /// Reads the functions of time of a universal file, data sets 58 as text.
+    /// Reads the functions of time in a universal file, that is, its data sets 58 in text form.
     ///
-    /// A channel is called as its response entity, else as the first line of its data set.  Its unit is the label of its
-    /// ordinate, or what `request` says of the column of that name; type codes alone are not taken for a unit.
+    /// A channel is named by its response entity, or by the first line of its data set if it has none. Its unit is the
+    /// label of its ordinate, or the unit that `request` gives for the column of that name. Type codes alone do not
+    /// count as a unit.
     ///
     /// # Errors
-    /// [`MeasureError`]: what [`new`](Self::new) refuses, a data set that is not in this form, a channel without a unit,
-    /// and time steps that differ.
+    /// [`MeasureError`] for everything that [`new`](Self::new) refuses, a data set that is not in this form, a channel
+    /// without a unit, and unequal time steps.
     pub fn from_uff58(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
         let mut lines = Lines {
             lines: text.lines().enumerate().peekable(),
@@ -89,7 +91,7 @@ impl Recording {
                 kind if kind.starts_with("58") => {
                     return lines.wrong("a data set 58 in binary form; write it as text");
                 }
-                // Of other data sets nothing is needed.
+                // Data sets of other types are skipped.
                 _ => while lines.next()?.trim() != "-1" {},
             }
         }
@@ -117,7 +119,7 @@ impl Recording {
         Self::new(rate, sets.into_iter().map(|set| set.channel).collect())
     }
 
-    /// The recording as a universal file, one data set 58 for each channel.
+    /// Returns the recording as a universal file, one data set 58 for each channel.
     #[must_use]
     pub fn to_uff58(&self) -> String {
         let mut text = String::new();
@@ -170,12 +172,12 @@ impl Recording {
     }
 }
 
-/// The first ten characters.
+/// Returns the first ten characters.
 fn short(name: &str) -> String {
     name.chars().take(10).collect()
 }
 
-/// As Fortran writes it: 1.00000E-03.
+/// Formats a number as Fortran does: 1.00000E-03.
 fn exponential(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$E}");
     let Some((mantissa, exponent)) = text.split_once('E') else {
@@ -188,7 +190,7 @@ fn exponential(value: f64, digits: usize) -> String {
     format!("{mantissa}E{sign}{size:0>2}")
 }
 
-/// A data set 58 after its number; none if its function is not one of time, or is not asked for.
+/// Reads a data set 58 after its number. Returns `None` if its function is not one of time, or is not asked for.
 fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, MeasureError> {
     let line = lines.last;
     let title = lines.next()?.trim().to_owned();
@@ -198,7 +200,7 @@ fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, Measu
     let record = lines.next()?;
     let function: i64 = number(lines, field(record, 0, 5), "a function type")?;
     let entity = field(record, 31, 41);
-    // Ten characters are all that the entity has room for.
+    // The entity field has room for ten characters only, so that a longer name is taken from the title.
     let name = match entity {
         "" | "NONE" => title.as_str(),
         entity if title.starts_with(entity) => title.as_str(),
@@ -256,7 +258,7 @@ fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, Measu
     }))
 }
 
-/// The numbers up to the end of the data set: cells of 13 or 20 characters, mostly with blanks between them.
+/// Reads the numbers up to the end of the data set. Cells have 13 or 20 characters, mostly with blanks between them.
 fn values(lines: &mut Lines<'_>) -> Result<Vec<f64>, MeasureError> {
     let mut values = Vec::new();
     loop {
@@ -271,13 +273,14 @@ fn values(lines: &mut Lines<'_>) -> Result<Vec<f64>, MeasureError> {
     }
 }
 
-/// The numbers of a line: where negative ones touch, an E with its exponent ends the one before.
+/// Returns the numbers of a line. Where a negative number follows without a blank, the exponent ends the number before
+/// it.
 fn cells(line: &str) -> impl Iterator<Item = &str> {
     line.split_whitespace().flat_map(|word| {
         let mut parts = Vec::new();
         let mut rest = word;
         while let Some(mark) = rest.find(['E', 'e', 'D', 'd']) {
-            // A sign and two or three digits follow.
+            // The exponent has a sign and two or three digits.
             let end = rest
                 .char_indices()
                 .skip_while(|(place, _)| *place < mark + 2)
@@ -302,7 +305,7 @@ fn unit(name: &str, label: &str, asked: Option<&Column>) -> Result<Unit, Measure
     }
 }
 
-/// Nothing, if the kind of ordinate is unknown or that of the unit.
+/// Returns an error if the ordinate's type code is known and is not that of the unit.
 fn check_code(name: &str, code: i64, unit: Unit) -> Result<(), MeasureError> {
     let dimension = match code {
         8 => Dimension::Displacement,
@@ -320,7 +323,7 @@ fn check_code(name: &str, code: i64, unit: Unit) -> Result<(), MeasureError> {
     })
 }
 
-/// Pairs of time and value.
+/// Converts pairs of time and value to a rate and values.
 fn unspaced(name: &str, line: usize, values: &[f64]) -> Result<(f64, Vec<f64>), MeasureError> {
     let pairs: Vec<(f64, f64)> = values
         .chunks_exact(2)
@@ -333,7 +336,7 @@ fn unspaced(name: &str, line: usize, values: &[f64]) -> Result<(f64, Vec<f64>), 
     let mean = (last.0 - first.0) / steps;
     for pair in pairs.windows(2) {
         let &[a, b] = pair else { continue };
-        // Six digits of the time are written.
+        // The file has six digits of the time.
         let rounded = 1e-5 * a.0.abs().max(b.0.abs());
         if 1e-2 * mean + rounded < (b.0 - a.0 - mean).abs() {
             return Err(MeasureError::MixedRates {

@@ -1,21 +1,21 @@
 //! The units of recordings.
 
-/// What a channel measures.
+/// The quantity that a channel measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Dimension {
-    /// A displacement; in SI m.
+    /// A displacement; SI unit m.
     Displacement,
-    /// A velocity; in SI m/s.
+    /// A velocity; SI unit m/s.
     Velocity,
-    /// An acceleration; in SI m/s².
+    /// An acceleration; SI unit m/s².
     Acceleration,
-    /// A force; in SI N.
+    /// A force; SI unit N.
     Force,
-    /// Time; in SI s.
+    /// Time; SI unit s.
     Time,
 }
 
-/// A unit, which says what is measured and in what size.
+/// A unit of measurement: its quantity and its size.
 ///
 /// ```
 /// use frictiongen::measure::{Dimension, Unit};
@@ -36,7 +36,7 @@ const GRAVITY: f64 = 9.806_65;
 
 use Dimension::{Acceleration, Displacement, Force, Time, Velocity};
 
-/// Every unit, as it is written and as the end of a column's name.
+/// All units: their spelling, and the ending of a column's name.
 pub(super) const UNITS: [(&str, &str, Dimension, f64); 15] = [
     ("m", "m", Displacement, 1.0),
     ("cm", "cm", Displacement, 1e-2),
@@ -56,15 +56,15 @@ pub(super) const UNITS: [(&str, &str, Dimension, f64); 15] = [
 ];
 
 impl Unit {
-    /// m.
+    /// Metre, m.
     pub const METRE: Self = Self::of(UNITS[0]);
-    /// mm.
+    /// Millimetre, mm.
     pub const MILLIMETRE: Self = Self::of(UNITS[2]);
-    /// m/s.
+    /// Metre per second, m/s.
     pub const METRE_PER_SECOND: Self = Self::of(UNITS[4]);
-    /// m/s².
+    /// Metre per second squared, m/s².
     pub const METRE_PER_SECOND_SQUARED: Self = Self::of(UNITS[6]);
-    /// N.
+    /// Newton, N.
     pub const NEWTON: Self = Self::of(UNITS[9]);
 
     pub(super) const fn of(
@@ -77,31 +77,31 @@ impl Unit {
         }
     }
 
-    /// As it is written: `mm/s2`.
+    /// Returns the spelling of the unit, for example `mm/s2`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.name
     }
 
-    /// What it measures.
+    /// Returns the quantity that the unit measures.
     #[must_use]
     pub fn dimension(&self) -> Dimension {
         self.dimension
     }
 
-    /// Its size in SI.
+    /// Returns the size of the unit in SI.
     #[must_use]
     pub fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// All that are known, in words.
+    /// Returns a list of all known units, as text.
     #[must_use]
     pub fn known() -> String {
         UNITS.map(|unit| unit.0).join(", ")
     }
 
-    /// How a column's name ends for it: `mm_s2`.
+    /// Returns the ending of a column's name for this unit, for example `mm_s2`.
     pub(super) fn ending(&self) -> &'static str {
         let found = UNITS.iter().find(|unit| unit.0 == self.name);
         found.map_or("", |unit| unit.1)

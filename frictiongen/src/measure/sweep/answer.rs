@@ -1,39 +1,40 @@
-//! What a sweep tells.
+//! Result of the fit of a sweep.
 
 use crate::measure::identify::Estimate;
 use crate::measure::statistics::is_chance;
 use crate::study::System;
 
-/// What a sweep without friction says.
+/// Frequencies, ratios and damping found in a sweep without friction.
 #[derive(Clone, Debug)]
 pub struct SweepFit {
-    /// √(k₁/m₁)/2π, Hz: r = f over this; for one storey the natural frequency (4.1).
+    /// Reference frequency √(k₁/m₁)/2π, Hz, so that r is the frequency over this value. With one storey it is the
+    /// natural frequency (4.1).
     pub reference: Estimate,
-    /// γ_i = m_i/m₁ of the masses from the second on.
+    /// Mass ratios γ_i = m_i/m₁, from the second mass on.
     pub masses: Vec<Estimate>,
-    /// κ_e = k_e/k₁ of the springs from the second on.
+    /// Stiffness ratios κ_e = k_e/k₁, from the second spring on.
     pub springs: Vec<Estimate>,
-    /// ζ, one for all modes, if it was asked for.
+    /// One damping ratio ζ for all modes, if it was asked for.
     pub damping: Option<Estimate>,
     /// The natural frequencies, Hz.
     pub natural: Vec<Estimate>,
-    /// The sum of squares over the degrees of freedom, where deviations were given.
+    /// Sum of squares over the degrees of freedom, if deviations were given.
     pub misfit: Option<f64>,
-    /// The degrees of freedom: points less the parameters that they determine.
+    /// Degrees of freedom: number of points less the number of parameters that they determine.
     pub freedom: usize,
-    /// The root of the mean square of the relative residuals.
+    /// Root mean square of the relative residuals.
     pub scatter: f64,
-    /// The condition of the fit.
+    /// Condition number of the fit.
     pub condition: f64,
     /// Measured less computed amplitude, in the order of the points.
     pub residuals: Vec<f64>,
-    /// The scene with what was found; its first mass as it was.
+    /// The scene with the values that were found. Its first mass keeps its value.
     pub system: System,
 }
 
 impl SweepFit {
-    /// Whether the given deviations explain the residuals.  Without deviations or freedom there is nothing to judge by, and this
-    /// is true.
+    /// Returns whether the given deviations explain the residuals. Without deviations or degrees of freedom the
+    /// residuals cannot be judged, and the result is true.
     #[must_use]
     pub fn is_explained(&self) -> bool {
         is_chance(self.misfit, self.freedom)

@@ -1,29 +1,31 @@
-//! Where a fit starts, and how it goes on.
+//! First guesses of a fit, and the search from them.
 
 use super::model::{Form, Sweep};
 use crate::measure::MeasureError;
 use crate::measure::least_squares::{Fit, minimise};
 
-/// Frequencies of the scene that are tried as starts, over its own.
+/// Range of the frequency factors that are tried as starts, over the scene's own frequencies.
 const FACTORS: [f64; 2] = [0.5, 2.0];
-/// How many of them.
+/// Number of intervals into which the range is divided.
 const TRIED: u32 = 40;
-/// Ratios of masses and springs that are tried with them, over the scene's own: of two storeys, of three.
+/// Ratios of masses and springs that are tried with the frequency factors, over the scene's own: for two storeys, and
+/// for three.
 const TWO: [f64; 7] = [0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 3.3];
 const THREE: [f64; 3] = [0.7, 1.0, 1.4];
-/// The best of them, from which a fit starts.
+/// Number of best starts from which a fit is run.
 const STARTS: usize = 6;
-/// The sum of squares over the degrees of freedom with which a fit from the scene's own values is good enough.
+/// Sum of squares over the degrees of freedom below which a fit from the scene's own values is accepted.
 const GOOD: f64 = 2.0;
-/// Each parameter times this is tried once more from the best fit, as long as that betters it, so many times at most.
+/// Factors on each parameter that are tried again from the best fit. This repeats at most [`ROUNDS`] times, as long as
+/// it improves the fit.
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
-/// A hop that comes so near to the best fit, of each parameter, ends there.
+/// Largest relative distance from the best fit at which a hop ends, because it has returned.
 const BACK: f64 = 1e-5;
 
 impl Sweep<'_> {
-    /// Places from which a fit may start, the best first.
+    /// Returns starting points of a fit, the best first.
     fn starts(&self) -> Vec<Vec<f64>> {
         let own = self.start();
         let ratios = own.len() - 1 - usize::from(self.damping);
@@ -52,7 +54,7 @@ impl Sweep<'_> {
             .collect();
         let mut judged = Vec::new();
         for ratios in tried {
-            // One analysis for all frequencies: they scale.
+            // One modal analysis serves all frequency factors, because they only scale r.
             let Some(system) = self.at(&ratios) else {
                 continue;
             };
@@ -95,7 +97,8 @@ impl Sweep<'_> {
                 |at| self.linearise(at, form),
             )
         };
-        // Amplitudes have poles, along which a sum of squares has no slope that leads anywhere; their logarithms have.
+        // Amplitudes have poles, near which the slope of the sum of squares leads nowhere. The slope of their
+        // logarithms does lead to the minimum.
         let from = |start: &[f64]| {
             let rough = run(start, Form::Log)?;
             run(&rough.parameters, Form::Plain).filter(|fit| fit.settled)
@@ -112,7 +115,8 @@ impl Sweep<'_> {
         let best = fits
             .min_by(|a, b| a.squares.total_cmp(&b.squares))
             .ok_or(MeasureError::NoFit)?;
-        // An amplitude has no sign: a resonance on the wrong side of a point is a minimum of its own, next to the right one.
+        // An amplitude has no sign. A resonance on the wrong side of a data point is therefore a separate minimum next
+        // to the right one.
         let mut best = best;
         for _ in 0..ROUNDS {
             let places = 0..best.parameters.len();
@@ -126,7 +130,7 @@ impl Sweep<'_> {
                     let back = pairs.fold(0.0_f64, |most, (new, old)| {
                         most.max((new - old).abs() / old.abs().max(BACK))
                     });
-                    // Most hops fall back to where they came from.
+                    // Most hops fall back to the fit from which they started.
                     (BACK < back).then(|| self.linearise(at, Form::Plain))?
                 };
                 let residuals = |at: &[f64]| self.residuals(at, Form::Plain);

@@ -1,4 +1,4 @@
-//! What a fit says, with intervals.
+//! Result of a fit with its intervals.
 
 use super::answer::SweepFit;
 use super::model::Sweep;
@@ -10,9 +10,9 @@ use crate::measure::{MeasureError, SweepPoint};
 use crate::study::units::hertz;
 use nalgebra::DVector;
 
-/// The part of the amplitudes that may be unexplained.
+/// Fraction of the amplitudes that may remain unexplained.
 const GROSS: f64 = 0.5;
-/// The step of a difference, of a parameter.
+/// Step of a finite difference, relative to the parameter.
 const DIFFERENCE: f64 = 1e-6;
 
 pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureError> {
@@ -48,7 +48,7 @@ pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureEr
     } else {
         reduced.map_or(f64::INFINITY, |reduced| student(freedom) * reduced.sqrt())
     };
-    // The interval of what moves with the parameters as this gradient says.
+    // Returns the interval of a quantity with this gradient by the parameters.
     let interval = |value: f64, gradient: &DVector<f64>| {
         let reach = reach * fit.variance(gradient).sqrt();
         Estimate {
@@ -103,7 +103,7 @@ pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureEr
     })
 }
 
-/// How a natural frequency in Hz moves with the parameters.
+/// Returns the gradient of a natural frequency in Hz by the parameters.
 fn gradient(sweep: &Sweep<'_>, fit: &Fit, mode: usize, omega: f64) -> Option<DVector<f64>> {
     let slopes = fit.parameters.iter().enumerate().map(|(index, value)| {
         let step = DIFFERENCE * value.abs().max(DIFFERENCE);

@@ -1,4 +1,4 @@
-//! A sweep beside a scene with other parameters: amplitudes, and how they move.
+//! Comparison of a sweep with a scene of other parameters: amplitudes and their derivatives.
 
 use super::SweepPoint;
 use crate::Complex;
@@ -12,12 +12,12 @@ use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use nalgebra::{DMatrix, DVector};
 
-/// A logarithm of amplitudes does not count more than this.
+/// Largest difference of the logarithms of two amplitudes that counts.
 const FAR: f64 = 3.0;
-/// A damping ratio to start from where the scene has none.
+/// First guess of the damping ratio if the scene has none.
 const SOME_DAMPING: f64 = 0.005;
 
-/// A sweep beside a scene: parameters are a factor on the frequencies, γ₂ …, κ₂ …, and perhaps ζ.
+/// A sweep and the scene to fit. The parameters are a factor on the frequencies, γ₂ …, κ₂ …, and perhaps ζ.
 pub(super) struct Sweep<'a> {
     pub(super) system: &'a System,
     pub(super) points: &'a [SweepPoint],
@@ -70,7 +70,7 @@ impl<'a> Sweep<'a> {
             .map_or(1.0, |spring| spring.stiffness)
     }
 
-    /// The scene of these parameters.
+    /// Returns the scene with these parameters.
     pub(super) fn at(&self, parameters: &[f64]) -> Option<System> {
         let mut scene = self.system.scene().clone();
         let factor = *parameters.first()?;
@@ -88,8 +88,8 @@ impl<'a> Sweep<'a> {
         System::try_from(scene).ok()
     }
 
-    /// The quantities that a parameter moves, with what each is multiplied by; in the scene of these parameters.  The first
-    /// parameter moves r instead.
+    /// Returns the quantities that a parameter changes, each with its factor, in the scene of these parameters. The
+    /// first parameter changes r instead.
     fn directions(&self, index: usize, system: &System) -> Vec<(Quantity, f64)> {
         let masses = self.masses();
         let scene = system.scene();
@@ -106,8 +106,8 @@ impl<'a> Sweep<'a> {
             .collect()
     }
 
-    /// The amplitudes of a scene whose frequencies are a factor higher, with what they are made of; none on a resonance without
-    /// damping.
+    /// Returns the complex amplitudes of a scene whose frequencies are a factor higher. Returns `None` on a resonance
+    /// without damping.
     pub(super) fn values(&self, system: &System, factor: f64) -> Option<Vec<Complex<f64>>> {
         let values = self.points.iter().map(|point| {
             let r = ratio(system, point) / factor;
@@ -117,7 +117,7 @@ impl<'a> Sweep<'a> {
         values.collect()
     }
 
-    /// What a residual is divided by.
+    /// Returns the value by which a residual is divided.
     fn weight(point: &SweepPoint) -> f64 {
         point.deviation.unwrap_or(point.amplitude)
     }
@@ -126,7 +126,7 @@ impl<'a> Sweep<'a> {
         Some(self.compared(&self.values(&self.at(parameters)?, 1.0)?, form))
     }
 
-    /// Points beside a scene's amplitudes.
+    /// Returns the residuals of the points against a scene's amplitudes.
     pub(super) fn compared(&self, values: &[Complex<f64>], form: Form) -> DVector<f64> {
         let residuals = self
             .points
@@ -156,7 +156,7 @@ impl<'a> Sweep<'a> {
             };
             for (row, (point, value)) in self.points.iter().zip(&values).enumerate() {
                 let r = ratio(&system, point);
-                // Frequencies that are a factor higher make r lower.
+                // Higher frequencies of the scene make r lower.
                 let slope = if index == 0 { -r / parameter } else { 0.0 };
                 let r = Dual { value: r, slope };
                 let far = residuals
@@ -181,19 +181,19 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// How amplitudes are compared.
+/// The form in which amplitudes are compared.
 #[derive(Clone, Copy)]
 pub(super) enum Form {
     Plain,
     Log,
 }
 
-/// The frequency ratio of a point.
+/// Returns the frequency ratio of a point.
 fn ratio(system: &System, point: &SweepPoint) -> f64 {
     system.frequency_ratio(angular_frequency(point.hertz))
 }
 
-/// Sixteen digits are enough for the steps of a fit.
+/// Rounds a dual number to double precision, which is enough for the steps of a fit.
 fn plain(number: Dual<Dd>) -> Dual<f64> {
     Dual {
         value: number.value.to_f64(),
@@ -201,7 +201,7 @@ fn plain(number: Dual<Dd>) -> Dual<f64> {
     }
 }
 
-/// X/Y of a mass without friction, the sum of its modes' parts, real and imaginary: Σ φ φᵀp/(λ − r² + 2iζ√λ r).
+/// Returns X/Y of a mass without friction, real and imaginary part: the sum of the modes Σ φ φᵀp/(λ − r² + 2iζ√λ r).
 fn free<F: Float, T: Scalar>(
     modal: &Modal<F>,
     mass: usize,
@@ -234,7 +234,7 @@ mod tests {
     use crate::study::{Quantity, Sensitive, System};
     use frictiongen_kernel::number::dual::Dual;
 
-    /// The sum of the modes beside the fundamental of the continuous motion, and its derivative beside that one's.
+    /// Compares the sum of the modes with the fundamental of the continuous motion, and their derivatives.
     #[test]
     fn the_motion_without_friction() {
         let system: System = "struct Frame {
@@ -251,7 +251,7 @@ mod tests {
                 let at = system.at(r).unwrap();
                 let response = at.response(0.0).unwrap();
                 let exact = response.harmonic(Of::Mass(mass), 1).unwrap();
-                // Rounded once for each of a dozen operations.
+                // The tolerance allows one rounding for each of a dozen operations.
                 let near = 1e-13 * exact.norm();
                 assert!((re - exact.re).abs() < near && (im - exact.im).abs() < near);
                 let fixed = Dual {

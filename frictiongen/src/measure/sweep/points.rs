@@ -1,4 +1,4 @@
-//! Measured amplitudes, and the table that has them.
+//! Measured amplitudes, and the table that contains them.
 
 use crate::measure::MeasureError;
 use crate::measure::recording::Table;
@@ -9,20 +9,21 @@ use crate::study::System;
 pub struct SweepPoint {
     /// The driving frequency, Hz.
     pub hertz: f64,
-    /// The mass, by its place.
+    /// Index of the mass in the description.
     pub mass: usize,
-    /// |X/Y|, or |X/P| in m/N.
+    /// Amplitude |X/Y|, or |X/P| in m/N.
     pub amplitude: f64,
-    /// Its standard deviation; without it errors count as equal parts of the amplitudes, as in (6.16).
+    /// Standard deviation of the amplitude. Without it, all amplitudes have the same relative error, as in (6.16).
     pub deviation: Option<f64>,
 }
 
 impl SweepPoint {
-    /// Those of a table: `frequency_Hz`, then for each mass `NAME.transmissibility` and, if it is there, `NAME.deviation`.
-    /// Other columns are passed over, and so are empty cells.
+    /// Reads the points of a table: `frequency_Hz`, then for each mass `NAME.transmissibility` and, optionally,
+    /// `NAME.deviation`. Other columns and empty cells are ignored.
     ///
     /// # Errors
-    /// [`MeasureError`]: a cell that is no number, no frequencies, a mass that the scene does not have, or none.
+    /// [`MeasureError`] for a cell that is not a number, missing frequencies, a mass that the scene does not have, and
+    /// a table without points.
     pub fn read(text: &str, system: &System) -> Result<Vec<Self>, MeasureError> {
         let table = Table::read(text)?;
         let named = |name: &str| table.names.iter().position(|other| other == name);

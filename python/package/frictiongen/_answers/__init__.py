@@ -1,4 +1,4 @@
-"""What a system answers: numpy arrays by the names that the command line gives to its columns."""
+"""The answers of a system: numpy arrays with the names of the command line's columns."""
 
 from .design import Optimum, Sensitivities
 from .features import Features, FeatureTable

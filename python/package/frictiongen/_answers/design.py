@@ -1,4 +1,4 @@
-"""Answers for a choice: the best friction, and what matters most."""
+"""Answers for design: the best friction, and derivatives."""
 
 from __future__ import annotations
 
@@ -12,14 +12,20 @@ if TYPE_CHECKING:
 
 
 class Optimum(Table):
-    """The friction that keeps the largest amplitude over a band smallest.
+    """The friction that makes the largest amplitude over a frequency band as small as possible.
 
-    `friction_N` and `beta`, and the `amplitude` (`amplitude_m`) there; `kind` says what limits it,
-    `end` how the search ended, `bracket_from` and `bracket_to` between which frictions the least lies.  For comparison
-    `without_friction` and `with_contact_locked`; `free_of_sticking`, up to which nothing sticks, and `locked`, from which on
-    nothing slides.  Tables: `peaks`, the frequencies at which the largest amplitude is reached; `tolerances`, between which
-    frictions it stays within a share of the best; `sensitivities`, per cent of it for one per cent of each parameter
-    (empty without a load).
+    * `friction_N` and `beta`: the best friction.  `amplitude` (`amplitude_m`): the largest amplitude at this friction.
+    * `kind`: the reason that limits the amplitude.  `end`: the way the search ended.
+    * `bracket_from`, `bracket_to`: the frictions between which the least amplitude lies.
+    * `without_friction`, `with_contact_locked`: the largest amplitudes in both extremes, for comparison.
+    * `free_of_sticking`: the friction up to which nothing sticks.  `locked`: the friction from which on nothing slides.
+
+    Tables:
+
+    * `peaks`: the frequencies with the largest amplitude.
+    * `tolerances`: the frictions between which the amplitude stays within a given ratio of the best.
+    * `sensitivities`: change of the amplitude in per cent for one per cent of each parameter, while friction stays the
+      best one.  Empty without a load.
     """
 
     friction_N: float
@@ -50,17 +56,21 @@ class Optimum(Table):
 
 
 class Sensitivities(Table):
-    """Exact derivatives, a line for each parameter of the description and of the operating point.
+    """Exact derivatives, one line for each parameter of the description and of the operating point.
 
-    `parameter`, its `value` and `unit`; of `amplitude`, `phase`, `continuous_limit` and `sliding_limit` (with their units)
-    the value itself, `["amplitude"].derivative`, and `["amplitude"].relative`: per cent of the answer for one per cent of
-    the parameter; of a phase, its change.  NaN where there is none.
+    * `parameter`, with its `value` and `unit`.
+    * `amplitude`, `phase`, `continuous_limit` and `sliding_limit`, with their units: the value itself.
+    * `["amplitude"].derivative`, and alike for the others: the derivative with respect to the parameter.
+    * `["amplitude"].relative`: per cent of the answer for one per cent of the parameter.  For a phase it is the change
+      of the phase.
+
+    A derivative that does not exist is NaN.
     """
 
     parameter: Words
     value: Floats
     unit: Words
-    #: The regime at this point.
+    #: Regime of the contact at this point.
     regime: str
 
     def __init__(self, regime: str, columns: dict[str, Any]) -> None:
@@ -68,13 +78,13 @@ class Sensitivities(Table):
         self.regime = regime
 
     def __getitem__(self, name: str) -> Any:
-        """The derivatives of an answer, as `["amplitude_m"].derivative`, or a column by its full name."""
+        """Returns the derivatives of an answer, as in `["amplitude_m"].derivative`, or a column by its full name."""
         inner = any(known.startswith(f"{name}.") for known in self._columns)
         columns = {known: value for known, value in self._columns.items() if known != name or not inner}
         return item(self, name, columns)
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws per cent of the amplitude for one per cent of each parameter.
+        """Draws the change of the amplitude in per cent for one per cent of each parameter.
 
         :raises ImportError: if matplotlib is not installed.
         """

@@ -1,4 +1,4 @@
-"""What a response is made of."""
+"""Features of a response."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _Moved = dict[str, list[tuple[str, Floats, Floats]]]
 
 
 class FeatureTable(Table):
-    """One list of features, and how its numbers move with every parameter.
+    """One list of features, with the derivatives of its numbers with respect to every parameter.
 
     >>> import frictiongen
     >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -35,16 +35,18 @@ class FeatureTable(Table):
 
     @property
     def sensed(self) -> list[str]:
-        """The columns whose numbers have derivatives."""
+        """Names of the columns that have derivatives."""
         return list(self._moved)
 
     def derivatives(self, name: str) -> Columns:
-        """How a column moves with each parameter, by the parameter's name: derivatives, one for each line, NaN where there
-        is none."""
+        """Returns the derivatives of a column, by the name of each parameter.
+
+        Each array has one derivative for each line, NaN where there is none.
+        """
         return Columns(name, {parameter: slope for parameter, slope, _ in self._found(name)})
 
     def relative(self, name: str) -> Columns:
-        """The same as per cent of the number for one per cent of the parameter."""
+        """Returns the change of a column in per cent for one per cent of each parameter, by the parameter's name."""
         return Columns(name, {parameter: share for parameter, _, share in self._found(name)})
 
     def _found(self, name: str) -> list[tuple[str, Floats, Floats]]:
@@ -56,15 +58,27 @@ class FeatureTable(Table):
 
 
 class Features:
-    """Lists of features, each a :class:`FeatureTable`; with a load in Hz, N and m, otherwise in groups.
+    """Lists of features, each a :class:`FeatureTable`.
 
-    Whatever the friction: `resonances` with the `threshold` below which an undamped one is unbounded and the limit of
-    continuous motion there; `held_resonances` of the chain with its contact stuck, of which `new` ones differ from the
-    chain's; `ends`, both limits for r -> 0 and r -> inf; `antiresonances`, `invariant_points` and `inversions` (where friction
-    enlarges a motion), which are empty with damping.
+    With a load numbers are in Hz, N and m, otherwise non-dimensional.
 
-    For each friction: `starts`, the amplitudes for r -> 0; `sliding_ranges`; `regimes`, `found` all of them or by samples;
-    `peaks` beside their estimates; `crossings`, where one friction and the next one give the same amplitude.
+    Lists that do not depend on friction:
+
+    * `resonances`, with the `threshold` below which an undamped resonance is unbounded, and the limit of continuous
+      motion.
+    * `held_resonances`: resonances of the chain with its contact stuck.  `new` marks those that the chain does not
+      have.
+    * `ends`: both limits for r -> 0 and r -> inf.
+    * `antiresonances`, `invariant_points`, and `inversions` (ranges in which friction enlarges a motion).  They are
+      empty with damping.
+
+    Lists for each friction:
+
+    * `starts`: the amplitudes for r -> 0.
+    * `sliding_ranges`: the ranges in which the contact slides.
+    * `regimes`.  `found` tells whether all were found or only those that samples show.
+    * `peaks`, with their estimates.
+    * `crossings`: the frequencies at which two neighbouring frictions give the same amplitude.
     """
 
     resonances: FeatureTable
@@ -84,7 +98,7 @@ class Features:
         self.__dict__.update(self._tables)
 
     def keys(self) -> list[str]:
-        """The names of the lists."""
+        """Returns the names of the lists."""
         return list(self._tables)
 
     def __getitem__(self, name: str) -> FeatureTable:
@@ -98,14 +112,14 @@ class Features:
         return f"Features: {', '.join(counts)}"
 
     def to_frame(self) -> DataFrame:
-        """All lists below each other, with the name of its list in each line.
+        """Returns all lists in one pandas frame, with the name of its list in each line.
 
         :raises ImportError: if pandas is not installed.
         """
         return joined({name: table._columns for name, table in self._tables.items()}, "feature")
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws them over frequency and friction: a line for each regime at each friction, resonances, invariant points.
+        """Draws regimes, resonances and invariant points over frequency and friction.
 
         :raises ImportError: if matplotlib is not installed.
         """

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class Events(Table):
-    """Every stop, break-away and reversal: when, what, and what the contact does from then on (`["contact"].state`)."""
+    """Every stop, break-away and reversal, with its time and the state after it (`["contact"].state`)."""
 
     time_s: Floats
     tau: Floats
@@ -20,15 +20,16 @@ class Events(Table):
 
 
 class History(Table):
-    """Motions over time, at even instants from a maximum of the excitation on.
+    """Motions over time, at evenly spaced instants from a maximum of the excitation on.
 
-    `history[name].displacement` and `.velocity` (`displacement_m`, `velocity_m_s`) of the contact and of masses;
-    `history["contact"].friction` (`friction_N`) the friction force and `.state` what the contact does.  `events` are exact.
+    * `history[name].displacement`, `.velocity` (`displacement_m`, `velocity_m_s`): motion of the contact or of a mass.
+    * `history["contact"].friction` (`friction_N`): friction force.  `history["contact"].state`: state of the contact.
+    * `events`: the exact events.
     """
 
     time_s: Floats
     tau: Floats
-    #: The events between the first sample and the last.
+    #: Events between the first sample and the last.
     events: Events
 
     def __init__(self, columns: dict[str, Any], events: dict[str, Any]) -> None:
@@ -36,7 +37,7 @@ class History(Table):
         self.events = Events(events)
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws all displacements over time; where the contact sticks, the ground is shaded.
+        """Draws all displacements over time.  The background is shaded where the contact sticks.
 
         :raises ImportError: if matplotlib is not installed.
         """
@@ -44,7 +45,7 @@ class History(Table):
 
 
 class Work(NamedTuple):
-    """What a load has done and where it went, J: `load` is the sum of the others."""
+    """Energy balance in J: the work `load` of the load is the sum of the other three."""
 
     load: float
     friction: float
@@ -55,19 +56,23 @@ class Work(NamedTuple):
 class Steps(Table):
     """Motions under any load, at each of its samples.
 
-    `steps[name].displacement_m` and `.velocity_m_s` of the contact and of masses; `steps["contact"].friction_N` the friction
-    force and `.state` what the contact does; `events`, how many stops, break-aways and reversals the step to a sample had.
-    `work` of the load since the start, and where it went, in J; `exceeded`, in how many steps more events happened than are
-    followed.  `system.step(dt, start=steps, ...)` goes on where it ends, to the same bits as in one run.
+    * `steps[name].displacement_m`, `.velocity_m_s`: motion of the contact or of a mass.
+    * `steps["contact"].friction_N`: friction force.  `steps["contact"].state`: state of the contact.
+    * `events`: number of stops, break-aways and reversals in the step that ends at a sample.
+    * `work`: energy balance since the start, in J.
+    * `exceeded`: number of steps with more events than the stepper follows.
+
+    `system.step(dt, start=steps, ...)` continues from the end of these steps.  The result is bit for bit that of one
+    run.
     """
 
     time_s: Floats
     events: Counts
-    #: The work of the `load`, what `friction` and `damping` took of it, and by how much more is `stored` than at the start.
+    #: Work of the `load`, the energy that `friction` and `damping` took of it, and the increase of the `stored` energy.
     work: Work
-    #: In how many steps more events happened than are followed.
+    #: Number of steps with more events than the stepper follows.
     exceeded: int
-    #: Where it ends: what another run goes on from.
+    #: End of the steps, from which another run can continue.
     end: _native.StepState
 
     def __init__(self, columns: dict[str, Any]) -> None:
@@ -78,7 +83,7 @@ class Steps(Table):
         super().__init__(columns)
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws all displacements over time; where the contact sticks, the ground is shaded.
+        """Draws all displacements over time.  The background is shaded where the contact sticks.
 
         :raises ImportError: if matplotlib is not installed.
         """

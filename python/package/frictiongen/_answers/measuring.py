@@ -1,4 +1,4 @@
-"""What measurements tell."""
+"""Answers from measurements."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ _Interval = tuple[float, float, float]
 
 
 class Estimate(NamedTuple):
-    """A number with its interval of 95 %, from `low` to `high`, which may be infinite."""
+    """A number with its 95 % interval from `low` to `high`, which may be infinite."""
 
     value: float
     low: float
     high: float
 
     def holds(self, value: float) -> bool:
-        """Whether a number lies within the interval."""
+        """Returns whether a number lies within the interval."""
         return self.low <= value <= self.high
 
 
@@ -32,16 +32,21 @@ def _estimates(found: list[tuple[str, _Interval]]) -> dict[str, Estimate]:
 
 
 class Transmissibilities(Table):
-    """Of each recording, a line: the driving `frequency_Hz`, from when on it is steady, the amplitude of the excitation, and
-    of each mass `["upper"].transmissibility` (over the excitation: m/m or m/N), `lag_deg`, `deviation` of the
-    transmissibility, and `third_harmonic`; NaN where it was not recorded.
+    """Transmissibilities found in recordings, one line for each recording.
+
+    * `frequency_Hz`: driving frequency.  `steady_from_s`: start of the steady interval.  The amplitude of the
+      excitation follows.
+    * `["upper"].transmissibility` of a mass: amplitude over that of the excitation, in m/m or m/N.
+    * `["upper"].lag_deg`, `.deviation` (of the transmissibility) and `.third_harmonic`.
+
+    A mass that was not recorded has NaN.
     """
 
     frequency_Hz: Floats
     steady_from_s: Floats
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws them over frequency, each with two deviations.
+        """Draws the transmissibilities over frequency, each with error bars of two deviations.
 
         :raises ImportError: if matplotlib is not installed.
         """
@@ -49,15 +54,21 @@ class Transmissibilities(Table):
 
 
 class Identification(Table):
-    """The friction force that explains measurements, and each motion beside what the system does with it, a line for each.
+    """The friction force that explains measurements, and a line for each motion, measured and computed.
 
-    `friction_N` is the force with its interval.  `verdict` says what the measurements tell: not explained (residuals exceed
-    the noise, and the force may be far from the rig's), told, several levels (each of `levels` explains them), stuck (any
-    force from `friction_N.low` on), not told, all but stuck; `says` is the same as a sentence.  `unknowns` has the other
-    unknowns by name, and `undetermined` the names of those that the measurements do not determine: the other results hold at
-    any value of these.  `misfit`, the sum of squares of residuals over deviations by the `freedom`, is 1 where noise is all
-    that is left, and None without freedom; `is_explained` is whether noise exceeds it more than once in 1000 recordings.
-    `condition` is by how much a relative error of the data may grow.  `system` has what was found.
+    * `friction_N`: the friction force with its interval.
+    * `verdict`: the conclusion.  "told": the measurements determine the force.  "several levels": each of `levels`
+      explains the measurements.  "stuck": any force from `friction_N.low` on explains them.  "not told": they do
+      not determine the force.  "all but stuck": friction almost sticks the contact, or a unit is wrong.  "not
+      explained": the residuals exceed the noise, and the force may be far from the rig's.
+    * `says`: the verdict as a sentence.
+    * `unknowns`: the other unknowns by name.  `undetermined`: the names of those that the measurements do not
+      determine.  The other results are valid for any value of these.
+    * `misfit`: sum of the squared residuals over their variances, divided by the degrees of `freedom`.  It is about 1
+      if only noise is left, and None without degrees of freedom.
+    * `is_explained`: whether noise alone exceeds this misfit in more than one of 1000 recordings.
+    * `condition`: factor by which a relative error of the data may grow.
+    * `system`: the system with the values that were found.
     """
 
     friction_N: Estimate
@@ -70,7 +81,7 @@ class Identification(Table):
     misfit: float | None
     freedom: int
     is_explained: bool
-    #: The description with what was found.
+    #: The system with the values that were found.
     system: System
     recording: Counts
     frequency_Hz: Floats
@@ -99,7 +110,7 @@ class Identification(Table):
         self.system = system
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws the residuals over their deviations, real and imaginary parts, and lines at two deviations.
+        """Draws real and imaginary parts of the residuals over their deviations, with lines at two deviations.
 
         :raises ImportError: if matplotlib is not installed.
         """
@@ -111,12 +122,18 @@ class Identification(Table):
 
 
 class Fit(Table):
-    """What a sweep without friction says of a system, and its points, a line for each, measured less computed in `residual`.
+    """A system fitted to a sweep without friction, and a line for each point of the sweep.
 
-    `reference_Hz` is sqrt(k1/m1)/2pi, `mass_ratios` m/m1 and `stiffness_ratios` k/k1 of the masses and springs from the
-    second on, `natural_frequencies_Hz`, `damping` if it was asked for.  `scatter` is the root of the mean square of the
-    relative residuals; `misfit` is 1 where noise is all that is left, None where no deviations were given; `is_explained` is
-    whether noise exceeds it more than once in 1000 sweeps.  `system` has what was found, its first mass as it was.
+    * `reference_Hz`: sqrt(k1/m1)/2pi.  `natural_frequencies_Hz`: the natural frequencies.
+    * `mass_ratios`, `stiffness_ratios`: m/m1 and k/k1 of the masses and springs from the second on.
+    * `damping`: the damping ratio, if it was asked for.
+    * `scatter`: root mean square of the relative residuals.
+    * `misfit`: sum of the squared residuals over their variances, divided by the degrees of `freedom`.  It is about 1
+      if only noise is left, and None if no deviations were given.
+    * `is_explained`: whether noise alone exceeds this misfit in more than one of 1000 sweeps.
+    * `system`: the system with the values that were found.  Its first mass keeps its value.
+
+    `residual` of a line is the measured less the computed transmissibility.
     """
 
     reference_Hz: Estimate
@@ -129,7 +146,7 @@ class Fit(Table):
     is_explained: bool
     scatter: float
     condition: float
-    #: The description with what was found.
+    #: The system with the values that were found.
     system: System
     frequency_Hz: Floats
     of: Words
@@ -149,7 +166,7 @@ class Fit(Table):
         self.system = system
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws the points beside what the system does without friction.
+        """Draws the points with the response of the fitted system without friction.
 
         :raises ImportError: if matplotlib is not installed.
         """
@@ -161,11 +178,14 @@ class Fit(Table):
 
 
 class FreeDecay(Table):
-    """What a free vibration says, and the extremes that were used, a line for each.
+    """Friction and damping found in a free vibration, and a line for each extreme that was used.
 
-    `friction_N`; `length_m`, F/k, half the distance of the two points about which the mass swings; `damping`, whose interval
-    is a point where it was known; `frequency_Hz`, the natural frequency without damping; `linear_decrement_m`, F/k as the
-    linear decrement has it.  `misfit` is 1 where noise is all that is left.
+    * `friction_N`: friction force.
+    * `length_m`: F/k, half the distance between the two points about which the mass swings.
+    * `damping`: damping ratio.  Its interval is a single point if the ratio was given.
+    * `frequency_Hz`: natural frequency without damping.
+    * `linear_decrement_m`: F/k by the linear decrement.
+    * `misfit`: deviation of the residuals over that of the noise.  It is about 1 if only noise is left.
     """
 
     friction_N: Estimate

@@ -16,10 +16,13 @@ if TYPE_CHECKING:
 
 
 class Limits(Table):
-    """Both limits over frequency; a limit may be infinite.
+    """Both limits over frequency.  A limit may be infinite.
 
-    With less friction than `continuous_limit` the contact can slide all the time; from `sliding_limit` on it can be stuck.
-    With stiction 1 it is, and below both limits it slides all the time; above 1 it depends on the start.  As ratios, F/P, for base motion F/(k1 Y); with a load also `continuous_limit_N` and
+    Below `continuous_limit` the contact can slide all the time.  From `sliding_limit` on it can be stuck.  With
+    stiction 1 the contact does so: it slides all the time below both limits, and is stuck from `sliding_limit` on.
+    With a larger stiction the regime may depend on the start.
+
+    The limits are ratios F/P, or F/(k1 Y) for base motion.  With a load the answer also has `continuous_limit_N` and
     `sliding_limit_N`, in N.
     """
 
@@ -44,13 +47,20 @@ class Limits(Table):
 class Response(Grid):
     """Amplitudes and phases over frequency and friction.
 
-    `regime` is continuous, stick-slip, stuck or unbounded; `margin` how far friction is beyond the lower limit, less 1;
-    `answer` how the motion was found, or why there is none, and then amplitudes are NaN.  `response[name]` is the
-    :class:`Motion` of a mass, or of the `contact`: `amplitude` (`amplitude_m`), the largest displacement; `phase`
-    (`phase_deg`), by how much its maximum lags behind the load's, NaN for what does not move; `amplitude_monoharmonic`, the
-    estimate from the fundamental alone.  `centred` is the amplitude about the motion's own middle, `fundamental_phase` the lag
-    of X1, `offset` (`offset_m`) the middle of the contact's motion.  `marginal` marks one of a continuum of states,
-    `from_rest` the state that motion from rest ends in.
+    * `regime`: continuous, stick-slip, stuck or unbounded.
+    * `margin`: friction over the lower of both limits, less 1.
+    * `answer`: the method that found the motion, or the reason why there is none.  Without a motion amplitudes are NaN.
+    * `offset` (`offset_m`): mean of the contact's largest and smallest displacement.
+    * `marginal`: whether the state is a member of a continuum.
+    * `from_rest`: whether motion from rest reaches the state.
+
+    `response[name]` is the :class:`Motion` of a mass or of the `contact`:
+
+    * `amplitude` (`amplitude_m`): largest displacement.
+    * `phase` (`phase_deg`): lag of that maximum behind the load's.  It is NaN for a part that does not move.
+    * `amplitude_monoharmonic`: estimate from the fundamental alone.
+    * `centred`: half the distance between the smallest and the largest displacement.
+    * `fundamental_phase`: lag of X1.
     """
 
     regime: Words
@@ -62,7 +72,7 @@ class Response(Grid):
     from_rest: Flags
 
     def plot(self, ax: Axes | None = None, of: str | None = None) -> Axes:
-        """Draws the amplitude of one motion over frequency, a line for each friction.
+        """Draws the amplitude of one motion over frequency, one line for each friction.
 
         :raises ImportError: if matplotlib is not installed.
         """
@@ -70,11 +80,16 @@ class Response(Grid):
 
 
 class Map(Grid):
-    """What the contact does over frequency and friction.
+    """Regime of the contact over frequency and friction.
 
-    `regime` and `region` (how many stops); `period` in cycles, `stops` and `reversals` in a period, -1 where nothing
-    repeats or there is no answer; `stuck_fraction` of the period; `map[name].amplitude` (`amplitude_m`).  Along frequency
-    alone: `continuous_limit` and `sliding_limit`, with a load in N as `continuous_limit_N` and `sliding_limit_N`.
+    * `regime`, and `region`, which also counts the stops.
+    * `period` in cycles, `stops` and `reversals` in a period.  They are -1 where the motion does not repeat or there is
+      no answer.
+    * `stuck_fraction`: fraction of the period during which the contact sticks.
+    * `map[name].amplitude` (`amplitude_m`): amplitude of the contact or of a mass.
+
+    `continuous_limit` and `sliding_limit` depend on the frequency alone.  With a load they are also given in N, as
+    `continuous_limit_N` and `sliding_limit_N`.
     """
 
     regime: Words
@@ -95,8 +110,9 @@ class Map(Grid):
     _beside = ("continuous_limit", "continuous_limit_N", "sliding_limit", "sliding_limit_N")
 
     def plot(self, ax: Axes | None = None, shade: str = "region") -> Axes:
-        """Draws the map with both limits.  `shade` is "region", "stuck" (the part of the period), or the name of a motion
-        for its amplitude.
+        """Draws the map with both limits.
+
+        :param shade: "region", "stuck" (the fraction of the period), or the name of a motion for its amplitude.
 
         :raises ImportError: if matplotlib is not installed.
         """
@@ -104,11 +120,14 @@ class Map(Grid):
 
 
 class Curve(Table):
-    """Responses along frequency, a line for each point, as finely as they bend.
+    """Responses along frequency, one line for each point, with more points where a curve bends.
 
-    Only points of the same friction, the same `start` (which a sweep has) and the same `piece` may be joined; `piece` is -1 where there is no response, and
-    `answer` says why.  `contact_force` (`contact_force_N`) is the largest friction force of the period, `friction_work` the
-    work of a cycle (`friction_power_W` the mean power).  `curve[name]` is the :class:`Motion` of a mass or of the `contact`.
+    Only points with the same friction, the same `start` (which a sweep has) and the same `piece` may be joined.  Where
+    there is no response, `piece` is -1 and `answer` gives the reason.
+
+    * `contact_force` (`contact_force_N`): largest friction force of the period.
+    * `friction_work`: work of friction in a cycle.  `friction_power_W`: mean power.
+    * `curve[name]`: the :class:`Motion` of a mass or of the `contact`.
     """
 
     r: Floats
@@ -132,7 +151,7 @@ class Curve(Table):
     friction_power_W: Floats
 
     def plot(self, ax: Axes | None = None, of: str | None = None) -> Axes:
-        """Draws the amplitude of one motion: a colour for each friction, a stroke for each regime.
+        """Draws the amplitude of one motion, with a colour for each friction and a stroke for each regime.
 
         :raises ImportError: if matplotlib is not installed.
         """
@@ -142,9 +161,11 @@ class Curve(Table):
 class Orbit(Table):
     """The steady state at one point.
 
-    `state` is stable, marginal, unstable or unsettled, or says why there is none; then numbers are NaN and counts -1.
-    `multipliers` are its Floquet multipliers, `sticking_intervals` start and length in tau of each stop, a line for each.  With a load, or a frequency in a unit, also
-    `longest_stop_s` and `sticking_intervals_s` in seconds.
+    * `state`: stable, marginal, unstable or unsettled, or the reason why there is no steady state.  Without one,
+      numbers are NaN and counts are -1.
+    * `multipliers`: Floquet multipliers.
+    * `sticking_intervals`: start and length of each stop in tau, one line for each.
+    * `longest_stop_s`, `sticking_intervals_s`: in seconds, with a load or a frequency in a unit.
     """
 
     regime: str
@@ -165,7 +186,7 @@ class Orbit(Table):
     sticking_intervals_s: Floats
 
     def to_frame(self) -> DataFrame:
-        """One line with what the orbit says once.
+        """Returns a pandas frame of one line with the single values of the orbit.
 
         :raises ImportError: if pandas is not installed.
         """

@@ -1,4 +1,4 @@
-"""What all answers have in common: numpy arrays by the names that the command line gives to its columns."""
+"""Common base of all answers: numpy arrays with the names of the command line's columns."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ Counts = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 Words = NDArray[np.str_]
 
-#: The columns that belong to a frequency alone.
+#: Columns that depend on the frequency alone.
 _FREQUENCY = ("frequency_Hz", "omega_rad_s", "r")
 
 
 def frame(columns: dict[str, Any]) -> DataFrame:
-    """Columns as a pandas frame."""
+    """Returns columns as a pandas frame."""
     try:
         import pandas
     except ImportError as error:
@@ -30,18 +30,18 @@ def frame(columns: dict[str, Any]) -> DataFrame:
 
 
 def joined(tables: dict[str, dict[str, Any]], title: str) -> DataFrame:
-    """Several tables below each other, with their names in a column."""
+    """Returns several tables in one pandas frame, with their names in a column."""
     frames = {name: frame(columns) for name, columns in tables.items()}
     import pandas
 
-    # Of a table without lines only the columns count.
+    # A table without lines contributes only its columns.
     kept = [whole.assign(**{title: name}) for name, whole in frames.items() if len(whole)]
     known = [title, *dict.fromkeys(name for columns in tables.values() for name in columns)]
     return pandas.concat(kept, ignore_index=True).reindex(columns=known)
 
 
 def _cells(values: Any) -> Any:
-    """Counts that are not there, -1, as pandas marks them."""
+    """Returns values with missing counts, -1, as NaN."""
     values = np.ravel(values)
     if values.dtype.kind == "i" and (values < 0).any():
         return np.where(values < 0, np.nan, values)
@@ -56,7 +56,7 @@ class Columns:
         self._columns = columns
 
     def keys(self) -> list[str]:
-        """The names of what there is."""
+        """Returns the names of the arrays."""
         return list(self._columns)
 
     def __getattr__(self, name: str) -> Any:
@@ -66,7 +66,7 @@ class Columns:
         raise AttributeError(_missing(self, name, columns))
 
     def __getitem__(self, name: str) -> Any:
-        """An array by its name; `["X3"]` is the third harmonic."""
+        """Returns an array by its name; `["X3"]` is the third harmonic."""
         return item(self, name, self._columns)
 
     def __iter__(self) -> Iterator[str]:
@@ -80,7 +80,7 @@ class Columns:
 
 
 class Motion(Columns):
-    """How the contact or a mass moves: the part of an answer that bears its name.
+    """Motion of the contact or of a mass: the columns of an answer under its name.
 
     >>> import frictiongen
     >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -122,13 +122,13 @@ def item(answer: object, name: str, columns: dict[str, Any]) -> Any:
 
 
 class Table(Columns):
-    """Columns of one length, or single values: what every answer has in common."""
+    """Columns of one length, or single values.  This is the base of every answer."""
 
     def __init__(self, columns: dict[str, Any]) -> None:
         super().__init__("", columns)
 
     def to_frame(self) -> DataFrame:
-        """The same as a pandas frame, a line for each point, with the command line's columns.
+        """Returns a pandas frame with one line for each point and the command line's columns.
 
         :raises ImportError: if pandas is not installed.
         """
@@ -136,7 +136,7 @@ class Table(Columns):
 
     @property
     def motions(self) -> list[str]:
-        """The contact and the masses that it has: the names that `answer[name]` takes."""
+        """Names of the contact and of masses that `answer[name]` takes."""
         return list(dict.fromkeys(name.split(".")[0] for name in self._columns if "." in name))
 
     def _repr_size(self) -> str:
@@ -149,7 +149,10 @@ class Table(Columns):
 
 
 class Grid(Table):
-    """Frequencies by frictions: what belongs to both has the shape of the frequencies, then that of the frictions."""
+    """Answer over frequencies and frictions.
+
+    Its arrays have the shape of the frequencies followed by that of the frictions.
+    """
 
     r: Floats
     frequency_Hz: Floats
@@ -157,16 +160,16 @@ class Grid(Table):
     beta: Floats
     friction_N: Floats
 
-    #: Columns along frequency that the frame leaves out.
+    #: Columns over frequency alone, which the frame leaves out.
     _beside: tuple[str, ...] = ()
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The shape of the frequencies, followed by that of the frictions."""
+        """Shape of the frequencies, followed by that of the frictions."""
         return np.shape(self.r) + np.shape(self.beta)
 
     def to_frame(self) -> DataFrame:
-        """The same as a pandas frame, a line for each point, all frictions of the first frequency first.
+        """Returns a pandas frame with one line for each point, first all frictions of the first frequency.
 
         :raises ImportError: if pandas is not installed.
         """

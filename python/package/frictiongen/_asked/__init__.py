@@ -1,1 +1,1 @@
-"""What a system can be asked: one file for each kind of question."""
+"""The methods of a system, one file for each group of them."""

@@ -1,4 +1,4 @@
-"""What all questions have in common."""
+"""Common base of the groups of methods."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class Base:
-    """The compiled system that is asked."""
+    """A system with its compiled counterpart."""
 
     __slots__ = ("_native",)
 
@@ -19,12 +19,12 @@ class Base:
 
     @classmethod
     def _of(cls, native: compiled.System) -> System:
-        """A system that is there already."""
+        """Wraps a compiled system that exists already."""
         raise NotImplementedError
 
 
 def names(of: str | Iterable[str] | None, argument: str = "of") -> str | list[str] | None:
-    """Names as the compiled part takes them; what is no iterable is its to refuse."""
+    """Returns names in the form that the compiled module takes."""
     if of is None or isinstance(of, str):
         return of
     try:

@@ -1,4 +1,4 @@
-"""Questions of design."""
+"""Methods for design."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Design(Base):
-    """The best friction, what matters most, and what a response is made of."""
+    """Methods for the best friction, for derivatives, and for the features of a response."""
 
     __slots__ = ()
 
@@ -29,9 +29,9 @@ class Design(Base):
         force: float | None = None,
         base: float | None = None,
     ) -> Optimum:
-        """The friction that keeps the largest amplitude of a motion over a band of frequencies smallest.
+        """Finds the friction that makes the largest amplitude of a motion over a frequency band as small as possible.
 
-        :param of: a mass, or `contact`.
+        :param of: name of the mass whose amplitude is kept small, or `contact`.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -53,9 +53,9 @@ class Design(Base):
         force: float | None = None,
         base: float | None = None,
     ) -> Sensitivities:
-        """The exact derivatives of amplitude, phase and both limits with respect to every parameter, in any regime.
+        """Computes the exact derivatives of amplitude, phase and both limits by every parameter, in any regime.
 
-        :param of: a mass, or `contact`.
+        :param of: name of the mass whose amplitude and phase are differentiated, or `contact`.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -79,11 +79,13 @@ class Design(Base):
         base: float | None = None,
         of: str | Iterable[str] | None = None,
     ) -> Features:
-        """What the response over a band is made of, without a sweep: thresholds, antiresonances, invariant points, ranges in
-        which friction enlarges a motion, resonances of the stuck chain; and for each friction where the contact slides, the
-        regimes and the peaks.  Each number with its derivatives where it has some.
+        """Finds the features of the response over a frequency band, without a sweep.
 
-        Without a band it is the one about the resonances.
+        They are thresholds, antiresonances, invariant points, ranges in which friction enlarges a motion, and
+        resonances of the chain with its contact stuck.  For each friction they are also the ranges in which the contact
+        slides, the regimes and the peaks.  Numbers come with their derivatives where these exist.
+
+        Without a band the range around the resonances is taken.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)

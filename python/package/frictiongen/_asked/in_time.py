@@ -1,4 +1,4 @@
-"""Questions about the motion over time."""
+"""Methods for the motion over time."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class InTime(Base):
-    """Motions under a harmonic load, and under any."""
+    """Methods for motions under a harmonic load and under any load."""
 
     __slots__ = ()
 
@@ -36,13 +36,14 @@ class InTime(Base):
         start: tuple[ArrayLike, ArrayLike] | None = None,
         steady: bool = False,
     ) -> History:
-        """The exact motion over time, from rest or from a state, with every event; or one period of the steady state.
+        """Computes the exact motion over time with every event, from rest, from a state, or in the steady state.
 
-        :param cycles: how many cycles of the excitation; 10 if left out.
-        :param skip: how many cycles pass before the first sample; none if left out.
-        :param samples: how many samples a cycle has, an even number; 200 if left out.
-        :param start: displacements and velocities of all masses to start from, in m and m/s with a load.
-        :param steady: one period of the steady state instead of a run.
+        :param cycles: number of cycles of the excitation, 10 by default.
+        :param skip: number of cycles before the first sample, 0 by default.
+        :param samples: number of samples in a cycle, an even number, 200 by default.
+        :param start: displacements and velocities of all masses at the start, in m and m/s with a load.  Rest by
+            default.
+        :param steady: whether to return one period of the steady state instead of a run.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -76,18 +77,21 @@ class InTime(Base):
         start: tuple[ArrayLike, ArrayLike] | Steps | None = None,
         stiction: float | None = None,
     ) -> Steps:
-        """The motion under any load, sample by sample, exact between events.
+        """Computes the motion under any load, sample by sample, exact between events.
 
-        :param dt: from one sample to the next, s.
-        :param force: on the excited mass, N, at each sample, where a force drives the scene.
-        :param base: displacement of the base, m, at each sample, where the base moves; with `base_velocity` in m/s.
-        :param friction: the kinetic friction force, N: one, or one for each sample.
-        :param on: forces on further masses, N, by their names.
-        :param start: displacements and velocities of all masses, m and m/s, instead of rest; or the answer of an earlier
-            call, which this one goes on from: its first sample is then one `dt` after the last one before.
-        :param stiction: static over kinetic friction from the start on; as the description says if left out.
+        :param dt: time between two samples, s.
+        :param force: force on the excited mass at each sample, N, if a force drives the scene.
+        :param base: displacement of the base at each sample, m, if the base moves.
+        :param base_velocity: velocity of the base at each sample, m/s, together with `base`.
+        :param friction: kinetic friction force, N: one number, or one for each sample.
+        :param on: forces on further masses, N, by the names of the masses.
+        :param start: displacements and velocities of all masses, m and m/s, instead of rest.  Or the answer of an
+            earlier call, from whose end this call continues: its first sample is then one `dt` after the last one of
+            that answer.
+        :param stiction: static over kinetic friction from the start on.  By default that of the description.
 
-        Between samples forces are straight lines, or steps where the description says `provide: [stepper], input: hold`.
+        Between samples a force is linear in time.  It is constant over a step if the description has
+        `provide: [stepper], input: hold`.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -119,11 +123,14 @@ class InTime(Base):
         start: tuple[ArrayLike, ArrayLike] | Steps | None = None,
         stiction: float | None = None,
     ) -> Steps:
-        """The motion under a recorded input: `base` as displacement, velocity or acceleration, `force`, names of masses for
-        forces on them, and `friction` where it changes.
+        """Computes the motion under a recorded input.
 
-        :param recording: of the inputs; `Recording(..., drives=True)` takes one channel too, and a constant one.
-        :param friction: the kinetic friction force, N; the channel `friction` if left out.
+        The channels are `base` as displacement, velocity or acceleration, or `force`; the names of masses for forces on
+        them; and `friction`, if the friction force changes.
+
+        :param recording: recording of the inputs.  `Recording(..., drives=True)` also takes a single or a constant
+            channel.
+        :param friction: kinetic friction force, N.  By default the channel `friction`.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)

@@ -1,4 +1,4 @@
-"""Questions to measurements."""
+"""Methods for measurements."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ if TYPE_CHECKING:
 
 
 class Measuring(Base):
-    """What recordings, amplitudes and phases tell of the system."""
+    """Methods that find properties of the system from recordings, amplitudes and phases."""
 
     __slots__ = ()
 
     def transmissibility(self, recordings: Recording | Iterable[Recording]) -> Transmissibilities:
-        """Driving frequency, transmissibility and phase of recordings, each at one frequency.
+        """Finds driving frequency, transmissibility and phase in recordings, each made at one frequency.
 
-        :raises MeasureError: for a recording that tells nothing: no excitation or no mass, a drive that drifts, a motion
-            that never gets steady, fewer than 8 cycles.
+        :raises MeasureError: for a recording without excitation or without a mass, a driving frequency or amplitude
+            that drifts, a motion that never becomes steady, and fewer than 8 cycles.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -52,18 +52,20 @@ class Measuring(Base):
         between: tuple[float, float] | None = None,
         harmonics: int | None = None,
     ) -> Identification:
-        """The friction force that explains what was measured, with its interval, or why it cannot be told.
+        """Finds the friction force that explains the measurements, with its interval.
 
-        In whatever regime the contact is, from one frequency or several together.
+        The contact may be in any regime.  Measurements at one frequency or at several are fitted together.  If they do
+        not determine the force, the verdict gives the reason.
 
         :param measured: recordings, or amplitudes and phases as an :class:`Observation`.
-        :param by: compare "both", "amplitude" or "phase"; what there is if left out.
-        :param of: only these masses.
-        :param also: look also for "damping", "frequency" (a factor on all natural frequencies) or "stiction".
-        :param between: friction forces to look between, N; from 0 to where the contact is stuck if left out.
-        :param harmonics: of recordings also the odd harmonics up to this one.
-        :raises MeasureError: for recordings that tell nothing, a unit that is wrong by a power of 1000, and motions that no
-            friction explains.
+        :param by: quantities to compare: "both", "amplitude" or "phase".  By default those that were measured.
+        :param of: names of the masses to use.  By default all that were measured.
+        :param also: further unknowns to fit: "damping", "frequency" (a factor on all natural frequencies) or
+            "stiction".
+        :param between: range of friction forces to search, N.  By default from 0 to where the contact is stuck.
+        :param harmonics: order up to which the odd harmonics of recordings are used too.
+        :raises MeasureError: for recordings that cannot be used, a unit that is wrong by a power of 1000, and motions
+            that no friction force explains.
         """
         items = [item._told if isinstance(item, Observation) else item._native for item in _listed(measured)]
         once, columns, system = _native.identify(
@@ -80,14 +82,17 @@ class Measuring(Base):
         deviation: Mapping[str, ArrayLike] | None = None,
         damping: bool = False,
     ) -> Fit:
-        """Frequencies, masses and springs from a sweep without friction, of a system that is driven by its base.
+        """Fits natural frequencies, mass and stiffness ratios to a sweep without friction.
 
-        :param sweep: what :meth:`transmissibility` answered, or a CSV with `frequency_Hz`, `NAME.transmissibility` and
+        The base drives the system.  The sweep is given by `sweep`, or by `hz` and `transmissibility`.
+
+        :param sweep: answer of :meth:`transmissibility`, or a CSV with `frequency_Hz`, `NAME.transmissibility` and
             `NAME.deviation`: a path, or a file opened for reading text.
-        :param hz: or frequencies, Hz,
-        :param transmissibility: and the amplitude of each mass over that of the base, by its name,
-        :param deviation: and the standard deviations of those; without them errors count as equal parts of amplitudes.
-        :param damping: look also for one damping ratio of all modes.
+        :param hz: frequencies of the sweep, Hz.
+        :param transmissibility: amplitude of each mass over that of the base at these frequencies, by the mass's name.
+        :param deviation: standard deviations of the transmissibilities, by the mass's name.  Without them all
+            amplitudes have the same relative error.
+        :param damping: whether to fit also one damping ratio for all modes.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -120,10 +125,12 @@ class Measuring(Base):
     def free_decay(
         self, recording: Recording, *, damping: float | None = None, find_damping: bool = False
     ) -> FreeDecay:
-        """Friction, natural frequency and damping from a free vibration of the only mass: pulled and released.
+        """Finds friction, natural frequency and damping from a free vibration of a system with one mass.
 
-        :param damping: the damping ratio, if it is another than the description's.
-        :param find_damping: look for it, also where the description has one.
+        The mass is pulled and released.
+
+        :param damping: damping ratio, if it differs from that of the description.
+        :param find_damping: whether to fit the damping ratio, even if the description has one.
 
         >>> import frictiongen, numpy
         >>> plate = frictiongen.System('''struct Plate {
@@ -141,7 +148,7 @@ class Measuring(Base):
 
 
 def _listed(given: Any, *kinds: type) -> list[Any]:
-    """One, or several, of the right kind."""
+    """Returns a list of one or several items of the right type."""
     kinds = kinds or (Recording, Observation)
     needed = " or ".join(kind.__name__ for kind in kinds)
     if isinstance(given, kinds):

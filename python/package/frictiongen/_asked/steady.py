@@ -1,4 +1,4 @@
-"""Questions over frequency and friction."""
+"""Methods over frequency and friction."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Steady(Base):
-    """Limits, responses, steady states, curves and maps."""
+    """Methods for limits, responses, steady states, curves and maps."""
 
     __slots__ = ()
 
@@ -28,12 +28,12 @@ class Steady(Base):
         base: float | None = None,
         estimates: bool = False,
     ) -> Limits:
-        """The limits of continuous motion and of sliding over frequency, exact.
+        """Computes the exact limits of continuous motion and of sliding over frequency.
 
-        A tuple (from, to) is a band, which 161 frequencies cover; a list or an array has the frequencies.
+        A tuple (from, to) is a band, which 161 frequencies cover.  A list or an array has the frequencies themselves.
 
-        :param estimates: also `continuous_limit_without_search`, never too small, and `continuous_limit_per_mode`, never
-            too large.
+        :param estimates: whether to compute also `continuous_limit_without_search`, which is never too small, and
+            `continuous_limit_per_mode`, which is never too large.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -52,7 +52,9 @@ class Steady(Base):
         force: float | None = None,
         base: float | None = None,
     ) -> Limits:
-        """The shortest way to both limits: `sliding_limit` is exact, `continuous_limit_without_search` never too small.
+        """Computes both limits in the shortest time, without a search.
+
+        `sliding_limit` is exact.  `continuous_limit_without_search` is never too small.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -77,13 +79,13 @@ class Steady(Base):
         of: str | Iterable[str] | None = None,
         harmonics: int | None = None,
     ) -> Response:
-        """Regime, amplitudes and phases over frequency and friction: closed form, steady state with stops, or stuck.
+        """Computes regime, amplitudes and phases over frequency and friction, in every regime.
 
-        Frequencies and frictions may each be a number, a list or an array, or a band (from, to), which 161 frequencies or 81
-        frictions cover.  The answer has the shape of the frequencies followed by that of the frictions.
+        Frequencies and frictions may each be a number, a list or an array, or a band (from, to), which 161 frequencies
+        or 81 frictions cover.  The answer has the shape of the frequencies followed by that of the frictions.
 
-        :param of: only these motions: masses, or `contact`; all if left out.
-        :param harmonics: also the harmonics X1, X3, ... up to this one.
+        :param of: names of the motions to return: masses, or `contact`.  By default all.
+        :param harmonics: the order up to which the harmonics X1, X3, ... are returned too.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -112,9 +114,11 @@ class Steady(Base):
         of: str | Iterable[str] | None = None,
         harmonics: int | None = None,
     ) -> Orbit:
-        """The steady state that is reached from rest, at one frequency and one friction: its stops, its stability.
+        """Computes the steady state that motion from rest reaches, at one frequency and one friction.
 
-        :param harmonics: also the harmonics X0, X1, ... up to this one.
+        The answer has its stops and its stability.
+
+        :param harmonics: the order up to which the harmonics X0, X1, ... are returned too.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -141,12 +145,12 @@ class Steady(Base):
         of: str | Iterable[str] | None = None,
         harmonics: int | None = None,
     ) -> list[Orbit]:
-        """Every steady state at one frequency and one friction that is found from a fixed list of starts.
+        """Computes every steady state at one frequency and one friction that a fixed list of starts leads to.
 
-        The starts are rest, the stuck contact, the closed form and motions at neighbouring frictions.  `from_rest` says
-        which state motion from rest ends in.  With stiction 1 there is one state, or one continuum.
+        The starts are rest, the stuck contact, the closed form and motions at neighbouring frictions.  `from_rest`
+        marks the state that motion from rest reaches.  With stiction 1 there is one state, or one continuum.
 
-        :param harmonics: also the harmonics X0, X1, ... up to this one.
+        :param harmonics: the order up to which the harmonics X0, X1, ... are returned too.
 
         >>> import frictiongen
         >>> block = frictiongen.System('''struct Block {
@@ -175,14 +179,15 @@ class Steady(Base):
         rates: bool = False,
         start: str | Iterable[str] = "rest",
     ) -> Curve:
-        """Responses along frequency from one end of a band (from, to) to the other, refined where they bend.
+        """Computes responses along frequency over a band (from, to), with more points where a curve bends.
 
-        :param accuracy: how far a straight line between neighbours may stray, relative to the curve; 5e-4 if left out.
-        :param step: how far apart neighbours are at most, in the unit of the frequency.
-        :param harmonics: also the harmonics X1, X2, ... up to this one.
-        :param rates: also the largest velocities and accelerations.
-        :param start: "rest", and each point starts from rest; "up" or "down", and each point starts from the state of the
-            point before, as in a sweep of a laboratory; or several of the three.
+        :param accuracy: largest distance of the curve from straight lines between its points, relative to the curve.
+            5e-4 by default.
+        :param step: largest distance between neighbouring points, in the unit of the frequency.
+        :param harmonics: the order up to which the harmonics X1, X2, ... are returned too.
+        :param rates: whether to return also the largest velocities and accelerations.
+        :param start: "rest", "up", "down" or several of them.  With "rest" each point starts from rest.  With "up" or
+            "down" each point starts from the state of the previous point, as in a frequency sweep in a laboratory.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -213,9 +218,10 @@ class Steady(Base):
         base: float | None = None,
         of: str | Iterable[str] | None = None,
     ) -> Map:
-        """What the contact does at every pair of a frequency and a friction, on all cores.
+        """Computes the regime of the contact at every pair of a frequency and a friction, on all cores.
 
-        A tuple (from, to) is a band, which 161 frequencies or 81 frictions cover; a list or an array has the points.
+        A tuple (from, to) is a band, which 161 frequencies or 81 frictions cover.  A list or an array has the points
+        themselves.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)
