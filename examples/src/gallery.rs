@@ -12,15 +12,15 @@ pub struct Entry {
     pub title: Label,
     /// What is seen, and the parameters.
     pub caption: Label,
-    /// Whether there are data beside it.
-    pub data: bool,
 }
 
 /// The page of a chapter: what it holds, then each figure.  The captions stand in the pictures, and for those who do not see
 /// them beside these.
 #[must_use]
 pub fn page(number: u32, title: &str, entries: &[Entry]) -> String {
-    let mut page = format!("# Chapter {number}: {title}\n\n[Gallery](../GALLERY.md)\n\n");
+    let mut page = format!(
+        "# Chapter {number}: {title}\n\n[Gallery](../GALLERY.md)\n\n`scripts/chapters` also writes the numbers of each figure, as CSV next to the picture.\n\n"
+    );
     // Writing to a string cannot fail.
     for Entry { number, title, .. } in entries {
         let anchor = number.replace('.', "");
@@ -37,9 +37,6 @@ pub fn page(number: u32, title: &str, entries: &[Entry]) -> String {
              <picture><source media=\"(max-width: 600px)\" srcset=\"narrow/figure-{number}.svg\">\
              <img src=\"figure-{number}.svg\" alt=\"{alt}\"></picture>\n"
         );
-        if entry.data {
-            let _ = write!(page, "\n[Data](figure-{number}.csv)\n");
-        }
     }
     page
 }
@@ -80,7 +77,6 @@ mod tests {
             number: "2.4".to_owned(),
             title: "*X̄* [mm]".into(),
             caption: "*β* < \"1\"".into(),
-            data: false,
         };
         let page = page(2, "Walls", &[entry]);
         assert!(page.contains("- [2.4](#figure-24): <i>X̄</i> [mm]\n"));

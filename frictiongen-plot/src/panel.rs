@@ -11,7 +11,7 @@ use crate::svg::Canvas;
 use crate::text::Style;
 
 /// Largest distance of a curve from its drawn line, in pixels.
-const TOLERANCE: f64 = 0.02;
+const TOLERANCE: f64 = 0.05;
 const NOTE: f64 = 13.5;
 
 /// Draws a panel, and adds the visible layers to the legend.

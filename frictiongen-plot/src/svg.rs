@@ -177,7 +177,7 @@ mod tests {
             1.0,
             "",
         );
-        assert!(canvas.body.contains("d=\"M0 0 2 2\""), "{}", canvas.body);
+        assert!(canvas.body.contains("d=\"M0 0l2 2\""), "{}", canvas.body);
         canvas.text(
             &Label::new("x"),
             (f64::NAN, 1.0),

@@ -3,23 +3,49 @@
 use crate::geometry::Point;
 use std::fmt::Write as _;
 
-/// Returns the data of a path.
+/// Returns the data of a path, in steps from point to point: half as long as absolute coordinates.
 pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
     let mut data = String::new();
     for line in lines.iter().filter(|line| 1 < line.len()) {
         let mut last = None;
         for (x, y) in line.iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
-            let (x, y) = (number(*x), number(*y));
-            if last.as_ref() == Some(&(x.clone(), y.clone())) {
-                continue;
+            // Steps between rounded points do not collect their roundings.
+            let (x, y) = (hundredths(*x), hundredths(*y));
+            match last {
+                None => {
+                    let _ = write!(data, "M{} {}", number(x / 100.0), number(y / 100.0));
+                }
+                Some((last, _)) if last == (x, y) => continue,
+                Some(((last_x, last_y), first)) => {
+                    // A minus sign separates numbers by itself.
+                    let back = if x < last_x { "" } else { " " };
+                    data.push_str(if first { "l" } else { back });
+                    step(&mut data, (x - last_x) / 100.0);
+                    data.push_str(if y < last_y { "" } else { " " });
+                    step(&mut data, (y - last_y) / 100.0);
+                }
             }
-            // Pairs of coordinates after the first one are lines.
-            let _ = write!(data, "{}{x} {y}", if last.is_none() { "M" } else { " " });
-            last = Some((x, y));
+            last = Some(((x, y), last.is_none()));
         }
         data.push_str(end);
     }
     data
+}
+
+/// Appends a number without the zero before its point.
+fn step(data: &mut String, value: f64) {
+    let text = number(value);
+    match text.split_once("0.") {
+        Some((sign @ ("" | "-"), rest)) => {
+            let _ = write!(data, "{sign}.{rest}");
+        }
+        _ => data.push_str(&text),
+    }
+}
+
+/// Rounds to hundredths of a pixel, as an integer.
+fn hundredths(value: f64) -> f64 {
+    (value * 100.0).round()
 }
 
 /// Formats a finite number with at most two decimals and without trailing zeros.
@@ -54,7 +80,49 @@ pub(crate) fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{escaped, number};
+    use super::{data, escaped, number};
+
+    /// The points of a path, added up as a reader of SVG does.
+    fn read(path: &str) -> Vec<(f64, f64)> {
+        let (start, steps) = path.split_once('l').expect("steps");
+        let spaced = steps.replace('-', " -");
+        let numbers = |text: &str| -> Vec<f64> {
+            let words = text.trim_start_matches('M').split_whitespace();
+            words.map(|word| word.parse().expect("a number")).collect()
+        };
+        let mut place = (0.0, 0.0);
+        let pairs = [numbers(start), numbers(&spaced)].concat();
+        let add = |pair: &[f64]| {
+            place = (place.0 + pair[0], place.1 + pair[1]);
+            place
+        };
+        pairs.chunks(2).map(add).collect()
+    }
+
+    #[test]
+    fn a_path_leads_through_its_points() {
+        let wave = |i: i32| {
+            (
+                0.31 * f64::from(i),
+                90.0 + 70.0 * (0.1 * f64::from(i)).sin(),
+            )
+        };
+        let line: Vec<_> = (0..500).map(wave).collect();
+        let path = data(&[line.clone()], "");
+        let found = read(&path);
+        assert_eq!(found.len(), line.len());
+        for (found, point) in found.iter().zip(&line) {
+            // Half a hundredth of a pixel from the rounding of the point itself, whatever its place in the path.
+            let off = (found.0 - point.0).abs().max((found.1 - point.1).abs());
+            assert!(off <= 0.005 + 1e-9, "{found:?} {point:?}");
+        }
+        // Points that round to one place make no line.
+        assert_eq!(data(&[vec![(1.0, 2.0), (1.001, 2.0)]], "Z"), "M1 2Z");
+        assert_eq!(
+            data(&[vec![(1.0, 2.0), (0.5, 1.75), (2.0, 3.0)]], ""),
+            "M1 2l-.5-.25 1.5 1.25"
+        );
+    }
 
     #[test]
     fn numbers_are_short_and_finite() {

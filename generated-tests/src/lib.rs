@@ -23,6 +23,11 @@ pub struct DeskPage;
 #[doc = include_str!("../../docs/measure.md")]
 pub struct MeasurePage;
 
+/// And that of `docs/stepper.md`.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/stepper.md")]
+pub struct StepperPage;
+
 /// And that of `docs/start.md`.
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/start.md")]

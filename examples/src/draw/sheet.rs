@@ -15,7 +15,6 @@ pub fn save(figure: &Figure, album: &mut Album) -> Result<(), Box<dyn Error>> {
         number: figure.number.clone(),
         title: figure.title.clone(),
         caption: figure.caption.clone(),
-        data: !figure.panels.is_empty(),
     });
     let narrow = figure.clone().narrow();
     #[cfg(feature = "png")]
