@@ -1,5 +1,5 @@
-//! Every answer against the scene it was asked of: by how many roundings of masses, springs, damping, r, β and τ
-//! it is the exact one.
+//! Backward error of every answer: the number of roundings of masses, springs, damping, r, β and τ for which the answer
+//! is exact.
 
 mod asked;
 mod extremes;
