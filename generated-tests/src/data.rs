@@ -120,7 +120,7 @@ impl<'a, S: Float> DataAt<'a, S> {
         &self.scene().chain
     }
 
-    /// Reads the sum Σ m(1 + g)p + mu(cos τ − p′) at the instant τ. S is the maximum of this sum over sin τ.
+    /// Reads the sum Σ m(1 + g)p + mu(cos τ − p′) at the instant τ. S is the maximum of this sum divided by sin τ.
     fn at_instant<T>(&self, tau: S, read: impl Fn(&Sum<'_, S, Damped<S>>, &Instant<S>) -> T) -> T {
         let modes = self.scene().modes.iter().zip(self.modes());
         let part = |(mode, at): (&Mode<S>, &ModeAt<S>)| {

@@ -63,7 +63,7 @@ fn harmonics_to_the_third_power_of_the_step() {
     }
 }
 
-/// Each order that is a multiple of a third has its amplitude.
+/// With a period of three cycles, every order that is a multiple of 1/3 has its exact component.
 #[test]
 fn subharmonics() {
     let system = system(

@@ -55,7 +55,7 @@ fn wrong_units_and_other_motions() {
             using,
             ..IdentifyRequest::default()
         };
-        // An amplitude alone may be as small as any. The previous test covers it.
+        // With an amplitude alone a small value is only doubted, which the previous test checks.
         let factors: &[f64] = if using == Using::Amplitude {
             &[1e3]
         } else {

@@ -32,10 +32,10 @@ const SCENES: [(&str, &[(f64, f64)]); 4] = [
     ),
 ];
 
-/// An event: its time, the event, the contact's state before it, and the state of the masses.
+/// An event: its time, the event, the contact's state before it, and the displacements of the masses.
 type Happened<S> = (f64, Event, Contact, Vec<S>);
 
-/// Returns the events up to `until` in τ and the final state, in a run that advances by `step`.
+/// Returns the events up to `until` in τ and the final displacements, in a run that advances by `step`.
 fn events<S: Plain>(
     system: &System<S>,
     (r, beta): (f64, f64),

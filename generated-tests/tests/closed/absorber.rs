@@ -122,7 +122,7 @@ const EXACT: f64 = 2e-15;
 fn three_masses_at_the_absorbers_frequency() {
     let system: System = THREE.parse().expect("a valid scene");
     let exact: System<Dd> = THREE.parse().expect("a valid scene");
-    // There are 33 places, each with a limit and three complex amplitudes.
+    // There are 33 frequencies, each with a limit and three complex amplitudes.
     for (compared, _) in [
         check(&Three, 1.0, three, DOUBLE),
         check(&system, 1.0, three, DOUBLE),

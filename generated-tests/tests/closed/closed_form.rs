@@ -63,7 +63,7 @@ fn run_time_system() {
     all_within(&worst, DOUBLE);
 }
 
-/// Bar for the wedges, in units of a quantity's scale: 64 roundings of ε = 2⁻⁵².
+/// Tolerance for the wedges, in units of a quantity's scale: 64 roundings of ε = 2⁻⁵².
 ///
 /// The scale is the value itself. For displacements and harmonics it is the amplitude of their mass, for a stuck
 /// response the largest of its scene, for a phase one radian.
@@ -117,10 +117,10 @@ fn emitted_wedges() {
     }
 }
 
-/// Bar in double-double: half a unit of the reference's 20th digit, 5e-20, and as much again for the comparison.
+/// Tolerance in double-double: half a unit of the reference's 20th digit, 5e-20, and as much again for the comparison.
 const DIGITS: f64 = 1e-19;
-/// Bar for phases in double-double. The reference has the instant of a maximum to fewer digits than its height, 1e-16.
-/// (Scene 31, r = 0.445156, mass 3 is the worst. In 50 digits its phase is −3.113282548776704094, not …4180.)
+/// Tolerance for phases in double-double. The reference has the instant of a maximum to fewer digits than its height,
+/// 1e-16. (Scene 31, r = 0.445156, mass 3 is the worst. In 50 digits its phase is −3.113282548776704094, not …4180.)
 const PLACES: f64 = 2e-16;
 
 /// The formulas in double-double, which are the reference of other tests, agree with the JSON file to its digits.
@@ -191,7 +191,7 @@ fn emitted_single() {
     for (index, scene) in compare_single(&closed_form()).into_iter().enumerate() {
         let failed = scene.beyond(|_| SINGLE);
         if ILL_CONDITIONED.contains(&(index + 1)) {
-            // Five times the bar is still enough there.
+            // Five times the tolerance is enough there.
             assert_eq!(scene.beyond(|_| 5.0 * SINGLE), Vec::<String>::new());
             ill.join(scene);
         } else if failed.is_empty() {

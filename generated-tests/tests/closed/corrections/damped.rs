@@ -101,7 +101,7 @@ fn eq_7_33() {
     states("eq_7_33", &[(printed, 4), (right, 4)]);
 }
 
-/// Returns the term of one mode in the velocity constraint, over sin τ, by the corrected (7.38).
+/// Returns the term of one mode in the velocity constraint, divided by sin τ, by the corrected (7.38).
 fn constraint(big_r: f64, zeta: f64, tau: f64) -> f64 {
     let ((u, g), (_, q)) = (u_g(big_r, zeta), d_q(big_r, zeta, tau));
     let root = (1.0 - zeta * zeta).sqrt();

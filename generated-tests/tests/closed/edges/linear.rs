@@ -9,7 +9,7 @@ use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::modal::Modal;
 
-/// Bar, in roundings of each term of the sum and of the frequency ratio in it.
+/// Tolerance, in roundings of each term of the sum and of the frequency ratio in it.
 const BAR: f64 = 8.0;
 
 /// A sum of receptances, with its sensitivity to a relative change of each term, of each √λ and of r.

@@ -10,12 +10,12 @@ use frictiongen_kernel::number::dd::Dd;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// Bar for |error| / (2^-52 × Σ|x ∂f/∂x|), with the sum over the description.
+/// Tolerance for |error| / (2^-52 × Σ|x ∂f/∂x|), with the sum over the description.
 const BAR: f64 = 64.0;
-/// Bar with the sum over the modal data: half a rounding of each number, and the rounding of the sums.
+/// Tolerance with the sum over the modal data: half a rounding of each number, and the rounding of the sums.
 const OF_THE_DATA: f64 = 4.0;
 
-/// An error in roundings, by each condition, and its place.
+/// An error in roundings, by each condition, and the scene and point where it occurs.
 struct Error {
     asked: Asked,
     by_scene: f64,

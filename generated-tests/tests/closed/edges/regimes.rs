@@ -13,7 +13,7 @@ use frictiongen::{
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::shown;
 
-/// Bar in roundings of each input, as for every other answer.
+/// Tolerance in roundings of each input, as for every other answer.
 const BAR: f64 = 64.0;
 
 /// Returns the undamped resonances that the load drives.

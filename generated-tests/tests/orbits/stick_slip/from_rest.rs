@@ -145,7 +145,7 @@ fn answered(orbit: &SystemOrbit<'_>, masses: usize) -> Settled {
     }
 }
 
-/// Judges one place. Returns the kind of its state, or the difference of answer and run.
+/// Judges one point (r, β). Returns the kind of its state, or the difference of answer and run.
 fn judged(system: &System, at: &SystemAt<'_>, r: f64, beta: f64) -> (&'static str, String) {
     let masses = system.scene().masses.len();
     let plain = Plain::new(system.scene(), r, beta);

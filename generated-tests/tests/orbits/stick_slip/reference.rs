@@ -4,7 +4,7 @@
 use frictiongen::System;
 use serde_json::Value;
 
-/// Bar of the comparison. The reference's own error is some 1e-10 where a contact hardly moves.
+/// Tolerance of the comparison. The reference's own error is some 1e-10 where a contact hardly moves.
 const TOLERANCE: f64 = 1e-8;
 
 fn number(value: &Value) -> f64 {

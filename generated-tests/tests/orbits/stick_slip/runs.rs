@@ -7,8 +7,8 @@ use frictiongen::kernel::simulation::{Contact, Event};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// Bar of the comparison. Both sides round the time of an event to some 1e-15 over the slope of the function there, and
-/// each event inherits the error of the last one. The bar is twenty times the resulting error.
+/// Tolerance of the comparison. Both sides round the time of an event to some 1e-15 over the slope of the function
+/// there, and each event inherits the error of the last one. The tolerance is twenty times the resulting error.
 const TOLERANCE: f64 = 1e-10;
 
 fn numbers(value: &Value) -> Vec<f64> {
@@ -16,7 +16,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     list.iter().map(number).collect()
 }
 
-/// Collects the largest error of each kind, relative to the scale of its bar.
+/// Collects the largest error of each kind, relative to the scale of its kind.
 fn compare(expected: &Value, worst: &mut BTreeMap<&'static str, (f64, String)>) -> (usize, usize) {
     let text = expected["description"].as_str().expect("text");
     let (r, beta) = (number(&expected["r"]), number(&expected["beta"]));

@@ -113,7 +113,7 @@ fn short_steps() {
     assert!(worst < 1e-13, "{worst:e}");
 }
 
-/// Runs of 10⁵ steps with more than 10⁴ events keep the bar.
+/// Runs of 10⁵ steps with more than 10⁴ events stay within the tolerance.
 #[test]
 #[ignore = "minutes"]
 fn long() {

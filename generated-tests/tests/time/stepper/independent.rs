@@ -42,7 +42,8 @@ pub fn loads(scene: &Scene, seed: u64, dt: f64) -> impl FnMut() -> Load {
     }
 }
 
-/// Bar of the comparison. Both sides round each step, but friction removes old errors, so that roundings do not add up.
+/// Tolerance of the comparison. Both sides round each step, but friction removes old errors, so that roundings do not
+/// add up.
 const BAR: f64 = 3e-14;
 
 fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {

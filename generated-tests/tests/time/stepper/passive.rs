@@ -85,7 +85,7 @@ fn all(steps: u32, single: f64, double: f64) {
     }
 }
 
-/// Without a load the energy drifts by less than the bars, in both precisions.
+/// Without a load the energy drifts by less than the tolerances, in both precisions.
 #[test]
 fn without_load() {
     all(1_000_000, 3e-4, 1e-12);
@@ -141,7 +141,7 @@ fn under_load() {
         let declared = Declared::stepper(Declared::STEP).expect("its step");
         let held = [from(&hold), drift(declared, energy, 500_000, load)];
         // The work of a piecewise linear force has weights of its own. Their rounding adds up to 2e-9 of the energy a
-        // step, so its bar is wider.
+        // step, so its tolerance is wider.
         let straight = from(&linear);
         println!("{name}: {held:?}, in straight lines {straight:?}");
         assert!(
