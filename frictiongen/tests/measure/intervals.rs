@@ -69,7 +69,7 @@ fn from_recordings() {
 }
 
 /// Intervals from several frequencies and both masses together. The scatter of the residuals then also enters the
-/// intervals.
+/// interval.
 #[test]
 fn from_several_frequencies() {
     let frame: System = "struct Frame {

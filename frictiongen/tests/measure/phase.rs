@@ -11,8 +11,8 @@ fn by(using: Using) -> IdentifyRequest {
     }
 }
 
-/// The size of the motion, of any order of magnitude, changes neither the force nor its interval. The same motion with
-/// a wrong size is refused where sizes count.
+/// The size of the motion, of any order of magnitude, changes neither the force nor its interval. `Using::Phase` also
+/// uses the size, and refuses one that is wrong by 10⁴.
 #[test]
 fn no_size_counts() {
     let system = rig("");

@@ -27,8 +27,8 @@ fn identified(scene: &System, seen: &[Observation]) -> Identified {
     scene.identify(seen, &IdentifyRequest::default()).unwrap()
 }
 
-/// Asserts the verdict `NotExplained`. The friction force is then wrong by far more than an interval without the wider
-/// residuals.
+/// Asserts the verdict `NotExplained`. The error of the friction force is then far larger than an interval that the
+/// residuals do not widen.
 fn unexplained(what: &str, found: &Identified) {
     println!(
         "{what}: {} N [{}, {}], misfit {:?}: {}",

@@ -214,8 +214,7 @@ fn a_contact_turned_round() {
     assert!(compared > 90 && stops > 20);
 }
 
-/// The phase of the motion with the opposite sign lies half a turn apart, and both phases lie in (−π, π]. The reversed
-/// phase of 0 is π.
+/// Reversing a motion shifts its phase by half a turn. Both phases lie in (−π, π], so the reversed phase of 0 is π.
 #[test]
 fn a_reversed_phase_stays_in_its_turn() {
     for (lag, expected) in [(0.0, PI), (PI, 0.0), (0.5, 0.5 - PI), (-0.5, PI - 0.5)] {

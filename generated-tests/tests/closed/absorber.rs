@@ -109,9 +109,9 @@ where
     (compared, worst)
 }
 
-/// Tolerance in double precision. The quotient loses a rounding over the distance, and the series the fourth power of
-/// the distance. Both errors are equal at the fourth root of a rounding, where a quarter of the digits and a small
-/// factor are lost.
+/// Tolerance in double precision. The quotient loses a rounding divided by the distance from the absorber's frequency.
+/// The series loses the fourth power of that distance. Both losses are equal at the fourth root of a rounding, where a
+/// quarter of the digits and a small factor are lost.
 const DOUBLE: f64 = 1e-11;
 const SINGLE: f64 = 1e-4;
 /// Tolerance in double-double. Three quarters of 31 digits would be 1e-23, but the exact values are in double

@@ -23,8 +23,8 @@ const DOUBLE: f64 = 1e-12;
 const SINGLE: f64 = 2e-4;
 /// Numbers of the scenes whose points lose too many digits for 2e-4 in single precision.
 ///
-/// They have far masses above the resonances (11, 20), or limits near a subharmonic, where the rounding of r and λ to
-/// single precision alone changes the limits by more (30).
+/// They have far masses above the resonances (11, 20) or limits near a subharmonic (30). There the rounding of r and λ
+/// to single precision alone changes the limits by more than 2e-4.
 const ILL_CONDITIONED: [usize; 3] = [11, 20, 30];
 
 /// Number of values of each kind in the reference: 38 scenes with 141 masses in total, three points each, and two

@@ -29,8 +29,8 @@ pub struct Scene {
     pub mu: f64,
 }
 
-/// Returns the largest argument for which a condition is true, by bisection between one for which it is and one for
-/// which it is not.
+/// Returns the largest argument for which a condition is true. Bisection starts from an argument for which it is true
+/// and one for which it is false.
 pub fn bisect(holds: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
     assert!(!holds(high), "it still holds at {high}");
     for _ in 0..40 {

@@ -21,7 +21,8 @@ const MASSES: usize = 5;
 const FASTEST: f64 = 60.0;
 /// Relative step of a difference, whose error is of the order of its square.
 const STEP: f64 = 1e-7;
-/// Largest Floquet multiplier. With a multiplier nearer to 1 the motion from rest hardly reaches the steady state.
+/// Largest Floquet multiplier of a judged place. With a multiplier nearer to 1 the motion from rest hardly reaches the
+/// steady state.
 const SLOW: f64 = 0.999;
 
 /// Largest fraction of places above the bar. A steady state collects the rounding of many events.

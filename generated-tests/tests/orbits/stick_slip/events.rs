@@ -52,7 +52,8 @@ fn run(text: &str, r: f64, beta: f64, per_cycle: u64) {
     println!("{events} events compared, none skipped, worst {worst:e}");
     // The number of cycles must belong to exactly this number of events.
     assert_eq!(run.run().cycles() - from, EVENTS / per_cycle, "{text}");
-    // The last event must be as exact as the first. Stops at which the velocity grazes zero have half the digits.
+    // The last event must be as exact as the first. Stops that the velocity reaches with zero slope are known to half
+    // the digits.
     assert!(worst < 1e-9, "{text}: {worst:e}");
 }
 

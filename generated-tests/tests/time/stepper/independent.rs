@@ -89,7 +89,7 @@ fn any_load() {
 }
 
 /// The base jumps, with a velocity at each sample or without one. With linear input its cubic bends within a step. With
-/// held input it leaves a contact behind, which may stay stuck.
+/// held input the base jumps away from its contact, which may stay stuck.
 #[test]
 fn jumping_base() {
     for text in [BASE, ONE_ON_BASE, WALL_BASE] {

@@ -214,8 +214,8 @@ fn more_scenes_at_random() {
 }
 
 /// With many masses and every mode critically damped, the poles of the chain with a stuck contact crowd between double
-/// roots. Every motion in time refuses a scene that would lose half of its digits, with the same name. An accepted
-/// scene keeps its digits.
+/// roots. All functions for motion in time refuse a scene that would lose half of its digits, with the same argument
+/// name. An accepted scene keeps its digits.
 #[test]
 fn critical_damping_of_many_masses() {
     let mut refused = Vec::new();

@@ -7,8 +7,8 @@ use frictiongen::System;
 
 const ALL: [&str; 7] = [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE, TEN];
 
-/// Returns the difference of two runs over some cycles, relative to the largest displacement and velocity, and the
-/// number of events of each.
+/// Returns the largest difference of two runs over some cycles, relative to the largest displacement or velocity, and
+/// the number of events in each run.
 fn apart(
     one: (&System, f64, f64),
     other: (&System, f64, f64),

@@ -85,8 +85,8 @@ fn from_a_state() {
     assert_eq!(compared, 66);
 }
 
-/// Under a sampled cosine the difference from the stepper falls with the square of the step, because straight lines
-/// neglect h²/8.
+/// The stepper under a sampled cosine differs from the run by the square of its step, because straight lines between
+/// samples miss h²/8 of the cosine.
 #[test]
 fn beside_the_stepper() {
     let mut compared = 0;

@@ -24,7 +24,8 @@ const PER_MODE: u64 = 256;
 const EVERY_MASS: u64 = 16;
 /// Largest rounding of r in an angle of the fastest mode. Beyond it no digit of U and S is known.
 const SLOW: f64 = 1e-3;
-/// Largest relative loss of V. Beyond it no digit is known of a motion whose phase counts from the contact's.
+/// Largest fraction of V that may be rounding. With more rounding no digit is known of a mass's motion, because its
+/// phase counts from the contact's.
 const LOST: f64 = 1e-2;
 
 /// A place whose answers are to be judged.

@@ -156,7 +156,7 @@ impl Plain {
         let radians = dt * self.chain.rate(input.friction);
         let parts = (radians / PART).ceil().max(1.0);
         self.order = order(radians / parts);
-        // A base that jumps leaves the masses behind. A base that continues at another speed may reverse the contact.
+        // A jump of the base does not move the masses. A jump of its velocity may reverse the contact.
         let [z, rate] = self.relative([input.base[0], input.base[1]]);
         self.held_at = z;
         let jump = (input.base[1] - self.base_rate).abs();
