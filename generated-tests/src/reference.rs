@@ -361,8 +361,8 @@ fn compare_mass<S: Float>(
     }
 }
 
-/// Compares a system with every value of one scene of `extremes.json`. A point of that file may lack its continuous
-/// limit or its motions, at both bounds of the range and where r is too small for a search.
+/// Compares a system with every value of one scene of `extremes.json`. At both bounds of the range, and where r is too
+/// small for a search, a point may lack its continuous limit or its motions.
 pub fn compare_extremes<S: Float, F: FrictionSystem<Scalar = S>>(
     system: &F,
     reference: &Value,

@@ -117,8 +117,8 @@ fn a_damped_storey_with_its_damping() {
     assert!((fit.reference.value / NATURAL - 1.0).abs() < 1e-3);
 }
 
-/// The rig of chapter 6: the amplitude of the lower mass alone (6.15) gives γ and κ within 0.1 % at 40 dB, also from
-/// distant starts.
+/// The rig of chapter 6: the amplitude of the lower mass alone (6.15) gives γ and κ within 0.1 % at 40 dB. Distant
+/// starts give the same.
 #[test]
 fn two_storeys_from_one_mass() {
     let mut noise = Noise::new(4);

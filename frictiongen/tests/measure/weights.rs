@@ -69,8 +69,8 @@ fn a_misfit_widens_the_interval() {
     }
 }
 
-/// Errors of the load alone: its amplitude is wrong by 0.3 % and its phase by 0.003 rad, which turns the third harmonic
-/// by three times that. All motions share these errors, and the friction ratio also contains the amplitude.
+/// Errors of the load alone. Its amplitude is wrong by 0.3 % and its phase by 0.003 rad, which turns the third harmonic
+/// by 0.009 rad. All motions share these errors, and the friction ratio also contains the amplitude.
 #[test]
 fn errors_of_the_load() {
     const WRONG: f64 = 0.003;

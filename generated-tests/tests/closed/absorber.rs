@@ -137,8 +137,8 @@ fn three_masses_at_the_absorbers_frequency() {
     );
 }
 
-/// In a chain of five unit masses with the contact in the middle, the two masses beyond it have the golden ratio and
-/// its reciprocal as frequency ratios.
+/// Five unit masses with the contact in the middle. The frequency ratios of the two masses beyond it are the golden
+/// ratio and its reciprocal.
 #[test]
 fn two_masses_beyond_the_contact() {
     let system: System = FIVE.parse().expect("a valid scene");

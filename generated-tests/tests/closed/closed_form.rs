@@ -14,9 +14,9 @@ use generated_tests::wedges as emitted_wedges;
 
 /// Tolerance in double precision, 1e-12 of each quantity's scale, which is some 4500 roundings.
 ///
-/// A point within 1e-2 of a subharmonic costs up to three of the sixteen digits. At r far above the resonances the
-/// modal terms of a mass several springs away from load and contact cancel to 1e-4 of themselves (scene 20, mass 4, r =
-/// 5.3).
+/// A point within 1e-2 of a subharmonic costs up to three of the sixteen digits. At r far above the resonances, the
+/// modal terms of a mass several springs away from load and contact cancel to 1e-4 of their size. An example is scene
+/// 20, mass 4, r = 5.3.
 const DOUBLE: f64 = 1e-12;
 
 /// Tolerance in single precision, 2e-4 of each quantity's scale, which is some 1700 roundings.

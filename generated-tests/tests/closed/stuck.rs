@@ -54,8 +54,8 @@ friction_system! {
     }
 }
 
-/// Asserts that every mass is refused on the resonances in `invisible`, given by number, but not on the other
-/// resonances nor one rounding next to any of them. Returns the number of answers.
+/// Asserts that every mass is refused on the resonances in `invisible`, given by number. No mass may be refused on the
+/// other resonances, nor one rounding next to any resonance. Returns the number of answers.
 fn check<F>(system: &F, invisible: &[usize]) -> usize
 where
     F: FrictionSystem,

@@ -81,8 +81,8 @@ pub fn along_place<S: Float>(system: &System<S>, question: Question) -> (Dd, Dd,
     (over_r.value, over_r.slope, over_beta.slope)
 }
 
-/// Returns |r ∂f/∂r| + |β ∂f/∂β|, plus the answer's own size (a half turn for an angle), plus Σ|x ∂f/∂x| over the
-/// quantities x, each given with its value.
+/// Returns |r ∂f/∂r| + |β ∂f/∂β| + |f| + Σ|x ∂f/∂x|. For an angle a half turn replaces |f|. The sum runs over the
+/// quantities x, each of which is given with its value.
 fn over<S: Float>(system: &System<S>, question: Question, quantities: &[(Quantity, Dd)]) -> f64 {
     let (value, over_r, over_beta) = along_place(system, question);
     let own = if question.asked.is_angle() {

@@ -171,7 +171,7 @@ fn by_the_modal_data() {
     }
 }
 
-/// The error exceeds the condition of the description itself.
+/// The error should stay within the condition of the description itself, but it does not.
 #[test]
 #[ignore = "missed: modal data rounded one by one lose the scene's digits as the modes' distance falls"]
 fn by_the_scene() {

@@ -1,5 +1,6 @@
-//! The scenes of `reference/extremes.json`: near poles and subharmonics, at vanishing, critical and over-critical
-//! damping, for masses and springs spread over twelve decades, for nearly equal modes, at r = 0 and at r = ∞.
+//! The scenes of `reference/extremes.json`. Their points lie near poles and subharmonics, and at r = 0 and r = ∞. Some
+//! have vanishing, critical or over-critical damping, masses and springs spread over twelve decades, or nearly equal
+//! modes.
 
 use crate::backward::asked::{Asked, Of, Place, Watched, motion};
 use crate::backward::inputs::Exact;

@@ -2,7 +2,7 @@
 
 use crate::plain_integration::equations::Chain;
 
-/// Three masses of 2, 3 and 1.5 kg on springs of 50, 40, 60 and 20 N/m, with γ and κ by hand.
+/// Returns three masses of 2, 3 and 1.5 kg on springs of 50, 40, 60 and 20 N/m, with γ and κ by hand.
 pub fn on_wall(damped: bool) -> (Chain, &'static str) {
     let k = [[1.8, -0.8, 0.0], [-0.8, 2.0, -1.2], [0.0, -1.2, 1.6]];
     let gamma = [1.0, 1.5, 0.75];
@@ -49,8 +49,8 @@ pub fn on_wall(damped: bool) -> (Chain, &'static str) {
     )
 }
 
-/// Undamped, the second mass rubs on the moving base: masses of 0.8 and 2 kg, springs of 100 and 150 N/m, and one of 30
-/// N/m to the base. Damped, the chain has one mass.
+/// Returns a scene on the moving base. Undamped, it has masses of 0.8 and 2 kg, the second of which rubs on the base.
+/// Their springs have 100 and 150 N/m, and one of 30 N/m joins the second mass to the base. Damped, it has one mass.
 pub fn on_base(damped: bool) -> (Chain, &'static str, &'static [&'static str]) {
     if !damped {
         let chain = Chain {
@@ -97,8 +97,8 @@ pub fn on_base(damped: bool) -> (Chain, &'static str, &'static [&'static str]) {
     )
 }
 
-/// Two masses of 1 and 2 kg on springs of 10 and 15 N/m that rub on each other. The contact is written with the later
-/// mass first.
+/// Returns two masses of 1 and 2 kg on springs of 10 and 15 N/m that rub on each other. The contact is written with the
+/// later mass first.
 pub fn on_each_other(damped: bool) -> (Chain, &'static str) {
     let gamma = [1.0, 2.0, 1.0];
     let k = [[2.5, -1.5, 0.0], [-1.5, 1.5, 0.0], [0.0; 3]];

@@ -15,8 +15,8 @@ use frictiongen_kernel::number::dual::Dual;
 /// A point (r, β) of an orbit, with its number of stops, reversals and cycles of its period.
 type Place = (f64, f64, (usize, usize, u32));
 
-/// Scenes of 1, 2, 3 and 5 masses, with contacts to wall, base and mass, damped and undamped, with μ = 1 and above, and
-/// with two or more stops. The rounding of the scenes' numbers raises μ = 1 to 1.0625 in all but the first scene.
+/// Scenes of 1, 2, 3 and 5 masses, with contacts to wall, base and mass, damped and undamped. They have μ = 1 or above,
+/// and two or more stops. The rounding of the scenes' numbers raises μ = 1 to 1.0625 in all but the first scene.
 const SCENES: &[(&str, bool, &str, &[Place])] = &[
     (
         "block",

@@ -106,7 +106,7 @@ pub fn quantities(scene: &Scene) -> Vec<(Quantity, f64)> {
     all
 }
 
-/// Returns the scene with a quantity shifted by `by`, which the value must be able to take up exactly.
+/// Returns the scene with a quantity shifted by `by`. The sum must be exact in double precision.
 pub fn moved(scene: &Scene, quantity: Quantity, by: f64) -> Scene {
     let mut scene = scene.clone();
     let value = match (quantity, &mut scene.damping) {

@@ -1,5 +1,5 @@
-//! Motions exactly on the boundary between two sequences of events: the limit of sticking, a start at the break-away
-//! level, two equal maxima, a stop of zero length.
+//! Motions exactly on the boundary between two sequences of events. The cases are the limit of sticking, a start at the
+//! break-away level, two equal maxima, and a stop of zero length.
 
 use frictiongen::System;
 use frictiongen::kernel::simulation::{Contact, Event};

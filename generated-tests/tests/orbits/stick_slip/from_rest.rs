@@ -22,7 +22,7 @@ const TOLERANCE: f64 = 1e-8;
 /// Friction ratios, as factors of β*_lim.
 const FACTORS: [f64; 10] = [1.001, 1.003, 1.01, 1.02, 1.03, 1.05, 1.08, 1.12, 1.2, 1.3];
 
-/// Returns a damped chain of one to four masses, with every kind of contact.
+/// Returns a damped chain of one to four masses with a random contact.
 fn chain(random: &mut Random) -> String {
     let n = 1 + random.below(4);
     let name = |i: usize| format!("m{}", i + 1);

@@ -168,8 +168,8 @@ fn from_zero_and_back() {
     }
 }
 
-/// The phase of a contact that stops at its largest displacement is the lag of the beginning of the stop. It is
-/// continuous in β, and so is its derivative.
+/// The phase of a contact that stops at its largest displacement is the lag of the beginning of the stop. The phase is
+/// continuous in β, and its derivative agrees with differences.
 #[test]
 fn the_phase_of_a_stop() {
     let block = block();

@@ -1,6 +1,6 @@
 //! The motion from rest by dense matrix exponentials, over steps that are halved down to an event.
 //!
-//! The integrator shares no formula with the project: it uses no modes of the chain with a stuck contact, no series, no
+//! The integrator shares no formula with the project. It has no modes of the chain with a stuck contact, no series, no
 //! search with bounds and no Newton's method.
 
 use frictiongen::study::scene::{Damping, Excitation, Node, Scene};

@@ -98,8 +98,8 @@ fn none() {
     all(1_000_000);
 }
 
-/// A base moves to and fro within one step, so that the force of the wall's spring on the contact is largest in the
-/// middle and equal at both ends. Friction below that maximum slips, and friction above it does not.
+/// A base moves to and fro within one step. The force of the wall's spring on the contact is then largest in the middle
+/// of the step, and equal at both ends. Friction below that maximum slips, and friction above it does not.
 #[test]
 fn the_force_within_a_step_counts() {
     let scene = scene(

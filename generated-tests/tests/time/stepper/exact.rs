@@ -58,8 +58,8 @@ fn without_events() {
     }
 }
 
-/// With μ = 1 two motions never diverge, whatever events they have. With μ > 1 a break-away that is late by a rounding
-/// leaves the contact with another force in the meantime, until the next stop removes the difference.
+/// With μ = 1 two motions never diverge, whatever events they have. With μ > 1 a break-away may be late by a rounding.
+/// The contact then has another force until the next stop removes the difference.
 #[test]
 fn with_events() {
     for text in [WALL, BASE, PAIR, ONE, TEN] {

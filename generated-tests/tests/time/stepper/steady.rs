@@ -98,8 +98,8 @@ fn from_orbit(
     (worst, stops, orbit.stops())
 }
 
-/// With 50, 200 and 1000 steps a cycle the order is 2 for linear input, 1 for held input, and at least 2 for the cubics
-/// of the base.
+/// The runs have 50, 200 and 1000 steps a cycle. The order is 2 for linear input and 1 for held input. For the cubics
+/// of the base it is at least 2.
 #[test]
 fn tends_to_the_steady_state() {
     for (text, at, mu) in [

@@ -70,8 +70,8 @@ fn a_constant_level() {
     assert_eq!(compared, 56);
 }
 
-/// A friction force that falls to 0.8 F within a short speed v is Coulomb's law with 0.8 F and μ/0.8, up to terms of
-/// the order of v.
+/// A friction force that falls to 0.8 F within a short speed v is nearly Coulomb's law with 0.8 F and μ/0.8. The
+/// difference is of the order of v.
 #[test]
 fn a_sudden_fall() {
     let mut compared = 0;

@@ -1,11 +1,11 @@
 //! Backward error of the answers at one place: the number of roundings of the scene's inputs that makes all answers
 //! exact.
 //!
-//! The inputs are the numbers of the description (masses, springs, damping, μ) and r, β and τ. The answers are as good
-//! as their inputs allow if one scene within k roundings of each input has all of them as its exact answers, up to k
-//! roundings of each answer's own size. With exact first derivatives the smallest k is a Chebyshev fit. A few roundings
-//! away from a pole the derivatives change within a rounding of r. They are then evaluated again at the r and β to
-//! which the fit has led.
+//! The inputs are the numbers of the description (masses, springs, damping, μ) and r, β and τ. The answers have a
+//! backward error of k if they are the exact answers of one scene within k roundings of each input. Each answer may
+//! also be off by k roundings of its own size. With exact first derivatives the smallest k is a Chebyshev fit. A few
+//! roundings away from a pole the derivatives change within a rounding of r. They are then evaluated again at the r and
+//! β to which the fit has led.
 //!
 //! This module has the answers and the verdict on a place. `error` computes the error of an answer, and `linear` the
 //! equations of the fit. `turning` gives the displacements at which derivatives are evaluated again.

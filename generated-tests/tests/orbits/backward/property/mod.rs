@@ -70,8 +70,8 @@ struct Shares {
     above: f64,
     /// Places without a common displacement, all of them with a condition above 100.
     disagreeing: f64,
-    /// Places without any explanation. Either no digit of the contact's force is known, in double-double neither, or r
-    /// lies within a rounding of a resonance and this rounding decides whether the contact moves.
+    /// Places without any explanation. Either no digit of the contact's force is known, not even in double-double. Or r
+    /// lies within a rounding of a resonance, and this rounding decides whether the contact moves.
     wrong: f64,
 }
 /// In a hundred places a single one is a larger fraction than in thousands.

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 /// The equations Mẍ + Cẋ + Kx + w f = p(t) + k_base y(t), and z = wᵀx − s y.
 #[derive(Clone, Debug)]
 pub struct Chain {
-    /// Mass of each mass.
+    /// Values of the masses.
     pub m: DVector<f64>,
     pub c: DMatrix<f64>,
     pub k: DMatrix<f64>,

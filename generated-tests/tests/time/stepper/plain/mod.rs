@@ -73,8 +73,8 @@ pub struct Plain {
     pub events: u64,
     /// Contact force at the end of the last step.
     pub force: f64,
-    /// Values of the contact: z where it sticks, velocity of the base at the end of the last step, and whether the
-    /// force reached the break-away level without a slip.
+    /// Values of the contact. `held_at` is z where it sticks, `base_rate` the velocity of the base at the end of the
+    /// last step. `wedged` is set if the force reached the break-away level without a slip.
     held_at: f64,
     base_rate: f64,
     wedged: bool,
@@ -338,7 +338,7 @@ impl Plain {
             } else if c[1] < 0.0 {
                 Some(0.0)
             } else {
-                // The speed is on the edge of the line, and leaves it for this line.
+                // The speed is exactly that of a point of the law, and leaves it along this line.
                 first(&c[1..], 0.0, best.0)
             };
             if let Some(at) = found.filter(|at| *at < best.0 || best.1 == Next::End) {
