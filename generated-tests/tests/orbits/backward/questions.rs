@@ -14,8 +14,8 @@ const FAR: f64 = 1e-3;
 /// Fraction of the largest motion whose 64 roundings allow for a sum over modes. Modal data rounded once and such a sum
 /// leave a few roundings of the largest motion, and 64 roundings of this fraction are four.
 const SUM: f64 = 1.0 / 16.0;
-/// Factor on the size of a motion below [`FAR`] of the largest motion. Such a motion is nearly all a remainder of
-/// larger ones. Near a resonance of the stuck chain the remainder has hundreds of their roundings.
+/// Size of a motion below [`FAR`] of the largest motion, as a multiple of the largest. Such a motion is nearly all a
+/// remainder of larger ones. Near a resonance of the stuck chain the remainder has hundreds of their roundings.
 const LEFT: f64 = 256.0;
 /// Fraction of the largest motion below which a mass does not move, apart from rounding of double-double.
 const UNREACHED: f64 = 1e-20;

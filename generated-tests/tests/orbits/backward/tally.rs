@@ -42,7 +42,7 @@ pub struct Tally {
     pub scenes: u64,
     places: u64,
     worst: Worst,
-    /// Worst error of all answers of a place together, where the condition is at most [`ORDINARY`].
+    /// Worst error of all answers of a place together, where the condition is below [`ORDINARY`].
     together: Worst,
     /// Number of places whose answers have no common displacement.
     disagreeing: u64,
