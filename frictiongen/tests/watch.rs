@@ -1,4 +1,4 @@
-//! One frequency followed in fixed room.
+//! `Watch`: the amplitude at one frequency, followed in fixed memory.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use frictiongen::watch::{Watch, friction_ratio, transmissibility};
@@ -15,7 +15,7 @@ friction_system! {
     }
 }
 
-/// The plain sum over the last N samples.
+/// Returns the plain sum over the last N samples.
 fn direct(samples: &[f64], n: usize, cycles: f64) -> Complex<f64> {
     let from = samples.len() - n;
     let terms = samples.iter().enumerate().skip(from).map(|(t, x)| {
@@ -25,7 +25,8 @@ fn direct(samples: &[f64], n: usize, cycles: f64) -> Complex<f64> {
     terms.sum()
 }
 
-/// After any number of samples it is the sum of the last N, in both precisions: a million leave no more than a hundred.
+/// After any number of samples the result is the sum of the last N, in both precisions. The error does not grow from a
+/// hundred samples to a million.
 #[test]
 fn it_slides_without_drift() {
     let mut single = Watch::<f32, 48>::new(5).unwrap();
@@ -34,7 +35,7 @@ fn it_slides_without_drift() {
     let mut compared = 0;
     for i in 0..1_000_000_u32 {
         let x = (0.37 * f64::from(i)).sin() + 0.3 * f64::from(i % 11) + (f64::from(i) * 1e-5).cos();
-        // Sizes that would leave their rounding in a sum that is never begun anew.
+        // These large values would leave their rounding in a sum that never restarts.
         let x = if (400_000..400_100).contains(&i) {
             1e6 * x
         } else {
@@ -53,7 +54,7 @@ fn it_slides_without_drift() {
             );
             let found = single.fundamental().unwrap();
             let found = Complex::new(f64::from(found.re), f64::from(found.im));
-            // 48 terms of size 3 at 6e-8 each, both ways.
+            // The bound is 48 terms of size 3 at 6e-8 each, added and subtracted.
             assert!(
                 (found - expected).norm() < 3e-6,
                 "{i}: {found} for {expected}"
@@ -76,7 +77,7 @@ fn frequencies_that_do_not_fit() {
     assert!(friction_ratio(zero, zero, zero, 0.1).is_none());
 }
 
-/// From samples of the exact motion, harmonics and all, to β; with stops it is too small.
+/// Samples of the exact motion, with all harmonics, give β. With stops the result is too small.
 #[test]
 fn friction_from_samples() {
     let watched = |r: f64, beta: f64| {

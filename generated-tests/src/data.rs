@@ -1,5 +1,6 @@
-//! A scene read from its modal data as they stand in some scalar: what separates the rounding of an
-//! evaluation from the rounding of its data.
+//! Scenes whose modal data is converted to another scalar.
+//!
+//! A comparison of both scalars separates the rounding of an evaluation from the rounding of its data.
 
 use frictiongen_kernel::contact::sums::{Chain, ModeAt};
 use frictiongen_kernel::modal_sum::wave::{Sum, Wave};
@@ -10,14 +11,14 @@ use frictiongen_kernel::{Complex, Float};
 use frictiongen_model::reduced::Reduced;
 use std::ops::Deref;
 
-/// Modal data.
+/// Modal data of a scene in the scalar `S`.
 #[derive(Clone, Debug)]
 pub struct Data<S> {
-    /// Modes, shapes, chain.
+    /// Modes, mode shapes and chain.
     pub reduced: Reduced<S>,
 }
 
-/// The scene at one frequency ratio: the kernel's, and what is asked of it at single instants.
+/// A scene at one frequency ratio: the kernel's frequency stage, and functions of a single instant.
 pub struct DataAt<'a, S: Float>(At<&'a Reduced<S>>);
 
 impl<'a, S: Float> Deref for DataAt<'a, S> {
@@ -28,12 +29,12 @@ impl<'a, S: Float> Deref for DataAt<'a, S> {
     }
 }
 
-/// The motion of the contact or of a mass.
+/// Motion of the contact or of one mass.
 pub type DataMotion<'a, S> = MotionOf<&'a Reduced<S>>;
 
 impl<S: Float> Data<S> {
-    /// The same data in another scalar.  What a mode's constants say twice is formed anew from what
-    /// says it best.
+    /// Converts the data to another scalar. If a mode stores a constant in two forms, the more accurate form is
+    /// converted, and the other one is computed from it.
     pub fn read<T: Float>(&self, to: impl Fn(S) -> T) -> Data<T> {
         let Reduced {
             modes,
@@ -88,14 +89,14 @@ impl<S: Float> Data<S> {
         }
     }
 
-    /// The scene at r, 0 < r < ∞.
+    /// Evaluates the scene at the frequency ratio r, 0 < r < ∞.
     pub fn at(&self, r: S) -> DataAt<'_, S> {
         DataAt(At::new(&self.reduced, r).expect("in the domain"))
     }
 }
 
-/// ζ and q = √|1 − ζ²|: q from ζ, but beside critical damping ζ from q, which says there within its
-/// rounding what ζ cannot.
+/// Returns ζ and q = √|1 − ζ²|. Near critical damping ζ follows from q, because q there determines ζ within the
+/// rounding of q. Elsewhere q follows from ζ.
 fn damping<S: Float, T: Float>(mode: &Mode<S>, to: impl Fn(S) -> T) -> (T, T) {
     let (zeta, q) = (to(mode.zeta), to(mode.q));
     let one = T::constant(1.0);
@@ -107,7 +108,7 @@ fn damping<S: Float, T: Float>(mode: &Mode<S>, to: impl Fn(S) -> T) -> (T, T) {
     }
 }
 
-/// q = √|1 − ζ²| and 1 − q.
+/// Returns q = √|1 − ζ²| and 1 − q.
 pub fn roots<S: Float>(zeta: S) -> (S, S) {
     let one = S::constant(1.0);
     let q = ((one - zeta) * (one + zeta)).abs().sqrt();
@@ -119,7 +120,7 @@ impl<'a, S: Float> DataAt<'a, S> {
         &self.scene().chain
     }
 
-    /// Σ m(1 + g)p + mu(cos τ − p′), which over sin τ is what S is the largest value of.
+    /// Reads the sum Σ m(1 + g)p + mu(cos τ − p′) at the instant τ. S is the maximum of this sum divided by sin τ.
     fn at_instant<T>(&self, tau: S, read: impl Fn(&Sum<'_, S, Damped<S>>, &Instant<S>) -> T) -> T {
         let modes = self.scene().modes.iter().zip(self.modes());
         let part = |(mode, at): (&Mode<S>, &ModeAt<S>)| {
@@ -140,7 +141,8 @@ impl<'a, S: Float> DataAt<'a, S> {
         read(&sum, &Instant::new(tau * S::inverse_pi()))
     }
 
-    /// The velocity constraint at one instant; 0 at the ends of the half period, where it has no meaning.
+    /// Returns the velocity constraint at the instant τ. At both end points of the half period, where the constraint is
+    /// undefined, the result is 0.
     pub fn constraint(&self, tau: S) -> S {
         let zero = S::constant(0.0);
         self.at_instant(tau, |sum, at| {
@@ -152,7 +154,8 @@ impl<'a, S: Float> DataAt<'a, S> {
         })
     }
 
-    /// β_lim were S what it is at τ, of either sign over the whole half period, or the break-away term.
+    /// Returns β_lim with the signed constraint at τ, anywhere in the half period, in place of S. The break-away term
+    /// replaces the constraint if it is larger.
     pub fn continuous_limit_by(&self, tau: S) -> S {
         let constraint = self.at_instant(tau, |sum, at| sum.value(at) / at.sine);
         let chain = self.chain();
@@ -160,14 +163,14 @@ impl<'a, S: Float> DataAt<'a, S> {
         chain.continuous_limit(self.contact_sums(), constraint)
     }
 
-    /// What is 0 where the constraint is at its largest.
+    /// Returns a function that is 0 where the constraint has its maximum.
     pub fn constraint_slope(&self, tau: S) -> S {
         self.at_instant(tau, |sum, at| {
             sum.slope(at) * at.sine - sum.value(at) * at.cosine
         })
     }
 
-    /// β_lim with S as it is at τ, or at τ → 0 if that is larger.
+    /// Returns β_lim with the constraint at τ in place of S. The limit τ → 0 replaces it if it is larger.
     pub fn continuous_limit_at(&self, tau: S) -> S {
         let chain = self.chain();
         let constraint = self
@@ -176,27 +179,27 @@ impl<'a, S: Float> DataAt<'a, S> {
         chain.continuous_limit(self.contact_sums(), constraint)
     }
 
-    /// V, times r² and the scale.
+    /// Returns V, multiplied by r² and the scale.
     pub fn free(&self) -> Complex<S> {
         self.contact_sums().v
     }
 
-    /// Q, which vanishes where β reaches |V|/|U|.
+    /// Returns Q, which vanishes where β reaches |V|/|U|.
     pub fn in_phase(&self, beta: S) -> S {
         self.0.clone().closed_form(beta).friction().root
     }
 
-    /// The relative motion in the contact at β.
+    /// Returns the relative motion of the contact at the friction ratio β.
     pub fn contact(&self, beta: S) -> DataMotion<'a, S> {
         self.0.clone().closed_form(beta).contact()
     }
 
-    /// The motion of a mass at β.
+    /// Returns the motion of a mass at the friction ratio β.
     pub fn mass(&self, mass: usize, beta: S) -> DataMotion<'a, S> {
         self.0.clone().closed_form(beta).mass(mass)
     }
 
-    /// The complex amplitude of a mass while the contact is stuck.
+    /// Returns the complex amplitude of a mass while the contact is stuck.
     pub fn stuck_amplitude(&self, mass: usize) -> Complex<S> {
         self.0.clone().stuck_unchecked().mass(mass)
     }

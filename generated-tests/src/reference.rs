@@ -1,8 +1,8 @@
-//! `reference/closed_form.json`, `reference/extremes.json` and the wedges of `reference/several_states.json`, and a
-//! comparison of any system with them.
+//! The references `reference/closed_form.json`, `reference/extremes.json` and the wedges of
+//! `reference/several_states.json`, and a comparison of any system with them.
 //!
-//! A comparison counts what it compares, by kind.  A value that the reference does not have is no
-//! reason to compare less: a missing key or a list of another length panics.
+//! A wedge is the range of friction ratios between β*_lim and β_lim. A comparison counts the compared values of each
+//! kind. A gap in the reference must not shorten a comparison, so a missing key or a list of another length panics.
 
 use frictiongen::{
     ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Regime, Steady, StuckAt,
@@ -13,26 +13,26 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
-/// The scenes of `closed_form.json`.
+/// Returns the scenes of `closed_form.json`.
 pub fn closed_form() -> Vec<Value> {
     let text = include_str!("../reference/closed_form.json");
     serde_json::from_str(text).expect("the reference is JSON")
 }
 
-/// The scenes of `extremes.json`.
+/// Returns the scenes of `extremes.json`.
 pub fn extremes() -> Vec<Value> {
     let text = include_str!("../reference/extremes.json");
     serde_json::from_str(text).expect("the reference is JSON")
 }
 
-/// The scenes of `several_states.json` at friction ratios between β*_lim and β_lim.
+/// Returns the scenes of `several_states.json` at friction ratios between β*_lim and β_lim.
 pub fn wedges() -> Vec<Value> {
     let text = include_str!("../reference/several_states.json");
     let all: Value = serde_json::from_str(text).expect("the reference is JSON");
     list(&all["wedge"], "wedges").to_vec()
 }
 
-/// A number of the reference, in quotes or not.
+/// Reads a number of the reference, with or without quotes.
 pub fn number(value: &Value) -> f64 {
     match value {
         Value::String(text) => text.parse().expect("a number in quotes"),
@@ -40,7 +40,7 @@ pub fn number(value: &Value) -> f64 {
     }
 }
 
-/// A number of the reference with all of its 20 digits.
+/// Reads a number of the reference with all of its 20 digits.
 pub fn exact(value: &Value) -> Dd {
     let text = match value {
         Value::String(text) => text.clone(),
@@ -69,40 +69,40 @@ pub fn exact(value: &Value) -> Dd {
     if negative { -sum } else { sum }
 }
 
-/// The scene's description.
+/// Returns the description of a scene of the reference.
 pub fn description(scene: &Value) -> &str {
     scene["description"].as_str().expect("a description")
 }
 
-/// A list that the reference has to have.
+/// Returns a list of the reference, and panics if it is missing.
 pub fn list<'a>(value: &'a Value, what: &str) -> &'a [Value] {
     let list = value.as_array().map(Vec::as_slice);
     list.unwrap_or_else(|| panic!("the reference has no list of {what}"))
 }
 
-/// The same, of so many.
+/// Returns a list of the reference, and panics if it is missing or has another length.
 pub fn list_of<'a>(value: &'a Value, length: usize, what: &str) -> &'a [Value] {
     let list = list(value, what);
     assert_eq!(list.len(), length, "the reference's list of {what}");
     list
 }
 
-/// What a kind of quantity came to.
+/// Result of the comparison for one kind of quantity.
 #[derive(Clone, Debug, Default)]
 pub struct Kind {
-    /// How many values were compared.
+    /// Number of compared values.
     pub compared: usize,
-    /// The largest error.
+    /// Largest error.
     pub error: f64,
-    /// Where it is.
+    /// Scene and point of the largest error.
     pub place: String,
 }
 
-/// The largest error of each kind of quantity, where it is, and how many were compared.
+/// Results of a comparison for each kind of quantity.
 #[derive(Clone, Debug, Default)]
 pub struct Worst(pub BTreeMap<&'static str, Kind>);
 
-/// A value in double-double, whatever its scalar.
+/// Converts a value of any scalar to double-double.
 fn wide<S: Float>(value: S) -> Dd {
     let high = value.to_f64();
     if !high.is_finite() {
@@ -112,7 +112,7 @@ fn wide<S: Float>(value: S) -> Dd {
 }
 
 impl Worst {
-    /// Notes an error, relative to `scale`.  References below 1e-30 are zeros.
+    /// Records an error, relative to `scale`. References below 1e-30 count as zeros.
     pub fn note<S: Float>(
         &mut self,
         kind: &'static str,
@@ -136,7 +136,7 @@ impl Worst {
         );
     }
 
-    /// Notes the error of an angle, which may be a whole turn away.
+    /// Records the error of an angle, which may differ from its reference by a whole turn.
     pub fn note_angle<S: Float>(&mut self, kind: &'static str, got: S, want: &Value, place: &str) {
         let (got, want) = (wide(got), exact(want));
         let mut error = got - want;
@@ -157,7 +157,7 @@ impl Worst {
         }
     }
 
-    /// The larger of both, kind by kind.
+    /// Merges another comparison: adds the counts, and keeps the larger error of each kind.
     pub fn join(&mut self, other: Self) {
         for (kind, other) in other.0 {
             let worst = self.0.entry(kind).or_default();
@@ -168,13 +168,13 @@ impl Worst {
         }
     }
 
-    /// How many values were compared, by kind.
+    /// Returns the number of compared values of each kind.
     pub fn compared(&self) -> Vec<(&'static str, usize)> {
         let all = self.0.iter();
         all.map(|(kind, worst)| (*kind, worst.compared)).collect()
     }
 
-    /// What exceeds its tolerance, readable; `tolerance` is by kind of quantity.
+    /// Returns one readable line for each kind of quantity whose error exceeds `tolerance` of that kind.
     pub fn beyond(&self, tolerance: impl Fn(&str) -> f64) -> Vec<String> {
         let all = self.0.iter();
         all.filter(|(kind, worst)| !(worst.error <= tolerance(kind)))
@@ -196,7 +196,7 @@ impl std::fmt::Display for Worst {
     }
 }
 
-/// Both limits and that without search, as far as the reference has them.
+/// Compares both limits, and the continuous limit without search, with those that the reference has.
 fn compare_limits<S: Float>(
     at: &impl LimitsAt<Scalar = S>,
     point: &Value,
@@ -238,7 +238,7 @@ where
     }
 }
 
-/// Every value of one scene of `closed_form.json` against a system.
+/// Compares a system with every value of one scene of `closed_form.json`.
 pub fn compare<S: Float, F: FrictionSystem<Scalar = S>>(system: &F, reference: &Value) -> Worst
 where
     for<'a> F::At<'a>: MotionAt<Scalar = S> + StuckAt,
@@ -250,7 +250,7 @@ where
     worst
 }
 
-/// Every value of one scene of [`wedges`] against a system, and the regime.
+/// Compares a system with every value of one scene of [`wedges`], and checks that its regime is bistable.
 pub fn compare_wedge<S: Float, F: FrictionSystem<Scalar = S>>(
     system: &F,
     reference: &Value,
@@ -361,8 +361,8 @@ fn compare_mass<S: Float>(
     }
 }
 
-/// Every value of one scene of `extremes.json` against a system.  There a point may be without its
-/// continuous limit or its motions: at the ends of the range, and where r was too small for a search.
+/// Compares a system with every value of one scene of `extremes.json`. At both bounds of the range, and where r is too
+/// small for a search, a point may lack its continuous limit or its motions.
 pub fn compare_extremes<S: Float, F: FrictionSystem<Scalar = S>>(
     system: &F,
     reference: &Value,

@@ -1,28 +1,28 @@
-//! The scenes of `reference/closed_form.json` through the macro, in both precisions.
+//! The scenes of `reference/closed_form.json`, emitted by the macro in both precisions.
 //!
-//! The texts are the reference's own `description` of each scene; a test compares them.
+//! The texts are the reference's own `description` of each scene. A test compares both.
 
 use frictiongen::{FrictionSystem, MotionAt, StuckAt};
 
-/// What wants to see every scene.
+/// Receiver of every scene.
 pub trait Visitor {
-    /// A scene, with its name and precision.
+    /// Receives a scene, and its name with the precision.
     fn see<F>(&mut self, name: &'static str, system: F)
     where
         F: FrictionSystem + 'static,
         for<'a> F::At<'a>: MotionAt<Scalar = F::Scalar> + StuckAt<Scalar = F::Scalar>;
 }
 
-/// Emits every scene twice, and lists them.
+/// Emits every scene in both precisions, and lists the texts.
 macro_rules! scenes {
     ($(struct $name:ident { $($body:tt)* })*) => {
-        /// In double precision.
+        /// Scenes in double precision.
         pub mod double {
             $(::frictiongen::friction_system! {
                 pub struct $name { $($body)* provide: [limits, motion, stuck], }
             })*
         }
-        /// In single precision.
+        /// Scenes in single precision.
         pub mod single {
             $(::frictiongen::friction_system! {
                 pub struct $name { $($body)* provide: [limits, motion, stuck], scalar: f32, }
@@ -40,12 +40,12 @@ macro_rules! scenes {
             let mut references = references.iter();
             vec![$(crate::reference::compare(&single::$name, references.next().expect(stringify!($name)))),*]
         }
-        /// Shows a visitor every scene, in both precisions.
+        /// Passes every scene to a visitor, in both precisions.
         pub fn visit(visitor: &mut impl Visitor) {
             $(visitor.see(concat!(stringify!($name), " in f64"), double::$name);
             visitor.see(concat!(stringify!($name), " in f32"), single::$name);)*
         }
-        /// The scenes' texts, as the macro saw them.
+        /// Texts of the scenes, as the macro received them.
         pub const TEXTS: &[&str] = &[$(stringify!(struct $name { $($body)* })),*];
     };
 }

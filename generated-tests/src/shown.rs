@@ -1,5 +1,5 @@
-//! Scenes chosen to show each specialisation of the emitted code.  Their source is kept as
-//! snapshots, and the same source is compiled here and run.
+//! Scenes that show each specialisation of the emitted code. Snapshots keep their source, and this crate compiles and
+//! runs the same source.
 
 /// Emits the scenes, and lists them with their texts.
 macro_rules! shown {

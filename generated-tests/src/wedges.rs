@@ -1,6 +1,7 @@
-//! The wedges of `reference/several_states.json` through the macro, in double precision.
+//! The wedges of `reference/several_states.json`, emitted by the macro in double precision.
 //!
-//! The texts are the reference's own `description` of each scene; a test compares them.
+//! A wedge is the range of friction ratios between β*_lim and β_lim. The texts are the reference's own `description` of
+//! each scene. A test compares both.
 
 /// Emits every scene, and lists them.
 macro_rules! scenes {
@@ -14,7 +15,7 @@ macro_rules! scenes {
             let mut references = references.iter();
             vec![$(crate::reference::compare_wedge(&$name, references.next().expect(stringify!($name)))),*]
         }
-        /// The scenes' texts, as the macro saw them.
+        /// Texts of the scenes, as the macro received them.
         pub const TEXTS: &[&str] = &[$(stringify!(struct $name { $($body)* })),*];
     };
 }

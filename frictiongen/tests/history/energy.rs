@@ -1,4 +1,4 @@
-//! What the load puts in, less what friction and damping take out, is the change of energy.
+//! The energy balance of a run: work of the load, less the losses by friction and damping, is the change of energy.
 
 use crate::scenes::{BLOCK, DAMPED, system};
 use frictiongen::Of;
@@ -20,7 +20,8 @@ fn of_one_mass() {
             let history = system.history(r, beta, &request).unwrap();
             let (x, v) = (&history.tracks[0].displacement, &history.tracks[0].velocity);
             let energy = |index: usize| 0.5 * (r * r * v[index] * v[index] + x[index] * x[index]);
-            // By the trapezoidal rule, whose error is that of the kinks of the velocity: the square of the step.
+            // The trapezoidal rule loses accuracy at the kinks of the velocity. Its error falls with the square of the
+            // step.
             let h = TAU / f64::from(history.samples);
             let mean =
                 |of: &dyn Fn(usize) -> f64, index: usize| 0.5 * h * (of(index) + of(index + 1));
@@ -29,7 +30,7 @@ fn of_one_mass() {
                 input += mean(&|index| history.tau(index).cos() * v[index], index);
                 damped += mean(&|index| 2.0 * zeta * r * v[index] * v[index], index);
             }
-            // Friction's work exactly, from event to event.
+            // The work of friction is exact from event to event.
             let ends = history
                 .events
                 .iter()

@@ -1,4 +1,4 @@
-//! Samples beside a Runge-Kutta integrator of the equations of motion, which knows masses and springs alone.
+//! Samples of a history, compared with a Runge-Kutta integrator that knows only masses and springs.
 
 use crate::scenes::{SCENES, all, system};
 use frictiongen::kernel::simulation::Contact;
@@ -6,7 +6,7 @@ use frictiongen::study::scene::{Damping, Excitation, Node, Scene};
 use frictiongen::study::{History, HistoryRequest};
 use std::f64::consts::TAU;
 
-/// ω²Mx″ + ωCx′ + Kx + wf = p cos τ, with m₁ = k₁ = 1, so that ω = r.
+/// The equations of motion ω²Mx″ + ωCx′ + Kx + wf = p cos τ, with m₁ = k₁ = 1, so that ω = r.
 struct Equations {
     r: f64,
     beta: f64,
@@ -15,12 +15,12 @@ struct Equations {
     stiffness: Vec<Vec<f64>>,
     damping: Vec<Vec<f64>>,
     load: Vec<f64>,
-    /// The contact's direction, and its share in the motion of the base.
+    /// Direction vector w of the contact. `base` is the coefficient s of the base motion in z̄.
     direction: Vec<f64>,
     base: f64,
 }
 
-/// x and dx/dτ.
+/// Displacements x and velocities dx/dτ of the masses.
 type State = (Vec<f64>, Vec<f64>);
 
 impl Equations {
@@ -97,7 +97,7 @@ impl Equations {
         }
     }
 
-    /// Everything but friction, over the masses.
+    /// Returns the accelerations of the masses without friction.
     fn free(&self, (x, v): &State, tau: f64) -> Vec<f64> {
         let row = |row: &[f64], of: &[f64]| -> f64 { row.iter().zip(of).map(|(a, b)| a * b).sum() };
         let force = |i: usize| {
@@ -117,7 +117,7 @@ impl Equations {
         )
     }
 
-    /// The friction force that keeps the relative velocity.
+    /// Returns the friction force that keeps the relative velocity constant.
     fn holding(&self, state: &State, tau: f64) -> f64 {
         let free = self.free(state, tau);
         let w = self.direction.iter().zip(&self.mass);
@@ -143,7 +143,7 @@ impl Equations {
         (state.1.clone(), accelerations.collect())
     }
 
-    /// One step of the fourth order.
+    /// Advances the state by one Runge-Kutta step of fourth order.
     fn step(&self, state: &State, tau: f64, h: f64, contact: Contact) -> State {
         let plus = |rates: &State, h: f64| -> State {
             let add = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + h * b).collect();
@@ -165,7 +165,7 @@ impl Equations {
         plus(&rates, h)
     }
 
-    /// Positive as long as the contact goes on as it does.
+    /// Returns a margin that is positive as long as the contact stays in its state.
     fn margin(&self, state: &State, tau: f64, contact: Contact) -> f64 {
         match contact {
             Contact::Stuck => self.stiction * self.beta - self.holding(state, tau).abs(),
@@ -174,7 +174,7 @@ impl Equations {
         }
     }
 
-    /// What the contact does where its relative velocity vanishes.
+    /// Returns the state that the contact takes where its relative velocity vanishes.
     fn halted(&self, state: &State, tau: f64) -> Contact {
         let force = self.holding(state, tau);
         if force.abs() <= self.stiction * self.beta {
@@ -186,10 +186,10 @@ impl Equations {
         }
     }
 
-    /// Goes on by h, through events; counts them.
+    /// Advances the state by h, through events, and counts the events.
     fn pass(&self, state: &mut State, tau: f64, h: f64, contact: &mut Contact, events: &mut usize) {
         let next = self.step(state, tau, h, *contact);
-        // Just after an event the relative velocity is zero: its first half step tells.
+        // Just after an event the relative velocity is zero. Only its first half step then shows the direction.
         if self.margin(&next, tau + h, *contact) >= 0.0 {
             *state = next;
             return;
@@ -219,7 +219,7 @@ impl Equations {
     }
 }
 
-/// The largest differences of displacements, velocities and forces, and how many were compared.
+/// Returns the largest differences of displacements, velocities and forces, and the number of compared values.
 fn compare(equations: &Equations, history: &History, start: State) -> ([f64; 3], usize) {
     let masses = start.0.len();
     let mut state = start;
@@ -241,7 +241,7 @@ fn compare(equations: &Equations, history: &History, start: State) -> ([f64; 3],
             worst[1] = worst[1].max((track.velocity[index] - motion.1).abs());
             compared += 2;
         }
-        // Beside an event the force jumps.
+        // The force jumps at an event, so samples next to one are left out.
         let beside = history
             .events
             .iter()

@@ -1,5 +1,5 @@
-//! Motions over time and their spectra, beside an integrator of its own, runs in other steps, steady states and the
-//! balance of energy.
+//! Motions over time and their spectra, compared with an independent integrator, runs with other steps, steady states
+//! and the energy balance.
 #![allow(
     clippy::expect_used,
     clippy::unwrap_used,

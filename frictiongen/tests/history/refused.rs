@@ -1,4 +1,4 @@
-//! What cannot be asked.
+//! Requests for a history that must fail.
 
 use crate::scenes::{BLOCK, FRAME, system};
 use frictiongen::study::{HistoryError, HistoryRequest, MOST_SAMPLES};
@@ -33,7 +33,7 @@ fn requests() {
         ..sound.clone()
     };
     assert_eq!(ask(&mass), Some(HistoryError::NoSuchMass(2)));
-    // Of two motions together.
+    // The limit counts the samples of both motions together.
     let two = HistoryRequest {
         of: vec![Of::Mass(1), Of::Mass(0)],
         cycles: 3000,

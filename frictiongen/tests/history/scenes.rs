@@ -1,4 +1,4 @@
-//! The scenes that are followed.
+//! Scenes whose histories the tests compare.
 
 use frictiongen::{Of, System};
 
@@ -6,7 +6,7 @@ use frictiongen::{Of, System};
 pub const BLOCK: &str = "struct Block {
     masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall, excitation: block }";
 
-/// The same, damped.
+/// One mass on a wall, with a modal damping ratio of 0.05.
 pub const DAMPED: &str = "struct Block {
     masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall, excitation: block,
     damping: modal(0.05) }";
@@ -27,7 +27,7 @@ pub const FRAME: &str = "struct Frame {
     masses: { lower: 1, upper: 1.1 }, springs: { base - lower: 1, lower - upper: 1.2 },
     contact: upper - wall, excitation: base, damping: rayleigh(0.03, 0.05), stiction: 1.2 }";
 
-/// Scenes of each contact with points in each regime.
+/// Scenes of each contact, with points (r, β) in each regime.
 pub const SCENES: [(&str, &[(f64, f64)]); 5] = [
     (BLOCK, &[(0.3, 0.4), (0.5, 0.6), (1.4, 0.3)]),
     (DAMPED, &[(0.3, 0.4), (0.8, 0.2), (2.0, 0.1)]),
@@ -40,7 +40,7 @@ pub fn system(text: &str) -> System {
     text.parse().expect("a sound scene")
 }
 
-/// The contact and every mass.
+/// Returns the contact and every mass.
 pub fn all(system: &System) -> Vec<Of> {
     let masses = (0..system.scene().masses.len()).map(Of::Mass);
     std::iter::once(Of::Contact).chain(masses).collect()

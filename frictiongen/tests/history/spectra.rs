@@ -1,11 +1,11 @@
-//! The transform of a steady run beside the exact harmonics.
+//! The discrete transform of a steady run, compared with the exact harmonics.
 
 use crate::scenes::{BETWEEN, DAMPED, FRAME, SHAKEN, all, system};
 use frictiongen::study::HistoryRequest;
 use frictiongen::{Of, Regime};
 
-/// The acceleration jumps at events, so harmonics fall with the third power of their order; what is folded back onto
-/// those up to a quarter of the samples does so with the number of samples.
+/// The acceleration jumps at events, so harmonics fall with the third power of their order. Aliasing onto the orders up
+/// to a quarter of the samples falls with the third power of the number of samples.
 #[test]
 fn harmonics_to_the_third_power_of_the_step() {
     let scenes: [(&str, &[(f64, f64)]); 4] = [
@@ -36,7 +36,7 @@ fn harmonics_to_the_third_power_of_the_step() {
                     let found = run.spectrum(of).unwrap();
                     assert_eq!(found.lines.len(), 3 * samples as usize / 2 + 1);
                     for (index, line) in found.lines.iter().take(3 * 25).enumerate() {
-                        // Between the harmonics there is nothing.
+                        // Between the harmonics the spectrum is zero.
                         let (size, error) = if index % 3 == 0 {
                             let exact = &exact.lines[index / 3];
                             assert_eq!(exact.order, line.order);
@@ -63,7 +63,7 @@ fn harmonics_to_the_third_power_of_the_step() {
     }
 }
 
-/// Each order that is a multiple of a third has its amplitude.
+/// With a period of three cycles, every order that is a multiple of 1/3 has its exact component.
 #[test]
 fn subharmonics() {
     let system = system(
@@ -91,7 +91,7 @@ fn subharmonics() {
     }
 }
 
-/// The mean square is that of the spectrum (Parseval).
+/// The mean square of the samples equals that of the spectrum (Parseval).
 #[test]
 fn mean_squares() {
     let system = system(SHAKEN);
@@ -115,7 +115,7 @@ fn mean_squares() {
     }
 }
 
-/// What is stuck has one line for each mass.
+/// With a stuck contact, the spectrum of each mass has one line.
 #[test]
 fn of_what_is_stuck() {
     let system = system(FRAME);

@@ -1,4 +1,4 @@
-//! A late run is the steady state: displacements, velocities, forces and events.
+//! Late in a run the motion is the steady state, in its displacements, velocities, forces and events.
 
 use crate::scenes::{BETWEEN, DAMPED, FRAME, SHAKEN, all, system};
 use frictiongen::kernel::simulation::Event;
@@ -30,7 +30,8 @@ fn a_late_run_is_the_steady_state() {
         for (r, beta) in points {
             let response = system.at(*r).unwrap().response(*beta).unwrap();
             let steady = response.history(&of, 120).unwrap();
-            // Where a stuck contact stays depends on where it was: there from a state of the steady response.
+            // A contact stays stuck where it stops, which depends on the start. A stuck run therefore starts from a
+            // state of the steady response.
             let start = steady.tracks.iter().skip(1);
             let start = start.map(|track| (track.displacement[0], track.velocity[0]));
             let stuck = response.regime() == Regime::Stuck;
@@ -89,7 +90,7 @@ fn a_late_run_is_the_steady_state() {
     assert!(worst < 1e-10);
 }
 
-/// It repeats after three cycles, and its events after three cycles.
+/// The motion and its events repeat after three cycles.
 #[test]
 fn a_subharmonic_state_has_its_period() {
     let system = system(
@@ -113,7 +114,7 @@ fn a_subharmonic_state_has_its_period() {
         .filter(|event| event.event == Event::Slip);
     let (stops, slips) = (stops.count(), slips.count());
     assert!(stops > 0 && stops == slips);
-    // The run from one of its states is the same.
+    // A run from one of the states of the orbit is the same motion.
     let request = HistoryRequest {
         from: Some((vec![track.displacement[64]], vec![track.velocity[64]])),
         cycles: 2,
@@ -127,8 +128,8 @@ fn a_subharmonic_state_has_its_period() {
     }
 }
 
-/// What holds a stuck contact has the modulus of the sliding limit, and is what a run says, also where masses beyond the
-/// contact absorb and V and H vanish together.
+/// The force in a stuck contact has the modulus of the sliding limit, and a run reports the same force. Both also hold
+/// where masses beyond the contact act as an absorber, so that V and H vanish together.
 #[test]
 fn what_holds_a_stuck_contact() {
     let absorber =
@@ -165,7 +166,7 @@ fn what_holds_a_stuck_contact() {
             ..HistoryRequest::new(&of)
         };
         let run = system.history(r, beta, &request).unwrap();
-        // Some rounding of its velocity may have to die before it sticks.
+        // The contact sticks only after the rounding of its velocity has died out, so the first sample is left out.
         for (run, steady) in run.friction.iter().zip(&steady.friction).skip(1) {
             worst = worst.max((run - steady).abs() / limit);
             compared += 1;

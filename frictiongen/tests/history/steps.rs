@@ -1,9 +1,9 @@
-//! A history does not depend on how finely it is sampled, nor on where its first sample is.
+//! A history depends neither on its number of samples nor on the instant of its first sample.
 
 use crate::scenes::{SCENES, all, system};
 use frictiongen::study::{History, HistoryRequest};
 
-/// The largest difference of two histories at their common instants, and how many values were compared.
+/// Returns the largest difference of two histories at their common instants, and the number of compared values.
 fn apart(coarse: &History, fine: &History, offset: usize) -> (f64, usize) {
     let every = (fine.samples / coarse.samples) as usize;
     let (mut worst, mut compared) = (0.0_f64, 0);

@@ -1,11 +1,12 @@
-//! Mass and friction of an axis without a spring.
+//! Identification of mass and friction of an axis without a spring.
 
 use crate::made::Noise;
 use frictiongen::measure::{Channel, Recording, Unit};
 use std::f64::consts::TAU;
 
-/// The EMPS benchmark (electro-mechanical positioning system), made anew: its data cannot be had here.  An axis with the
-/// published parameters is moved to and fro by a controller for 25 s at 1 kHz, and position and force are noisy.
+/// A simulated recording replaces the EMPS benchmark (electro-mechanical positioning system), whose data is not
+/// available here. A controller moves an axis with the published parameters to and fro for 25 s at 1 kHz. Position and
+/// force are noisy.
 #[test]
 fn an_axis_without_a_spring() {
     let truth = [95.1089, 203.5034, 20.3935, -3.1648];
@@ -17,7 +18,8 @@ fn an_axis_without_a_spring() {
     let mut noise = Noise::new(95);
     for sample in 0..25_000 {
         let t = f64::from(sample) / rate;
-        // To 0.25 m and back, with a faster wave on top, as the trajectories of the bench mix slow and fast parts.
+        // The path goes to 0.25 m and back with a faster wave on top, because the trajectories of the bench mix slow
+        // and fast motion.
         let wanted = 0.125 * (1.0 - (TAU * 0.16 * t).cos())
             + 0.006 * (TAU * 0.9 * t).sin() * (TAU * 0.04 * t).sin();
         let error = wanted - q;
@@ -26,7 +28,7 @@ fn an_axis_without_a_spring() {
         forces.push(force + 1.0 * noise.next());
         for step in 0..steps {
             if 2 * step == steps {
-                // In the middle of the time for which the force is held.
+                // The position is sampled in the middle of the interval in which the force is constant.
                 positions.push(q + 2e-6 * noise.next());
             }
             let push = force - offset - viscous * v;
@@ -66,7 +68,7 @@ fn an_axis_without_a_spring() {
         failed |= !found.holds(truth);
     }
     assert!(!failed, "{found:?}");
-    // One that goes one way cannot tell.
+    // An axis that moves in one direction only does not determine its friction.
     let along: Vec<f64> = (0..4000).map(|i| f64::from(i) * 1e-4).collect();
     let forces: Vec<f64> = (0..4000).map(|i| 20.0 + f64::from(i % 3)).collect();
     let channels = vec![

@@ -1,10 +1,11 @@
-//! Recordings that tell nothing: one clear error each.
+//! Recordings from which nothing can be identified. Each must return one clear error.
 
 use crate::made::{Noise, RATE, Y, rig};
 use frictiongen::measure::{Channel, CsvRequest, MeasureError, Measured, Recording, Unit};
 use std::f64::consts::TAU;
 
-/// Of base and plate, 20 s with a little noise; each sample through a function of its channel and its time.
+/// Returns channels of base and plate, 20 s long with a little noise. `change` gives each sample from the channel and
+/// the time.
 fn channels(change: impl Fn(usize, f64) -> f64) -> Vec<Channel> {
     let mut noise = Noise::new(3);
     let mut channel = |place: usize, name: &str| Channel {
@@ -52,7 +53,7 @@ fn clipped() {
         }
         told(measured(all), "`plate` is clipped at");
     }
-    // On one side alone.
+    // The signal is clipped on one side only.
     let mut all = channels(good);
     for value in &mut all[0].samples {
         *value = value.min(1.5);
@@ -60,7 +61,7 @@ fn clipped() {
     told(measured(all), "`base` is clipped at 1.5");
 }
 
-/// Neither a contact that stops at its farthest nor a coarse converter is clipping.
+/// A contact that stops at its extreme position is not clipping, and neither is a coarse converter.
 #[test]
 fn flat_but_not_clipped() {
     use crate::made::{How, NATURAL, motions};
@@ -99,7 +100,7 @@ fn two_samples() {
         channel.samples.truncate(2);
     }
     told(measured(all), "too short: 2 samples");
-    // Two cycles.
+    // The recording has two cycles.
     let mut all = channels(good);
     for channel in &mut all {
         channel.samples.truncate(1000);
@@ -127,7 +128,7 @@ fn not_a_number() {
         error.to_string().starts_with("line 3: `` of `base_mm`"),
         "{error}"
     );
-    // A decimal comma.
+    // The file has a decimal comma.
     let error =
         Recording::from_csv("time_s;base_mm\n0;1\n0,1;2\n", &CsvRequest::default()).unwrap_err();
     assert_eq!(
@@ -197,7 +198,7 @@ fn mixed_rates() {
 
 #[test]
 fn a_drive_that_drifts() {
-    // From 4 Hz to 4.4 Hz; from 4 Hz to 4.02 Hz.
+    // The frequency drifts from 4 Hz to 4.4 Hz, and then from 4 Hz to 4.02 Hz.
     for rate in [0.02, 0.001] {
         let drifting = |place: usize, t: f64| {
             let [size, lag] = [[1e3 * Y, 0.0], [2.0, 0.5]][place];
@@ -234,7 +235,7 @@ fn never_steady() {
     told(measured(channels(swelling)), "`plate` goes on changing");
 }
 
-/// The same in a few blocks, where a trend must not pass for scatter.
+/// A short recording has few blocks. The check must not take a trend over them for scatter.
 #[test]
 fn never_steady_in_a_short_time() {
     for seconds in [5, 10] {

@@ -1,11 +1,12 @@
-//! Free vibrations, beside an integration of their own.
+//! Free vibrations, compared with an independent integration.
 
 use crate::intervals::hold;
 use crate::made::{NATURAL, Noise, rig};
 use frictiongen::measure::{Channel, Estimate, MeasureError, Recording, Unit};
 use std::f64::consts::TAU;
 
-/// A mass that is held at x₀ for 0.3 s and let go, m: ẍ = −ω²(x − c) − 2ζωẋ − ω²ℓ sgn ẋ by small steps.
+/// Returns the displacement in m of a mass that is fixed at x₀ for 0.3 s and then released. The function integrates ẍ =
+/// −ω²(x − c) − 2ζωẋ − ω²ℓ sgn ẋ in small steps.
 fn vibration(zeta: f64, length: f64, rate: f64, seconds: f64) -> Vec<f64> {
     let omega = TAU * NATURAL;
     let steps = 400;
@@ -30,7 +31,7 @@ fn vibration(zeta: f64, length: f64, rate: f64, seconds: f64) -> Vec<f64> {
                     - 2.0 * zeta * omega * v
                     - omega * omega * length * push
             };
-            // Midpoint rule; where the mass turns, up to there.
+            // The midpoint rule applies. In a step in which the mass turns, it applies up to the turning point.
             let a = acceleration(x, v);
             let vm = v + 0.5 * dt * a;
             let next = v + dt * acceleration(x + 0.5 * dt * v, vm);
@@ -38,7 +39,7 @@ fn vibration(zeta: f64, length: f64, rate: f64, seconds: f64) -> Vec<f64> {
                 let part = v / (v - next);
                 x += 0.5 * part * dt * v;
                 v = 0.0;
-                // The rest of the step goes the other way, if at all.
+                // The rest of that step goes the other way, if the spring overcomes friction.
                 let free = -omega * omega * (x - middle);
                 let left = (1.0 - part) * dt;
                 if free.abs() > omega * omega * length {
@@ -74,7 +75,7 @@ fn friction_alone_and_with_damping() {
         let found = system
             .free_decay(&recording(clean.clone(), 1000.0), None)
             .unwrap();
-        // The integration's own error: a step of 2.5 µs.
+        // The tolerance allows for the integration's own error at a step of 2.5 µs.
         assert!(
             (found.length.value / length - 1.0).abs() < 2e-4,
             "ζ = {zeta}: {found:?}"
@@ -92,13 +93,13 @@ fn friction_alone_and_with_damping() {
         assert!((found.friction.value - found.length.value * stiffness).abs() < 1e-12);
         assert!((found.friction_ratio(1.75e-3) - found.length.value / 1.75e-3).abs() < 1e-12);
         if zeta == 0.0 {
-            // Without damping the linear decrement is the same, to what the samples miss of an extreme.
+            // Without damping the linear decrement is the same, up to the error of extremes that fall between samples.
             assert!(
                 (found.linear_decrement / length - 1.0).abs() < 1e-3,
                 "{found:?}"
             );
         } else {
-            // Damping that is known.
+            // The caller knows the damping.
             let known = system
                 .free_decay(&recording(clean, 1000.0), Some(zeta))
                 .unwrap();
@@ -115,7 +116,7 @@ fn intervals_of_a_decay() {
     let (mut friction, mut damping, mut hertz) = (Vec::new(), Vec::new(), Vec::<Estimate>::new());
     for seed in 0..1000 {
         let mut samples = clean.clone();
-        // 40 dB of the first swing.
+        // The noise is 40 dB below the first swing.
         Noise::new(seed).add(&mut samples, 0.1e-3 / 2.0_f64.sqrt());
         let found = system.free_decay(&recording(samples, 250.0), None).unwrap();
         friction.push(found.length);
@@ -135,14 +136,14 @@ fn no_decay_to_read() {
             .free_decay(&recording(samples, 1000.0), None)
             .unwrap_err()
     };
-    // It sticks at once.
+    // The mass sticks at once.
     let error = told(vibration(0.0, 4e-3, 1000.0, 3.0));
     assert!(matches!(error, MeasureError::FewPeaks(_)), "{error}");
     let growing =
         |i: i32| 1e-3 * (1.0 + f64::from(i) / 1000.0) * (TAU * 3.0 * f64::from(i) / 1000.0).cos();
     let error = told((0..4000).map(growing).collect());
     assert!(matches!(error, MeasureError::NoDecay), "{error}");
-    // Steady but for rounding.
+    // The vibration is steady up to rounding.
     let steady = |i: i32| 3.5e-3 * (25.0 * f64::from(i) / 500.0 - 0.3).cos();
     let error = told((0..5000).map(steady).collect());
     assert!(matches!(error, MeasureError::NoDecay), "{error}");

@@ -1,4 +1,4 @@
-//! CSV and UFF58, there and back.
+//! CSV and UFF58 files, written and read again.
 
 use crate::made::Noise;
 use frictiongen::measure::{Channel, Column, CsvRequest, MeasureError, Recording, Unit};
@@ -59,7 +59,7 @@ fn other_programs_write_it_otherwise() {
             "{text}"
         );
     }
-    // Columns that say nothing by themselves.
+    // The header does not name the columns, so the request does.
     let column = |name: &str, column: &str| Column {
         name: name.into(),
         column: column.into(),
@@ -83,15 +83,16 @@ fn a_universal_file_comes_back_to_its_thirteen_digits() {
     for (read, written) in read.channels().iter().zip(recording.channels()) {
         assert_eq!((&read.name, read.unit), (&written.name, written.unit));
         for (a, b) in read.samples.iter().zip(&written.samples) {
-            // 13 digits: half a unit of the last.
+            // The file has 13 digits, so the error is half a unit of the last one.
             assert!((a - b).abs() <= 5.1e-13 * b.abs(), "{a} for {b}");
         }
     }
-    // Written again it has the same bytes.
+    // Writing the recording again gives the same bytes.
     assert_eq!(read.to_uff58(), text);
 }
 
-/// As other programs write it: single precision, six a line, other data sets between, uneven spacing as pairs.
+/// Reads the format of other programs: single precision, six values a line, other data sets between, and uneven spacing
+/// as pairs.
 #[test]
 fn a_universal_file_of_another_program() {
     let head = |name: &str, unit: &str, kind: i32, count: usize, even: i32| {
@@ -124,19 +125,19 @@ fn a_universal_file_of_another_program() {
     assert_eq!(read.rate(), 2000.0);
     assert_eq!(read.channel("base").unwrap().samples, values);
     assert_eq!(read.channel("plate").unwrap().samples, values);
-    // No unit: it is asked for.
+    // The file has no unit, so the error asks for it.
     let error = Recording::from_uff58(&text.replace("mm  ", "NONE"), &CsvRequest::default());
     assert!(error.unwrap_err().to_string().contains("has no unit"));
-    // The other channel ran at another rate.
+    // The other channel has another sampling rate.
     let mixed = text.replacen("5.00000E-04", "1.00000E-03", 1);
     let error = Recording::from_uff58(&mixed, &CsvRequest::default()).unwrap_err();
     assert!(error.to_string().contains("not evenly spaced"), "{error}");
-    // Cut off.
+    // The file is cut off.
     let cut = &text[..text.len() / 2];
     assert!(Recording::from_uff58(cut, &CsvRequest::default()).is_err());
 }
 
-/// A universal file is told from a CSV by its first mark.
+/// The first mark of a text distinguishes a universal file from a CSV file.
 #[test]
 fn either_is_read_as_what_it_is() {
     let recording = some();
@@ -178,7 +179,8 @@ fn a_rate_of_times() {
     }
 }
 
-/// A clock that slows by 2 % after 30 samples: each step lies within 1 % of the first or of the mean, and the mean does not.
+/// A clock slows by 2 % after 30 samples. Each step then lies within 1 % of the first step or of the mean step. The
+/// mean step itself differs from the first by more than 1 %.
 #[test]
 fn a_clock_that_slows() {
     let times = |steps: &dyn Fn(u32) -> f64| -> Vec<f64> {
@@ -199,10 +201,10 @@ fn a_clock_that_slows() {
         panic!("{error}");
     };
     assert_eq!(place, "its end");
-    // Sums of 330 steps are rounded at 3.
+    // The sums of 330 steps are rounded at a value near 3.
     let mean = (30.0 * 0.01 + 300.0 * 0.0102) / 330.0;
     assert!((before - 0.01).abs() < 1e-12 && (after - mean).abs() < 1e-12);
-    // A first step that alone is too long is one of a clock that rounds.
+    // If the first step alone is too long, the clock rounds. The rate is then still found.
     let rounds = times(&|index| if index == 0 { 0.0102 } else { 0.01 });
     let rate = Recording::rate_of(&rounds).unwrap();
     assert!((rate - 330.0 / (0.0102 + 329.0 * 0.01)).abs() < 1e-9);

@@ -1,4 +1,4 @@
-//! The friction force from recordings: the figures of chapter 4.
+//! The friction force from recordings, for the figures of chapter 4.
 
 use crate::made::{How, NATURAL, Noise, RATE, Y, motions, recording, rig};
 use frictiongen::measure::{
@@ -7,7 +7,7 @@ use frictiongen::measure::{
 use frictiongen::study::{Load, Quantity};
 use frictiongen::{Of, Regime, System};
 
-/// What is measured at r and β, without noise but with a deviation.
+/// Returns the observation at r and β, without noise but with a stated deviation.
 pub fn seen(system: &System, r: f64, beta: f64, masses: &[usize], deviation: f64) -> Observation {
     let at = system.at(r).unwrap();
     let response = at.response(beta).unwrap();
@@ -25,7 +25,7 @@ pub fn seen(system: &System, r: f64, beta: f64, masses: &[usize], deviation: f64
     }
 }
 
-/// k₁Y.
+/// Returns k₁Y, the load that belongs to β = 1.
 pub fn scale(system: &System) -> f64 {
     system.scene().springs[0].stiffness * Y
 }
@@ -38,7 +38,8 @@ fn identified(system: &System, seen: Observation, using: Using) -> Identified {
     system.identify(&[seen], &request).unwrap()
 }
 
-/// β = 0.2, 0.4, 0.6 over r = 0.5 to 2.5 from 60 s at 2 kHz and 40 dB: within 2 % wherever it is said to be told.
+/// Friction ratios 0.2, 0.4 and 0.6 are identified over r = 0.5 to 2.5 from 60 s at 2 kHz and 40 dB. Wherever the
+/// verdict is `Told`, β is within 2 %.
 #[test]
 fn within_two_per_cent_over_the_range_of_chapter_4() {
     let system = rig("");
@@ -58,7 +59,7 @@ fn within_two_per_cent_over_the_range_of_chapter_4() {
             let seen = Observation::of(&measured, &system, 1);
             for using in [Using::Complex, Using::Phase] {
                 let found = identified(&system, seen.clone(), using);
-                // At r = 1/2 the steady state is one of a continuum, and the model reaches the same from rest.
+                // At r = 1/2 the steady state is one of a continuum. The model reaches the same one from rest.
                 assert_eq!(
                     found.verdict,
                     Verdict::Told,
@@ -81,7 +82,8 @@ fn within_two_per_cent_over_the_range_of_chapter_4() {
     println!("{told} told, {stops} of them with stops, worst error {worst:.2e}");
 }
 
-/// The fundamental gives β directly while the contact slides: |X₁ − V| = 4β|H|/π; here of a mass away from it.
+/// The fundamental gives β directly while the contact slides: |X₁ − V| = 4β|H|/π. The test uses a mass away from the
+/// contact.
 #[test]
 fn from_a_mass_away_from_the_contact() {
     let frame: System = "struct Frame {
@@ -103,7 +105,7 @@ fn from_a_mass_away_from_the_contact() {
     assert!((direct - 0.3).abs() < 1e-12, "{direct}");
 }
 
-/// Thesis 6.4.3: at r = √2 the fundamental of m₂ is the same for every friction.
+/// At r = √2 the fundamental of m₂ is the same for every friction (thesis 6.4.3), and the verdict reports it.
 #[test]
 fn at_an_invariant_point_it_says_so() {
     let pair: System = "struct Pair {
@@ -131,7 +133,8 @@ fn at_an_invariant_point_it_says_so() {
             load_deviation: 0.0,
             motions: vec![datum],
         };
-        // Below the largest threshold of a resonance the contact slides there; beyond, an undamped scene takes its time.
+        // Below the largest threshold of a resonance the contact slides there. An undamped scene with more friction
+        // would take too long.
         let request = IdentifyRequest {
             range: Some((0.0, 1.2)),
             ..IdentifyRequest::default()
@@ -146,13 +149,14 @@ fn at_an_invariant_point_it_says_so() {
         invariant.levels
     );
     assert!(invariant.friction.holds(0.3));
-    // The other mass tells it.
+    // The other mass determines the friction.
     let other = at(2.0_f64.sqrt(), 0);
     assert_eq!(other.verdict, Verdict::Told);
     assert!((other.friction.value - 0.3).abs() < 1e-3);
 }
 
-/// Figure 4.8: between r = 0.334 and 0.605 the fundamental first grows with friction, then falls: one amplitude, two forces.
+/// Between r = 0.334 and 0.605 the fundamental first grows with friction and then falls (figure 4.8), so one amplitude
+/// belongs to two forces.
 #[test]
 fn two_levels_of_friction_with_one_amplitude() {
     let system = rig("");
@@ -193,19 +197,19 @@ fn a_stuck_contact_tells_the_least_force() {
     let found = identified(&system, seen(&system, 0.8, 1.4, &[0], 1e-3), Using::Complex);
     assert_eq!(found.verdict, Verdict::Stuck);
     let beta = found.friction.from / scale(&system);
-    // It sticks from β = 1 on; what moves less than the noise before looks the same.
+    // The contact sticks from β = 1 on. Just below, the motion is smaller than the noise and looks the same.
     assert!(
         found.friction.to.is_infinite() && (0.97..=1.0).contains(&beta),
         "{beta}"
     );
 }
 
-/// F, ζ and the natural frequency together, from four frequencies.
+/// Four frequencies determine F, ζ and the natural frequency together.
 #[test]
 fn with_damping_and_frequency() {
     let truth = rig("damping: modal(0.015),");
     let guess = rig("damping: modal(0.003),");
-    // The guess's frequency is 1 % off.
+    // The frequency of the guess is 1 % too high.
     let mut scene = guess.scene().clone();
     scene.springs[0].stiffness *= 1.02;
     let guess = System::try_from(scene).unwrap();
@@ -225,7 +229,7 @@ fn with_damping_and_frequency() {
     assert!((found.unknowns[0].1.value - 0.015).abs() < 1e-7);
     let stiffness = truth.scene().springs[0].stiffness;
     assert!((found.unknowns[1].1.value / stiffness - 1.0).abs() < 1e-7);
-    // The same as a factor on the frequencies.
+    // The unknown may also be a factor on the frequencies.
     let request = IdentifyRequest {
         unknowns: vec![Unknown::Damping, Unknown::Frequencies],
         ..IdentifyRequest::default()
@@ -238,7 +242,7 @@ fn with_damping_and_frequency() {
     assert!((found.friction.value / (0.3 * scale(&truth)) - 1.0).abs() < 1e-6);
 }
 
-/// μ shows where the contact stops; where it only slides it does not, and that is said.
+/// μ can be identified where the contact stops. Where the contact only slides, the verdict reports that it cannot.
 #[test]
 fn stiction_where_it_shows() {
     let truth = rig("stiction: 1.3, damping: modal(0.01),");
@@ -269,7 +273,7 @@ fn stiction_where_it_shows() {
     assert!(found.unknowns[0].1.to.is_infinite(), "{:?}", found.unknowns);
 }
 
-/// Two amplitudes at resonance tell friction and damping (Liang and Feeny 2004): 2ζk|X| + 4F/π = kY for small ζ.
+/// Two amplitudes at resonance determine friction and damping (Liang and Feeny 2004): 2ζk|X| + 4F/π = kY for small ζ.
 #[test]
 fn two_amplitudes_at_resonance() {
     let truth = rig("damping: modal(0.02),");
@@ -306,7 +310,7 @@ fn two_amplitudes_at_resonance() {
         found.friction
     );
     assert!((found.unknowns[0].1.value - 0.02).abs() < 1e-6);
-    // The method of the literature: two lines, one unknown each.
+    // The method of the literature has two equations, each linear in one unknown.
     let [x, wide] = [0, 1].map(|place| seen[place].motions[0].value.norm() * [Y, 2.0 * Y][place]);
     let damping = Y / (2.0 * (wide - x));
     let simple = std::f64::consts::FRAC_PI_4 * stiffness * (Y - 2.0 * damping * x);

@@ -1,4 +1,4 @@
-//! Broken files: an error or a recording of finite numbers, never a panic.
+//! Broken files give an error or a recording of finite numbers, never a panic.
 
 use crate::made::rig;
 use frictiongen::measure::{Channel, CsvRequest, Measured, Recording, SweepPoint, Unit};

@@ -1,4 +1,5 @@
-//! Intervals of 95 % hold the truth in 93 to 97 % of 1000 repeats, three standard deviations of such a count.
+//! Coverage of confidence intervals: intervals of 95 % must contain the truth in 93 to 97 % of 1000 repeats. The range
+//! is three standard deviations of such a count.
 
 use crate::force::{scale, seen};
 use crate::made::{How, NATURAL, Noise, Y, motions, recording, rig};
@@ -7,7 +8,7 @@ use frictiongen::{Regime, System};
 
 const REPEATS: usize = 1000;
 
-/// Asserts the count of intervals that hold the truth.
+/// Asserts the share of intervals that contain the truth.
 pub fn hold(what: &str, truth: f64, estimates: &[Estimate]) {
     assert_eq!(estimates.len(), REPEATS, "{what}");
     let count = estimates
@@ -19,7 +20,7 @@ pub fn hold(what: &str, truth: f64, estimates: &[Estimate]) {
     assert!((0.93..=0.97).contains(&share), "{what}: {share}");
 }
 
-/// The same with other noise each time.
+/// Returns a copy of the observations with new noise.
 fn noisy(clean: &[Observation], noise: &mut Noise) -> Vec<Observation> {
     let mut all = clean.to_vec();
     for datum in all.iter_mut().flat_map(|seen| &mut seen.motions) {
@@ -29,7 +30,7 @@ fn noisy(clean: &[Observation], noise: &mut Noise) -> Vec<Observation> {
     all
 }
 
-/// From recordings, with the noise of both channels: 8 s at 500 Hz, 40 dB.
+/// Intervals from recordings with noise in both channels, 8 s at 500 Hz and 40 dB.
 #[test]
 fn from_recordings() {
     let system = rig("");
@@ -67,7 +68,8 @@ fn from_recordings() {
     }
 }
 
-/// Several frequencies and both masses at once, where the residuals also tell their own size.
+/// Intervals from several frequencies and both masses together. The scatter of the residuals then also enters the
+/// interval.
 #[test]
 fn from_several_frequencies() {
     let frame: System = "struct Frame {
@@ -90,7 +92,8 @@ fn from_several_frequencies() {
                 .friction
         })
         .collect();
-    // The interval is made wider where the residuals are larger than chance, never narrower: it errs to that side.
+    // The fit widens the interval where the residuals are larger than chance, and never narrows it. Its coverage is
+    // therefore too large rather than too small.
     hold(
         "three frequencies, two masses",
         0.3 * scale(&frame),
@@ -98,7 +101,7 @@ fn from_several_frequencies() {
     );
 }
 
-/// `cargo test --release -p frictiongen --features measure --test measure intervals -- --ignored --nocapture`
+/// Run with `cargo test --release -p frictiongen --features measure --test measure intervals -- --ignored --nocapture`.
 #[test]
 #[ignore = "minutes without optimisation"]
 fn with_stops() {
@@ -128,7 +131,7 @@ fn with_stops() {
     }
 }
 
-/// The command as above.
+/// Run with the command of `with_stops`.
 #[test]
 #[ignore = "minutes without optimisation"]
 fn of_damping_and_frequency() {

@@ -1,4 +1,4 @@
-//! Recordings made by simulation.
+//! Recordings made by simulation, for the tests of this folder.
 
 use frictiongen::System;
 use frictiongen::measure::{Channel, Recording, Unit};
@@ -7,14 +7,14 @@ use rand::rngs::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use std::f64::consts::TAU;
 
-/// The natural frequency of the rig of chapter 4, Hz.
+/// Natural frequency of the rig of chapter 4, in Hz.
 pub const NATURAL: f64 = 3.086;
-/// The amplitude of its base, m.
+/// Amplitude of the base of that rig, in m.
 pub const Y: f64 = 1.75e-3;
-/// Samples a second.
+/// Sampling rate, in samples a second.
 pub const RATE: f64 = 2000.0;
 
-/// The rig of chapter 4, with a mass of 2 kg.
+/// Returns the rig of chapter 4 with a mass of 2 kg. `more` adds lines to the description.
 pub fn rig(more: &str) -> System {
     let omega = TAU * NATURAL;
     format!(
@@ -25,7 +25,7 @@ pub fn rig(more: &str) -> System {
     .unwrap()
 }
 
-/// Numbers with mean 0 and deviation 1, the same for the same seed.
+/// Random numbers with mean 0 and standard deviation 1, which depend only on the seed.
 pub struct Noise(ChaCha8Rng);
 
 impl Noise {
@@ -37,7 +37,7 @@ impl Noise {
         StandardNormal.sample(&mut self.0)
     }
 
-    /// Adds noise of this deviation.
+    /// Adds noise with this standard deviation to the samples.
     pub fn add(&mut self, samples: &mut [f64], deviation: f64) {
         for value in samples {
             *value += deviation * self.next();
@@ -45,18 +45,18 @@ impl Noise {
     }
 }
 
-/// How a recording is made.
+/// Settings of a simulated recording.
 #[derive(Clone, Copy)]
 pub struct How {
     pub hertz: f64,
     pub beta: f64,
     pub rate: f64,
     pub seconds: f64,
-    /// Cycles from rest before it begins.
+    /// Number of cycles from rest before the recording begins.
     pub skip: f64,
 }
 
-/// Displacements over Y of the base and of every mass, from a run from rest.
+/// Returns the displacements over Y of the base and of every mass, in a run from rest.
 pub fn motions(system: &System, how: How) -> Vec<Vec<f64>> {
     let r = system.frequency_ratio_at_hertz(how.hertz);
     let mut run = system.simulation(r, how.beta).unwrap();
@@ -80,12 +80,13 @@ pub fn motions(system: &System, how: How) -> Vec<Vec<f64>> {
     all
 }
 
-/// The root of the mean square.
+/// Returns the root mean square of the samples.
 pub fn rms(samples: &[f64]) -> f64 {
     (samples.iter().map(|x| x * x).sum::<f64>() / samples.len() as f64).sqrt()
 }
 
-/// A recording of motions in mm, each with noise of 1/`snr` of its size; `snr` 100 is 40 dB.
+/// Returns a recording of motions in mm. The noise of each is 1/`snr` of its root mean square, so that an `snr` of 100
+/// is 40 dB.
 pub fn recording(
     system: &System,
     motions: &[Vec<f64>],

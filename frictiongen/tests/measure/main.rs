@@ -1,4 +1,4 @@
-//! Friction and parameters from recordings that are made here: the simulation, sampled, with noise.
+//! Friction and parameters from recordings that the tests make by simulation, sampling and added noise.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

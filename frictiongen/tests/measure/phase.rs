@@ -1,4 +1,4 @@
-//! Phases alone, of motions whose size was not measured.
+//! Identification from phases alone, for motions whose size was not measured.
 
 use crate::force::{scale, seen};
 use crate::made::rig;
@@ -11,7 +11,8 @@ fn by(using: Using) -> IdentifyRequest {
     }
 }
 
-/// A size of any order gives the same force and the same interval, where a phase of a likely size is refused.
+/// The size of the motion, of any order of magnitude, changes neither the force nor its interval. `Using::Phase` also
+/// uses the size, and refuses one that is wrong by 10⁴.
 #[test]
 fn no_size_counts() {
     let system = rig("");
@@ -33,7 +34,7 @@ fn no_size_counts() {
             assert!(
                 (found.friction.value / truth - 1.0).abs() < 1e-6 && found.friction.holds(truth)
             );
-            // The golden section ends at 1e-9 of the range.
+            // The golden-section search ends within 1e-9 of the range.
             for (one, other) in [
                 (found.friction.from, plain.friction.from),
                 (found.friction.to, plain.friction.to),

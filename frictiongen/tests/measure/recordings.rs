@@ -5,7 +5,7 @@ use frictiongen::Of;
 use frictiongen::measure::{Channel, Measured, Recording, Unit};
 use std::f64::consts::TAU;
 
-/// The figures of chapter 4: 60 s at 2 kHz, 40 dB.
+/// The figures of chapter 4, from 60 s at 2 kHz and 40 dB.
 #[test]
 fn transmissibility_and_phase_are_those_of_the_steady_state() {
     let system = rig("");
@@ -24,7 +24,7 @@ fn transmissibility_and_phase_are_those_of_the_steady_state() {
         let at = system.at(r).unwrap();
         let response = at.response(beta).unwrap();
         let expected = response.harmonic(Of::Mass(0), 1).unwrap();
-        // Five deviations of each: one in a million, and the seed is fixed.
+        // The bound is five standard deviations, which chance exceeds once in a million. The seed is fixed.
         let error = (found.value - expected).norm();
         assert!(
             error < 5.0 * found.deviation,
@@ -48,7 +48,7 @@ fn transmissibility_and_phase_are_those_of_the_steady_state() {
     }
 }
 
-/// What the uncertainty says is what repeats show: white noise of 1 %, with closed-form deviation σ√(2·1.5/N).
+/// The reported deviation equals the scatter of repeats. With white noise of 1 % it is σ√(2·1.5/N) in closed form.
 #[test]
 fn the_deviation_is_that_of_repeats() {
     let scene = rig("");
@@ -79,7 +79,8 @@ fn the_deviation_is_that_of_repeats() {
     }
     let repeats = f64::from(u32::try_from(repeats).unwrap());
     let (seen, claimed) = ((squares / repeats).sqrt(), (claimed / repeats).sqrt());
-    // √(1 + |T|²) for the noise of both channels; 800 numbers tell a deviation to 2.5 %, taken three times.
+    // √(1 + |T|²) is due to the noise of both channels. 800 numbers determine a deviation to 2.5 %, and the bound is
+    // three times that.
     let expected = 0.01 * (3.0 / f64::from(count)).sqrt() * 5.0_f64.sqrt();
     assert!(
         (seen / expected - 1.0).abs() < 0.08,
@@ -91,7 +92,8 @@ fn the_deviation_is_that_of_repeats() {
     );
 }
 
-/// The driving frequency scatters as it says: 150 repeats give a deviation to 6 %, taken three times.
+/// The driving frequency scatters by its reported deviation. 150 repeats determine a deviation to 6 %, and the bound is
+/// three times that.
 #[test]
 fn the_frequency_scatters_as_it_says() {
     let scene = rig("");
@@ -121,12 +123,12 @@ fn the_frequency_scatters_as_it_says() {
     assert!((claimed / seen - 1.0).abs() < 0.18, "{claimed} for {seen}");
 }
 
-/// e^{−i lag}.
+/// Returns e^{−i lag}.
 fn num(lag: f64) -> frictiongen::Complex<f64> {
     frictiongen::Complex::new(lag.cos(), -lag.sin())
 }
 
-/// A transient is left out, and what is kept gives the steady amplitude.
+/// The measurement leaves out a transient, and the remaining interval gives the steady amplitude.
 #[test]
 fn the_steady_part_is_found() {
     let system = rig("damping: modal(0.02),");
@@ -140,7 +142,7 @@ fn the_steady_part_is_found() {
     let mut noise = Noise::new(5);
     let recording = recording(&system, &motions(&system, how), 500.0, 1000.0, &mut noise);
     let measured = Measured::of(&recording, system.scene()).unwrap();
-    // Free vibration dies as e^{−ζω_n t} and by friction.
+    // Free vibration decays as e^{−ζω_n t}, and by friction.
     assert!(
         (1.0..20.0).contains(&measured.steady.0),
         "{:?}",
@@ -149,11 +151,12 @@ fn the_steady_part_is_found() {
     let found = measured.transmissibility(0).unwrap();
     let expected = system.at(1.3).unwrap().response(0.1).unwrap();
     let expected = expected.harmonic(Of::Mass(0), 1).unwrap();
-    // What is left of a transient at the start of the steady part is below 2e-3, and the window takes most of it.
+    // At the start of the steady interval the rest of the transient is below 2e-3, and the window suppresses most of
+    // it.
     assert!((found.value - expected).norm() < 5e-4 * expected.norm());
 }
 
-/// Velocities and accelerations give the same as displacements.
+/// Velocities and accelerations give the same result as displacements.
 #[test]
 fn any_kind_of_sensor() {
     let system = rig("");

@@ -1,4 +1,4 @@
-//! Parameters from sweeps without friction: the rigs of chapters 4 and 6.
+//! Parameters from sweeps without friction, for the rigs of chapters 4 and 6.
 
 use crate::intervals::hold;
 use crate::made::{How, NATURAL, Noise, motions, recording, rig};
@@ -8,10 +8,10 @@ use std::f64::consts::TAU;
 
 const GAMMA: f64 = 0.9772;
 const KAPPA: f64 = 1.1119;
-/// r₁ for each Hz.
+/// Ratio of r₁ to the frequency in Hz.
 const SECONDS: f64 = 0.3419;
 
-/// Two storeys, with these ratios and this frequency √(k₁/m₁)/2π.
+/// Returns a frame of two storeys with these ratios and the frequency √(k₁/m₁)/2π.
 fn storeys(gamma: f64, kappa: f64, hertz: f64) -> System {
     let k = 3.0 * (TAU * hertz).powi(2);
     format!(
@@ -23,13 +23,13 @@ fn storeys(gamma: f64, kappa: f64, hertz: f64) -> System {
     .unwrap()
 }
 
-/// (6.15), written out: what the fit is held to.
+/// Returns the displacement transmissibility by (6.15), written out, as the reference of the fit.
 fn transmissibility(f: f64) -> f64 {
     let [f0, f1, f2] = roots();
     (f1 * f2 / f0).powi(2) * (f0 * f0 - f * f) / ((f1 * f1 - f * f) * (f2 * f2 - f * f))
 }
 
-/// f₀, f₁ and f₂ of the rig by (A.2) and (A.5).
+/// Returns f₀, f₁ and f₂ of the rig by (A.2) and (A.5).
 fn roots() -> [f64; 3] {
     let k1 = SECONDS.powi(-2);
     let (k2, m2) = (KAPPA * k1, GAMMA);
@@ -38,7 +38,7 @@ fn roots() -> [f64; 3] {
     [(k2 / m2).sqrt(), (b - root).sqrt(), (b + root).sqrt()]
 }
 
-/// Chapter 4's rig without friction: f_n within 0.1 % from noisy recordings at twelve frequencies.
+/// The rig of chapter 4 without friction: noisy recordings at twelve frequencies give f_n within 0.1 %.
 #[test]
 fn one_storey_from_recordings() {
     let system = rig("");
@@ -52,7 +52,7 @@ fn one_storey_from_recordings() {
         .into_iter()
         .map(|hertz| {
             let r = hertz / NATURAL;
-            // Steady from the start: the closed form of (4.1), sampled.
+            // The motion is steady from the start: it is the closed form of (4.1), sampled.
             let base: Vec<f64> = (0..20_000)
                 .map(|i| (TAU * hertz * f64::from(i) / 2000.0).cos())
                 .collect();
@@ -82,7 +82,7 @@ fn one_storey_from_recordings() {
     );
 }
 
-/// The run from rest through the same fit: what little friction the simulation needs to settle is 0.
+/// A damped run from rest goes through the same fit. The simulation needs no friction to settle, so friction is 0.
 #[test]
 fn a_damped_storey_with_its_damping() {
     let system = rig("damping: modal(0.02),");
@@ -117,7 +117,8 @@ fn a_damped_storey_with_its_damping() {
     assert!((fit.reference.value / NATURAL - 1.0).abs() < 1e-3);
 }
 
-/// Chapter 6's rig: γ and κ within 0.1 % at 40 dB, from the amplitude of the lower mass alone (6.15), far starts included.
+/// The rig of chapter 6: the amplitude of the lower mass alone (6.15) gives γ and κ within 0.1 % at 40 dB. Distant
+/// starts give the same.
 #[test]
 fn two_storeys_from_one_mass() {
     let mut noise = Noise::new(4);
@@ -125,7 +126,8 @@ fn two_storeys_from_one_mass() {
     let points: Vec<SweepPoint> = frequencies
         .iter()
         .map(|hertz| {
-            // 40 dB over 60 s at 2 kHz: 3.5e-5 of the amplitude for each part, of both channels.
+            // 40 dB over 60 s at 2 kHz gives 3.5e-5 of the amplitude for the real and the imaginary part, of both
+            // channels.
             let exact = transmissibility(*hertz).abs();
             let deviation = 3.5e-5 * (exact + 1.0);
             SweepPoint {
@@ -146,7 +148,7 @@ fn two_storeys_from_one_mass() {
             fit.springs[0].value / KAPPA - 1.0,
         ];
         assert!(errors.iter().all(|error| error.abs() < 1e-3), "{errors:?}");
-        // Appendix A, corrected: the same from ω₀, ω₁, ω₂.
+        // Appendix A in its corrected form gives the same values from ω₀, ω₁, ω₂.
         let [_, f1, f2] = roots();
         assert!(
             (fit.natural[0].value / f1 - 1.0).abs() < 1e-4
@@ -168,7 +170,7 @@ fn two_storeys_from_one_mass() {
     );
 }
 
-/// Without deviations the sum of (6.16) tells its own scatter; three storeys by the same way.
+/// Without stated deviations the sum of (6.16) determines the scatter itself. Three storeys follow in the same way.
 #[test]
 fn three_storeys_without_deviations() {
     let text = |m: [f64; 3], k: [f64; 3]| {
@@ -223,8 +225,9 @@ fn intervals_of_a_sweep() {
     sweep_intervals(true);
 }
 
-/// Where the scatter itself tells the deviation, by Student's distribution.
-/// `cargo test --release -p frictiongen --features measure --test measure sweeps -- --ignored --nocapture`
+/// Intervals without stated deviations: the scatter determines the deviation, by Student's distribution.
+///
+/// Run with `cargo test --release -p frictiongen --features measure --test measure sweeps -- --ignored --nocapture`.
 #[test]
 #[ignore = "minutes without optimisation"]
 fn intervals_of_a_sweep_without_deviations() {
@@ -233,7 +236,7 @@ fn intervals_of_a_sweep_without_deviations() {
 
 fn sweep_intervals(known: bool) {
     let guess = storeys(1.0, 1.0, 3.0);
-    // Close to the truth, so that each of the repeats does not look for it from afar.
+    // The start is close to the truth, so that the repeats do not each search from a distant start.
     let frequencies = [0.6, 1.1, 1.5, 2.1, 2.6, 3.4, 4.0, 5.0, 5.6, 6.4];
     let (mut reference, mut gamma, mut kappa) = (Vec::<Estimate>::new(), Vec::new(), Vec::new());
     let mut noise = Noise::new(12);
@@ -303,7 +306,7 @@ fn bad_sweeps() {
         ),
         "{error}"
     );
-    // A unit wrong by 1000.
+    // The unit is wrong by a factor of 1000.
     let points: Vec<SweepPoint> = (1..12)
         .map(|i| f64::from(i) * 0.6)
         .map(|f| point(f, 1e3 * transmissibility(f).abs()))

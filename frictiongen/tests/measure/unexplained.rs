@@ -1,4 +1,5 @@
-//! A scene that is not the rig's: a misfit that noise does not explain is the verdict, before everything else.
+//! Recordings of a rig that the scene does not describe. A misfit that noise does not explain takes precedence over
+//! every other verdict.
 
 use crate::force::{scale, seen};
 use crate::made::{Noise, rig};
@@ -6,7 +7,7 @@ use frictiongen::System;
 use frictiongen::measure::{Identified, IdentifyRequest, Observation, Unknown, Verdict};
 use frictiongen::study::Quantity;
 
-/// Deviations of 1e-3 of the base's amplitude: 60 dB.
+/// Deviation of 1e-3 of the base's amplitude, which is 60 dB.
 const DEVIATION: f64 = 1e-3;
 
 fn measured(truth: &System, places: &[f64], beta: f64, seed: u64) -> Vec<Observation> {
@@ -26,7 +27,8 @@ fn identified(scene: &System, seen: &[Observation]) -> Identified {
     scene.identify(seen, &IdentifyRequest::default()).unwrap()
 }
 
-/// The friction force is off by far more than its interval without the wider residuals, and the answer says so first.
+/// Asserts the verdict `NotExplained`. The error of the friction force is then far larger than an interval that the
+/// residuals do not widen.
 fn unexplained(what: &str, found: &Identified) {
     println!(
         "{what}: {} N [{}, {}], misfit {:?}: {}",
@@ -53,7 +55,7 @@ fn damping_that_is_not_the_rigs() {
     assert!(told.friction.holds(0.3 * scale(&truth)));
 }
 
-/// A channel that comes two samples of 500 Hz late.
+/// A channel is late by two samples at 500 Hz.
 #[test]
 fn a_delay_between_the_channels() {
     let system = rig("damping: modal(0.02),");
@@ -78,7 +80,7 @@ fn another_stiction() {
     assert_eq!(identified(&truth, &all).verdict, Verdict::Told);
 }
 
-/// The same with an unknown beside the friction force.
+/// The scene stays unexplained with an unknown next to the friction force.
 #[test]
 fn beside_an_unknown() {
     let (truth, guess) = (
@@ -93,7 +95,8 @@ fn beside_an_unknown() {
     unexplained("μ beside ζ", &guess.identify(&all, &request).unwrap());
 }
 
-/// Of 400 recordings of the right scene at most a few look unexplained: chance is asked for one in 1000.
+/// At most a few of 400 recordings of the right scene look unexplained. The test of the misfit has a false-alarm
+/// probability of one in 1000.
 #[test]
 fn the_right_scene_is_told() {
     let truth = rig("damping: modal(0.02),");
@@ -104,12 +107,13 @@ fn the_right_scene_is_told() {
                 identified(&truth, &all).verdict != Verdict::Told
             })
             .count();
-        // Three of 400 at a probability of 1e-3 come once in 130 runs; the seeds are fixed.
+        // Three of 400 at a probability of 1e-3 occur once in 130 runs. The seeds are fixed.
         assert!(count <= 2, "{places:?}: {count} of 400");
     }
 }
 
-/// μ where nothing stops, with the damping: the recording does not determine μ, and determines the others as without it.
+/// Nothing stops, and μ is unknown together with the damping. The recording does not determine μ, and determines the
+/// other unknowns as without μ.
 #[test]
 fn an_unknown_that_does_not_show() {
     let truth = rig("stiction: 1.3, damping: modal(0.02),");
@@ -132,10 +136,10 @@ fn an_unknown_that_does_not_show() {
         assert_eq!(found.unknowns[0].1.value, 1.1);
         assert!(found.condition.is_finite());
         assert!(found.friction.holds(0.3 * scale(&truth)), "{found:?}");
-        // A relative width of 1 %, from 60 dB.
+        // The noise of 60 dB gives a relative width below 1 %.
         assert!(found.friction.to - found.friction.from < 0.01 * found.friction.value);
         if also.is_some() {
-            // As without μ: the fit ends within 1e-9 of an interval.
+            // The result is the same as without μ, because the fit ends within 1e-9 of an interval.
             let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-6;
             assert!(
                 close(found.friction.from, alone.friction.from),
@@ -148,7 +152,8 @@ fn an_unknown_that_does_not_show() {
     }
 }
 
-/// A factor on the frequencies and the only stiffness are one unknown under two names: neither is determined, friction is.
+/// A factor on the frequencies and the only stiffness are one unknown under two names. Neither is determined, but
+/// friction is.
 #[test]
 fn two_unknowns_that_are_one() {
     let truth = rig("damping: modal(0.02),");
@@ -168,7 +173,8 @@ fn two_unknowns_that_are_one() {
     assert!(found.unknowns[2].1.holds(0.02), "{found:?}");
 }
 
-/// A rig without damping, recorded exactly: the damping that is looked for ends on its bound, with and without μ beside it.
+/// The rig has no damping, and its motion is recorded exactly. The identified damping ends on its bound, with and
+/// without μ as an unknown.
 #[test]
 fn damping_of_a_rig_that_has_none() {
     let truth = rig("");

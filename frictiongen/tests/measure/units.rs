@@ -1,11 +1,12 @@
-//! Units that are wrong by a power of 1000, and motions that are another's.
+//! Units that are wrong by a power of 1000, and motions that belong to another scene.
 
 use crate::force::seen;
 use crate::made::rig;
 use frictiongen::measure::{IdentifyRequest, MeasureError, Unknown, Using, Verdict};
 
-/// An amplitude that is 1000 times too small is that of a contact all but stuck, or its unit is wrong: said, not decided.
-/// An ordinary one is told as before, and so is a small one with its phase.
+/// An amplitude that is 1000 times too small belongs to a contact that is all but stuck, or its unit is wrong. The
+/// verdict reports this doubt and does not decide. An ordinary amplitude is identified without doubt, and so is a small
+/// one with its phase.
 #[test]
 fn amplitudes_in_a_doubtful_unit() {
     let system = rig("");
@@ -31,13 +32,13 @@ fn amplitudes_in_a_doubtful_unit() {
         }
     }
     assert_eq!((doubted, believed), (32, 16));
-    // A contact that is all but stuck, with the phase of one.
+    // The contact is all but stuck, and its phase confirms it.
     let close = seen(&system, 1.3, 0.999, &[0], 1e-6);
     let found = system.identify(&[close], &IdentifyRequest::default());
     assert_ne!(found.unwrap().verdict, Verdict::AllButStuck);
 }
 
-/// A unit that is wrong by 1000, of the base and of the mass, and a motion that is another's.
+/// Units wrong by 1000, of the base and of the mass, and a motion of another scene.
 #[test]
 fn wrong_units_and_other_motions() {
     let system = rig("");
@@ -54,7 +55,7 @@ fn wrong_units_and_other_motions() {
             using,
             ..IdentifyRequest::default()
         };
-        // The amplitude alone may be as small as any: see the next test.
+        // With an amplitude alone a small value is only doubted, which the previous test checks.
         let factors: &[f64] = if using == Using::Amplitude {
             &[1e3]
         } else {

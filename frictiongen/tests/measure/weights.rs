@@ -1,4 +1,5 @@
-//! How wide intervals are, against the textbook's factors: each by one fit, and a coverage where the freedom is small.
+//! Widths of intervals, compared with the textbook's factors. Each comparison takes one fit, and a coverage where the
+//! degrees of freedom are few.
 
 use crate::force::{scale, seen};
 use crate::intervals::hold;
@@ -10,7 +11,7 @@ use frictiongen::measure::{
 use frictiongen::study::Load;
 use frictiongen::{Complex, Of, System};
 
-/// Student's quantile of 95 %, two-sided, for seven degrees of freedom, and the normal one.
+/// Student's two-sided 95 % quantile for seven degrees of freedom, and the normal one.
 const STUDENT_7: f64 = 2.364_624;
 const NORMAL: f64 = 1.959_964;
 
@@ -18,7 +19,7 @@ fn width(estimate: Estimate) -> f64 {
     estimate.to - estimate.from
 }
 
-/// Three frequencies with noise of `true_deviation`, said to be of `deviation`.
+/// Returns observations at three frequencies with noise of `true_deviation`. Their stated deviation is `deviation`.
 fn observed(system: &System, true_deviation: f64, deviation: f64) -> Vec<Observation> {
     let mut noise = Noise::new(31);
     let all = [0.8, 1.2, 1.7].map(|r| {
@@ -32,8 +33,8 @@ fn observed(system: &System, true_deviation: f64, deviation: f64) -> Vec<Observa
     all.to_vec()
 }
 
-/// Deviations that are said ten times too small make the misfit a hundred times as large, and the interval as wide as those
-/// that are right times the root of their misfit.
+/// Stated deviations that are ten times too small make the misfit a hundred times as large. The interval is then as
+/// wide as that of right deviations times the root of the misfit.
 #[test]
 fn a_misfit_widens_the_interval() {
     let system = rig("damping: modal(0.02),");
@@ -52,7 +53,7 @@ fn a_misfit_widens_the_interval() {
         assert!((small.misfit.unwrap() / misfit - 100.0).abs() < 1e-3);
         assert_eq!(right.freedom, 5 - unknowns.len());
         let ratio = width(small.friction) / width(right.friction);
-        // The sum of squares is as good as quadratic over 1e-4 of the force.
+        // The sum of squares is nearly quadratic over 1e-4 of the force.
         assert!(
             (ratio / misfit.sqrt() - 1.0).abs() < 1e-3,
             "{ratio}, {misfit}"
@@ -68,15 +69,15 @@ fn a_misfit_widens_the_interval() {
     }
 }
 
-/// Errors of the load alone: its amplitude is wrong by 0.3 % and its phase by 0.003 rad, which turns the third harmonic three times as
-/// far.  All motions share them, and the friction ratio has the amplitude too.
+/// Errors of the load alone. Its amplitude is wrong by 0.3 % and its phase by 0.003 rad, which turns the third harmonic
+/// by 0.009 rad. All motions share these errors, and the friction ratio also contains the amplitude.
 #[test]
 fn errors_of_the_load() {
     const WRONG: f64 = 0.003;
     let system = rig("damping: modal(0.02),");
     let response = system.at(0.8).unwrap().response(0.4).unwrap();
     let mut noise = Noise::new(8);
-    // Where the contact slides all the time: a thousand repeats are seconds.
+    // The contact slides all the time here, so that a thousand repeats take seconds.
     let request = IdentifyRequest {
         range: Some((0.3 * scale(&system), 0.5 * scale(&system))),
         ..IdentifyRequest::default()
@@ -113,15 +114,15 @@ fn errors_of_the_load() {
     let truth = 0.4 * scale(&system);
     println!("mean misfit {misfits}");
     hold("errors of the load", truth, &found);
-    // Three degrees of freedom: four deviations of a mean of 1000.
+    // The fit has three degrees of freedom. The bound is four deviations of a mean of 1000.
     assert!(
         (misfits - 1.0).abs() < 4.0 * (2.0 / 3.0 / 1000.0_f64).sqrt(),
         "{misfits}"
     );
 }
 
-/// A sweep whose deviations are not known has Student's factor and its own scatter where one with deviations has the normal
-/// one: 10 points, 3 parameters.
+/// A sweep without stated deviations uses Student's factor and its own scatter. A sweep with deviations uses the normal
+/// factor. There are 10 points and 3 parameters.
 #[test]
 fn few_points_have_students_factor() {
     let text =
@@ -156,7 +157,7 @@ fn few_points_have_students_factor() {
         (open.natural[1], known.natural[1]),
     ] {
         let ratio = width(wide) / width(narrow);
-        // Both are the same fit, whose end is known to 1e-10; the constants have seven digits.
+        // Both results come from the same fit, which ends within 1e-10. The constants have seven digits.
         assert!(
             (ratio / expected - 1.0).abs() < 1e-5,
             "{ratio} for {expected}"
@@ -164,7 +165,7 @@ fn few_points_have_students_factor() {
     }
 }
 
-/// An axis in so few windows that each degree of freedom counts: twelve of them, four numbers.
+/// An axis with twelve windows for four unknowns, so that each degree of freedom counts.
 #[test]
 fn twelve_windows() {
     const RATE: f64 = 1000.0;

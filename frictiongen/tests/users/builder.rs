@@ -1,4 +1,4 @@
-//! A builder tells everything that is wrong at once, and needs no type to be named.
+//! A builder reports all errors of a description together, and needs no type annotation.
 
 use frictiongen::System;
 use frictiongen::study::{Damping, InvalidScene, StudyError};
@@ -7,7 +7,7 @@ fn lines(error: &InvalidScene) -> Vec<String> {
     error.to_string().lines().map(str::to_owned).collect()
 }
 
-/// With an unknown node and no contact a negative mass went unreported.
+/// An unknown node and a missing contact do not hide a negative mass.
 #[test]
 fn everything_that_is_wrong() {
     let error = System::builder()
@@ -42,7 +42,7 @@ fn everything_that_is_wrong() {
     assert_eq!(told.len(), parts.len(), "{told:#?}");
 }
 
-/// What cannot be known is not told: a mass is not called loose whose spring could not be read.
+/// One cause gives one error: a mass is not reported as loose if its spring could not be read.
 #[test]
 fn no_second_error_of_one_cause() {
     let scene = || {
@@ -80,7 +80,7 @@ fn block() -> frictiongen::study::Builder {
     builder.contact("block", "wall").excitation("block")
 }
 
-/// This line was E0283.
+/// The next call follows `build` without a type annotation, and must not fail with E0283.
 #[test]
 fn a_call_may_follow_at_once() -> Result<(), StudyError> {
     let limit = block().build()?.at(0.9)?.continuous_limit();

@@ -1,4 +1,4 @@
-//! What has been found once is not sought again, and a search says whether it came to its end.
+//! A limit that is known is not searched again, and a search reports whether it finished.
 
 use frictiongen::kernel::modal_sum::search::MAX_EVALUATIONS;
 use frictiongen::{ContinuousMotion, FrictionSystem, MotionAt};

@@ -1,4 +1,4 @@
-//! What users met in their first hour, each as a test.
+//! Problems that users met in their first hour, each as a test.
 #![allow(
     clippy::expect_used,
     clippy::unwrap_used,

@@ -1,4 +1,4 @@
-//! A run in time does not depend on the steps in which it is passed.
+//! A run in time does not depend on the lengths of its steps.
 
 use core::fmt::Debug;
 use frictiongen::kernel::Plain;
@@ -10,7 +10,7 @@ use fuzzing::Random;
 const BLOCK: &str = "struct Block {
     masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall, excitation: block }";
 
-/// Scenes of each contact, damped and not, with μ = 1 and more, with points between their limits.
+/// Scenes of each contact, damped and undamped, with μ = 1 and above, and points (r, β) between their limits.
 const SCENES: [(&str, &[(f64, f64)]); 4] = [
     (BLOCK, &[(0.3, 0.4), (0.5, 0.6), (0.7, 0.3), (1.4, 0.3)]),
     (
@@ -32,10 +32,10 @@ const SCENES: [(&str, &[(f64, f64)]); 4] = [
     ),
 ];
 
-/// An event: when, what, and how the contact went before it.
+/// An event: its time, the event, the contact's state before it, and the displacements of the masses.
 type Happened<S> = (f64, Event, Contact, Vec<S>);
 
-/// What happens within so many τ, passed in steps.
+/// Returns the events up to `until` in τ and the final displacements, in a run that advances by `step`.
 fn events<S: Plain>(
     system: &System<S>,
     (r, beta): (f64, f64),
@@ -66,7 +66,7 @@ fn events<S: Plain>(
     (events, ends)
 }
 
-/// The steps of the first trial: 0.01, and 0 after every seventh.
+/// Returns steps of 0.01, with a step of 0 after every seventh.
 fn trial() -> impl FnMut() -> f64 {
     let mut count = 0;
     move || {
@@ -75,7 +75,7 @@ fn trial() -> impl FnMut() -> f64 {
     }
 }
 
-/// Steps of any size, from far below rounding to more than a cycle.
+/// Returns steps of any size, from far below rounding to more than a cycle.
 fn any(seed: u64) -> impl FnMut() -> f64 {
     let mut random = Random(seed);
     move || match (4.0 * random.unit()) as u8 {
@@ -128,21 +128,21 @@ fn differences<S: Plain + Debug>(most: f64) {
     assert!(compared > 1000 && places > compared);
 }
 
-/// Events at the same times, the masses at the same places.  The passes differ by where a run without events is
-/// cut, and by the test's own sum of lengths: 1e-11 is thousands of roundings.
+/// The events have the same times, and the masses the same positions. The runs differ in where a segment without events
+/// is cut, and in the test's own sum of lengths. The tolerance of 1e-11 is thousands of roundings.
 #[test]
 fn steps_change_neither_events_nor_motion() {
     differences::<f64>(1e-11);
 }
 
-/// In single precision, where 80 in the test's sum of steps counts nothing: it is kept in double.  Each length
-/// is rounded once, to 4e-7.
+/// In single precision the test keeps its sum of steps in double precision, because the rounding of a sum near 80 would
+/// be too large. Each length is rounded once, to 4e-7.
 #[test]
 fn nor_in_single_precision() {
     differences::<f32>(2e-4);
 }
 
-/// 20,000 steps of 0.01 with one of 0 every seventh: the trial that ended 0.57 off with 2108 events.
+/// 20,000 steps of 0.01 with a step of 0 after every seventh give the motion and the number of events of one long step.
 #[test]
 fn a_step_of_nothing_does_nothing() {
     let system: System = BLOCK.parse().expect("a sound scene");
@@ -193,7 +193,7 @@ fn what_is_no_reach_changes_nothing() {
                 error.to_string().contains("finite number, not negative"),
                 "{error}"
             );
-            // The smallest f64 is a 0 in single precision.
+            // The smallest f64 is 0 in single precision.
             if reach as f32 != 0.0 {
                 emitted.advance(reach as f32).expect_err("no reach");
             }
@@ -204,7 +204,7 @@ fn what_is_no_reach_changes_nothing() {
     assert_eq!(refused, 25);
 }
 
-/// 200,000 steps of 0.01, 318 cycles: the phase was 0.0126 rad off.
+/// After 200,000 steps of 0.01, which are 318 cycles, the phase has not collected the rounding of the steps.
 #[test]
 fn the_phase_does_not_collect_the_rounding_of_steps() {
     let mut run = Single::simulation(0.3, 0.4).expect("in the domain");
@@ -228,6 +228,6 @@ fn the_phase_does_not_collect_the_rounding_of_steps() {
         run.cycles()
     );
     assert_eq!(run.cycles(), 318);
-    // A phase has a rounding of 5e-7, and each event the rounding of the length up to it, below 1e-9.
+    // The phase has a rounding of 5e-7. Each event adds the rounding of the length up to it, below 1e-9.
     assert!(events > 1000 && worst < 4e-6, "{worst}");
 }

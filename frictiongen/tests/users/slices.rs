@@ -1,4 +1,4 @@
-//! A slice of another length is an error, and nothing is left out in silence.
+//! A slice of another length is an error, and no element is ignored.
 
 use frictiongen::kernel::Complex;
 use frictiongen::kernel::orbit::{Orbit, Start, numbers};
@@ -48,7 +48,7 @@ fn limits_into_slices_of_other_lengths() {
     assert!(told.contains("one place for each r"), "{told}");
 }
 
-/// One mass and one mode, by hand.
+/// One mass and one mode, written by hand.
 const MODES: [Mode<f64>; 1] = [Mode {
     kind: Kind::Undamped,
     in_contact: true,

@@ -1,4 +1,4 @@
-//! One function for emitted scenes and for systems at run time: steady states and runs in time.
+//! One generic function for emitted scenes and for run-time systems, over steady states and runs in time.
 
 use frictiongen::kernel::simulation::Event;
 use frictiongen::{
@@ -20,7 +20,7 @@ friction_system! {
     }
 }
 
-/// Everything that a steady state says, as bits.
+/// Returns every number of the steady states, as bits.
 fn steady<F>(system: &F, points: &[(f64, f64)]) -> Vec<u64>
 where
     F: FrictionSystem<Scalar = f64>,

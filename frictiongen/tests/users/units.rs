@@ -1,4 +1,4 @@
-//! Physical units: hand calculations, refusals, and the same answers in any order of masses and springs.
+//! Physical units: calculations by hand, refusals, and the same answers in any order of masses and springs.
 
 use frictiongen::System;
 use frictiongen::study::units::{angular_frequency, hertz, reversed_phase};
@@ -21,7 +21,7 @@ fn close(value: f64, expected: f64) {
     );
 }
 
-/// m = 2 kg, k = 50 N/m, P = 10 N, F = 2 N, ω = 8 rad/s, by hand in newtons and metres.
+/// Checks m = 2 kg, k = 50 N/m, P = 10 N, F = 2 N, ω = 8 rad/s against a calculation by hand in newtons and metres.
 #[test]
 fn one_mass_by_hand() {
     let (m, k, p, f, omega) = (2.0_f64, 50.0_f64, 10.0, 2.0, 8.0);
@@ -43,7 +43,7 @@ fn one_mass_by_hand() {
         scale.displacement(motion.mass("block").unwrap().amplitude()),
         expected,
     );
-    // Undamped, without stiction: the block slides under any friction below P.
+    // Undamped and without stiction, the block slides under any friction below P.
     close(scale.friction(at.sliding_limit()), p);
 }
 
@@ -116,7 +116,8 @@ fn loads_that_do_not_fit() {
     );
 }
 
-/// Another order of masses and springs has other groups, and the same metres, newtons, hertz and radians.
+/// Another order of masses and springs changes the non-dimensional groups, but not the metres, newtons, hertz and
+/// radians.
 #[test]
 fn the_order_of_a_description() {
     let frame = |masses: &str, springs: &str| -> System {
@@ -168,7 +169,8 @@ fn the_order_of_a_description() {
     }
 }
 
-/// The contact's motion turned round is that of the description with its masses in the other order, stops included.
+/// The reversed motion of the contact is the motion of the description with its masses in the other order, including
+/// stops.
 #[test]
 fn a_contact_turned_round() {
     let system = |masses: &str| -> System {
@@ -212,7 +214,7 @@ fn a_contact_turned_round() {
     assert!(compared > 90 && stops > 20);
 }
 
-/// A phase and that of the motion with the opposite sign lie half a turn apart, both in (−π, π]: of 0 it is π.
+/// Reversing a motion shifts its phase by half a turn. Both phases lie in (−π, π], so the reversed phase of 0 is π.
 #[test]
 fn a_reversed_phase_stays_in_its_turn() {
     for (lag, expected) in [(0.0, PI), (PI, 0.0), (0.5, 0.5 - PI), (-0.5, PI - 0.5)] {

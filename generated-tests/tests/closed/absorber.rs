@@ -1,6 +1,6 @@
-//! Masses beyond the contact as absorbers: V and H vanish together at their own frequencies.
+//! Masses beyond the contact as absorbers: V and H vanish together at the natural frequencies of these masses.
 //!
-//! With the contact held, what is beyond it has no load and stands still: every mass is compared, not only
+//! With the contact stuck, the masses beyond it have no load and do not move. The tests compare every mass, not only
 //! those between load and contact.
 
 use frictiongen::{FrictionSystem, LimitsAt, Regime, StuckAt, System, friction_system};
@@ -28,7 +28,7 @@ friction_system! {
     }
 }
 
-// Enough modes for sums by calls instead of straight lines.
+// With five modes the emitted code evaluates sums by calls instead of straight-line code.
 friction_system! {
     pub struct Five {
         masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1 },
@@ -45,7 +45,7 @@ const FIVE: &str = "struct Five { masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1 },
     springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1 },
     contact: m3 - wall, excitation: m1 }";
 
-/// The places: a frequency and beside it on either side, nearer and nearer.
+/// Returns the frequency ratio r and ratios on either side of it, nearer and nearer.
 fn beside(r: f64) -> Vec<f64> {
     let mut ratios = vec![r, r.next_up(), r.next_down()];
     for exponent in 1..=15 {
@@ -55,24 +55,24 @@ fn beside(r: f64) -> Vec<f64> {
     ratios
 }
 
-/// The limit and the masses' amplitudes at r.
+/// The sliding limit and the masses' amplitudes at r.
 type Exact = fn(f64) -> (f64, Vec<f64>);
 
-/// With the contact held, m₁ is between two unit springs and m₃ hangs on a mass at rest.
+/// Three masses with the contact stuck: m₁ is between two unit springs, and m₃ hangs on a mass at rest.
 fn three(r: f64) -> (f64, Vec<f64>) {
     let first = 1.0 / (2.0 - r * r);
     (first.abs(), vec![first, 0.0, 0.0])
 }
 
-/// m₁ and m₂ are between the base and the held m₃, which m₂ pulls at.
+/// Five masses with the contact stuck: m₁ and m₂ are between the base and the stuck m₃, on which m₂ pulls.
 fn five(r: f64) -> (f64, Vec<f64>) {
     let a = 2.0 - r * r;
     let (first, second) = (a / (a * a - 1.0), 1.0 / (a * a - 1.0));
     (second.abs(), vec![first, second, 0.0, 0.0, 0.0])
 }
 
-/// Every limit and amplitude of a system beside `r`, each within `tolerance` of the largest amplitude;
-/// returns how many were compared and the worst.
+/// Compares every limit and amplitude of a system near `r`, each within `tolerance` of the largest amplitude. Returns
+/// the number of compared values and the worst error.
 fn check<F>(system: &F, r: f64, exact: Exact, tolerance: f64) -> (usize, f64)
 where
     F: FrictionSystem,
@@ -89,7 +89,7 @@ where
         (compared, worst) = (compared + 1, worst.max(error));
     };
     for r in beside(r) {
-        // As the system's scalar reads it.
+        // The exact values use r as rounded to the system's scalar.
         let read = F::Scalar::constant(r);
         let (limit, amplitudes) = exact(read.to_f64());
         let at = system.at(read).expect("in the domain");
@@ -109,18 +109,20 @@ where
     (compared, worst)
 }
 
-/// The quotient loses a rounding over the distance, the series the distance's fourth power: they meet at
-/// the fourth root of a rounding, where a quarter of the digits are lost, and a factor of a few.
+/// Tolerance in double precision. The quotient loses a rounding divided by the distance from the absorber's frequency.
+/// The series loses the fourth power of that distance. Both losses are equal at the fourth root of a rounding, where a
+/// quarter of the digits and a small factor are lost.
 const DOUBLE: f64 = 1e-11;
 const SINGLE: f64 = 1e-4;
-/// Three quarters of 31 digits would be 1e-23: the values beside it are in double precision.
+/// Tolerance in double-double. Three quarters of 31 digits would be 1e-23, but the exact values are in double
+/// precision.
 const EXACT: f64 = 2e-15;
 
 #[test]
 fn three_masses_at_the_absorbers_frequency() {
     let system: System = THREE.parse().expect("a valid scene");
     let exact: System<Dd> = THREE.parse().expect("a valid scene");
-    // 33 places, a limit and three complex amplitudes each.
+    // There are 33 frequencies, each with a limit and three complex amplitudes.
     for (compared, _) in [
         check(&Three, 1.0, three, DOUBLE),
         check(&system, 1.0, three, DOUBLE),
@@ -135,8 +137,8 @@ fn three_masses_at_the_absorbers_frequency() {
     );
 }
 
-/// Five unit masses, contact in the middle: the golden ratio and its reciprocal are the frequencies of the
-/// two beyond it.
+/// Five unit masses with the contact in the middle. The frequency ratios of the two masses beyond it are the golden
+/// ratio and its reciprocal.
 #[test]
 fn two_masses_beyond_the_contact() {
     let system: System = FIVE.parse().expect("a valid scene");

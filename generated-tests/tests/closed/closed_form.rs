@@ -1,5 +1,5 @@
-//! The reference values of `reference/closed_form.json` and of the wedges in `reference/several_states.json`, at run time
-//! and through the macro.
+//! The reference values of `reference/closed_form.json` and of the wedges in `reference/several_states.json`, compared
+//! at run time and through the macro. A wedge is the range of friction ratios between β*_lim and β_lim.
 
 use frictiongen::System;
 use frictiongen::study::scene::Scene;
@@ -12,20 +12,23 @@ use generated_tests::reference::{
 use generated_tests::scenes::{TEXTS, compare_double, compare_single};
 use generated_tests::wedges as emitted_wedges;
 
-/// Double precision: 1e-12 of each quantity's scale, some 4500 roundings.  A point within 1e-2 of a
-/// sub-harmonic takes up to three digits of the sixteen; at r far above the resonances the modal terms of a
-/// mass several springs away from load and contact cancel to 1e-4 of themselves (scene 20, mass 4, r = 5.3).
+/// Tolerance in double precision, 1e-12 of each quantity's scale, which is some 4500 roundings.
+///
+/// A point within 1e-2 of a subharmonic costs up to three of the sixteen digits. At r far above the resonances, the
+/// modal terms of a mass several springs away from load and contact cancel to 1e-4 of their size. An example is scene
+/// 20, mass 4, r = 5.3.
 const DOUBLE: f64 = 1e-12;
 
-/// Single precision: 2e-4, some 1700 roundings.
+/// Tolerance in single precision, 2e-4 of each quantity's scale, which is some 1700 roundings.
 const SINGLE: f64 = 2e-4;
-/// The scenes whose points take more digits than single precision has for 2e-4, by number: far
-/// masses above the resonances (11, 20) and limits beside a sub-harmonic, where
-/// rounding r and λ to single precision alone moves them by more (30).
+/// Numbers of the scenes whose points lose too many digits for 2e-4 in single precision.
+///
+/// They have far masses above the resonances (11, 20) or limits near a subharmonic (30). There the rounding of r and λ
+/// to single precision alone changes the limits by more than 2e-4.
 const ILL_CONDITIONED: [usize; 3] = [11, 20, 30];
 
-/// How many values the reference has of each kind: 38 scenes of 141 masses together, three points each,
-/// two motions a point.
+/// Number of values of each kind in the reference: 38 scenes with 141 masses in total, three points each, and two
+/// motions a point.
 const COMPARED: [(&str, usize); 11] = [
     ("amplitude", 846),
     ("contact amplitude", 228),
@@ -40,7 +43,7 @@ const COMPARED: [(&str, usize); 11] = [
     ("without search", 114),
 ];
 
-/// Everything was compared and is within its tolerance.
+/// Asserts that every value was compared and is within its tolerance.
 #[track_caller]
 fn all_within(worst: &Worst, tolerance: f64) {
     println!("{worst}");
@@ -60,10 +63,12 @@ fn run_time_system() {
     all_within(&worst, DOUBLE);
 }
 
-/// 64 roundings of a quantity's scale: the value itself, for displacements and harmonics the amplitude of their mass, for a
-/// stuck response the largest of its scene, for a phase one radian.  A rounding is ε = 2⁻⁵².  The worst takes 21.
+/// Tolerance for the wedges, in units of a quantity's scale: 64 roundings of ε = 2⁻⁵².
+///
+/// The scale is the value itself. For displacements and harmonics it is the amplitude of their mass, for a stuck
+/// response the largest of its scene, for a phase one radian.
 const WEDGE: f64 = 64.0 * f64::EPSILON;
-/// Values of the wedges: 22 points of 14 scenes, 44 motions of 80 masses.
+/// Number of values of the wedges: 22 points of 14 scenes, 44 motions of 80 masses.
 const WEDGES: [(&str, usize); 10] = [
     ("amplitude", 80),
     ("contact amplitude", 44),
@@ -112,14 +117,13 @@ fn emitted_wedges() {
     }
 }
 
-/// Half a unit of the reference's 20th digit, 5e-20, and as much again for the comparison.
+/// Tolerance in double-double: half a unit of the reference's 20th digit, 5e-20, and as much again for the comparison.
 const DIGITS: f64 = 1e-19;
-/// Where a maximum is the reference has to fewer digits than how high it is: 1e-16.  (Scene 31, r = 0.445156,
-/// mass 3 is the worst; in 50 digits its phase is −3.113282548776704094, not …4180.)
+/// Tolerance for phases in double-double. The reference has the instant of a maximum to fewer digits than its height,
+/// 1e-16. (Scene 31, r = 0.445156, mass 3 is the worst. In 50 digits its phase is −3.113282548776704094, not …4180.)
 const PLACES: f64 = 2e-16;
 
-/// The same formulas read in double-double, which serve as a reference elsewhere: to the digits that this one
-/// has.
+/// The formulas in double-double, which are the reference of other tests, agree with the JSON file to its digits.
 #[test]
 fn read_in_double_double() {
     let mut worst = Worst::default();
@@ -133,7 +137,7 @@ fn read_in_double_double() {
     assert_eq!(beyond, Vec::<String>::new());
 }
 
-/// The extremes in double-double: beside poles, where up to ten of its 31 digits are lost.
+/// The extremes in double-double, near poles, where up to ten of its 31 digits are lost.
 #[test]
 fn extremes_read_in_double_double() {
     let mut all = Worst::default();
@@ -152,7 +156,8 @@ fn extremes_read_in_double_double() {
         }
     }
     println!("{usual}\nr = 0 and r = ∞:\n{ends}\nζ = 1e-300:\n{vanishing}");
-    // 272 points: nine without the limit by search, ten, at the ends, without the other; two motions at 253.
+    // There are 272 points. Nine have no limit by search, and ten at both bounds of the range have no limit without
+    // search. Two motions exist at 253 points.
     let compared = [
         ("contact amplitude", 506),
         ("contact phase", 506),
@@ -164,9 +169,9 @@ fn extremes_read_in_double_double() {
     ];
     assert_eq!(all.compared(), compared);
     assert_eq!(usual.beyond(|_| DIGITS), Vec::<String>::new());
-    // At the ends the reference has 17 digits.
+    // At both bounds of the range the reference has 17 digits.
     assert_eq!(ends.beyond(|_| 5e-17), Vec::<String>::new());
-    // The low part of a double-double below 1e-290 is lost to underflow: a double is left.
+    // Below 1e-290 the low word of a double-double underflows, so only double precision is left.
     assert_eq!(vanishing.beyond(|_| f64::EPSILON), Vec::<String>::new());
 }
 
@@ -186,7 +191,7 @@ fn emitted_single() {
     for (index, scene) in compare_single(&closed_form()).into_iter().enumerate() {
         let failed = scene.beyond(|_| SINGLE);
         if ILL_CONDITIONED.contains(&(index + 1)) {
-            // Five times the bar still holds there.
+            // Five times the tolerance is enough there.
             assert_eq!(scene.beyond(|_| 5.0 * SINGLE), Vec::<String>::new());
             ill.join(scene);
         } else if failed.is_empty() {
@@ -202,7 +207,7 @@ fn emitted_single() {
     assert_eq!(worst.compared(), COMPARED);
 }
 
-/// The macro has seen the reference's scenes and no others.
+/// The macro has received exactly the scenes of the reference.
 #[test]
 fn texts_are_the_references() {
     let references = closed_form();
@@ -212,7 +217,7 @@ fn texts_are_the_references() {
     }
 }
 
-/// A scene without its name.
+/// Reads a scene without its name.
 fn read(text: &str) -> Scene {
     let scene = parse_text(text, &Limits::MACRO).expect("a valid scene");
     Scene {
@@ -221,7 +226,7 @@ fn read(text: &str) -> Scene {
     }
 }
 
-/// Of one mass the sum of each mode's own maximum is the maximum of the sum.
+/// With one mass the sum of the modes' own maxima is the maximum of the sum.
 #[test]
 fn one_mode_has_its_own_maximum() {
     let (mut compared, mut searched, mut worst) = (0, 0, 0.0);
@@ -255,9 +260,9 @@ fn one_mode_has_its_own_maximum() {
         }
     }
     println!("{compared} values compared, worst {worst:.1e}; {searched} with a search");
-    // Both searches tell S apart to a few roundings, which U² + S² may double.
+    // Both searches find S to a few roundings, which U² + S² may double.
     assert!(worst < 1e-14);
     assert_eq!(compared, 6 * 2 * 199);
-    // Where S exceeds its value at the start.
+    // The counted searches are those in which S exceeds its value at the start.
     assert!(searched > 100, "{searched}");
 }

@@ -23,8 +23,8 @@ fn chain(masses: usize, spread: f64) -> String {
     text
 }
 
-/// Against the double-double analysis of the same scene: frequencies to 1e-13 of themselves, also
-/// where masses and stiffnesses spread over eight decades.
+/// The double-double analysis of the same scene gives the same frequencies to a relative 1e-13, also where masses and
+/// stiffnesses spread over eight decades.
 #[test]
 fn frequencies_and_limits_of_80_masses() {
     for spread in [10.0, 1e8] {
@@ -48,8 +48,8 @@ fn frequencies_and_limits_of_80_masses() {
             "spread {spread:e}: frequencies off by {worst:e}"
         );
     }
-    // The limits of 64 masses, and of the same with a mass too light and soft to matter: the contact
-    // is beside the load, so that no sum over modes cancels.
+    // 64 masses have the same limits as 64 masses and one more that is too light and soft to matter. The contact is
+    // next to the load, so that no sum over modes cancels.
     let text = chain(64, 10.0);
     let (small, large) = (
         text.clone(),
@@ -68,7 +68,7 @@ fn frequencies_and_limits_of_80_masses() {
     }
 }
 
-/// A chain of equal masses and springs from the base to a free end, contact beside the load.
+/// Returns a chain of equal masses and springs from the base to a free end, with the contact next to the load.
 fn uniform(masses: usize) -> System {
     let mut text = String::from("struct Uniform { masses: {");
     for mass in 0..masses {
@@ -82,8 +82,8 @@ fn uniform(masses: usize) -> System {
     text.parse().expect("a valid scene")
 }
 
-/// Frequencies against 2 sin((2i − 1)π/(4N + 2)), to 1e-13 of themselves; β*_lim against the one free mass
-/// that is left where the contact holds, 1/|2 − r²|.
+/// Compares frequencies with 2 sin((2i − 1)π/(4N + 2)), to a relative 1e-13. Compares β*_lim with 1/|2 − r²| of the one
+/// mass that stays free while the contact sticks.
 fn compare_uniform(masses: usize) {
     let system = uniform(masses);
     assert_eq!(system.resonances().len(), masses);
@@ -100,7 +100,7 @@ fn compare_uniform(masses: usize) {
         let limit = system.at(r).expect("in the domain").sliding_limit();
         let error = (limit * (2.0 - r * r).abs() - 1.0).abs();
         println!("r = {r}: sliding limit off by {error:.1e}");
-        // Poles are some 1/N apart: each 1e-13 of a frequency is 1e-10 beside them.
+        // Poles are some 1/N apart, so that 1e-13 of a frequency is 1e-10 near them.
         assert!(error < 1e-13 * (10 * masses) as f64, "r = {r}: {error:e}");
     }
 }
@@ -110,7 +110,7 @@ fn a_uniform_chain_of_100_masses() {
     compare_uniform(100);
 }
 
-/// `cargo test --release -p generated-tests --test closed large:: -- --ignored --nocapture`
+/// Run with `cargo test --release -p generated-tests --test closed large:: -- --ignored --nocapture`.
 #[test]
 #[ignore = "a thousand masses take some seconds"]
 fn a_thousand_masses() {

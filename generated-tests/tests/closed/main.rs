@@ -1,4 +1,5 @@
-//! Closed forms: limits, continuous motion, stuck responses, at run time and emitted, against references of 40 digits and against the governing equations.
+//! Closed forms: limits, continuous motion and stuck responses, at run time and emitted. The references have 40 digits,
+//! or solve the governing equations.
 
 mod absorber;
 mod closed_form;

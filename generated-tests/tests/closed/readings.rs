@@ -1,5 +1,5 @@
-//! One formula, several readings: the recorded graph interpreted in numbers, the compiled code that
-//! it was printed as, and the run-time system.
+//! One formula in three implementations: an interpreter of the recorded graph, the compiled code printed from that
+//! graph, and the run-time system.
 
 use frictiongen::{
     ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, OutOfDomain, Steady, StuckAt, System,
@@ -10,7 +10,8 @@ use generated_tests::shown;
 
 const RATIOS: [f64; 7] = [0.0371, 0.3, 0.61, 0.97, 1.3, 2.2, 9.0];
 
-/// Compares every reading at several points, bit for bit and within 1e-13.
+/// Compares the limits at several points. The interpreted and the compiled ones must be equal bit for bit, those of the
+/// run-time system within `roundings`.
 fn check<S, F>(name: &str, emitted: &F, roundings: f64)
 where
     S: Float,
@@ -78,7 +79,7 @@ where
     assert_eq!(compared, RATIOS.len() * (2 * 2 + 1));
 }
 
-/// The same for motions and stuck responses.
+/// Compares the motions and stuck responses of all implementations.
 fn check_motion<S, F>(name: &str, emitted: &F, roundings: f64)
 where
     S: Float,
@@ -148,7 +149,7 @@ where
     }
     println!("{name}: {compared} motions compared, {skipped} of masses without one skipped");
     assert_eq!(compared + skipped, RATIOS.len() * system.masses());
-    // These provide one of their masses, the others all.
+    // These scenes provide the motion of one mass, and the others of every mass.
     let without = match name {
         "OneMotion" | "Five" | "Tall" => system.masses() - 1,
         _ => 0,
@@ -163,7 +164,8 @@ fn same_bits<S: Float>(interpreted: S, compiled: S, place: &str) {
     );
 }
 
-/// Within so many roundings of `scale`.  1e-13 is 450 of them; single precision takes the same.
+/// Asserts a difference of at most `roundings` roundings of `scale`. 1e-13 is 450 of them, and single precision has the
+/// same bound.
 fn close<S: Float>(a: S, b: S, scale: S, roundings: f64, place: &str) {
     let bound = scale.to_f64().abs() * roundings * S::EPSILON;
     let difference = (a.to_f64() - b.to_f64()).abs();
@@ -216,7 +218,7 @@ fn stuck_responses_agree() {
                 for (part, compiled) in [("re", compiled.re), ("im", compiled.im)] {
                     let wanted = format!("{}.stuck.{part}", mass.name);
                     let found = interpreted.iter().find(|(name, _)| *name == wanted);
-                    // A mass that the contact ties to its support is not computed at all.
+                    // The graph does not compute a mass that the stuck contact ties to its support.
                     let Some((_, value)) = found else {
                         assert_eq!(compiled, 0.0);
                         tied += 1;
@@ -235,14 +237,14 @@ fn stuck_responses_agree() {
         }
         println!("{name}: {compared} values compared, {tied} of tied masses found to be 0");
         assert_eq!(compared + tied, RATIOS.len() * scene.masses.len() * 2);
-        // On the wall one mass is tied, of two that rub on each other none.
+        // On the wall one mass is tied. Of two masses that rub on each other none is tied.
         let masses = usize::from(name != "PairMasses");
         assert_eq!(tied, RATIOS.len() * masses * 2, "{name}");
     }
     check_all!(stuck: PairMasses, Five, Symmetric);
 }
 
-/// One function from r on gives the bits of the way by `at`, emitted and at run time.
+/// The function `limits_without_search` gives the same bits as the limits by `at`, emitted and at run time.
 #[test]
 fn limits_without_search_are_those_of_at() {
     fn by_at<F: FrictionSystem>(system: &F, r: F::Scalar) -> [u64; 2] {
@@ -277,7 +279,7 @@ fn limits_without_search_are_those_of_at() {
         sliced(name, system, &ratios);
         ratios.len()
     }
-    /// Slices that begin and end at every place of those that go side by side.
+    /// Compares slices that begin and end at every position within a group that is evaluated together.
     fn sliced<F: FrictionSystem>(name: &str, system: &F, ratios: &[F::Scalar]) {
         let none = F::Scalar::constant(-1.0);
         for (from, left) in (0..9).zip([0, 5, 3, 1, 4, 8, 2, 7, 6]) {
@@ -290,7 +292,7 @@ fn limits_without_search_are_those_of_at() {
                 assert_eq!(found, at_once(system, *r), "{name} at r = {r:?} of a slice");
             }
         }
-        // The first r without an answer ends it, what came before is filled in.
+        // The first invalid r ends the slice, and the earlier elements are filled in.
         for at in 0..19 {
             let mut rs = ratios[700..720].to_vec();
             rs[at] = F::Scalar::constant(f64::NAN);
@@ -330,7 +332,7 @@ fn limits_without_search_are_those_of_at() {
         PairMasses, Thesis, Five, Single, Braced, Symmetric, LimitsOnly, OneMotion, Tall, Stopping);
 }
 
-/// Half of the points of a sweep are reached by a slice, the others one by one.
+/// The limits of a slice equal those of single calls bit for bit.
 #[test]
 fn slices_are_single_points() {
     let (mut continuous, mut sliding) = ([0.0; 7], [0.0; 7]);

@@ -1,15 +1,15 @@
-//! Constants in single precision are double-double numbers rounded once.
+//! Constants in single precision are double-double numbers, rounded once.
 //!
-//! Through a double they would be rounded twice.  That shows only where the double is halfway between two
-//! single numbers: the second rounding then no longer knows on which side of it the number was.  The
-//! stiffnesses here are (1 + k·2⁻²⁴)² a rounding up or down, so that ω = √(k₁/m₁) is such a halfway
-//! point but for 2⁻⁵³.
+//! A conversion through a double would round them twice. The difference shows only where the double lies halfway
+//! between two single numbers. The second rounding then does not know on which side the number was. The stiffnesses
+//! here are (1 + k·2⁻²⁴)² with a rounding up or down. ω = √(k₁/m₁) then differs from a halfway point by 2⁻⁵³.
 
 use frictiongen::{System, friction_system};
 
-/// ω = 1 + 2⁻²⁴ + 2⁻⁵³: 1 + 2⁻²³ is nearest, but the even neighbour of the halfway point is 1.
+/// Stiffness with ω = 1 + 2⁻²⁴ + 2⁻⁵³. The nearest single number is 1 + 2⁻²³, but the even neighbour of the halfway
+/// point is 1.
 const ABOVE: &str = "1.0000001192092933";
-/// ω = 1 + 3·2⁻²⁴ − 2⁻⁵³: 1 + 2⁻²³ is nearest, but the even neighbour is 1 + 2⁻²².
+/// Stiffness with ω = 1 + 3·2⁻²⁴ − 2⁻⁵³. The nearest single number is 1 + 2⁻²³, but the even neighbour is 1 + 2⁻²².
 const BELOW: &str = "1.0000003576279004";
 
 friction_system! {
@@ -32,7 +32,7 @@ friction_system! {
     }
 }
 
-/// (1 + k·2⁻²⁴)², which a double holds, and the double after it.
+/// Returns (1 + k·2⁻²⁴)², which is exact in double precision.
 fn square(k: f64) -> f64 {
     let root = 1.0 + k * 2.0_f64.powi(-24);
     root * root
@@ -40,7 +40,7 @@ fn square(k: f64) -> f64 {
 
 #[test]
 fn emitted_and_at_run_time() {
-    // The stiffnesses are what they are meant to be.
+    // The stiffnesses are the neighbours of the exact squares.
     let texts = [ABOVE, BELOW];
     let meant = [square(1.0).next_up(), square(3.0).next_down()];
     for (text, meant) in texts.iter().zip(meant) {
@@ -65,7 +65,7 @@ fn emitted_and_at_run_time() {
         assert_eq!(got, nearest, "{what}");
         compared += 1;
     }
-    // ω is also what a frequency is divided by.
+    // A frequency is also divided by ω.
     for (what, got) in [
         ("emitted, above", Above::frequency_ratio(1.0)),
         ("emitted, below", Below::frequency_ratio(1.0)),

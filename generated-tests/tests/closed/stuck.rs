@@ -1,10 +1,10 @@
-//! Where the response with a stuck contact is refused: `StuckResonance`, emitted and at run time, in
-//! both precisions, on every mass, and nowhere beside it.
+//! Frequencies at which the response with a stuck contact is refused with `StuckResonance`. The tests run emitted and
+//! at run time, in both precisions, and on every mass. No frequency near a refused one is refused.
 
 use frictiongen::{FrictionSystem, StuckAt, StuckResonance, System, friction_system};
 use frictiongen_kernel::{Float, Scalar};
 
-/// A symmetric chain: the contact, in its middle, does not touch the second mode, (1, 0, −1) at r = √2.
+/// Emits a symmetric chain. The contact in the middle does not touch the second mode, (1, 0, −1) at r = √2.
 macro_rules! symmetric {
     ($name:ident $(, $scalar:ident)?) => {
         friction_system! {
@@ -26,7 +26,7 @@ const SYMMETRIC: &str = "struct Symmetric { masses: { left: 1, middle: 1, right:
     springs: { base - left: 1, left - middle: 1, middle - right: 1, right - wall: 1 },
     contact: middle - wall, excitation: left }";
 
-/// The same with seven masses, whose sums over modes are calls: three modes out of sight of the contact.
+/// A symmetric chain of seven masses, whose sums over modes are calls. The contact does not touch three of its modes.
 const SEVEN: &str = "struct Seven { masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1, m6: 1, m7: 1 },
     springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1, m5 - m6: 1, m6 - m7: 1,
     m7 - wall: 1 }, contact: m4 - wall, excitation: m1 }";
@@ -42,7 +42,7 @@ friction_system! {
     }
 }
 
-// Damped, the same mode is bounded.
+// With damping, the same mode is bounded.
 friction_system! {
     pub struct Damped {
         masses: { left: 1, middle: 1, right: 1 },
@@ -54,8 +54,8 @@ friction_system! {
     }
 }
 
-/// Refused on the resonances in `invisible`, by number, on every mass; not on the others, nor one rounding
-/// beside any.  Returns how many answers were asked for.
+/// Asserts that every mass is refused on the resonances in `invisible`, given by number. No mass may be refused on the
+/// other resonances, nor one rounding next to any resonance. Returns the number of answers.
 fn check<F>(system: &F, invisible: &[usize]) -> usize
 where
     F: FrictionSystem,
@@ -102,7 +102,7 @@ fn a_resonance_that_the_contact_does_not_touch() {
     assert_eq!(check(&single, &[1]), 27);
     assert_eq!(check(&Seven, &[1, 3, 5]), 147);
     assert_eq!(check(&seven, &[1, 3, 5]), 147);
-    // The inherent calls say the same as those of the trait.
+    // The inherent functions answer as those of the trait.
     let r = Symmetric::RESONANCES[1];
     let refused = |at: Result<_, _>| matches!(at, Err(StuckResonance));
     assert!(refused(
@@ -119,8 +119,8 @@ fn a_damped_one_is_bounded() {
     let system: System = text.parse().expect("a valid scene");
     assert_eq!(check(&Damped, &[]), 27);
     assert_eq!(check(&system, &[]), 27);
-    // What left and right have apart is that mode alone: φ² of each is 1/2 and λ is 2, so that each has
-    // (1/4)/(2iζ) of it, with opposite signs.
+    // The difference of left and right has that mode alone. φ² of each mass is 1/2 and λ is 2, so each has (1/4)/(2iζ)
+    // of the mode, with opposite signs.
     let at = Damped::at(Damped::RESONANCES[1]).expect("in the domain");
     let stuck = at.stuck().expect("damped");
     let apart = stuck.left() - stuck.right();
@@ -130,8 +130,8 @@ fn a_damped_one_is_bounded() {
     );
 }
 
-/// Out of sight of the contact and of the load as well, a mode is none of the response's: here the load
-/// is in the middle.
+/// A mode that neither the contact touches nor the load drives is not in the response. Here the load acts on the
+/// middle.
 #[test]
 fn one_that_nothing_drives_is_not_there() {
     let text = SYMMETRIC.replace("excitation: left", "excitation: middle");
@@ -139,8 +139,8 @@ fn one_that_nothing_drives_is_not_there() {
     assert_eq!(check(&system, &[]), 27);
 }
 
-// With its contact held, m₁ has the base's spring and three times that: it resonates at r = 2, where H
-// vanishes.
+// With its contact stuck, m₁ is between a spring to the base and one that is three times as stiff. It resonates at r =
+// 2, where H vanishes.
 friction_system! {
     pub struct Held {
         masses: { m1: 1, m2: 1 },
@@ -151,8 +151,8 @@ friction_system! {
     }
 }
 
-/// On a resonance that the contact holds together the response is 1/(4 − r²) but for the rounding of
-/// the natural frequencies: beyond 10¹⁴, or refused.
+/// At a resonance of the chain with its contact stuck, the response is 1/(4 − r²) up to the rounding of the natural
+/// frequencies. It is beyond 10¹⁴, or refused.
 #[test]
 fn a_resonance_of_the_held_chain() {
     let text = "struct Held { masses: { m1: 1, m2: 1 }, springs: { base - m1: 1, m1 - m2: 3 },
@@ -168,7 +168,7 @@ fn a_resonance_of_the_held_chain() {
         }
         Ok(x) => {
             let exact = 1.0 / (4.0 - r * r);
-            // λ and r have a rounding each, which the distance from the resonance enlarges.
+            // λ and r have a rounding each, which the distance from the resonance magnifies.
             let tolerance = 64.0 * f64::EPSILON / (2.0 - r).abs();
             assert!((x / exact - 1.0).abs() < tolerance, "{x} {exact}");
             answered += 1;

@@ -1,5 +1,5 @@
-//! One stepper, several readings: emitted with tables made at the start, emitted with constant tables, and of the
-//! run-time system.
+//! One stepper in three implementations: emitted with tables computed at the start, emitted with constant tables, and
+//! the run-time system.
 
 use frictiongen::study::SystemInput;
 use frictiongen::{OutOfDomain, StepLoad, Stepping, Steps, System};
@@ -12,7 +12,7 @@ fn system<S: Float>(name: &str) -> System<S> {
     known.expect("a scene").1.parse().expect("a valid scene")
 }
 
-/// What acts in a step: irregular, and strong enough for a stop every few steps.
+/// Returns the inputs of a step. They are irregular, and large enough for a stop every few steps.
 fn acting(step: u32) -> [f64; 4] {
     let t = f64::from(step);
     [
@@ -23,17 +23,17 @@ fn acting(step: u32) -> [f64; 4] {
     ]
 }
 
-/// How strong each of these is in a scene: base, base's velocity, force, friction.
+/// Sizes of these inputs in a scene: base, velocity of the base, force and friction.
 struct Strength {
     base: f64,
     velocity: f64,
     force: f64,
     friction: f64,
-    /// The masses that are loaded.
+    /// Indices of the loaded masses.
     loaded: &'static [usize],
 }
 
-/// Everything that a stepper says, after each step; how many events there were.
+/// Returns every number that a stepper reports after each step, and the number of events.
 fn run<T: Stepping>(mut stepper: T, strength: &Strength, masses: usize) -> (Vec<f64>, u32) {
     let (mut said, mut events) = (Vec::new(), 0);
     let number = T::Scalar::constant;
@@ -99,7 +99,7 @@ const BOWED: Strength = Strength {
     loaded: &[1, 0],
 };
 
-/// Where both make their tables at the start, an emitted stepper and the system's say the same bits.
+/// An emitted stepper and that of the run-time system agree bit for bit where both compute their tables at the start.
 #[test]
 fn emitted_and_run_time_say_the_same_bits() {
     fn check<F: Steps>(name: &str, emitted: &F, dt: f64, strength: &Strength, masses: usize)
@@ -121,14 +121,14 @@ fn emitted_and_run_time_say_the_same_bits() {
         }
         println!("{name}: {} values the same, {events} events", one.len());
     }
-    // Steps of another length than the declared ones.
+    // The steps have another length than the declared one.
     check("Shaken", &shown::Shaken, 1.1e-3, &SHAKEN, 2);
     check("Pushed", &shown::Pushed, 1e-3, &PUSHED, 1);
     check("Bowed", &shown::Bowed, 4e-4, &BOWED, 2);
 }
 
-/// Constant tables are rounded once, those made at the start a few times: the same motion to what rounding becomes in
-/// 4000 steps.  Where a step's end lies beside an event, the two may differ by the event.
+/// Constant tables are rounded once, and tables computed at the start a few times. Both give the same motion, up to the
+/// growth of rounding in 4000 steps. Where the end of a step lies next to an event, the two may differ by that event.
 #[test]
 fn constant_tables_say_the_same_to_rounding() {
     fn check(name: &str, constant: impl Stepping, system: impl Stepping, strength: &Strength) {
@@ -170,7 +170,7 @@ fn constant_tables_say_the_same_to_rounding() {
 }
 
 frictiongen::friction_system! {
-    /// A step of nearly a radian of the faster mode: a series of few terms would show.
+    /// A step of nearly a radian of the faster mode, in which a series with too few terms would show.
     struct Long {
         masses: { a: 1.0, b: 2.0 },
         springs: { base - a: 400.0, a - b: 300.0 },
@@ -187,7 +187,7 @@ const LONG: &str =
     "struct Long { masses: { a: 1.0, b: 2.0 }, springs: { base - a: 400.0, a - b: 300.0 },
     contact: b - wall, excitation: a, damping: modal(0.02), stiction: 1.2, provide: [stepper] }";
 
-/// Constant tables of a long step.
+/// Constant tables of a long step agree with those of the run-time system.
 #[test]
 fn a_declared_step_of_a_radian() {
     let system: System = LONG.parse().expect("a scene");
@@ -211,7 +211,7 @@ fn a_declared_step_of_a_radian() {
     assert!(apart < 1e-13 * size, "{:e}", apart / size);
 }
 
-/// Inputs by name are inputs by place.
+/// Inputs by name and inputs by position give the same steps.
 #[test]
 fn named_inputs_are_those_by_place() {
     let system: System = system("Bowed");
@@ -243,7 +243,7 @@ fn named_inputs_are_those_by_place() {
     assert!(one.displacement() != 0.0);
     let third = by_name.mass("string").expect("a mass");
     assert!((third.displacement() - one.displacement()).abs() < 1e-12 * one.displacement().abs());
-    // Saved and restored, the same steps lead to the same bits.
+    // After `restore` the same steps lead to the same bits.
     let saved = by_field.save();
     let input = shown::BowedInput {
         force: 1.0,
@@ -255,7 +255,7 @@ fn named_inputs_are_those_by_place() {
     assert_eq!(by_field.advance(input).expect("a sound input"), first);
 }
 
-/// What is wrong with an input is told by its name, and changes nothing.
+/// The error for a wrong input has the name of that input, and the stepper does not change.
 #[test]
 fn faulty_inputs_are_refused_by_name() {
     fn told<T: std::fmt::Debug>(result: Result<T, OutOfDomain>) -> &'static str {
@@ -341,7 +341,7 @@ fn faulty_inputs_are_refused_by_name() {
         refused[1]
     );
     assert_eq!(run.steps(), 0);
-    // What is asked of the closed forms is refused by the law's name.
+    // Functions of the closed forms refuse the friction law by its name.
     let told = system
         .at(0.9)
         .map(|_| ())

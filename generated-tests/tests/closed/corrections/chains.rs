@@ -6,13 +6,13 @@ use super::{close, judged};
 use nalgebra::{Matrix2, Vector2};
 use std::f64::consts::PI;
 
-/// The printed modal coordinate does not have the velocity that it starts from.
+/// The printed modal coordinate does not have the velocity from which it starts.
 #[test]
 fn eq_5_28() {
     let (big_r, psi_j, psi_l, beta, phi) = (0.7_f64, 0.8, 1.1, 0.3, 0.4_f64);
     let (v, u) = (1.0 / (1.0 - big_r * big_r), u_g(big_r, 0.0).0);
     let square = big_r * big_r;
-    // From (5.24), (5.27).
+    // The start follows from (5.24) and (5.27).
     let start = psi_l * square * v * phi.cos();
     let start_velocity = -psi_l * square * v * phi.sin() - psi_j * square * u * beta;
     let eta = |tau: f64, of_friction: f64| {
@@ -24,9 +24,9 @@ fn eq_5_28() {
     let right = |tau: f64| eta(tau, psi_j * square * u * beta);
     let h = 1e-4;
     let slope = |eta: &dyn Fn(f64) -> f64| (eta(h) - eta(-h)) / (2.0 * h);
-    // A central difference is good to h².
+    // The error of a central difference is h².
     judged(slope(&printed), slope(&right), start_velocity, 1e-6);
-    // η″ + η/R² = ψ_jβ + ψ_l cos(τ + φ), the largest residual.
+    // The largest residual of η″ + η/R² = ψ_jβ + ψ_l cos(τ + φ).
     let residual = |eta: &dyn Fn(f64) -> f64| {
         [0.3_f64, 1.2, 2.5]
             .map(|tau| {
@@ -41,7 +41,7 @@ fn eq_5_28() {
     states("eq_5_28", &numbers);
 }
 
-/// The printed S_j bounds from above what is needed.
+/// The printed S_j is only an upper bound on S.
 #[test]
 fn eq_5_55_and_5_56() {
     let (scene, r) = (unit(3, Contact::Wall(1)), 0.35);
@@ -63,10 +63,10 @@ fn eq_5_55_and_5_56() {
     let limit = |s: f64| v.abs() / u.hypot(s);
     let (printed, right) = (limit(sum_of_maxima), limit(of_the_sum));
     let truth = plain.velocity_limit(0.4);
-    // A grid of 200 instants for the one, of 4000 for the other.
+    // The grid has 200 instants for the truth, and 4000 for S.
     judged(printed, right, truth, 1e-4);
     close(scene.limit(r), right, 1e-5);
-    // Between the two, a motion that satisfies the equations and does not stop.
+    // Between the two limits the motion satisfies the equations and does not stop.
     let beta = 0.18;
     let x = plain.motion(beta);
     let phi = plain.amplitude_phase(beta).1;
@@ -78,14 +78,14 @@ fn eq_5_55_and_5_56() {
     states("eq_5_55_and_5_56", &numbers);
 }
 
-/// β_∞ of a chain, from the force at its reversal.
+/// β_∞ of a chain follows from the force at its reversal.
 #[test]
 fn eq_6_6() {
     let mu: f64 = 2.0;
     let scene = unit(2, Contact::Wall(0)).stiction(mu);
     let printed = 1.0 / (mu + PI * PI / 4.0).sqrt();
     let right = 1.0 / (mu * mu + PI * PI / 4.0).sqrt();
-    // What is left of the limit's approach is of the order 1/r².
+    // The limit approaches its value with an error of the order 1/r².
     let r = 200.0;
     let truth = scene.at(r).break_away_limit(0.6);
     judged(printed, right, truth, 2.0 / (r * r));
@@ -93,7 +93,7 @@ fn eq_6_6() {
     states("eq_6_6", &[(printed, 4), (right, 4)]);
 }
 
-/// Invariant points: U₁ = 0.
+/// At invariant points U₁ = 0.
 #[test]
 fn section_6_3_2() {
     let scene = unit(2, Contact::Wall(0));
@@ -108,20 +108,20 @@ fn section_6_3_2() {
     }
     println!("{compared} values compared, none skipped");
     assert_eq!(compared, 2 * 3);
-    // At 1.123 the response still depends on β, by the square of U.
+    // At 1.123 the response still depends on β, through the square of U.
     let share = |r: f64| {
         let amplitude = |beta| scene.at(r).amplitude_phase(beta).0;
         1.0 - amplitude(0.6) / amplitude(0.0)
     };
     judged(share(1.123), share(exact[1]), 0.0, 1e-14);
-    // 0.559 is exact to its digits, 1.123 is not.
+    // 0.559 is right to its digits, and 1.123 is not.
     close(exact[0], 0.559, 5e-4);
     assert!((exact[1] - 1.123).abs() > 4e-3);
     let numbers = [(0.559, 3), (1.123, 3), (exact[0], 4), (exact[1], 4)];
     states("section_6_3_2", &numbers);
 }
 
-/// Amplitude and stiffness ratio of the two-storey rig from its frequencies.
+/// Amplitude and stiffness ratio of the two-storey rig follow from its frequencies.
 #[test]
 fn eq_a_11_and_a_20() {
     let (m1, m2, k1, k2) = (3.27_f64, 3.25, 1190.0, 1323.0);
@@ -141,7 +141,7 @@ fn eq_a_11_and_a_20() {
             .product());
     let printed = product / antiresonance * fraction;
     let right = (product / antiresonance).powi(2) * fraction;
-    // (A.1) itself, for Y = 1.
+    // The truth is the solution of (A.1) itself for Y = 1.
     let dynamic = Matrix2::new(
         k1 + k2 - omega * omega * m1,
         -k2,

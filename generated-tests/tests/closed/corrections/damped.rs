@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 
 const BETA: f64 = 0.15;
 
-/// Two equal masses, contact on m₂, force on m₁, ζ = 0.1, integrated until the transient has gone:
-/// 60 periods leave e^−29 of it.
+/// Integrates two equal masses until the transient has died out, with the contact on m₂, the force on m₁ and ζ = 0.1.
+/// After 60 periods e^−29 of the transient is left.
 fn steady() -> (Plain, Steady) {
     let plain = unit(2, Contact::Wall(1)).damped(0.1).at(0.8);
     let steady = run(&plain, BETA, 60);
@@ -17,10 +17,10 @@ fn steady() -> (Plain, Steady) {
     (plain, steady)
 }
 
-/// What integration leaves: some 1e-11 of Runge-Kutta, and the transient.
+/// Error of the integration: some 1e-11 of Runge-Kutta, and the rest of the transient.
 const INTEGRATION: f64 = 1e-9;
 
-/// Displacements after a maximum of the contact's.
+/// Displacements after a maximum of the contact's motion.
 #[test]
 fn eq_7_22_7_23_7_28_and_b_15() {
     let (plain, steady) = steady();
@@ -55,7 +55,7 @@ fn eq_7_22_7_23_7_28_and_b_15() {
     println!("{compared} displacements compared, none skipped");
     assert_eq!(compared, 5 * 2);
     assert!(largest > 0.1);
-    // The right form is what the project gives.
+    // The project gives the same values as the right form.
     let system = unit(2, Contact::Wall(1)).damped(0.1).system();
     let motion = system.at(0.8).unwrap().motion(BETA).unwrap();
     let project = motion.mass("m1").unwrap().displacement(1.3);
@@ -101,7 +101,7 @@ fn eq_7_33() {
     states("eq_7_33", &[(printed, 4), (right, 4)]);
 }
 
-/// What one mode asks for, (7.38) put right, over sin τ.
+/// Returns the term of one mode in the velocity constraint, divided by sin τ, by the corrected (7.38).
 fn constraint(big_r: f64, zeta: f64, tau: f64) -> f64 {
     let ((u, g), (_, q)) = (u_g(big_r, zeta), d_q(big_r, zeta, tau));
     let root = (1.0 - zeta * zeta).sqrt();
@@ -110,7 +110,7 @@ fn constraint(big_r: f64, zeta: f64, tau: f64) -> f64 {
     ((1.0 + g) * big_r * q + u * big_r * big_r * (tau.cos() - fast)) / tau.sin()
 }
 
-/// The sum of maxima, with damping.
+/// The sum of the modes' maxima, with damping, is not the maximum of the sum.
 #[test]
 fn eq_7_37() {
     let (scene, r) = (unit(3, Contact::Wall(1)).damped(0.01), 0.35);
@@ -118,7 +118,7 @@ fn eq_7_37() {
     let mode = |i: usize, tau: f64| {
         plain.inverse_mass_of(i) / (r * r) * constraint(plain.big_r(i), plain.zeta, tau)
     };
-    // With the first instants after the reversal, where damping puts the largest value.
+    // The grid includes the first instants after the reversal, because damping puts the largest value there.
     let largest = |f: &dyn Fn(f64) -> f64| {
         let instants = (1..4000).map(|i| PI * f64::from(i) / 4000.0);
         instants
@@ -130,13 +130,13 @@ fn eq_7_37() {
     let of_the_sum = largest(&|tau| (0..3).map(|i| mode(i, tau)).sum());
     let limit = |s: f64| plain.v_contact().norm() / plain.w.dot(&plain.u()).hypot(s);
     let (printed, right) = (limit(sum_of_maxima), limit(of_the_sum));
-    // A grid of 200 instants for the one, of 4000 for the other.
+    // The grid has 200 instants for the truth, and 4000 for S.
     judged(printed, right, plain.velocity_limit(0.4), 1e-4);
     close(scene.limit(r), right, 1e-5);
     states("eq_7_37", &[(printed, 3), (right, 3)]);
 }
 
-/// What the velocity of the motion asks for at one instant.
+/// The velocity constraint at one instant.
 #[test]
 fn eq_7_38() {
     let (r, zeta, tau): (f64, f64, f64) = (0.35, 0.1, 1.0);
@@ -146,8 +146,8 @@ fn eq_7_38() {
     let bracket = (-zeta * tau / r).exp() * (sin + zeta / root * cos);
     let printed = ((1.0 + g) * r * q - u * r * r * bracket) / tau.sin();
     let right = constraint(r, zeta, tau);
-    // z̄′ = −(Z + βG) sin τ + βU cos τ + β d/dτ[…]: one mode has b = 1, and s_d is r² times what
-    // stands beside Z + βG.
+    // z̄′ = −(Z + βG) sin τ + βU cos τ + β d/dτ[…]. One mode has b = 1, so s_d is r² times the term that is compared
+    // with Z + βG.
     let h = |tau: f64| {
         let (d, q) = d_q(r, zeta, tau);
         1.0 - (1.0 + g) * d - u * r * q
@@ -155,9 +155,9 @@ fn eq_7_38() {
     let step = 1e-4;
     let slope = (h(tau + step) - h(tau - step)) / (2.0 * step);
     let truth = r * r * (slope + u * tau.cos()) / tau.sin();
-    // A central difference is good to step²/r³.
+    // The error of a central difference is step²/r³.
     judged(printed, right, truth, 1e-6);
-    // And with it the limit, here the velocity's.
+    // The limit follows from the constraint. Here the velocity constraint decides it.
     let scene = unit(1, Contact::Wall(0)).damped(0.001);
     let plain = scene.at(r);
     let instants = (1..4000).map(|i| PI * f64::from(i) / 4000.0);
@@ -176,7 +176,7 @@ fn eq_7_38() {
 fn eq_7_50() {
     let (r, zeta): (f64, f64) = (0.4, 0.1);
     let (u, g) = u_g(r, zeta);
-    // τ small against R, not against the last digits of a double.
+    // τ is small compared with R, but large compared with the rounding of a double.
     let tau = 1e-6;
     let shrunk = 1.0 - zeta * tau / r;
     let form = |sign: f64| {
@@ -184,7 +184,7 @@ fn eq_7_50() {
         ((1.0 + g) * shrunk * tau + sign * u * r * r * bracket) / tau
     };
     let (printed, right) = (form(-1.0), form(1.0));
-    // What it leaves out is of the order τ.
+    // The form neglects terms of the order τ.
     judged(printed, right, constraint(r, zeta, tau), 1e-4);
     judged(printed, 1.0 + g + 2.0 * zeta * r * u, right, 1e-5);
     states("eq_7_50", &[(printed, 3), (right, 3)]);

@@ -4,20 +4,20 @@ use super::plain::Plain;
 use nalgebra::DVector;
 use std::f64::consts::{PI, TAU};
 
-/// Steps to a half period; Runge-Kutta's error is then some 1e-11 for frequencies of order 1.
+/// Number of steps in a half period. The error of Runge-Kutta is then some 1e-11 for frequencies of order 1.
 const STEPS: usize = 400;
 
 /// Displacements and velocities.
 type State = (DVector<f64>, DVector<f64>);
 
-/// What is left when the transient has gone.
+/// The motion after the transient has died out.
 #[derive(Clone, Debug)]
 pub struct Steady {
     plain: Plain,
     beta: f64,
-    /// Stops of the contact in the last ten periods.
+    /// Number of stops of the contact in the last ten periods.
     pub stops: usize,
-    /// The excitation's angle at the last maximum of z̄, in (−π, π].
+    /// Angle of the excitation at the last maximum of z̄, in (−π, π].
     pub phi: f64,
     start: State,
 }
@@ -46,7 +46,7 @@ fn step(plain: &Plain, t: f64, y: &State, h: f64, friction: Option<f64>) -> Stat
     )
 }
 
-/// Runs from rest for some periods; the friction holds the contact where it can.
+/// Runs from rest for some periods. Friction keeps the contact stuck wherever it can.
 pub fn run(plain: &Plain, beta: f64, periods: usize) -> Steady {
     run_from(plain, beta, periods, DVector::zeros(plain.n()))
 }
@@ -57,7 +57,7 @@ pub fn run_from(plain: &Plain, beta: f64, periods: usize, start: DVector<f64>) -
     integrate(plain, beta, periods, 0.0, (start, velocity), None)
 }
 
-/// Runs on from the continuous motion at its maximum.
+/// Runs from the continuous motion at its maximum.
 pub fn run_on(plain: &Plain, beta: f64, periods: usize) -> Steady {
     let (x, phi) = (plain.motion(beta), plain.amplitude_phase(beta).1);
     let h = 1e-4;
@@ -66,7 +66,7 @@ pub fn run_on(plain: &Plain, beta: f64, periods: usize) -> Steady {
     integrate(plain, beta, periods, phi, (start, velocity), Some(-beta))
 }
 
-/// Friction is a sliding contact's force; none while the contact holds.
+/// Integrates the motion. `friction` is the force of a sliding contact, and is absent while the contact is stuck.
 fn integrate(
     plain: &Plain,
     beta: f64,
@@ -128,7 +128,7 @@ fn integrate(
 }
 
 impl Steady {
-    /// Displacements and velocities at τ in [0, π], from a maximum of z̄, of a motion without stops.
+    /// Returns displacements and velocities at τ in [0, π], counted from a maximum of z̄, of a motion without stops.
     pub fn at(&self, tau: f64) -> State {
         assert_eq!(self.stops, 0);
         let h = tau / STEPS as f64;

@@ -1,8 +1,8 @@
-//! Where the printed thesis must not be followed: one test for each row of `docs/corrections.md`.
+//! Forms of the printed thesis that are wrong, with one test for each row of `docs/corrections.md`.
 //!
-//! Each test writes the printed form out, shows that it fails against the governing equations, and
-//! that the right form holds.  What "fails" and "holds" are judged by is in `plain` and
-//! `integration`, which share no formula with the project.
+//! Each test writes the printed form out and shows that it violates the governing equations. It then shows that the
+//! right form satisfies them. `plain` and `integration` solve the equations for this comparison, and share no formula
+//! with the project.
 
 mod chains;
 mod damped;
@@ -14,7 +14,7 @@ mod resonance;
 mod single;
 mod stuck;
 
-/// The printed form and the right one, at most `tolerance` from the truth, which tells them apart.
+/// Asserts that the right form is at most `tolerance` from the truth, and that the printed form is much farther away.
 #[track_caller]
 fn judged(printed: f64, right: f64, truth: f64, tolerance: f64) {
     assert!(

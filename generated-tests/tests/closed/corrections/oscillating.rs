@@ -1,4 +1,4 @@
-//! Sections 5.6 and 6.5: contacts between oscillating parts that slide.
+//! Sections 5.6 and 6.5: sliding contacts between two oscillating bodies.
 
 use super::page::states;
 use super::plain::{Contact, Plain, Scene, bisect, unit};
@@ -25,47 +25,47 @@ fn eq_5_78() {
     let stiffness = |row: usize, by: &dyn Fn(usize) -> f64| -> f64 {
         (0..2).map(|k| plain.k[(row, k)] * by(k)).sum()
     };
-    // l = A: δ_lA = 1, δ_lB = 0.
+    // With l = A, δ_lA = 1 and δ_lB = 0.
     let printed = (stiffness(1, &|_| 1.0) - gamma_ab * (stiffness(0, &|k| v[k]) - 1.0)).abs();
     let right = (z / v_contact
         * (stiffness(1, &|k| v[k]) - gamma_ab * (stiffness(0, &|k| v[k]) - 1.0)))
         .abs();
-    // (5.77) itself at τ = 0, with the displacements of the motion.
+    // The truth is (5.77) itself at τ = 0, with the displacements of the motion.
     let x = plain.motion(beta);
     assert!(plain.defect(beta, phi, &x) < 1e-7);
     let truth =
         stiffness(1, &|k| x(k, 0.0)) - gamma_ab * (stiffness(0, &|k| x(k, 0.0)) - phi.cos());
     judged(printed, right, truth.abs(), 1e-12);
-    // It is (1 + γ_AB) times the force that would hold the contact.
+    // The load is (1 + γ_AB) times the force that would keep the contact stuck.
     let force = plain.force_at_reversal(beta).abs();
     close(truth.abs(), (1.0 + gamma_ab) * force, 1e-7);
     states("eq_5_78", &[(printed, 4), (right, 4)]);
 }
 
-/// β_lim from the force at the reversal.
+/// β_lim follows from the force at the reversal.
 #[test]
 fn eq_5_79_and_5_80() {
     let (r, mu) = (1.5, 1.3);
     let scene = between().stiction(mu);
     let plain = scene.at(r);
     let (v, u) = (plain.v_contact().re, plain.w.dot(&plain.u()));
-    // 1/γ_A + 1/γ_B = 3; with this μ the break-away prevails over S.
+    // 1/γ_A + 1/γ_B = 3. With this μ the break-away term exceeds S.
     let root = u.hypot(3.0 * mu / (r * r));
     let (printed, right) = (v * v / root, v.abs() / root);
     let truth = plain.break_away_limit(0.6);
-    // The velocities in it are central differences with a step of 1e-4.
+    // Its velocities are central differences with a step of 1e-4.
     judged(printed, right, truth, 1e-7);
     assert!(truth < plain.velocity_limit(0.6));
     close(scene.limit(r), right, 1e-12);
     states("eq_5_79_and_5_80", &[(printed, 4), (right, 4)]);
 }
 
-/// Where a motion may stop, and how the limits go with r.
+/// The condition for a stop, and the dependence of both limits on r.
 #[test]
 fn section_6_5_2() {
     let scene = unit(2, Contact::Base(0));
-    // A stop needs z̄′ = 0.  In a motion just below its limit the contact reverses far from z̄ = 0,
-    // and passes z̄ = 0 at full speed.
+    // A stop needs z̄′ = 0. In a motion just below its limit the contact reverses far from z̄ = 0, and passes z̄ = 0 at
+    // full speed.
     let r = 1.1;
     let plain = scene.at(r);
     let beta = 0.99 * scene.limit(r);
@@ -73,7 +73,7 @@ fn section_6_5_2() {
     let relative = |tau: f64| x(0, tau) - (tau + phi).cos();
     let slope = |tau: f64| (relative(tau + 1e-4) - relative(tau - 1e-4)) / 2e-4;
     close(relative(0.0), z, 1e-12);
-    // A central difference is good to 1e-8.
+    // The error of a central difference is 1e-8.
     close(slope(0.0), 0.0, 1e-6);
     let crossing = bisect(|tau| relative(tau) > 0.0, 0.0, PI);
     assert!(z > 0.5 && slope(crossing) < -0.5, "{z} {}", slope(crossing));
@@ -89,7 +89,7 @@ fn section_6_5_2() {
     assert_eq!(compared, 2 * 2);
     let quotient = scene.sliding_limit(1e3) / scene.sliding_limit(1e2);
     close(quotient, 100.0, 0.1);
-    // The same from the force that holds the contact.
+    // The force in the stuck contact gives the same limit.
     close(
         scene.at(1e2).stuck().1.norm(),
         scene.sliding_limit(1e2),
@@ -108,7 +108,7 @@ fn section_6_5_2() {
     states("section_6_5_2", &numbers);
 }
 
-/// The fundamental of the relative motion, by a plain sum.
+/// Returns the fundamental of the relative motion by a plain sum.
 fn fundamental(plain: &Plain, beta: f64) -> f64 {
     let (x, phi) = (plain.motion(beta), plain.amplitude_phase(beta).1);
     let n = 400;
@@ -124,11 +124,11 @@ fn fundamental(plain: &Plain, beta: f64) -> f64 {
             Complex::from_polar(weight * (x(0, tau) - (tau + phi).cos()), -tau)
         })
         .sum();
-    // Simpson's rule.
+    // The weights are those of Simpson's rule.
     (sum * (2.0 / PI) * (PI / f64::from(n) / 3.0)).norm()
 }
 
-/// m₂ as an absorber: where m₁ has no fundamental, whatever the friction.
+/// m₂ acts as an absorber at the frequency where m₁ has no fundamental for any friction.
 #[test]
 fn section_6_5_3() {
     let scene = Scene {

@@ -1,4 +1,4 @@
-//! The page and the tests say the same.
+//! The page `docs/corrections.md` and the tests agree.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ const SOURCES: [&str; 6] = [
     include_str!("resonance.rs"),
 ];
 
-/// The corrections: where, and the test.
+/// The corrections: place in the thesis, and name of the test.
 const ROWS: [(&str, &str); 32] = [
     ("2.31, 6.8", "eq_2_31_and_6_8"),
     ("2.4, 2.9", "eq_2_4_and_2_9"),
@@ -51,7 +51,7 @@ const ROWS: [(&str, &str); 32] = [
     ("B.7", "eq_b_7"),
 ];
 
-/// The page's row of a test.
+/// Returns the page's row of a test.
 fn row(test: &str) -> &'static str {
     let name = format!("`{test}`");
     let mut rows = PAGE.lines().filter(|line| line.contains(&name));
@@ -62,7 +62,7 @@ fn row(test: &str) -> &'static str {
     row
 }
 
-/// The page states these numbers, each to this many decimals, in the row of this test.
+/// Asserts that the page has these numbers, each to its number of decimals, in the row of this test.
 #[track_caller]
 pub fn states(test: &str, numbers: &[(f64, usize)]) {
     let row = row(test);
@@ -76,7 +76,7 @@ pub fn states(test: &str, numbers: &[(f64, usize)]) {
     }
 }
 
-/// Functions under `#[test]`.
+/// Returns the names of the functions under `#[test]`.
 fn tests(source: &str) -> impl Iterator<Item = &str> {
     let after = source.split("#[test]\nfn ").skip(1);
     after.filter_map(|text| text.split_once('(').map(|(name, _)| name))
@@ -92,7 +92,7 @@ fn every_row_has_its_test_and_every_test_its_row() {
         let first = row(test).split('|').nth(1).expect("a row of a table");
         assert_eq!(first.trim(), place);
     }
-    // No row on the page that is not in the list.
+    // Every row of the page is in the list.
     let rows = PAGE.lines().filter(|line| line.starts_with("| "));
     let rows = rows.filter(|line| !line.starts_with("| where"));
     assert_eq!(rows.count(), ROWS.len());

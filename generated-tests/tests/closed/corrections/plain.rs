@@ -1,14 +1,14 @@
-//! What the printed forms are judged by: the governing equations, solved in plain ways.
+//! The governing equations, solved in plain ways, as the measure of the printed forms.
 //!
-//! Matrices written down from the scene's numbers, linear solves for V and H, the thesis's own
-//! (7.11), (7.12) for u and g, the residual of the equation of motion by differences, and the
-//! classical Runge-Kutta method.  The project's code is not used here, except to read a scene.
+//! The matrices follow directly from the scene's numbers, and linear solves give V and H. u and g are the thesis's own
+//! (7.11), (7.12). Differences give the residual of the equation of motion, and the classical Runge-Kutta method
+//! integrates it. The project's code only reads the scene.
 
 use frictiongen::study::System;
 use nalgebra::{Complex, DMatrix, DVector, SymmetricEigen};
 use std::f64::consts::PI;
 
-/// What rubs on what; masses count from 0.
+/// The two bodies of the contact. Masses count from 0.
 #[derive(Clone, Copy, Debug)]
 pub enum Contact {
     Wall(usize),
@@ -22,14 +22,15 @@ pub struct Scene {
     pub gamma: Vec<f64>,
     pub kappa: Vec<f64>,
     pub contact: Contact,
-    /// The mass that the force acts on; none for base motion.
+    /// The mass on which the force acts, or none for base motion.
     pub load: Option<usize>,
-    /// Of every mode.
+    /// Modal damping ratio of every mode.
     pub zeta: f64,
     pub mu: f64,
 }
 
-/// The largest argument for which something holds, between one that does and one that does not.
+/// Returns the largest argument for which a condition is true. Bisection starts from an argument for which it is true
+/// and one for which it is false.
 pub fn bisect(holds: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
     assert!(!holds(high), "it still holds at {high}");
     for _ in 0..40 {
@@ -43,7 +44,7 @@ pub fn bisect(holds: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
     low
 }
 
-/// Equal masses and springs, force on the first mass, no damping, μ = 1.
+/// Returns a chain with equal masses and springs, the force on the first mass, no damping and μ = 1.
 pub fn unit(n: usize, contact: Contact) -> Scene {
     Scene {
         gamma: vec![1.0; n],
@@ -67,7 +68,7 @@ impl Scene {
         Self { mu, ..self }
     }
 
-    /// The same scene for the project.
+    /// Returns the same scene as a system of the project.
     pub fn system(&self) -> System {
         let name = |i: usize| format!("m{}", i + 1);
         let masses: Vec<String> = (0..self.gamma.len())
@@ -100,7 +101,7 @@ impl Scene {
         text.parse().expect("a valid scene")
     }
 
-    /// β_lim as the project has it.
+    /// Returns β_lim from the project.
     pub fn limit(&self, r: f64) -> f64 {
         self.system()
             .at(r)
@@ -108,12 +109,12 @@ impl Scene {
             .continuous_limit()
     }
 
-    /// β*_lim as the project has it.
+    /// Returns β*_lim from the project.
     pub fn sliding_limit(&self, r: f64) -> f64 {
         self.system().at(r).expect("in the domain").sliding_limit()
     }
 
-    /// The equations at the frequency ratio r.
+    /// Returns the equations at the frequency ratio r.
     pub fn at(&self, r: f64) -> Plain {
         let n = self.gamma.len();
         let mut k = DMatrix::<f64>::zeros(n, n);
@@ -132,7 +133,7 @@ impl Scene {
             Contact::Between(a, b) => (unit(b) - unit(a), false),
         };
         let gamma = DVector::from_vec(self.gamma.clone());
-        // K̄φ = λΓφ as the symmetric problem of Γ^−½K̄Γ^−½.
+        // K̄φ = λΓφ becomes the symmetric problem of Γ^−½K̄Γ^−½.
         let root = gamma.map(|gamma| 1.0 / gamma.sqrt());
         let scaled = DMatrix::from_fn(n, n, |i, j| k[(i, j)] * root[i] * root[j]);
         let eigen = SymmetricEigen::new(scaled);
@@ -159,7 +160,7 @@ impl Scene {
     }
 }
 
-/// r²Γx̄″ + C̄x̄′ + K̄x̄ + wβ sgn z̄′ = p cos τ_e, and its modes.
+/// The equations r²Γx̄″ + C̄x̄′ + K̄x̄ + wβ sgn z̄′ = p cos τ_e, and their modes.
 #[derive(Clone, Debug)]
 pub struct Plain {
     pub r: f64,
@@ -175,7 +176,7 @@ pub struct Plain {
     pub phi: DMatrix<f64>,
 }
 
-/// u and g of a mode as (7.11), (7.12) print them.
+/// Returns u and g of a mode, in the printed form of (7.11), (7.12).
 pub fn u_g(big_r: f64, zeta: f64) -> (f64, f64) {
     let root = (1.0 - zeta * zeta).sqrt();
     let (theta, decay) = (PI * root / big_r, zeta * PI / big_r);
@@ -186,7 +187,7 @@ pub fn u_g(big_r: f64, zeta: f64) -> (f64, f64) {
     )
 }
 
-/// d and q of a mode, (B.8).
+/// Returns d and q of a mode, by (B.8).
 pub fn d_q(big_r: f64, zeta: f64, tau: f64) -> (f64, f64) {
     let root = (1.0 - zeta * zeta).sqrt();
     let (sin, cos) = (tau * root / big_r).sin_cos();
@@ -199,7 +200,7 @@ impl Plain {
         self.gamma.len()
     }
 
-    /// Amplitudes of the linear response to this load, by a linear solve.
+    /// Returns the complex amplitudes of the linear response to this load, by a linear solve.
     fn response(&self, load: &DVector<f64>) -> DVector<Complex<f64>> {
         let n = self.n();
         let dynamic = DMatrix::from_fn(n, n, |i, j| {
@@ -214,37 +215,37 @@ impl Plain {
         dynamic.lu().solve(&load).expect("off a resonance")
     }
 
-    /// V_k of every mass.
+    /// Returns V_k of every mass.
     pub fn v(&self) -> DVector<Complex<f64>> {
         self.response(&self.p)
     }
 
-    /// H_k of every mass.
+    /// Returns H_k of every mass.
     pub fn h(&self) -> DVector<Complex<f64>> {
         self.response(&self.w)
     }
 
-    /// wᵀx of complex amplitudes.
+    /// Returns wᵀx of complex amplitudes.
     pub fn on_contact(&self, x: &DVector<Complex<f64>>) -> Complex<f64> {
         self.w.iter().zip(x.iter()).map(|(w, x)| *x * *w).sum()
     }
 
-    /// V of the relative motion.
+    /// Returns V of the relative motion.
     pub fn v_contact(&self) -> Complex<f64> {
         self.on_contact(&self.v()) - self.s
     }
 
-    /// R_i of a mode.
+    /// Returns R_i of a mode.
     pub fn big_r(&self, mode: usize) -> f64 {
         self.r / self.lambda[mode].sqrt()
     }
 
-    /// c_i = (φ_iᵀw)², the mode's inverse mass at the contact.
+    /// Returns c_i = (φ_iᵀw)², the mode's inverse mass at the contact.
     pub fn inverse_mass_of(&self, mode: usize) -> f64 {
         self.phi.column(mode).dot(&self.w).powi(2)
     }
 
-    /// Σ b_ki f(R_i) for every mass.
+    /// Returns Σ b_ki f(R_i) for every mass.
     pub fn by_modes(&self, f: impl Fn(f64) -> f64) -> DVector<f64> {
         let mut sum = DVector::zeros(self.n());
         for i in 0..self.n() {
@@ -254,17 +255,17 @@ impl Plain {
         sum
     }
 
-    /// U_k of every mass.
+    /// Returns U_k of every mass.
     pub fn u(&self) -> DVector<f64> {
         self.by_modes(|big_r| u_g(big_r, self.zeta).0)
     }
 
-    /// G_k of every mass.
+    /// Returns G_k of every mass.
     pub fn g(&self) -> DVector<f64> {
         self.by_modes(|big_r| u_g(big_r, self.zeta).1)
     }
 
-    /// Z and φ at β.
+    /// Returns Z and φ at β.
     pub fn amplitude_phase(&self, beta: f64) -> (f64, f64) {
         let (u, g) = (self.w.dot(&self.u()), self.w.dot(&self.g()));
         let v = self.v_contact();
@@ -272,7 +273,7 @@ impl Plain {
         (root - beta * g, (-beta * u).atan2(root) - v.arg())
     }
 
-    /// x̄_k at τ in the continuous motion; whether it is one, [`Plain::defect`] says.
+    /// Returns x̄_k at τ in the formal continuous motion. [`Plain::defect`] shows whether it satisfies the equations.
     pub fn motion(&self, beta: f64) -> impl Fn(usize, f64) -> f64 {
         let (v, phi) = (self.v(), self.amplitude_phase(beta).1);
         let plain = self.clone();
@@ -286,9 +287,9 @@ impl Plain {
         }
     }
 
-    /// The largest β for which z̄′ < 0 between the reversals, on a grid of instants.
+    /// Returns the largest β for which z̄′ < 0 between the reversals, on a grid of instants.
     ///
-    /// What is between two instants, and within 1e-4 of a reversal, it does not see.
+    /// It misses extremes between two instants, and within 1e-4 of a reversal.
     pub fn velocity_limit(&self, high: f64) -> f64 {
         let h = 1e-5;
         let slides = |beta: f64| {
@@ -297,7 +298,7 @@ impl Plain {
                 let all = (0..self.n()).map(|k| self.w[k] * x(k, tau));
                 all.sum::<f64>() - self.s * (tau + phi).cos()
             };
-            // Near its ends the half period can ask for more than a coarse grid sees.
+            // Near the reversals the constraint can be larger than a coarse grid shows.
             let grid = (1..200).map(|i| PI * f64::from(i) / 200.0);
             let ends = [1e-4, 3e-4, 1e-3, 3e-3, 8e-3];
             let instants = grid.chain(ends).chain(ends.map(|end| PI - end));
@@ -306,13 +307,13 @@ impl Plain {
         bisect(slides, 0.0, high)
     }
 
-    /// The largest β for which the contact breaks away at its reversal.
+    /// Returns the largest β for which the contact breaks away at its reversal.
     pub fn break_away_limit(&self, high: f64) -> f64 {
         let breaks = |beta: f64| self.force_at_reversal(beta).abs() > self.mu * beta;
         bisect(breaks, 0.0, high)
     }
 
-    /// The force that would hold the contact at the reversal τ = 0 of its continuous motion.
+    /// Returns the force that would keep the contact stuck at the reversal τ = 0 of its continuous motion.
     pub fn force_at_reversal(&self, beta: f64) -> f64 {
         let (x, phi) = (self.motion(beta), self.amplitude_phase(beta).1);
         let h = 1e-4;
@@ -321,9 +322,9 @@ impl Plain {
         self.holding_force(phi, &start, &velocity)
     }
 
-    /// The complex amplitudes with the contact stuck, and the force that holds it.
+    /// Returns the complex amplitudes with the contact stuck, and the force in the contact.
     pub fn stuck(&self) -> (DVector<Complex<f64>>, Complex<f64>) {
-        // Γ, C̄, K̄ bordered by the constraint wᵀx = s, with the contact force as unknown.
+        // The constraint wᵀx = s borders Γ, C̄, K̄, and the contact force is one more unknown.
         let n = self.n();
         let bordered = DMatrix::from_fn(n + 1, n + 1, |i, j| match (i == n, j == n) {
             (true, true) => Complex::new(0.0, 0.0),
@@ -345,10 +346,11 @@ impl Plain {
         (all.rows(0, n).into_owned(), all[n])
     }
 
-    /// By how much x, a motion of every mass on 0 ≤ τ ≤ π from a maximum of the contact's motion,
-    /// violates the equations of motion there or the antiperiodicity of displacement and velocity.
+    /// Returns the defect of a motion x of every mass on 0 ≤ τ ≤ π, which starts at a maximum of the contact's motion.
     ///
-    /// Differences of fourth order with a step of 1e-3: some 1e-9 for frequencies of order 1.
+    /// The defect is the largest violation of the equations of motion, or of the antiperiodicity of displacement and
+    /// velocity. Its differences are of fourth order with a step of 1e-3. Their error is some 1e-9 for frequencies of
+    /// order 1.
     pub fn defect(&self, beta: f64, phi: f64, x: impl Fn(usize, f64) -> f64) -> f64 {
         let h = 1e-3;
         let sample = |k: usize, tau: f64| {
@@ -377,7 +379,7 @@ impl Plain {
         worst
     }
 
-    /// The contact force that keeps z̄′ as it is, from z̄″ = 0, at the excitation's angle t.
+    /// Returns the contact force that keeps z̄′ constant, from z̄″ = 0, at the excitation's angle t.
     pub fn holding_force(&self, t: f64, x: &DVector<f64>, v: &DVector<f64>) -> f64 {
         let load = &self.p * t.cos() - &self.c * v - &self.k * x;
         let weights = self.w.component_div(&self.gamma);

@@ -1,4 +1,4 @@
-//! Chapter 7 at resonance and stuck, complex amplitudes, and appendix B.
+//! Chapter 7 at resonance and with a stuck contact, complex amplitudes, and appendix B.
 
 use super::integration::{run, run_on};
 use super::page::states;
@@ -18,16 +18,16 @@ fn eq_7_58() {
     let squares = v[0] * v[0] + beta * beta * (g[0] * g[0] + u[0] * u[0]);
     let products = (u[1] * u[0]).abs();
     let printed = (squares - beta * (2.0 * v[0] * g[0].abs() - products)).sqrt();
-    // In the first mode both masses move the same way: sgn(ψ_kiψ_ji) = 1.
+    // In the first mode both masses move in the same direction, so sgn(ψ_kiψ_ji) = 1.
     let of_friction =
         2.0 * beta * v[0] * g[0].abs() + 2.0 * beta * beta * v[0] / v[1] * u[1] * u[0];
     let right = (squares - of_friction).sqrt();
-    // What both leave out on the way from (7.33): the phase of V off ∓π/2, and (βU/V)².
+    // Both forms neglect two terms of (7.33): the deviation of V's phase from ∓π/2, and (βU/V)².
     let x = plain.motion(beta);
     let h = 1e-4;
     let truth = x(0, 0.0).hypot((x(0, h) - x(0, -h)) / (2.0 * h));
     assert!((right - truth).abs() < 0.5 * (printed - truth).abs());
-    // To compare the forms alone, without that: the two terms of (7.33) with cos Δ = 1, sin Δ = 0.
+    // The second comparison removes these terms. It uses the two terms of (7.33) with cos Δ = 1, sin Δ = 0.
     let root = v[1];
     let bracket = root * g[0] + beta * u[1] * u[0];
     let reduced = (squares - 2.0 * beta * v[0] / v[1] * bracket).sqrt();
@@ -35,7 +35,7 @@ fn eq_7_58() {
     states("eq_7_58", &[(printed, 4), (right, 4), (truth, 4)]);
 }
 
-/// Whether the contact stops at r = 1, and from which β.
+/// The friction ratio from which the contact stops at r = 1.
 #[test]
 fn eq_7_62() {
     let zeta: f64 = 0.1;
@@ -44,8 +44,8 @@ fn eq_7_62() {
     for (mu, right) in [(1.0, 0.6720), (2.0, 0.5924)] {
         let scene = unit(1, Contact::Wall(0)).damped(zeta).stiction(mu);
         close(scene.limit(1.0), right, 5e-5);
-        // One per cent below and above it, by integration from the motion itself; at μ = 2 a
-        // contact at rest would stay there.  The printed value is far above.
+        // The integration starts from the motion itself, because at μ = 2 a contact at rest would stay at rest. It runs
+        // one per cent below and above the limit. The printed value is far above.
         let plain = scene.at(1.0);
         let stops = |beta: f64| run_on(&plain, beta, 40).stops > 0;
         assert!(!stops(0.99 * right) && stops(1.01 * right));
@@ -60,19 +60,19 @@ fn eq_7_62() {
     states("eq_7_62", &[(printed, 4), (0.6720, 4), (0.5924, 4)]);
 }
 
-/// The force that holds m₂ of three, with damping.
+/// The force in the stuck contact of m₂ of three masses, with damping.
 #[test]
 fn section_7_4_3() {
     let (scene, r) = (unit(3, Contact::Wall(1)).damped(0.1), 1.2_f64);
     let plain = scene.at(r);
-    // (6.11a): m₁ alone, between the base and the stuck m₂, with its own damping.
+    // (6.11a) takes m₁ alone, between the base and the stuck m₂, with its own damping.
     let lone = Complex::new(plain.k[(0, 0)] - r * r, plain.c[(0, 0)]);
     let printed = 1.0 / lone.norm();
     let right = (plain.v_contact() / plain.on_contact(&plain.h())).norm();
-    // The constraint as one more equation.
+    // The truth has the constraint as one more equation.
     judged(printed, right, plain.stuck().1.norm(), 1e-12);
     close(scene.sliding_limit(r), right, 1e-12);
-    // Without damping they agree.
+    // Without damping both forms agree.
     let free = unit(3, Contact::Wall(1)).at(r);
     close(free.stuck().1.norm(), 1.0 / (2.0 - r * r).abs(), 1e-12);
     states("section_7_4_3", &[(printed, 3), (right, 3)]);
@@ -83,7 +83,7 @@ fn section_7_4_3() {
 fn eq_7_7_and_others() {
     let (r, zeta, beta): (f64, f64, f64) = (0.8, 0.1, 0.2);
     let v = 1.0 / Complex::new(1.0 - r * r, 2.0 * zeta * r);
-    // (7.7): the forced part, of which only the real part can be meant.
+    // In (7.7) only the real part of the forced term can be meant.
     let printed = |tau: f64| (v * tau.cos()).re;
     let right = |tau: f64| v.norm() * (tau + v.arg()).cos();
     let residual = |x: &dyn Fn(f64) -> f64| {
@@ -97,23 +97,23 @@ fn eq_7_7_and_others() {
             .into_iter()
             .fold(0.0, generated_tests::larger)
     };
-    // Differences with a step of 1e-4.
+    // The differences have a step of 1e-4.
     judged(residual(&printed), residual(&right), 0.0, 1e-6);
-    // (7.13), (7.14), and (7.9), (7.10) with one mode: cos φ and sin φ from the integrated amplitude.
+    // (7.13), (7.14), and (7.9), (7.10) with one mode give cos φ and sin φ from the integrated amplitude.
     let plain = unit(1, Contact::Wall(0)).damped(zeta).at(r);
     let steady = run(&plain, beta, 40);
     let (u, g) = u_g(r, zeta);
     let amplitude = steady.at(0.0).0[0];
     let (cosine, sine) = ((amplitude + beta * g) / v, -beta * u / v);
     assert!(cosine.im.abs() > 0.1, "no cosine of a real angle: {cosine}");
-    // The modulus of V belongs there, and φ + ∠V: (7.18), (7.19).
+    // The right forms (7.18), (7.19) have the modulus of V, and φ + ∠V.
     let (right_cosine, right_sine) = ((amplitude + beta * g) / v.norm(), -beta * u / v.norm());
     let shifted = steady.phi + v.arg();
     judged(cosine.re, right_cosine, shifted.cos(), 1e-9);
     judged(sine.re, right_sine, shifted.sin(), 1e-9);
-    // Nor are the real parts those of φ itself.
+    // The real parts are not those of φ itself either.
     assert!((cosine.re - steady.phi.cos()).abs() > 1e-2);
-    // What the real part makes of the amplitude, against the exact one.
+    // The amplitude from the real part, compared with the exact one.
     let from_real = (v.re.powi(2) - (beta * u).powi(2)).sqrt() - beta * g;
     judged(from_real, plain.amplitude_phase(beta).0, amplitude, 1e-9);
     states("eq_7_7_and_others", &[(from_real, 3), (amplitude, 3)]);
@@ -126,7 +126,7 @@ fn eq_b_7() {
     let (psi_j, forced, beta, phi) = (0.8, 1.3, 0.3, 0.4_f64);
     let (start, start_velocity) = (0.9, -0.2);
     let square = big_r * big_r;
-    // ψ_liR_i²v_di, taken as real, is `forced`.
+    // `forced` is ψ_liR_i²v_di, taken as real.
     let eta = |tau: f64| {
         let (d, q) = d_q(big_r, zeta, tau);
         d * start
@@ -146,7 +146,7 @@ fn eq_b_7() {
     };
     let h = 1e-4;
     let truth = (eta(tau + h) - eta(tau - h)) / (2.0 * h);
-    // A central difference is good to h²/R³.
+    // The error of a central difference is h²/R³.
     judged(form(-1.0), form(1.0), truth, 1e-7);
     states("eq_b_7", &[(form(-1.0), 3), (form(1.0), 3)]);
 }

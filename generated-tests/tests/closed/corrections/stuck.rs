@@ -20,8 +20,8 @@ fn regime(scene: &Scene, r: f64, beta: f64) -> Regime {
     scene.system().at(r).unwrap().regime(beta).unwrap()
 }
 
-/// With static friction above kinetic the contact of one mass slides for ever from z̄ = 4, and sticks from where the stuck
-/// state is, at the same β ≥ β*_lim.
+/// With static friction above kinetic the contact of one mass slides for ever from z̄ = 4. At the same β ≥ β*_lim it
+/// sticks if it starts from the stuck state.
 #[test]
 fn sections_3_4_3_and_3_6() {
     let (scene, r, beta) = (unit(1, Contact::Base(0)).stiction(2.0), 1.1, 0.65);
@@ -31,16 +31,16 @@ fn sections_3_4_3_and_3_6() {
     let printed_sticks = beta >= sliding_limit;
     let limit = plain.velocity_limit(2.0).min(plain.break_away_limit(2.0));
     let right_slides = beta < limit;
-    // The base stands at 1: z̄ = 4 is x̄ = 5.
+    // The base starts at 1, so z̄ = 4 is x̄ = 5.
     let steady = run_from(&plain, beta, 400, DVector::from_element(1, 5.0));
     assert_eq!(steady.stops, 0);
     assert!(printed_sticks && right_slides);
     let amplitude = steady.at(0.0).0[0] - steady.phi.cos();
     close(amplitude, plain.amplitude_phase(beta).0, 1e-8);
-    // The stuck state holds as well: with the base's displacement and velocity nothing ever slides.
+    // The stuck state exists too. With the base's displacement and velocity the contact never slides.
     let held = run_from(&plain, beta, 40, x.map(|x| x.re));
     assert_eq!(held.at(0.0).0[0] - 1.0, 0.0);
-    // The project knows both.
+    // The project reports both states.
     let system = scene.system();
     let at = system.at(r).unwrap();
     close(at.sliding_limit(), sliding_limit, 1e-14);
@@ -55,10 +55,10 @@ fn sections_3_4_3_and_3_6() {
     states("sections_3_4_3_and_3_6", &numbers);
 }
 
-/// The load that the contact has to bear while stuck, against what static friction can give.
+/// The force in the stuck contact, compared with the available static friction.
 #[test]
 fn eq_6_21_and_6_30() {
-    // (6.21), with γ_AB = 0.5 and l = A.
+    // This is (6.21), with γ_AB = 0.5 and l = A.
     let (scene, r, beta, gamma_ab) = (between(), 1.0, 1.2, 0.5);
     let plain = scene.at(r);
     let (x, force) = plain.stuck();
@@ -67,20 +67,20 @@ fn eq_6_21_and_6_30() {
     let load = (row(1) - gamma_ab * row(0) + gamma_ab).abs();
     let printed_sticks = load > beta * (1.0 + gamma_ab);
     let right_sticks = load <= beta * (1.0 + gamma_ab);
-    // The friction needed is less than the friction at hand.
+    // The necessary friction is less than the available friction.
     close(load, force.norm() * (1.0 + gamma_ab), 1e-12);
     let truth = force.norm() <= plain.mu * beta;
     assert!(truth && right_sticks && !printed_sticks);
     assert_eq!(regime(&scene, r, beta), Regime::Stuck);
 
-    // (6.30): m₁ moves with the base, x̄₁ = cos τ, at its maximum.
+    // In (6.30) m₁ moves with the base, x̄₁ = cos τ, and the excitation is at its maximum.
     let base = unit(1, Contact::Base(0));
     let beta = 1.2;
     let load = (1.0_f64 - (1.0 + r * r)).abs();
     close(base.at(1.0 + 1e-9).stuck().1.norm(), load, 1e-8);
     assert!(load <= beta);
     assert_eq!(regime(&base, r, beta), Regime::Stuck);
-    // Where the printed condition holds, the contact cannot be held.
+    // Where the printed condition is true, the contact cannot stick.
     assert!(load > 0.5 && regime(&base, r, 0.5) != Regime::Stuck);
     states(
         "eq_6_21_and_6_30",
@@ -101,19 +101,19 @@ fn eq_6_24() {
     let plain = scene.at(r);
     let x = plain.stuck().0.map(|x| x.re);
     close(x[0], x[1], 1e-13);
-    // Amplitudes at the excitation's maximum: x̄_c″ = −x̄_c.
+    // The amplitudes are those at the excitation's maximum, so x̄_c″ = −x̄_c.
     let centroid = (x[0] + 2.0 * x[1]) / 3.0;
     let sum = |by: &dyn Fn(usize) -> f64| -> f64 {
         (0..3)
             .map(|k| (plain.k[(0, k)] + plain.k[(1, k)]) * by(k))
             .sum()
     };
-    // i is not summed over; as the row's own number it is A, and δ_Ai + δ_Bi = 1.
+    // The printed form has no sum over i. If i is the row's own number A, δ_Ai + δ_Bi = 1.
     let printed = -(m1 + 2.0 * m1) * centroid + sum(&|_| x[0]) - 1.0;
-    // The load acts on m₃: δ_lA + δ_lB = 0.
+    // The load acts on m₃, so δ_lA + δ_lB = 0.
     let right = -(1.0 + 2.0) * r * r * centroid + sum(&|k| x[k]) - 0.0;
     judged(printed, right, 0.0, 1e-13);
-    // x solves all the equations, with a force in the contact.
+    // x solves all equations together with a force in the contact.
     let force = plain.stuck().1.re;
     let dynamic = &plain.k - DMatrix::from_diagonal(&plain.gamma) * (r * r);
     assert!((dynamic * &x + &plain.w * force - &plain.p).amax() < 1e-13);
@@ -123,7 +123,7 @@ fn eq_6_24() {
     states("eq_6_24", &[(printed, 3)]);
 }
 
-/// β below the bound is sliding.
+/// A β below the bound means sliding.
 #[test]
 fn eq_6_27() {
     let (scene, r, gamma_ab) = (between().stiction(1.2), 1.0, 0.5);
@@ -136,7 +136,7 @@ fn eq_6_27() {
     let mut compared = 0;
     for (beta, sticks) in [(0.9 * bound, false), (1.1 * bound, true)] {
         let printed_sticks = beta < bound;
-        // Static friction gives up to μβ.
+        // Static friction can reach μβ.
         let truth = force.norm() <= plain.mu * beta;
         assert!(truth == sticks && printed_sticks != truth);
         assert_eq!(regime(&scene, r, beta) == Regime::Stuck, truth);
@@ -147,7 +147,7 @@ fn eq_6_27() {
     states("eq_6_27", &[(bound, 4)]);
 }
 
-/// Which loads the masses beside a mass that moves with the base get.
+/// The loads on the masses next to a mass that moves with the base.
 #[test]
 fn eq_6_32() {
     let r = 0.3;
@@ -164,9 +164,9 @@ fn eq_6_32() {
         close(truth[stuck], 1.0, 1e-13);
         let j = stuck + 1;
         let delta = |one: usize, other: usize| if one == other { 1.0 } else { 0.0 };
-        // κ_{j+1} of the last mass is no spring.
+        // κ_{j+1} of the last mass does not exist, so it counts as 0.
         let above = kappa.get(j).copied().unwrap_or(0.0);
-        // The remaining masses in their original numbering, from 1.
+        // The remaining masses keep their original numbers, from 1.
         let rest: Vec<usize> = (1..=3).filter(|i| *i != j).collect();
         let solve = |load: &dyn Fn(usize, usize) -> f64| {
             let dynamic = DMatrix::from_fn(2, 2, |a, b| {
@@ -175,11 +175,11 @@ fn eq_6_32() {
             });
             let load = DVector::from_fn(2, |a, _| load(a + 1, rest[a]));
             let x = dynamic.lu().solve(&load).unwrap();
-            // Of all masses, how far off the full equations.
+            // The error is the largest of all masses, against the full equations.
             let error = |a: usize| (x[a] - truth[rest[a] - 1]).abs();
             error(0).max(error(1))
         };
-        // In the reduced numbering and in the original one.
+        // The printed form is evaluated in the reduced and in the original numbering.
         let printed = |i: usize| delta(1, i) + delta(j - 1, i) * kappa[stuck] + delta(j, i) * above;
         let reduced = solve(&|new, _| printed(new));
         let original = solve(&|_, old| printed(old));
@@ -187,8 +187,8 @@ fn eq_6_32() {
             delta(1, old) + delta(j - 1, old) * kappa[stuck] + delta(j + 1, old) * above
         });
         assert!(right < 1e-13, "j = {j}: {right}");
-        // Read in the reduced numbering it fails for j = 1 only, in the original one for every
-        // mass that has another above it.
+        // In the reduced numbering the printed form fails for j = 1 only. In the original one it fails for every mass
+        // that has another above it.
         assert_eq!(reduced > 0.1, j == 1, "j = {j}: {reduced}");
         assert_eq!(original > 0.1, j < 3, "j = {j}: {original}");
         off.push(reduced);

@@ -1,8 +1,8 @@
-//! Condition of an answer: Σ|x ∂f/∂x| over what it is computed from, by dual numbers.
+//! Condition of an answer: Σ|x ∂f/∂x| over its inputs, by dual numbers.
 //!
-//! To first order an answer that is exact for inputs k roundings off is k ε Σ|x ∂f/∂x| off.  The inputs
-//! are r and β, and either the modal data (what the closed forms read) or masses, springs, damping and μ
-//! (what a description says).
+//! To first order, inputs that are k roundings off change an exact answer by k ε Σ|x ∂f/∂x|. The inputs are r and β,
+//! and one of two sets. The modal data are the inputs of the closed forms. Masses, springs, damping and μ are the
+//! inputs of a description.
 
 use frictiongen::study::{Damping, Quantity, Sensitive, System};
 use frictiongen_kernel::Float;
@@ -11,7 +11,7 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use generated_tests::data::Data;
 
-/// What is asked.
+/// A question to a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asked {
     ContinuousLimit,
@@ -19,7 +19,7 @@ pub enum Asked {
     SlidingLimit,
     ContactAmplitude,
     ContactPhase,
-    /// At τ = 1.
+    /// Displacement of a mass at τ = 1.
     Displacement(usize),
 }
 
@@ -29,7 +29,7 @@ impl Asked {
     }
 }
 
-/// The closed form, whether or not β is below the limits.
+/// Returns the closed form's answer, even where β is above the limits.
 pub fn answer<S: Float>(data: &Data<S>, r: S, beta: S, asked: Asked) -> S {
     let at = data.at(r);
     match asked {
@@ -42,14 +42,14 @@ pub fn answer<S: Float>(data: &Data<S>, r: S, beta: S, asked: Asked) -> S {
     }
 }
 
-/// The modal data of a system, in a scalar.
+/// Returns the modal data of a system, converted to a scalar.
 pub fn data<T: Float, S: Float>(modal: &Modal<T>, to: impl Fn(T) -> S) -> Data<S> {
     Data {
         reduced: modal.reduced(to),
     }
 }
 
-/// The place and the question.
+/// A point (r, β) and a question.
 #[derive(Clone, Copy, Debug)]
 pub struct Question {
     pub r: Dd,
@@ -64,7 +64,7 @@ impl Question {
     }
 }
 
-/// f and ∂f/∂q.
+/// Returns f and ∂f/∂q for a quantity q.
 pub fn along<S: Float>(system: &System<S>, question: Question, quantity: Quantity) -> Sensitive {
     let modal = system.modal().along(system.scene(), quantity);
     let data = data(&modal.expect("a quantity of the scene"), |value| value);
@@ -72,7 +72,7 @@ pub fn along<S: Float>(system: &System<S>, question: Question, quantity: Quantit
     answer(&data, Dual::fixed(r), Dual::fixed(beta), asked)
 }
 
-/// f, ∂f/∂r and ∂f/∂β.
+/// Returns f, ∂f/∂r and ∂f/∂β.
 pub fn along_place<S: Float>(system: &System<S>, question: Question) -> (Dd, Dd, Dd) {
     let data = data(&system.modal().fixed(), |value| value);
     let Question { r, beta, asked } = question;
@@ -81,8 +81,8 @@ pub fn along_place<S: Float>(system: &System<S>, question: Question) -> (Dd, Dd,
     (over_r.value, over_r.slope, over_beta.slope)
 }
 
-/// r ∂f/∂r and β ∂f/∂β, the answer's own size (a half turn for an angle), and Σ|x ∂f/∂x| over the
-/// quantities, each with its value.
+/// Returns |r ∂f/∂r| + |β ∂f/∂β| + |f| + Σ|x ∂f/∂x|. For an angle a half turn replaces |f|. The sum runs over the
+/// quantities x, each of which is given with its value.
 fn over<S: Float>(system: &System<S>, question: Question, quantities: &[(Quantity, Dd)]) -> f64 {
     let (value, over_r, over_beta) = along_place(system, question);
     let own = if question.asked.is_angle() {
@@ -98,7 +98,7 @@ fn over<S: Float>(system: &System<S>, question: Question, quantities: &[(Quantit
         .to_f64()
 }
 
-/// Over the modal data: what the closed forms can do at best.
+/// Returns the condition with respect to the modal data, which bounds the accuracy of the closed forms.
 pub fn modal_condition<S: Float>(system: &System<S>, question: Question) -> f64 {
     let modal = system.modal();
     let mut quantities = vec![(Quantity::Stiction, modal.stiction)];
@@ -117,7 +117,7 @@ pub fn modal_condition<S: Float>(system: &System<S>, question: Question) -> f64 
     over(system, question, &quantities)
 }
 
-/// Over the description.
+/// Returns the condition with respect to the description.
 pub fn scene_condition<S: Float>(system: &System<S>, question: Question) -> f64 {
     let scene = system.scene();
     let mut quantities = vec![(Quantity::Stiction, Dd::from(scene.stiction))];

@@ -1,8 +1,7 @@
-//! No step across ζ = 0, ζ = 1, the zeros and poles of u, and a vanishing residue.
+//! Answers have no step across ζ = 0, ζ = 1, the zeros and poles of u, and a vanishing residue.
 //!
-//! The bound on a difference: twice what the derivative makes of the distance (the derivative where it
-//! is the larger of the two ends), and 2 × `ROUNDINGS` roundings of the answer's condition, half for each
-//! end.
+//! The bound on a difference has two terms. One is twice the derivative times the distance, with the larger of the
+//! derivatives at both points. The other is 2 × `ROUNDINGS` roundings of the answer's condition, half for each point.
 
 use crate::edges::condition::{
     Asked, Question, along, along_place, modal_condition, scene_condition,
@@ -21,7 +20,7 @@ const CONTACT: [Asked; 5] = [
     Asked::ContactPhase,
 ];
 
-/// Limits, amplitude and phase of the contact through the public face.
+/// Returns limits, amplitude and phase of the contact through the public interface.
 fn answers(system: &System, r: f64, beta: f64) -> [f64; 5] {
     let at = system.at(r).expect("in the domain");
     let motion = at
@@ -46,13 +45,13 @@ fn apart(a: f64, b: f64, asked: Asked) -> f64 {
     }
 }
 
-/// How much was compared, what was left out, and the largest difference over its bound.
+/// Number of compared steps, of omitted ones, and the largest difference over its bound.
 #[derive(Default)]
 struct Steps {
     count: usize,
-    /// Scenes of more masses than are looked at.
+    /// Number of omitted scenes that have too many masses.
     large: usize,
-    /// Frequency ratios that are a resonance.
+    /// Number of omitted frequency ratios that are a resonance.
     resonant: usize,
     worst: f64,
 }
@@ -65,7 +64,7 @@ impl Steps {
         assert!(step <= bound, "{}: {step:e} above {bound:e}", place());
     }
 
-    /// Prints it; so many have to have been compared, and left out.
+    /// Prints the results, and asserts the number of compared and omitted steps.
     fn report(&self, title: &str, counts: (usize, usize, usize)) {
         println!(
             "{title}: {} steps compared, worst {:.2} of its bound; skipped: {} large scenes, {} ratios on a resonance",
@@ -75,7 +74,8 @@ impl Steps {
     }
 }
 
-/// The scenes of few masses: each step takes a condition in double-double.
+/// Returns the scenes of few masses. Larger ones would take too long, because each step needs a condition in
+/// double-double.
 fn small(most: usize, steps: &mut Steps) -> Vec<&'static (&'static str, &'static str)> {
     let masses = |text: &str| system::<f64>(text).modal().loads.len();
     let scenes = SCENES.iter().filter(|scene| masses(scene.1) <= most);
@@ -84,14 +84,14 @@ fn small(most: usize, steps: &mut Steps) -> Vec<&'static (&'static str, &'static
     scenes
 }
 
-/// The scene with the same ζ in every mode.
+/// Returns the scene with the same ζ in every mode.
 fn damped(text: &str, zeta: f64) -> System {
     let mut scene = system::<f64>(text).scene().clone();
     scene.damping = Damping::Uniform(zeta);
     System::try_from(scene).expect("a valid scene")
 }
 
-/// Σ_i |∂f/∂ζ_i|.
+/// Returns Σ_i |∂f/∂ζ_i|.
 fn damping_slope(system: &System, question: Question) -> f64 {
     let modes = 0..system.modal().resonances.len();
     modes
@@ -109,13 +109,13 @@ fn beta_of(system: &System, r: f64) -> f64 {
     0.3 * at.continuous_limit().min(at.sliding_limit())
 }
 
-/// Between resonances and beside them, to 1e-3.
+/// Returns frequency ratios between resonances, and within 1e-3 of them.
 fn between(system: &System, steps: &mut Steps) -> Vec<f64> {
     let mut ratios = vec![0.57, 1.31];
     for pole in system.resonances() {
         ratios.extend([pole * 0.999, pole / 2.0, pole / 3.0 * 1.001]);
     }
-    // Half of a resonance may be another one, where an undamped motion is unbounded.
+    // Half of a resonance may be another resonance, where an undamped motion is unbounded.
     let all = ratios.len();
     ratios.retain(|r| !system.resonances().contains(r));
     steps.resonant += all - ratios.len();
@@ -155,7 +155,7 @@ fn across(zetas: &[f64], centre: f64, title: &str, counts: (usize, usize, usize)
     steps.report(title, counts);
 }
 
-/// The difference is O(ζ Σ|∂f/∂ζ|): at 1e-18 and below it is rounding alone.
+/// The difference is O(ζ Σ|∂f/∂ζ|). At 1e-18 and below it is rounding alone.
 #[test]
 fn vanishing_damping() {
     across(&[1e-300, 1e-18, 1e-12, 1e-9], 0.0, "zeta = 0", (1780, 3, 1));
@@ -176,9 +176,10 @@ fn critical_damping() {
     across(&zetas, 1.0, "zeta = 1", (3560, 3, 1));
 }
 
-/// Odd and even sub-harmonics of undamped scenes: β_lim falls to 0 at an odd one, where U has a pole, and a mode's u is 0 at an
-/// even one.  Without search: what S adds is small there beside U, and its condition in double-double
-/// takes minutes.
+/// Odd and even subharmonics of undamped scenes, without search.
+///
+/// At an odd subharmonic β_lim falls to 0, because U has a pole. At an even one the u of a mode is 0. The test leaves
+/// the search out. There S is small compared with U, and its condition in double-double takes minutes.
 #[test]
 fn sub_harmonics() {
     let mut steps = Steps::default();
@@ -199,7 +200,7 @@ fn sub_harmonics() {
                                 }
                             };
                             let (there, here) = (ask(r), ask(on));
-                            // On the sub-harmonic itself the derivative has a jump.
+                            // On the subharmonic itself the derivative has a jump, so it is taken next to it.
                             let question = Question::at(r, 0.0, asked);
                             let slope = along_place(&system, question).1.abs().to_f64();
                             let condition = modal_condition(&system, question);
@@ -228,8 +229,8 @@ fn moved(system: &System, quantity: Quantity, by: f64) -> System {
     System::try_from(scene).expect("a valid scene")
 }
 
-/// A mode with a node at the contact: its residue in the contact's sums is 0, and is not after a mass or
-/// a spring has changed by a rounding.
+/// A mode with a node at the contact has a residue of 0 in the contact's sums. The residue differs from 0 after a mass
+/// or a spring has changed by a rounding.
 #[test]
 fn a_node_at_the_contact() {
     let scenes = [

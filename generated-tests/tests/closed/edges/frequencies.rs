@@ -1,10 +1,10 @@
-//! Natural frequencies of widely spread scenes, against 40-digit references.
+//! Natural frequencies of widely spread scenes, compared with 40-digit references.
 
 use frictiongen::study::System;
 use frictiongen_kernel::Float;
 use serde_json::Value;
 
-/// Of each frequency, however many decades below the largest.
+/// Tolerance relative to each frequency, however many decades it lies below the largest.
 const TOLERANCE: f64 = 1e-14;
 
 pub fn references() -> Vec<Value> {
@@ -48,7 +48,7 @@ fn of_twelve_decades() {
     let (error, place) = worst::<f64>();
     println!("natural frequencies, f64: {error:.2e} {place}");
     assert!(error <= TOLERANCE, "{error:e} at {place}");
-    // Rounded once, to within half a unit of the last place.
+    // The constant is rounded once, so its error is at most half a unit of the last place.
     let (error, place) = worst::<f32>();
     println!("natural frequencies, f32: {error:.2e} {place}");
     assert!(

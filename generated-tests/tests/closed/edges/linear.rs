@@ -1,7 +1,7 @@
-//! β = 0: the motion is the plain linear response.
+//! At β = 0 the motion is the plain linear response.
 //!
-//! Reference: the sum of modal receptances x̄_k = Σ φ_k φᵀp/(λ − r² + 2iζr√λ) in complex
-//! double-double numbers, by itself; for the contact wᵀx̄ − s.
+//! The reference is the sum of modal receptances x̄_k = Σ φ_k φᵀp/(λ − r² + 2iζr√λ), computed independently in complex
+//! double-double numbers. For the contact it is wᵀx̄ − s.
 
 use crate::edges::scenes::{Rounded, SCENES, ratios, system};
 use frictiongen::study::System;
@@ -9,19 +9,19 @@ use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::modal::Modal;
 
-/// Roundings of each term of the sum and of the frequency ratio in it.
+/// Tolerance, in roundings of each term of the sum and of the frequency ratio in it.
 const BAR: f64 = 8.0;
 
-/// A sum, and what a relative change ε of each term, of each √λ and of r makes of it, over ε.
+/// A sum of receptances, with its sensitivity to a relative change of each term, of each √λ and of r.
 struct Response {
     re: Dd,
     im: Dd,
     condition: f64,
-    /// Of the steepest driven mode: beyond 1/ε r stands on its pole, to rounding.
+    /// Sensitivity of the steepest driven mode. Beyond 1/ε r lies on the pole of that mode, to rounding.
     steepest: f64,
 }
 
-/// The load's response along `direction`: a row of mode shape components.
+/// Returns the response to the load along `direction`, a row of mode shape components.
 fn response(modal: &Modal, r: Dd, direction: impl Fn(usize) -> Dd, relative: bool) -> Response {
     let zero = Dd::ZERO;
     let mut sum = Response {
@@ -54,7 +54,7 @@ fn response(modal: &Modal, r: Dd, direction: impl Fn(usize) -> Dd, relative: boo
         if relative {
             weight = weight / (root * root);
         }
-        // Of 1/(λ − r² + 2iζr√λ) with respect to r and √λ, each.
+        // The sensitivity of 1/(λ − r² + 2iζr√λ) to r and to √λ, each.
         let steep = (root * root + r * r + b).to_f64() / square.sqrt().to_f64();
         add(weight * re, weight * im, 1.0 + 2.0 * steep);
     }
@@ -70,13 +70,13 @@ fn angle(difference: f64) -> f64 {
     difference.min(turn - difference)
 }
 
-/// What was compared, what was not and why, and the largest error over its bound.
+/// Numbers of compared and omitted answers, with reasons, and the largest error over its bound.
 #[derive(Debug, Default)]
 struct Seen {
     compared: usize,
-    /// Only bounded from below, within the rounding of a pole.
+    /// Number of answers within the rounding of a pole, which are bounded only from below.
     on_poles: usize,
-    /// Frequencies without a motion: undamped resonances, and β_lim = 0.
+    /// Number of frequencies without a motion: undamped resonances, and β_lim = 0.
     without: usize,
     worst: f64,
 }
@@ -102,8 +102,8 @@ fn compare<S: Rounded>(name: &str, system: &System<S>, seen: &mut Seen) {
             let error = (Dd::from(amplitude.to_f64()) - want).abs().to_f64();
             let bound = BAR * epsilon * of.condition;
             if BAR * epsilon * of.steepest > 0.25 {
-                // Within the rounding of a pole nothing bounds the answer from above; from below, the
-                // answer at the far side of that rounding does.
+                // Within the rounding of a pole the answer has no upper bound. The answer at the far side of that
+                // rounding bounds it from below.
                 let least = (want * want).to_f64() / (want.to_f64() + bound) * 0.5;
                 assert!(
                     amplitude.to_f64() >= least,
@@ -119,7 +119,7 @@ fn compare<S: Rounded>(name: &str, system: &System<S>, seen: &mut Seen) {
                 "{name}, r = {r:?}: {what} {amplitude:?} for {}, bound {bound:e}",
                 want.to_f64()
             );
-            // The lag is −arg; a change of the sum by the bound turns it by the quotient.
+            // The lag is −arg. A change of the sum by the bound turns it by the quotient of both.
             let lag = Scalar::atan2(-of.im, of.re);
             let error = angle(phase.to_f64() - lag.to_f64());
             let bound = BAR * epsilon * (of.condition / want.to_f64() + 4.0);

@@ -1,5 +1,5 @@
-//! Digits at the edges: of the regimes, of damping, of sub-harmonics, of vanishing residues, of widely
-//! spread and of nearly equal frequencies.
+//! Accuracy at extremes: at the limits of the regimes, of damping and of subharmonics, with vanishing residues, and
+//! with widely spread or nearly equal frequencies.
 
 mod condition;
 mod continuity;

@@ -1,8 +1,8 @@
-//! β one rounding below, at, and above each limit: what is told of the regime, and what the motion is.
+//! The reported regime and the motion at β one rounding below, at, and above each limit.
 //!
-//! The rule (physics and documentation alike): stuck from β*_lim on, that included, also where it is
-//! below β_lim; continuous below β_lim; stick-slip from β_lim on, that included.  A continuous motion on
-//! an undamped resonance that the load drives is unbounded.
+//! Physics and documentation have the same rule. The contact is stuck from β*_lim on, β*_lim included, also where
+//! β*_lim is below β_lim. The motion is continuous below β_lim, and stick-slip from β_lim on, β_lim included. A
+//! continuous motion on an undamped resonance that the load drives is unbounded.
 
 use crate::edges::condition::{Asked, Question, along_place, answer, data, modal_condition};
 use crate::edges::scenes::{Rounded, SCENES, ratios, system};
@@ -13,10 +13,10 @@ use frictiongen::{
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::shown;
 
-/// Roundings of each input, as for every other answer.
+/// Tolerance in roundings of each input, as for every other answer.
 const BAR: f64 = 64.0;
 
-/// The undamped resonances that the load drives.
+/// Returns the undamped resonances that the load drives.
 fn unbounded<S: Rounded>(system: &System<S>) -> Vec<S> {
     let modal = system.modal();
     let driven = |i: &usize| modal.damping_ratios[*i].is_zero() && !modal.loads[*i].is_zero();
@@ -31,8 +31,8 @@ fn show<T>(got: &Result<T, NotContinuous>) -> String {
     }
 }
 
-/// How many β were asked, how many were not for being no friction ratio (below 0, beside a limit of 0, or
-/// infinite), and those whose answer breaks the rule.
+/// Number of asked friction ratios, number of skipped ones, and the answers that break the rule. A value is skipped if
+/// it is no friction ratio: below 0, near a limit of 0, or infinite.
 #[derive(Debug, Default)]
 struct Told {
     asked: usize,
@@ -104,7 +104,7 @@ where
             }
             if let Ok(motion) = motion {
                 let amplitude = motion.ask(Of::Contact, |contact| contact.amplitude());
-                // Rounding may leave a little less than 0 only where the limit is 0 itself.
+                // Rounding may leave slightly less than 0 only where the limit itself is 0.
                 if !amplitude.is_some_and(|z| zero <= z && z.is_finite()) {
                     all.failures
                         .push(format!("{name}, r = {r:?}, beta = {beta:?}: {amplitude:?}"));
@@ -115,7 +115,7 @@ where
     all
 }
 
-/// Prints the sum; so many friction ratios have to have been asked for, and so many skipped.
+/// Prints the sums, and asserts the number of asked and skipped friction ratios.
 fn report(title: &str, results: Vec<Told>, counts: (usize, usize)) {
     let asked: usize = results.iter().map(|result| result.asked).sum();
     let skipped: usize = results.iter().map(|result| result.skipped).sum();
@@ -129,7 +129,7 @@ fn report(title: &str, results: Vec<Told>, counts: (usize, usize)) {
     assert_eq!((asked, skipped), counts, "{title}");
 }
 
-/// The grid, and r = 0.
+/// Returns the grid of frequency ratios, and r = 0.
 fn with_rest<S: Rounded>(resonances: &[S]) -> Vec<S> {
     let mut ratios = ratios(resonances);
     ratios.push(S::constant(0.0));
@@ -157,7 +157,7 @@ fn at_run_time_in_single_precision() {
     report("run time, f32", at_run_time::<f32>(), (49_463, 37));
 }
 
-/// An emitted scene, its text read at run time for what is unbounded.
+/// Checks an emitted scene. The run-time system of the same text gives its unbounded resonances.
 macro_rules! emitted {
     ($($name:ident),*) => {
         vec![$({
@@ -180,7 +180,7 @@ fn emitted() {
     );
 }
 
-/// r = ∞: the limits for r → ∞ decide, not the sums at the largest r that is evaluated.
+/// At r = ∞ the limits for r → ∞ decide, not the sums at the largest r that is evaluated.
 #[test]
 fn at_infinity() {
     let infinity = || vec![f64::INFINITY];
@@ -191,13 +191,13 @@ fn at_infinity() {
     report("r = ∞", results.collect(), (117, 33));
 }
 
-/// The closed form goes through a limit without a step: neighbouring β on both sides of it give
-/// amplitudes that differ by no more than what a rounding of β and `BAR` roundings of each input make.
+/// The closed form passes a limit without a step. Neighbouring β on both sides of the limit give nearly the same
+/// amplitude.
 ///
-/// The bound: beside a pole or sub-harmonic the amplitude may be as steep as a root at its zero, where a
-/// first-order condition means nothing; so the effect of r and β is the spread of the double-double
-/// answer over r(1 ± kε), β(1 ± kε), and of the modal data ε k Σ|x ∂f/∂x|, in the smallest of that
-/// spread's corners where the root is real, k = 64.
+/// The bound is the change by a rounding of β and by `BAR` roundings of each input. Near a pole or subharmonic the
+/// amplitude may be as steep as a root at its zero, where a first-order condition means nothing. The effect of r and β
+/// is therefore the spread of the double-double answer over r(1 ± kε), β(1 ± kε), with k = 64. The effect of the modal
+/// data is 2kε Σ|x ∂f/∂x|, two roundings below the limit.
 fn amplitudes<S: Rounded>(counts: (usize, usize, usize)) {
     let (mut asked, mut skipped, mut public) = (0, 0, 0);
     let mut failures = Vec::new();
@@ -207,7 +207,7 @@ fn amplitudes<S: Rounded>(counts: (usize, usize, usize)) {
         let rounded = data(modal, |value| S::constant(value.hi) + S::constant(value.lo));
         let exact = data(modal, |value| value);
         let all = ratios(system.resonances());
-        // Every ninth, a number prime to the grid's period.
+        // Every ninth ratio is used, because nine is prime to the period of the grid.
         for r in all.into_iter().step_by(9) {
             let at = system.at(r).expect("in the domain");
             let limits = [at.continuous_limit(), at.sliding_limit()];
@@ -220,7 +220,7 @@ fn amplitudes<S: Rounded>(counts: (usize, usize, usize)) {
                 let betas = [low, limit.down(), limit, limit.up()];
                 let values =
                     betas.map(|beta| answer(&rounded, r, beta, Asked::ContactAmplitude).to_f64());
-                // What the public face answers is the same number.
+                // The public interface answers with the same number.
                 if let Ok(motion) = at.motion(betas[1]) {
                     assert_eq!(motion.contact().amplitude().to_f64(), values[1], "{name}");
                     public += 1;
@@ -271,8 +271,8 @@ fn amplitude_on_both_sides_in_single_precision() {
     amplitudes::<f32>((1110, 0, 572));
 }
 
-/// Far below a limit's own rounding: one rounding of β alone moves the contact's amplitude by
-/// |∂Z/∂β| times it, and the amplitude's own rounding.
+/// A rounding of β changes the contact's amplitude by |∂Z/∂β| times that rounding, and by the amplitude's own rounding.
+/// This is far below the rounding of a limit.
 #[test]
 fn a_rounding_of_beta() {
     let (mut worst, mut compared) = (0.0_f64, 0);
@@ -291,7 +291,7 @@ fn a_rounding_of_beta() {
                 let question = Question::at(r, beta, Asked::ContactAmplitude);
                 let (value, _, slope) = along_place(&system, question);
                 let one = slope.abs().to_f64() * (beta.next_up() - beta);
-                // V, U, their two sums, the root and the products: sixteen roundings, half each.
+                // V, U, their two sums, the root and the products have sixteen roundings, half a unit each.
                 let own = 8.0 * f64::EPSILON * modal_condition(&system, question);
                 worst = worst.max((step - one) / own);
                 assert!(step <= one + own, "{name}, r = {r}: {step:e}, {value}");

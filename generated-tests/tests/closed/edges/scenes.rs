@@ -1,10 +1,10 @@
-//! The scenes, the frequency ratios, and what a scalar's neighbours are.
+//! The scenes, the frequency ratios, and the neighbours of a scalar.
 
 use frictiongen::study::System;
 use frictiongen_kernel::Float;
 
-/// 1 to 5 masses; wall, base and mass-mass contacts; undamped, modal (under-, critical, over-critical,
-/// mixed with none) and Rayleigh; μ = 1 and above.
+/// Scenes of 1 to 5 masses, with contacts to wall, base and mass. They are undamped, or have modal damping
+/// (under-critical, critical, over-critical, or mixed with none) or Rayleigh damping, with μ = 1 and above.
 pub const SCENES: &[(&str, &str)] = &[
     (
         "block",
@@ -87,12 +87,12 @@ pub const SCENES: &[(&str, &str)] = &[
     ),
 ];
 
-/// A scene in some precision.
+/// Reads a scene in some precision.
 pub fn system<S: Float>(text: &str) -> System<S> {
     text.parse().expect("a valid scene")
 }
 
-/// A scalar with neighbours.
+/// A scalar with a next larger and a next smaller value.
 pub trait Rounded: Float {
     fn up(self) -> Self;
     fn down(self) -> Self;
@@ -116,8 +116,9 @@ impl Rounded for f32 {
     }
 }
 
-/// √λ/n, n = 1 … 9: resonances and sub-harmonics of both kinds, each with both neighbours and at
-/// relative distances down to the scalar's rounding; between them; and far off.
+/// Returns the ratios √λ/n, n = 1 … 9, which are resonances and odd and even subharmonics. Each comes with both
+/// neighbours, and with relative distances down to the scalar's rounding. Some ratios lie between them, and some far
+/// away.
 pub fn ratios<S: Rounded>(resonances: &[S]) -> Vec<S> {
     let mut ratios: Vec<S> = [1e-3, 0.17, 0.83, 1.37, 40.0].map(S::constant).into();
     for pole in resonances {

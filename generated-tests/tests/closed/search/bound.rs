@@ -1,5 +1,5 @@
-//! A scene's own bound on evaluations: no search exceeds it, few come near, and none of a scene at any usual frequency
-//! gives up.
+//! A scene's own bound on the evaluations of a search. No search exceeds it, few come near it, and at usual frequencies
+//! no search stops without a result.
 
 use crate::search::random::random_scene;
 use frictiongen::study::System;
@@ -7,17 +7,17 @@ use frictiongen::{Effort, FrictionSystem, friction_system};
 use frictiongen_kernel::modal_sum::search::{MAX_EVALUATIONS, Peak};
 use fuzzing::Random;
 
-/// Below so many half turns of the fastest mode in a half period every search has to come to its end.
+/// Number of half turns of the fastest mode in a half period below which every search must finish.
 const USUAL: f64 = 1e5;
 
-/// What the searches of one kind took.
+/// Numbers of evaluations in the searches of one kind.
 #[derive(Default)]
 struct Counts {
-    /// Where some search is needed at all.
+    /// Evaluations of all searches that are needed at all.
     all: Vec<u32>,
-    /// Beyond [`USUAL`] alone.
+    /// Number of searches without a result, only beyond [`USUAL`].
     given_up: u32,
-    /// The largest part of its bound that a search took.
+    /// Largest fraction of its bound that a search used.
     nearest: f64,
 }
 
@@ -38,7 +38,7 @@ impl Counts {
         }
     }
 
-    /// Median, what 99 of 100 do not exceed, the most.
+    /// Returns the median, the 99 % quantile and the maximum.
     fn quantiles(&mut self) -> [u32; 3] {
         self.all.sort_unstable();
         let n = self.all.len();
@@ -46,8 +46,8 @@ impl Counts {
     }
 }
 
-/// Frequencies where searches are longest: slow sweeps, resonances, subharmonics and beside them, and far above the modes,
-/// where the motion of a mass is what is left of large ones.
+/// Returns a frequency ratio at which searches are long: slow sweeps, resonances, subharmonics and their neighbourhood,
+/// or far above the modes. There the motion of a mass is a small remainder of large terms.
 fn frequency(random: &mut Random, resonances: &[f64], kind: usize) -> f64 {
     let one = resonances[random.below(resonances.len())];
     let beside = 1.0 + random.signed() * random.log_uniform(1e-15, 1e-2);
@@ -75,7 +75,7 @@ fn run(scenes: usize, masses: usize) -> [Counts; 2] {
             let at = system.at(r).unwrap();
             let most = at.most_evaluations();
             assert!(most.limit.max(most.amplitude) <= MAX_EVALUATIONS);
-            // What is said of r holds for every larger one.
+            // The bound at r is valid for every larger r.
             let more = system.at(r * random.log_uniform(1.0, 10.0)).unwrap();
             let more = more.most_evaluations();
             assert!(more.limit <= most.limit && more.amplitude <= most.amplitude);
@@ -110,7 +110,8 @@ fn run(scenes: usize, masses: usize) -> [Counts; 2] {
     [limit, amplitude]
 }
 
-/// What the documentation of `most_evaluations` says of searches: half, 99 of 100, worst, with a quarter of room.
+/// Asserts the median, 99 % quantile and maximum that the documentation of `most_evaluations` gives, with a quarter of
+/// margin.
 fn agreed([limit, amplitude]: &mut [Counts; 2]) {
     for (counts, said) in [(limit, [3, 110, 275]), (amplitude, [10, 40, 400])] {
         let found = counts.quantiles();
@@ -125,7 +126,7 @@ fn agreed([limit, amplitude]: &mut [Counts; 2]) {
 #[test]
 fn no_search_exceeds_its_scenes_bound() {
     let mut found = run(400, 16);
-    // Slow sweeps of undamped scenes run into it, so that it is known to hold there.
+    // Slow sweeps of undamped scenes reach the bound, which shows that it takes effect there.
     assert!(found[0].given_up > 0, "no search was stopped");
     agreed(&mut found);
 }
@@ -135,7 +136,7 @@ fn no_search_exceeds_its_scenes_bound() {
 fn no_search_exceeds_its_scenes_bound_at_length() {
     agreed(&mut run(10_000, 16));
     agreed(&mut run(10_000, 4));
-    // Of many masses more are far from load and contact: 99 of 100 take 67.
+    // With many masses more of them are far from load and contact, so their quantiles are larger.
     let [limit, amplitude] = run(300, 64);
     assert!(limit.nearest < 0.5 && amplitude.nearest < 0.5);
 }
@@ -151,11 +152,11 @@ friction_system! {
     }
 }
 
-/// Emitted, in single precision, over a range: one bound for all of it.
+/// An emitted scene in single precision has one bound for a whole range.
 #[test]
 fn an_emitted_scene_says_it_for_its_range() {
     let most = Frame::at(0.05).unwrap().most_evaluations();
-    // √λ_max(1 + 2·1.4)/0.05 half turns, one evaluation for 16.
+    // The fastest mode has √λ_max(1 + 2·1.4)/0.05 half turns, and 16 half turns need one evaluation.
     let fastest = Frame::RESONANCES[2] * (1.0 + 2.0 * 1.4) / 0.05;
     let more = (fastest / 16.0) as u32;
     assert!(more > 5, "{more}");
@@ -181,7 +182,7 @@ fn an_emitted_scene_says_it_for_its_range() {
     assert!(worst[0] <= most.limit && worst[1] <= most.amplitude);
 }
 
-/// At the ends of the range and where nothing is known of a frequency.
+/// The bound at both limits of the range, and where the frequency is invalid.
 #[test]
 fn a_bound_at_the_ends() {
     let ends = |r: f32| Frame::at(r).unwrap().most_evaluations();

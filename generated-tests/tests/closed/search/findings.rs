@@ -1,4 +1,4 @@
-//! Both searches against brute force, scene by scene.
+//! Both searches, compared with brute force scene by scene.
 
 use crate::search::led::Led;
 use crate::search::plain::{Plain, largest};
@@ -9,17 +9,17 @@ use frictiongen_kernel::modal_sum::search::MAX_EVALUATIONS;
 use fuzzing::Random;
 use std::f64::consts::PI;
 
-/// What a run over many scenes found.
+/// Results of a run over many scenes.
 #[derive(Default)]
 pub struct Findings {
     pub scenes: usize,
     pub searched: usize,
     pub ill: usize,
     pub masses: usize,
-    /// Phases compared, and of those the ones whose maximum had an equal.
+    /// Number of compared phases, and of those whose maximum has an equal one.
     pub phases: usize,
     pub ties: usize,
-    /// Scenes on an undamped resonance.
+    /// Number of scenes on an undamped resonance.
     pub unbounded: usize,
     pub constraint_counts: Vec<(u32, String)>,
     pub amplitude_counts: Vec<(u32, String)>,
@@ -27,8 +27,7 @@ pub struct Findings {
     pub worst_beta: f64,
     pub worst_amplitude: f64,
     pub worst_fall: f64,
-    /// Searches of amplitudes that others led, how many they led astray, what both took, and how many roundings of
-    /// the motion's terms the answers differ by.
+    /// Results of amplitude searches that start from the results of others.
     pub led: Led,
 }
 
@@ -49,10 +48,10 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
     let plain = Plain::new(&system, r, 0.0, false);
     let limit = plain.limit(&system, least);
     findings.searched += usize::from(limit.searched);
-    // Rounding of the modal data and of the sums, a few hundred units of it, times the condition.
+    // The rounding is a few hundred units of the modal data and of the sums, times the condition.
     let rounding = 500.0 * f64::EPSILON * limit.condition;
     findings.ill += usize::from(rounding > 1e-9);
-    // Too large a β_lim is a missed maximum of the constraint: the stricter side.
+    // A β_lim that is too large means a missed maximum of the constraint, so this side is stricter.
     let error = found / limit.beta - 1.0;
     let tolerance = rounding.max(if error > 0.0 { 1e-10 } else { 1e-9 });
     if rounding <= 1e-9 {
@@ -117,7 +116,7 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
             peak.evaluations,
             format!("m{k}, beta = {beta:?}, r = {r:?}\n    {text}"),
         ));
-        // Near a resonance large terms cancel: what they lose is no error of the search.
+        // Near a resonance large terms cancel. Their loss is no error of the search.
         let rounding = 500.0 * f64::EPSILON * terms / amplitude;
         let error = amplitude / brute - 1.0;
         let tolerance = rounding.max(if error < 0.0 { 1e-10 } else { 1e-9 });
@@ -131,7 +130,7 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
                 peak.evaluations
             ));
         }
-        // The place, by what the plain motion is there and by which way it points.
+        // The phase is judged by the plain motion at that instant and by its sign.
         let answer = mass.phase();
         let apart = |tau: f64, value: f64| {
             let turned = if value < 0.0 { PI } else { 0.0 };
@@ -147,7 +146,7 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
         };
         let there = sign * displacement(place * PI);
         let fall = 1.0 - there / brute;
-        // A place that is off by the root of a rounding falls by a rounding.
+        // An instant that is off by the root of a rounding lowers the value by a rounding.
         let allowed = 1e-11_f64.max(rounding);
         if rounding <= 1e-9 {
             findings.worst_fall = findings.worst_fall.max(fall);
@@ -161,7 +160,7 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
         if apart(tau, displacement(tau)) > 1e-2 {
             findings.ties += 1;
         }
-        // The search against the very function that it searches: no excuse but rounding.
+        // The search is compared with the very function that it searches, so only rounding is allowed.
         for i in 0..32 {
             let tau = tau
                 + if i == 0 {
@@ -179,13 +178,13 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
     }
 }
 
-/// Sorts the counts, the largest first, and picks what a hundredth, a thousandth, … of them exceeds.
+/// Sorts the counts, the largest first, and returns the count that a fraction `share` of them exceeds.
 pub fn quantile(counts: &mut [(u32, String)], share: f64) -> u32 {
     counts.sort_by_key(|count| std::cmp::Reverse(count.0));
     counts[(counts.len() as f64 * share) as usize].0
 }
 
-/// No search may need more than this: median, 99 in 100, and the worst.
+/// Asserts upper bounds on the median, the 99 % quantile and the maximum of the evaluations.
 pub fn within(name: &str, counts: &mut [(u32, String)], (median, most, worst): (u32, u32, u32)) {
     let found = [0.5, 0.01, 0.0].map(|share| quantile(counts, share));
     assert!(

@@ -1,22 +1,23 @@
-//! Searches that others of a sweep lead: the same largest value as without them, from neighbours near and far.
+//! Led searches: searches that start from the results of other points of a sweep. They find the same maximum, from
+//! neighbours near and far.
 
 use frictiongen::Neighbour;
 use frictiongen::study::System;
 
-/// What they took and gave.
+/// Effort and differences of led searches.
 #[derive(Debug, Default)]
 pub struct Led {
-    /// How many searches.
+    /// Number of searches.
     pub searches: usize,
-    /// Evaluations without and with what the others know, from near and from far.
+    /// Number of evaluations without and with the results of other points, near and far.
     pub alone: u32,
     pub led: u32,
-    /// The largest difference of the amplitudes, in roundings of the motion's terms.
+    /// Largest difference of the amplitudes, in roundings of the motion's terms.
     pub worst: f64,
 }
 
 impl Led {
-    /// The amplitude at (r, β) after those at some multiples of r.
+    /// Compares the amplitude at (r, β) with and without a lead from some multiples of r.
     pub fn add(
         &mut self,
         system: &System,
@@ -46,12 +47,12 @@ impl Led {
         self.worst = self.worst.max(roundings);
     }
 
-    /// Two evaluations at different instants differ by what rounding leaves of the terms there.
+    /// Asserts that the amplitudes differ at most by the rounding of the terms at two different instants.
     pub fn agreed(&self) {
         println!("{self:?}");
         assert!(self.searches > 1000);
         assert!(self.worst < 4.0, "{self:?}");
-        // Half of them come from far away.
+        // Half of the searches start from far away, so the saving is moderate.
         assert!(self.led < self.alone, "{self:?}");
     }
 }

@@ -1,9 +1,7 @@
-//! The two guaranteed searches (velocity constraint, largest displacement) against brute force on
-//! random scenes.
+//! The two guaranteed searches (velocity constraint, largest displacement), compared with brute force on random scenes.
 //!
-//! The functions searched are written here from the printed formulas, from modal data alone, and
-//! their largest values are found on a fine grid with a golden-section refinement: slow, and too
-//! plain to be wrong in the same way as a search that walks with bounds.
+//! The functions come from the printed formulas and from modal data alone. A fine grid with a golden-section refinement
+//! finds their maxima. This is slow, but so plain that it cannot have the errors of a search with bounds.
 
 mod bound;
 mod findings;
@@ -16,7 +14,7 @@ use frictiongen::study::System;
 use fuzzing::Random;
 use plain::Plain;
 
-/// Scenes of at most `most` masses against a grid of `least` points at least.
+/// Compares scenes of at most `most` masses with a grid of at least `least` points.
 fn run(seed: u64, scenes: usize, least: usize, most: usize, listed: usize) -> Findings {
     let mut random = Random(seed);
     let mut findings = Findings::default();
@@ -27,18 +25,19 @@ fn run(seed: u64, scenes: usize, least: usize, most: usize, listed: usize) -> Fi
     findings
 }
 
-/// Where S falls from its limit at τ → 0 on, nothing but rounding is left of the quotient at tiny
-/// τ, and that must not pass for a higher peak.  β_lim to 20 digits is from 40-digit arithmetic.
+/// S falls from its limit at τ → 0. At tiny τ only rounding is left of the quotient, which must not count as a higher
+/// peak. The expected β_lim to 20 digits is from 40-digit arithmetic.
 #[test]
 fn rounding_at_the_start_is_no_peak() {
     let pair = "struct Pair { masses: { a: 1, b: 2 }, springs: { base - a: 1, a - b: 1 },
                 contact: a - b, excitation: a, damping: modal(0.2) }";
     let system: System = pair.parse().unwrap();
     let limit = system.at(0.059).unwrap().continuous_limit();
-    // V is a difference of numbers 10³ times as large.
+    // V is a difference of numbers that are 10³ times as large.
     let error = limit / 2.152_674_283_808_898_4e-5 - 1.0;
     assert!(error.abs() < 1e-11, "{limit}: off by {error:e}");
-    // The same over a sweep, by itself: the constraint falls all the way where modes decay fast.
+    // Over a sweep the search is compared with the plain function. Where modes decay fast, the constraint falls all the
+    // way.
     let one = "struct One { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall,
                excitation: a, damping: modal(0.2) }";
     let mut compared = 0;
@@ -63,8 +62,8 @@ fn rounding_at_the_start_is_no_peak() {
     assert_eq!(compared, 2 * 399);
 }
 
-/// Limits, amplitudes and phases; what was compared is counted.  The evaluations that searches may need are a
-/// quarter above what they were measured to need, in the order median, 99 of 100, worst.
+/// Asserts that limits, amplitudes and phases agree, and counts the comparisons. The bounds on evaluations (median, 99
+/// % quantile, maximum) are a quarter above the measured values.
 fn agreed(findings: &mut Findings, scenes: usize) {
     assert!(
         findings.disagreements.is_empty(),
@@ -77,7 +76,7 @@ fn agreed(findings: &mut Findings, scenes: usize) {
     assert!(findings.masses >= scenes);
     assert_eq!(findings.masses, findings.phases);
     assert_eq!(findings.masses, findings.amplitude_counts.len());
-    // On an undamped resonance bit for bit: no random r is.
+    // No random r is bit for bit on an undamped resonance.
     assert_eq!(findings.unbounded, 0);
     assert!(
         findings.ill * 20 < scenes,
@@ -96,7 +95,7 @@ fn no_maximum_is_missed() {
         (6, 25, 44),
     );
     within("amplitude", &mut findings.amplitude_counts, (11, 30, 44));
-    // The test tests nothing if the start of the half period always decides.
+    // If the start of the half period always decided, the test would check nothing.
     assert!(findings.searched > 60, "{}", findings.searched);
     findings.led.agreed();
 }

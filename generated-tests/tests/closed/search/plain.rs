@@ -1,28 +1,28 @@
-//! The functions searched, from the printed formulas, and their largest values by brute force.
+//! The searched functions from the printed formulas, and their maxima by brute force.
 
 use frictiongen::study::System;
 use std::f64::consts::PI;
 
-/// A damped mode's functions, physics sections 3 and 4 as printed, with q imaginary beyond ζ = 1.
+/// Functions of a damped mode, as printed in sections 3 and 4 of the physics page. Beyond ζ = 1, q is imaginary.
 #[derive(Clone, Debug)]
 pub struct Mode {
-    /// 1/R.
+    /// The ratio 1/R.
     pub x: f64,
     pub zeta: f64,
     pub u: f64,
     pub g: f64,
     /// c = (φᵀw)².
     pub c: f64,
-    /// φᵀp, φᵀw over λ, and φ itself by mass.
+    /// The projections φᵀp and φᵀw, λ, and φ of every mass.
     pub p: f64,
     pub w: f64,
     pub lambda: f64,
     pub phi: Vec<f64>,
-    /// v = 1/(1 − R² + 2iζR), real and imaginary part.
+    /// Real and imaginary part of v = 1/(1 − R² + 2iζR).
     pub v: (f64, f64),
 }
 
-/// (d, q̃) at y = τ/R: e^{−ζy}[cos qy + (ζ/q) sin qy] and e^{−ζy} sin(qy)/q.
+/// Returns (d, q̃) at y = τ/R: e^{−ζy}[cos qy + (ζ/q) sin qy] and e^{−ζy} sin(qy)/q.
 pub fn decay(zeta: f64, y: f64) -> (f64, f64) {
     let q2 = 1.0 - zeta * zeta;
     if q2 > 0.0 {
@@ -45,7 +45,7 @@ impl Mode {
         let ratio = 1.0 / x;
         let (u, g);
         if zeta == 0.0 {
-            // tan(π/2R) with its whole turns taken out first, which costs nothing.
+            // tan(π/2R) is computed after whole turns are removed, which is exact.
             u = (0.5 * PI * (x % 2.0)).tan() / ratio;
             g = 0.0;
         } else {
@@ -72,11 +72,11 @@ impl Mode {
         }
     }
 
-    /// (1+g)Rq̃ + uR²[cos τ − e^{−ζτ/R}(cos qτ/R − (ζ/q) sin qτ/R)], the bracket of S.
+    /// Returns (1+g)Rq̃ + uR²[cos τ − e^{−ζτ/R}(cos qτ/R − (ζ/q) sin qτ/R)], the bracket of S.
     pub fn constraint(&self, tau: f64) -> f64 {
         let (ratio, y) = (1.0 / self.x, tau * self.x);
         if self.zeta == 0.0 {
-            // cos τ − cos y as a product: plain near τ = 0 as well.
+            // As a product, cos τ − cos y is accurate near τ = 0 as well.
             let forced_slope = 2.0 * (0.5 * (y + tau)).sin() * (0.5 * (y - tau)).sin();
             return ratio * y.sin() + self.u * ratio * ratio * forced_slope;
         }
@@ -85,7 +85,7 @@ impl Mode {
         (1.0 + self.g) * ratio * q_tilde + self.u * ratio * ratio * (tau.cos() - turned)
     }
 
-    /// h, the friction's part of the displacement.
+    /// Returns h, the contribution of friction to the displacement.
     pub fn h(&self, tau: f64) -> f64 {
         if self.zeta == 0.0 {
             return 1.0 - ((tau - 0.5 * PI) * self.x).cos() / (0.5 * PI * (self.x % 4.0)).cos();
@@ -95,7 +95,7 @@ impl Mode {
     }
 }
 
-/// A scene at one frequency, from its modal data.
+/// A scene at one frequency ratio, from its modal data.
 pub struct Plain {
     pub modes: Vec<Mode>,
     pub r: f64,
@@ -104,17 +104,18 @@ pub struct Plain {
     pub mu: f64,
 }
 
-/// What the brute force answers.
+/// Result of the brute-force search.
 pub struct Limit {
     pub beta: f64,
-    /// Whether the search had anything to find: S above the break-away term.
+    /// Whether the search mattered, which means that S is above the break-away term.
     pub searched: bool,
-    /// Relative change of β for relative changes of the resonances and relative loss in V.
+    /// Relative change of β for relative changes of the resonances, and the relative loss in V.
     pub condition: f64,
 }
 
 impl Plain {
-    /// `jitter` moves the resonances by so much, up and down in turn or all the same way.
+    /// Returns the scene with its resonances shifted by a relative `jitter`. Neighbouring modes are shifted in opposite
+    /// directions if `alternate` is set.
     pub fn new(system: &System, r: f64, jitter: f64, alternate: bool) -> Self {
         let modal = system.modal();
         let modes = (0..modal.resonances.len())
@@ -149,7 +150,7 @@ impl Plain {
         sum / (self.r * self.r * tau.sin())
     }
 
-    /// V, U, G in the direction of the contact, and the size of V's terms.
+    /// Returns V, U, G in the direction of the contact, and the size of V's terms.
     pub fn contact(&self) -> ((f64, f64), f64, f64, f64) {
         let (mut v, mut u, mut g, mut size) = ((-self.of_base, 0.0), 0.0, 0.0, self.of_base);
         for mode in &self.modes {
@@ -162,7 +163,7 @@ impl Plain {
         (v, u, g, size)
     }
 
-    /// H_c.
+    /// Returns H_c.
     pub fn reversal(&self) -> f64 {
         let sum: f64 = self
             .modes
@@ -172,7 +173,7 @@ impl Plain {
         sum / (self.r * self.r)
     }
 
-    /// How many points show every swing of every mode, 24 to a turn.
+    /// Returns the number of points that resolves every mode, with 24 points to a turn.
     pub fn points(&self, least: usize) -> usize {
         let fastest = self
             .modes
@@ -188,16 +189,16 @@ impl Plain {
         v.0.hypot(v.1) / u.hypot(demand)
     }
 
-    /// β_lim with S from the grid; `least` points at least.
+    /// Returns β_lim with S from a grid of at least `least` points.
     pub fn limit(&self, system: &System, least: usize) -> Limit {
         let (tau, searched_s) = largest(|tau| self.constraint(tau), self.points(least));
         let mass = self.inverse_mass / (self.r * self.r);
-        // S's own limit for τ → 0 belongs to it.
+        // The limit of S at τ → 0 belongs to S.
         let s = searched_s.max(mass + self.reversal());
         let beta = self.beta_with(s);
         let at_start = searched_s < mass + self.reversal();
         let (v, _, _, size) = self.contact();
-        // Measured: how far β moves when the resonances move (at the same τ: it is a maximum).
+        // The condition is measured by the change of β for shifted resonances, at the same τ because it is a maximum.
         let mut condition = size / v.0.hypot(v.1);
         let step = 1e-9;
         for alternate in [false, true] {
@@ -218,13 +219,14 @@ impl Plain {
     }
 }
 
-/// The largest value of a function on (0, π): a grid, then golden section about every grid maximum
-/// within reach of the largest.
+/// Returns the instant and value of the maximum of a function on (0, π). A grid finds the peaks, and golden section
+/// refines every grid maximum that may be the largest.
 pub fn largest(f: impl Fn(f64) -> f64, points: usize) -> (f64, f64) {
     let step = PI / points as f64;
     let values: Vec<f64> = (0..=points)
         .map(|i| {
-            // Both ends are 0/0 for the constraint; half a thousandth of a step inside is not.
+            // The constraint is 0/0 at both end points, so these grid points are shifted inside by half a thousandth of
+            // a step.
             let tau = (i as f64 * step).clamp(0.0005 * step, PI - 0.0005 * step);
             f(tau)
         })
@@ -238,15 +240,15 @@ pub fn largest(f: impl Fn(f64) -> f64, points: usize) -> (f64, f64) {
             f64::NEG_INFINITY
         };
         let after = values.get(i + 1).copied().unwrap_or(f64::NEG_INFINITY);
-        // With 24 points to a turn a grid maximum is within 1 % of its peak's height above the
-        // trough; 5 % of the largest is far more.
+        // With 24 points to a turn a grid maximum lies within 1 % of its peak's height above the trough. 5 % of the
+        // largest value is a wide margin.
         if values[i] < before || values[i] < after || values[i] < most - 0.05 * most.abs() {
             continue;
         }
         let mut low = ((i as f64 - 1.0) * step).max(0.0005 * step);
         let mut high = ((i as f64 + 1.0) * step).min(PI - 0.0005 * step);
         let golden = 0.5 * (5f64.sqrt() - 1.0);
-        // To 1e-8 of the bracket: at a maximum the value is then exact to rounding.
+        // The search ends at 1e-8 of the bracket. At a maximum the value is then exact to rounding.
         for _ in 0..40 {
             let width = golden * (high - low);
             if f(high - width) < f(low + width) {

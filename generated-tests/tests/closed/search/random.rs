@@ -3,7 +3,7 @@
 use fuzzing::Random;
 use std::fmt::Write as _;
 
-/// A random description of at most so many masses; masses and springs spread over a decade.
+/// Returns a random description of at most `most` masses. Masses and springs spread over a decade.
 pub fn random_scene(random: &mut Random, most: usize) -> String {
     let n = 1 + random.below(most);
     let mut text = String::from("struct Random { masses: { ");
@@ -11,7 +11,7 @@ pub fn random_scene(random: &mut Random, most: usize) -> String {
         write!(text, "m{i}: {}, ", random.log_uniform(1.0, 10.0)).unwrap();
     }
     text.push_str("}, springs: { ");
-    // A chain from the base; then, on some scenes, a wall and loops.
+    // Every scene is a chain from the base. Some scenes also have a wall spring and loops.
     let mut springs = vec![(String::from("base"), 0)];
     springs.extend((1..n).map(|i| (format!("m{}", i - 1), i)));
     if random.unit() < 0.5 {
@@ -19,7 +19,7 @@ pub fn random_scene(random: &mut Random, most: usize) -> String {
     }
     for _ in 0..random.below(3) {
         let (a, b) = (random.below(n), random.below(n));
-        // A chain's own neighbours are joined already, and a pair may be named only once.
+        // Neighbours of the chain are already joined, and a pair may be named only once.
         if a + 1 < b && !springs.contains(&(format!("m{a}"), b)) {
             springs.push((format!("m{a}"), b));
         }
@@ -51,7 +51,7 @@ pub fn random_scene(random: &mut Random, most: usize) -> String {
             }
             text.push_str("], ");
         }
-        // Up to overdamped in the fast modes.
+        // This damping can make the fast modes overdamped.
         _ => {
             let (a, b) = (random.log_uniform(1e-3, 0.3), random.log_uniform(1e-3, 0.3));
             write!(text, "damping: rayleigh({a}, {b}), ").unwrap();

@@ -1,16 +1,16 @@
-//! What is asked of a scene, and the formulas' answer in whatever scalar.
+//! The questions that the tests put to a scene, and the answers of the formulas in any scalar.
 
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::{DataAt, DataMotion};
 
-/// Whose motion is asked for.
+/// The contact or the mass whose motion is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Of {
     Contact,
     Mass(usize),
 }
 
-/// What is asked.
+/// A question to a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asked {
     ContinuousLimit,
@@ -19,9 +19,9 @@ pub enum Asked {
     SlidingLimit,
     Stuck(usize),
     Amplitude(Of),
-    /// The lag: of a mass, that it stands still there.
+    /// Lag of a motion. The watched answer of a mass is its velocity at the lag, which must be zero.
     Phase(Of),
-    /// That a mass is at its largest where its lag says.
+    /// Displacement of a mass at its lag, which must be the largest.
     Height(usize),
     Estimate(usize),
     Displacement(Of),
@@ -30,7 +30,7 @@ pub enum Asked {
 }
 
 impl Asked {
-    /// The name of the kind, by which answers are tallied.
+    /// Returns the name of the kind of question, under which answers are tallied.
     pub fn kind(self) -> &'static str {
         match self {
             Self::ContinuousLimit => "continuous limit",
@@ -68,7 +68,7 @@ impl Asked {
         matches!(self, Self::Phase(Of::Contact))
     }
 
-    /// Whose continuous motion the answer is of.
+    /// Returns whose continuous motion the answer describes, if it describes one.
     pub fn of(self) -> Option<Of> {
         match self {
             Self::Amplitude(of)
@@ -82,7 +82,7 @@ impl Asked {
     }
 }
 
-/// Where it is asked.
+/// The point (r, β, τ) of a question.
 #[derive(Clone, Copy, Debug)]
 pub struct Place<S> {
     pub r: S,
@@ -100,14 +100,14 @@ impl<S: Float> Place<S> {
     }
 }
 
-/// A question as it can be differentiated: a largest value is looked at where it is taken, since it moves with the
-/// inputs as the value there does.
+/// A question in a form that can be differentiated. A maximum is evaluated at its instant. The value there has the same
+/// derivative as the maximum, because it is stationary at that instant.
 #[derive(Clone, Copy, Debug)]
 pub struct Watched<S> {
     pub asked: Asked,
-    /// The instant of the largest value.
+    /// Instant of the maximum.
     pub instant: Option<S>,
-    /// The lag that was told, whose velocity is watched.
+    /// Lag that the system returned, at which the velocity is watched.
     pub lag: Option<S>,
 }
 
@@ -121,7 +121,7 @@ impl<S: Float> Watched<S> {
     }
 }
 
-/// The answers to questions of one place.  A motion is put together once for all questions that it is asked.
+/// Returns the answers to all questions of one place. The function computes each motion once for all its questions.
 pub fn answers<S: Float>(
     at: &DataAt<'_, S>,
     place: &Place<S>,
@@ -146,7 +146,7 @@ pub fn answers<S: Float>(
         .collect()
 }
 
-/// The motion of the contact or of a mass.
+/// Returns the motion of the contact or of a mass.
 pub fn motion<'a, S: Float>(at: &DataAt<'a, S>, of: Of, beta: S) -> DataMotion<'a, S> {
     match of {
         Of::Contact => at.contact(beta),
@@ -158,7 +158,7 @@ fn real<S: Float>(value: S) -> Complex<S> {
     Complex::new(value, S::constant(0.0))
 }
 
-/// What depends on r alone.
+/// Returns the answer to a question that depends on r alone.
 fn at_rest<S: Float>(at: &DataAt<'_, S>, question: &Watched<S>) -> Complex<S> {
     match (question.asked, question.instant) {
         (Asked::ContinuousLimit, Some(tau)) => real(at.continuous_limit_at(tau)),

@@ -1,5 +1,6 @@
-//! `reference/extremes.json`: beside poles and sub-harmonics, at vanishing, critical and over-critical
-//! damping, for spreads of twelve decades, at nearly equal modes, at r = 0 and r = ∞.
+//! The scenes of `reference/extremes.json`. Their points lie near poles and subharmonics, and at r = 0 and r = ∞. Some
+//! have vanishing, critical or over-critical damping, masses and springs spread over twelve decades, or nearly equal
+//! modes.
 
 use crate::backward::asked::{Asked, Of, Place, Watched, motion};
 use crate::backward::inputs::Exact;
@@ -12,15 +13,15 @@ use frictiongen_kernel::{Complex, Float};
 use generated_tests::reference::{description, exact};
 use serde_json::Value;
 
-/// In roundings, 2^-52 of each input.
+/// Bar for the backward error, in roundings of 2^-52 of each input.
 const BAR: f64 = 64.0;
 
-/// What the reference holds.
+/// Number of scenes and values in the reference.
 const SCENES: u64 = 48;
 const VALUES: u64 = 2337;
-/// Those of them at the places of nearly equal modes.
+/// Number of those values that belong to nearly equal modes.
 const ILL_VALUES: u64 = 44;
-/// By at most so many times the bar are those off.
+/// Factor of the bar that values of nearly equal modes may reach.
 const ILL: f64 = 64.0;
 
 fn scenes() -> Vec<Value> {
@@ -31,7 +32,7 @@ fn list(value: &Value) -> &[Value] {
     value.as_array().map_or(&[], Vec::as_slice)
 }
 
-/// A number that the reference gives as an exact double.
+/// Reads a number that the reference gives as an exact double.
 fn double(value: &Value) -> f64 {
     match value {
         Value::String(text) => text.parse().expect("a number"),
@@ -44,7 +45,7 @@ struct Case {
     want: Dd,
 }
 
-/// A place of the reference, with all that is known there.
+/// A place of the reference, with all values known there.
 struct Cases {
     name: String,
     place: Place<f64>,
@@ -89,7 +90,7 @@ fn cases(scene: &Value) -> Vec<Cases> {
     all
 }
 
-/// What a system answers through its public face.
+/// Returns the answer of a system through its public interface.
 fn ask<S: Float>(system: &System<S>, name: &str, place: &Place<f64>, asked: Asked) -> S {
     let constant = |value: f64| S::constant(value);
     let at = system.at(constant(place.r)).expect("in the domain");
@@ -111,7 +112,8 @@ fn ask<S: Float>(system: &System<S>, name: &str, place: &Place<f64>, asked: Aske
     }
 }
 
-/// What was told of a case: measured against its own size, a displacement against its motion's.
+/// Converts the value of a case to an answer. A displacement is measured against the size of its motion, every other
+/// value against its own size.
 fn told(judge: &Judge<'_>, case: &Case, got: Dd) -> Answer {
     let real = |value: Dd| Complex::new(value, Dd::from(0.0));
     let instant = match case.asked {
@@ -140,7 +142,7 @@ fn told(judge: &Judge<'_>, case: &Case, got: Dd) -> Answer {
     }
 }
 
-/// Every value of the reference from systems in a scalar, in roundings `epsilon` of the scenes' inputs.
+/// Compares every value of the reference with systems in one scalar. `epsilon` is one rounding of the scenes' inputs.
 fn compared<S: Float>(epsilon: f64, read: impl Fn(S) -> Dd) -> Tally {
     let mut tally = Tally::default();
     let mut worst_of_ill: f64 = 0.0;
@@ -184,13 +186,13 @@ fn compared<S: Float>(epsilon: f64, read: impl Fn(S) -> Dd) -> Tally {
     tally
 }
 
-/// Modes so close that modal data rounded one by one lose what tells them apart.
+/// Returns whether modes are so close that modal data rounded one by one lose the difference between them.
 fn is_ill_conditioned(scene: &Value) -> bool {
     scene["name"] == "nearly equal modes"
 }
 
-/// The double-double reading, which is the reference of everything else here, against the reference: to the 20 digits
-/// that it has.
+/// Checks the double-double evaluation, which is the reference of all other tests here, to the 20 digits of the JSON
+/// file.
 #[test]
 fn double_double_is_a_reference() {
     let tally = compared::<Dd>(2f64.powi(-64), |value| value);
@@ -199,7 +201,7 @@ fn double_double_is_a_reference() {
     assert_eq!((tally.scenes, tally.answers()), (SCENES, VALUES));
 }
 
-/// Every value through the run-time system.
+/// Compares every value with the run-time system.
 #[test]
 fn every_value() {
     let tally = compared::<f64>(f64::EPSILON, Dd::from);

@@ -1,27 +1,30 @@
-//! The smallest displacement of the inputs that explains all answers of a place at once.
+//! The smallest displacement of the inputs that explains all answers of a place together.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
-/// So often are the weights changed.
+/// Number of changes of the weights.
 const ROUNDS: usize = 60;
-/// So often in plain double precision, which is enough at most places.
+/// Number of changes of the weights in plain double precision, which is enough at most places.
 const QUICK_ROUNDS: usize = 4;
-/// So often where the bar is far away, and by how much: there the equations are not yet those of the right place.
+/// Number of changes where the fit exceeds the bar by the factor `FAR`. The equations are then not yet those of the
+/// right place, so more changes would be wasted.
 const FAR_ROUNDS: usize = 4;
 const FAR: f64 = 100.0;
-/// A fit that keeps this part of the bar is not improved.
+/// A fit below this fraction of the bar is not improved further.
 const ENOUGH: f64 = 0.25;
-/// No weight is less than this share of the largest: what carries none could not come back.
+/// Lower bound on a weight, as a fraction of the largest. A weight of zero could not grow again.
 const FAINT: f64 = 1e-9;
 
-/// The smallest k found such that some inputs δ with |δ_j| ≤ k leave |b_i − Σ a_ij δ_j| ≤ k, up to one that is
-/// well below the bar: a Chebyshev fit by Lawson's iteration, weighted least squares whose weights grow with what they leave.
-/// Every δ proves its own k, so that what is found is an upper bound.
+/// Returns the smallest k found such that some inputs δ with |δ_j| ≤ k leave |b_i − Σ a_ij δ_j| ≤ k. The search stops
+/// at a k well below the bar.
+///
+/// It is a Chebyshev fit by Lawson's iteration, which is weighted least squares whose weights grow with the residuals.
+/// Every δ proves its own k, so the result is an upper bound.
 pub fn fit(a: &[Vec<Dd>], b: &[Dd], bar: f64) -> f64 {
     let plain: Vec<Vec<f64>> = a.iter().map(|row| to_f64(row)).collect();
     let quick = lawson(a, b, bar, QUICK_ROUNDS, |b, inputs, answers| {
-        // Its own rounding is taken back by what is left of the answers.
+        // A second solution for the residuals of the answers removes the rounding of the first one.
         let moved = shortest(&plain, &to_f64(b), inputs, answers)?;
         let more = shortest(&plain, &left(a, b, &moved), inputs, answers)?;
         Some(
@@ -41,7 +44,7 @@ pub fn fit(a: &[Vec<Dd>], b: &[Dd], bar: f64) -> f64 {
     }))
 }
 
-/// Lawson's iteration about a way to the δ of some weights.
+/// Runs Lawson's iteration, where `shortest` returns the δ of given weights.
 fn lawson(
     a: &[Vec<Dd>],
     b: &[Dd],
@@ -82,7 +85,7 @@ fn to_f64(values: &[Dd]) -> Vec<f64> {
     values.iter().map(|value| value.to_f64()).collect()
 }
 
-/// b − aδ.
+/// Returns b − aδ.
 fn left(a: &[Vec<Dd>], b: &[Dd], moved: &[f64]) -> Vec<f64> {
     let left = a.iter().zip(b).map(|(row, b)| {
         let moves = row.iter().zip(moved);
@@ -93,7 +96,7 @@ fn left(a: &[Vec<Dd>], b: &[Dd], moved: &[f64]) -> Vec<f64> {
     left.collect()
 }
 
-/// The largest modulus; infinite if any is NaN.
+/// Returns the largest modulus, or infinity if any value is NaN.
 fn worst(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |most: f64, value| {
         if value.is_nan() {
@@ -104,8 +107,8 @@ fn worst(values: impl Iterator<Item = f64>) -> f64 {
     })
 }
 
-/// δ of min Σ w_j δ_j² + Σ v_i (b_i − a_i·δ)².  By orthogonal columns, so that the condition is not squared: answers
-/// beside a pole move by 10¹⁶ of what they differ by.
+/// Returns the δ of min Σ w_j δ_j² + Σ v_i (b_i − a_i·δ)². The solution uses orthogonal columns so that the condition
+/// is not squared, because answers near a pole change by 10¹⁶ times their error.
 pub fn shortest<S: Float>(
     a: &[Vec<S>],
     b: &[S],
@@ -117,7 +120,7 @@ pub fn shortest<S: Float>(
     let answers: Vec<S> = answer_weights.iter().map(root).collect();
     let zero = S::constant(0.0);
     if inputs.len() < answers.len() {
-        // (√v a, √w) δ against (√v b, 0).
+        // The system is (√v a, √w) δ against (√v b, 0).
         let columns = (0..inputs.len()).map(|j| {
             let weighted = a.iter().zip(&answers);
             let mut column: Vec<S> = weighted.map(|(row, root)| row[j] * *root).collect();
@@ -130,7 +133,7 @@ pub fn shortest<S: Float>(
         let [q, r] = orthogonal(columns)?;
         let mut moved = vec![zero; inputs.len()];
         for j in (0..inputs.len()).rev() {
-            // What the columns after it leave.
+            // The residual after this column is the aim of the next ones.
             let along = dot(&q[j], &aim);
             for (value, q) in aim.iter_mut().zip(&q[j]) {
                 *value = *value - along * *q;
@@ -143,8 +146,8 @@ pub fn shortest<S: Float>(
         }
         return Some(moved);
     }
-    // The shortest z with Mᵀz = b, where z is √w δ and √v times what is left, and a column of M is an answer's a_ij/√w_j
-    // and 1/√v_i.
+    // The unknown is the shortest z with Mᵀz = b. Its elements are √w δ and √v times the residuals. A column of M has
+    // the a_ij/√w_j of one answer and 1/√v_i.
     let columns = a.iter().zip(&answers).enumerate().map(|(i, (row, root))| {
         let mut column: Vec<S> = row.iter().zip(&inputs).map(|(a, w)| *a / *w).collect();
         column.resize(inputs.len() + answers.len(), zero);
@@ -169,8 +172,7 @@ fn dot<S: Float>(a: &[S], b: &[S]) -> S {
     products.fold(S::constant(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// Columns of length 1 at right angles, and what of each goes into every given one: by Gram and Schmidt, one after the
-/// other.
+/// Returns orthonormal columns, and the coefficients of each given column in them, by modified Gram-Schmidt.
 fn orthogonal<S: Float>(columns: impl Iterator<Item = Vec<S>>) -> Option<[Vec<Vec<S>>; 2]> {
     let (mut all, mut parts): (Vec<Vec<S>>, Vec<Vec<S>>) = (Vec::new(), Vec::new());
     for mut column in columns {
@@ -197,7 +199,7 @@ fn orthogonal<S: Float>(columns: impl Iterator<Item = Vec<S>>) -> Option<[Vec<Ve
     Some([all, parts])
 }
 
-/// Two answers that one input moves the same way and that are off by opposite amounts are not explained by it.
+/// One input cannot explain two answers that it changes in the same way and whose errors have opposite signs.
 #[test]
 fn nothing_is_explained_twice() {
     let dd = Dd::from;
@@ -208,7 +210,7 @@ fn nothing_is_explained_twice() {
     assert!(opposite > 0.99e6, "{opposite:?}");
 }
 
-/// k = |b|/(1 + Σ|a|) for one answer, by hand.
+/// For one answer the fit gives k = |b|/(1 + Σ|a|), calculated by hand.
 #[test]
 fn one_answer() {
     let dd = Dd::from;

@@ -1,4 +1,4 @@
-//! A scene read exactly, and how it moves with each number of its description.
+//! A scene in double-double, and its derivatives with respect to each number of its description.
 
 use frictiongen::study::{Quantity, System};
 use frictiongen_kernel::Float;
@@ -9,7 +9,7 @@ use frictiongen_model::scene::{Damping, Scene};
 use generated_tests::data::Data;
 use std::cell::OnceCell;
 
-/// A scene read in double-double, and what displaces it.
+/// A scene in double-double, with the derivatives that displace it.
 pub struct Exact {
     pub data: Data<Dd>,
     modal: Modal,
@@ -17,17 +17,17 @@ pub struct Exact {
     along: OnceCell<Vec<Along>>,
 }
 
-/// A scene with its derivatives with respect to one of its numbers.
+/// A scene with its derivatives with respect to one number of its description.
 struct Along {
     modal: Modal<Dual<Dd>>,
-    /// What a derivative is multiplied by to be one per relative change: the number itself.
+    /// The number itself, which turns the derivative into one per relative change.
     value: Dd,
 }
 
-/// A scene as it is displaced, with derivatives.
+/// A displaced scene with derivatives.
 pub struct Moving {
     pub data: Data<Dual<Dd>>,
-    /// As for [`Along`].
+    /// The number itself, as in [`Along`].
     pub value: Dd,
 }
 
@@ -48,8 +48,8 @@ impl Exact {
         }
     }
 
-    /// The scene with every number displaced by so many roundings: the first-order change of its modal data, whose
-    /// second order is a rounding of double-double.
+    /// Returns the scene with every number displaced by `by` roundings. The modal data changes to first order, because
+    /// the second order is below a rounding of double-double.
     pub fn displaced(&self, by: &[f64], epsilon: f64) -> (Data<Dd>, Modal) {
         let mut modal = self.modal.clone();
         for (along, by) in self.along().iter().zip(by) {
@@ -63,12 +63,14 @@ impl Exact {
         (data(&modal), modal)
     }
 
-    /// A scene, perhaps displaced, that no number of the description moves: for derivatives with respect to r, β, τ.
+    /// Returns a scene, displaced or not, whose description is constant. It serves for derivatives with respect to r, β
+    /// and τ.
     pub fn fixed(modal: &Modal) -> Data<Dual<Dd>> {
         data(&modal.fixed())
     }
 
-    /// A scene, perhaps displaced, once for each number of the description.
+    /// Returns a scene, displaced or not, once for each number of the description with the derivatives with respect to
+    /// that number.
     pub fn moving<'a>(&'a self, modal: &'a Modal) -> impl Iterator<Item = Moving> + 'a {
         self.along().iter().map(|along| {
             let mut there = along.modal.clone();
@@ -117,7 +119,7 @@ impl Exact {
         let along = |(quantity, value): (Quantity, f64)| {
             let modal = self.modal.along(&self.scene, quantity)?;
             let value = Dd::from(value);
-            // Of equal modes another basis moves smoothly: such a scene is not displaced.
+            // For equal modes only another basis of modes changes smoothly, so such a scene is not displaced.
             let mut turned = false;
             let mut own = self.modal.clone();
             each(&mut own, &modal, |own, along| {
@@ -142,7 +144,7 @@ impl Exact {
     }
 }
 
-/// Every number of the modal data beside the same one of others.
+/// Visits every number of the modal data together with the same number of another set.
 fn each<A, B>(modal: &mut Modal<A>, other: &Modal<B>, mut visit: impl FnMut(&mut A, &B)) {
     let single = [
         (&mut modal.inverse_mass, &other.inverse_mass),

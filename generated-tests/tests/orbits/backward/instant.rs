@@ -1,26 +1,25 @@
-//! The instants at which a sum is at its largest, exactly: next to where a search of the code under
-//! test has found them.
+//! Exact instants of the maxima of a sum, each next to the instant that a search of the code under test has found.
 
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::data::{DataAt, DataMotion};
 
-/// The zero of `of` next to `from`; none where it leaves the place or finds no end.  `epsilon` is how
-/// exactly `from` was known, of which a thousandth will do.
+/// Returns the zero of `of` next to `from`, or nothing if the iteration leaves the neighbourhood or does not converge.
+/// `epsilon` is the accuracy of `from`. The zero is found to a thousandth of it.
 fn zero(of: impl Fn(Dd) -> Dd, from: Dd, epsilon: f64) -> Option<Dd> {
-    // Where the function is flat, the first step must be a wider one.
+    // Where the function is flat, the first step must be wider.
     [epsilon, 1e6 * epsilon]
         .into_iter()
         .find_map(|first| secant(&of, from, first, 1e-3 * epsilon))
 }
 
-/// So far from where it is looked for may what is found be: a phase that rounding has turned by a tenth of a
-/// radian still has its own maximum.
+/// Largest distance between the given instant and the maximum. A phase that rounding has turned by a tenth of a radian
+/// still belongs to its own maximum.
 const ABOUT: f64 = 0.5;
 
-/// A place that was found may be higher than an exact one by this many roundings.
+/// Number of roundings by which the value at the found instant may exceed that at the exact instant.
 const NEARLY: f64 = 64.0;
 
-/// The secant method, up to a step of `last`.
+/// Finds a zero by the secant method, down to a step of `last`.
 fn secant(of: impl Fn(Dd) -> Dd, from: Dd, first: f64, last: f64) -> Option<Dd> {
     let (mut before, mut tau) = (from, from + Dd::from(first));
     let mut at_before = of(before);
@@ -41,19 +40,19 @@ fn secant(of: impl Fn(Dd) -> Dd, from: Dd, first: f64, last: f64) -> Option<Dd> 
     None
 }
 
-/// The instant next to `tau` at which a mass stands still.
+/// Returns the instant next to `tau` at which a mass has zero velocity.
 pub fn stationary(motion: &DataMotion<'_, Dd>, tau: Dd, epsilon: f64) -> Option<Dd> {
     zero(|tau| motion.velocity(tau), tau, epsilon)
 }
 
-/// x̄″, by a difference: the digits of [`Dd`] are enough.
+/// Returns x̄″ from a finite difference, for which the digits of [`Dd`] suffice.
 pub fn acceleration(motion: &DataMotion<'_, Dd>, tau: Dd, epsilon: f64) -> Dd {
     let step = Dd::from(1e-3 * epsilon);
     (motion.velocity(tau + step) - motion.velocity(tau - step)) / (step + step)
 }
 
-/// Where the exact motion is at its largest: next to where it was found to be, which need not be a
-/// stationary point.
+/// Returns the instant of the maximum of the exact motion next to the found instant, which need not be a stationary
+/// point.
 pub fn largest(motion: &DataMotion<'_, Dd>, found: Option<Dd>, epsilon: f64) -> Dd {
     let Some(found) = found else {
         let places = motion.peak().places;
@@ -61,7 +60,7 @@ pub fn largest(motion: &DataMotion<'_, Dd>, found: Option<Dd>, epsilon: f64) -> 
         return places.next().map_or(Dd::from(0.0), |place| place.tau);
     };
     let height = |tau: Dd| motion.displacement(tau).abs();
-    // Not a minimum, nor another maximum.
+    // A zero of the velocity counts only if it is neither a minimum nor another maximum.
     if let Some(tau) = stationary(motion, found, epsilon)
         && height(found) * Dd::from(1.0 - NEARLY * epsilon) <= height(tau)
     {
@@ -71,32 +70,32 @@ pub fn largest(motion: &DataMotion<'_, Dd>, found: Option<Dd>, epsilon: f64) -> 
     found + Dd::from(lowest(below, -ABOUT, ABOUT, f64::NEG_INFINITY))
 }
 
-/// Where a mass is at its largest, next to where it was with other inputs.
+/// Returns the instant of the maximum of a mass, next to its instant with other inputs.
 pub fn followed(motion: &DataMotion<'_, Dd>, tau: Dd, epsilon: f64) -> Dd {
     let exact = stationary(motion, tau, epsilon);
     higher(|tau| motion.displacement(tau).abs(), exact, tau)
 }
 
-/// Where the velocity constraint is at its largest: next to where it was found to be.
+/// Returns the instant of the maximum of the velocity constraint, next to the instant that was found.
 pub fn constraining(at: &DataAt<'_, Dd>, found: Dd, epsilon: f64) -> Dd {
     let exact = zero(|tau| at.constraint_slope(tau), found, epsilon);
     higher(|tau| at.constraint(tau), exact, found)
 }
 
-/// The exact place, unless it is that of a minimum.
+/// Returns the exact instant, or the found one if the exact one is that of a minimum.
 fn higher(of: impl Fn(Dd) -> Dd, exact: Option<Dd>, found: Dd) -> Dd {
     exact.filter(|tau| of(*tau) > of(found)).unwrap_or(found)
 }
 
-/// Where a function with one minimum is smallest, by golden section; a value that is not above `enough` is
-/// low enough.
+/// Returns the minimum of a function with one minimum, by golden section. The search stops at a value of at most
+/// `enough`.
 pub fn lowest(of: impl Fn(f64) -> f64, from: f64, to: f64, enough: f64) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_8;
     let (mut low, mut high) = (from, to);
     let inner = |low: f64, high: f64| (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
     let (mut a, mut b) = inner(low, high);
     let (mut at_a, mut at_b) = (of(a), of(b));
-    // 0.618⁹⁰ = 1.5e-19.
+    // 90 steps reduce the interval by 0.618⁹⁰ = 1.5e-19.
     for _ in 0..90 {
         if at_a <= enough || at_b <= enough {
             break;

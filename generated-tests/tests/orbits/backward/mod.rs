@@ -1,5 +1,8 @@
-//! Every answer against the scene it was asked of: by how many roundings of masses, springs, damping, r, β and τ
-//! it is the exact one.
+//! Backward error of every answer: the number of roundings of masses, springs, damping, r, β and τ for which the answer
+//! is exact.
+//!
+//! A rounding is the relative spacing ε of a scalar, 2⁻⁵² in double precision. A place is a point (r, β, τ) of a scene.
+//! The bar is the largest backward error that a test accepts.
 
 mod asked;
 mod extremes;

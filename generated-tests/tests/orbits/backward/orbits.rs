@@ -1,8 +1,8 @@
-//! Steady states with stops against the same in double-double: by how many roundings of the scene they are the exact
-//! ones.
+//! Backward error of steady states with stops, against the same states in double-double.
 //!
-//! Derivatives are differences in double-double, of every number of the description and of r and β.  A stop that begins
-//! or ends within rounding is another motion: such places are counted, and left out.
+//! Derivatives are differences in double-double, with respect to every number of the description, r and β. Where a stop
+//! begins or ends within rounding, the displaced motion has another sequence of events. Such places are counted and
+//! left out.
 
 use crate::backward::fit::fit;
 use crate::backward::judge::angle;
@@ -15,23 +15,24 @@ use frictiongen_model::scene::{Damping, Scene};
 use fuzzing::Random;
 use std::collections::BTreeMap;
 
-/// Chains of more masses take long in double-double.
+/// Largest number of masses. Chains of more masses take too long in double-double.
 const MASSES: usize = 5;
-/// Modes faster than this many times the excitation make the way long.
+/// Largest ratio of a natural frequency to the excitation frequency. Faster modes need too many steps.
 const FASTEST: f64 = 60.0;
-/// The relative step of a difference: its error is of the order of its square.
+/// Relative step of a difference, whose error is of the order of its square.
 const STEP: f64 = 1e-7;
-/// Multipliers nearer to 1 than this leave a state that the motion from rest hardly reaches.
+/// Largest Floquet multiplier of a judged place. With a multiplier nearer to 1 the motion from rest hardly reaches the
+/// steady state.
 const SLOW: f64 = 0.999;
 
-/// A state is what many events leave of it, each located to rounding: this part of the places may be above the bar,
+/// Largest fraction of places above the bar. A steady state collects the rounding of many events.
 const ABOVE: f64 = 0.1;
-/// none of a few above this,
+/// Upper bound on the error of any place in a short run.
 const MOST_OF_FEW: f64 = 1024.0;
-/// and none of many above this: 2e-11 of the motion in double precision.
+/// Upper bound on the error of any place in a long run, which is 2e-11 of the motion in double precision.
 const MOST: f64 = 131_072.0;
 
-/// What is asked of a steady state; angles last.
+/// Names of the answers of a steady state, with angles last.
 const NAMES: [&str; 9] = [
     "contact amplitude",
     "amplitude",
@@ -44,14 +45,14 @@ const NAMES: [&str; 9] = [
     "origin",
 ];
 
-/// The answers, and what each of its own roundings is counted in.
+/// Answers, each with the size in whose roundings it is counted.
 type Answers<S> = [(S, S); NAMES.len()];
 
 fn answers<S: Plain>(orbit: &SystemOrbit<'_, S>, mass: usize, tau: S) -> Answers<S> {
     let motion = orbit.mass_at(mass).expect("a mass");
     let (contact, one) = (orbit.contact(), S::constant(1.0));
     let amplitude = motion.amplitude();
-    // Of the largest motion there is: stops are where the whole chain's motion puts them.
+    // The size is that of the largest motion, because the motion of the whole chain determines the stops.
     let largest = (0..)
         .map_while(|mass| orbit.mass_at(mass))
         .map(|motion| motion.amplitude());
@@ -70,19 +71,19 @@ fn answers<S: Plain>(orbit: &SystemOrbit<'_, S>, mass: usize, tau: S) -> Answers
     ]
 }
 
-/// What happens in a period: its cycles, stops and reversals.
+/// Events of a period: its number of cycles, stops and reversals.
 type Pattern = (u32, usize, usize);
 
 fn pattern<S: Float>(orbit: &SystemOrbit<'_, S>) -> Pattern {
     (orbit.period(), orbit.stops(), orbit.reversals())
 }
 
-/// The numbers of a description, to be displaced.
+/// Returns the numbers of a description that are displaced.
 fn numbers(scene: &mut Scene) -> Vec<&mut f64> {
     let mut all: Vec<&mut f64> = Vec::new();
     all.extend(scene.masses.iter_mut().map(|mass| &mut mass.value));
     all.extend(scene.springs.iter_mut().map(|spring| &mut spring.stiffness));
-    // μ = 1 is its smallest value: with the least more another rule holds, and nothing is said of it.
+    // μ = 1 is the smallest value. Any larger value changes the rule for a stop, so μ is then not displaced.
     if scene.stiction > 1.0 {
         all.push(&mut scene.stiction);
     }
@@ -96,10 +97,10 @@ fn numbers(scene: &mut Scene) -> Vec<&mut f64> {
     all
 }
 
-/// Why a place is left out.
+/// Reason for which a place is left out.
 type Left = &'static str;
 
-/// The exact answers, their changes with each input per relative change, and whether the pattern stays.
+/// Exact answers, with their changes per relative change of each input, and the sequence of events.
 struct Exactly {
     pattern: Pattern,
     answers: Answers<Dd>,
@@ -161,7 +162,7 @@ impl Exactly {
     }
 }
 
-/// a − b; of angles within half a turn.
+/// Returns a − b, and for angles the difference within half a turn.
 fn difference(index: usize, a: Dd, b: Dd) -> Dd {
     if NAMES[index] == "origin" {
         angle(a - b)
@@ -170,18 +171,18 @@ fn difference(index: usize, a: Dd, b: Dd) -> Dd {
     }
 }
 
-/// What a run has seen.
+/// Results of a run over many places.
 #[derive(Default)]
 struct Seen {
     places: usize,
-    /// The largest of each kind: in roundings of the inputs, were it the only answer of its place.
+    /// Largest backward error of each kind of answer, if it were the only answer of its place.
     alone: BTreeMap<&'static str, (f64, String)>,
     together: (f64, String),
     above: usize,
     skipped: BTreeMap<&'static str, usize>,
 }
 
-/// One place of a random scene.
+/// Judges one place of a random scene.
 fn place<S: Plain>(seed: u64, exact: impl Fn(S) -> f64, seen: &mut Seen) -> Result<(), Left> {
     let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x0B17);
     let text = scene(&mut random, 0.5);
@@ -300,7 +301,7 @@ fn orbits_in_single_precision() {
     keeps(&run::<f32>(0..12, f64::from), 3, MOST_OF_FEW);
 }
 
-/// `SCENES=1500 cargo test --release -p generated-tests --test orbits long_orbits -- --ignored --nocapture`
+/// Run with `SCENES=1500 cargo test --release -p generated-tests --test orbits long_orbits -- --ignored --nocapture`.
 #[test]
 #[ignore = "takes long; the scenes are SCENES"]
 fn long_orbits() {

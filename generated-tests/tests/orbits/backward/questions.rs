@@ -1,4 +1,4 @@
-//! The questions that are put to a system at one place, with its answers.
+//! The questions to a system at one place, with its answers.
 
 use crate::backward::asked::{Asked, Of, Watched, motion};
 use crate::backward::instant::{acceleration, constraining, largest};
@@ -9,23 +9,24 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::DataMotion;
 
-/// The motion of a mass far from load and contact is measured against this share of the largest.
+/// Fraction of the largest motion against which the motion of a mass far from load and contact is measured.
 const FAR: f64 = 1e-3;
-/// Modal data rounded once, and a sum over modes, leave a few roundings of the largest motion: 64 of this share are four.
+/// Fraction of the largest motion whose 64 roundings allow for a sum over modes. Modal data rounded once and such a sum
+/// leave a few roundings of the largest motion, and 64 roundings of this fraction are four.
 const SUM: f64 = 1.0 / 16.0;
-/// A motion below [`FAR`] of the largest is all but what is left of larger ones; beside a resonance of the stuck chain
-/// hundreds of their roundings are.  It is judged against so many times the largest.
+/// Size of a motion below [`FAR`] of the largest motion, as a multiple of the largest. Such a motion is nearly all a
+/// remainder of larger ones. Near a resonance of the stuck chain the remainder has hundreds of their roundings.
 const LEFT: f64 = 256.0;
-/// A mass that moves by less than this share of the largest motion does not move but for double-double's rounding.
+/// Fraction of the largest motion below which a mass does not move, apart from rounding of double-double.
 const UNREACHED: f64 = 1e-20;
-/// Where V is so much less than the largest response, it is 0 in double-double as well.
+/// Ratio of the largest response to V above which V is 0 in double-double as well.
 const NOTHING: f64 = 1e25;
-/// The harmonics that are asked for.
+/// Orders of the harmonics that are asked for.
 const HARMONICS: [u32; 2] = [1, 3];
-/// Where a velocity's size is looked for, in half periods.
+/// Instants at which the size of a velocity is sampled, in half periods.
 const SAMPLES: [f64; 5] = [0.0, 0.15, 0.35, 0.6, 0.85];
 
-/// Where a search ends.
+/// Returns the instant at which a search ends.
 pub fn first<S: Float>(peak: &Peak<S>) -> Option<S> {
     let mut places = peak.places.iter().flatten();
     places.next().map(|place| place.tau)
@@ -34,18 +35,18 @@ pub fn first<S: Float>(peak: &Peak<S>) -> Option<S> {
 /// Collects the answers of one place.
 pub struct Questions<'j, 'a, S, E> {
     judge: &'j Judge<'a>,
-    /// A scalar as it stands, in double-double.
+    /// Conversion of a scalar to double-double without loss.
     exact: E,
     epsilon: f64,
-    /// Whether double-double searches for every largest value itself.
+    /// Whether double-double searches for every maximum itself.
     searched: bool,
-    /// The largest response over V.  V is a difference of the masses' responses, of which rounding leaves as much as of
-    /// them; phase and limits carry it on.
+    /// Ratio of the largest response to V. V is a difference of the masses' responses and keeps their rounding, which
+    /// phase and limits inherit.
     faint: Dd,
     pub told: Vec<Answer>,
-    /// Masses that the load does not reach while the contact is stuck.
+    /// Number of masses that the load does not reach while the contact is stuck.
     pub unreached: u64,
-    /// Searches for an amplitude that have given up.
+    /// Number of searches for an amplitude that stopped without a result.
     pub given_up: u64,
     scalar: std::marker::PhantomData<S>,
 }
@@ -80,12 +81,12 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         });
     }
 
-    /// The largest response over V.
+    /// Returns the ratio of the largest response to V.
     pub fn faint(&self) -> f64 {
         self.faint.to_f64()
     }
 
-    /// An answer whose size is its own, beside `largest` of its kind.
+    /// Adds an answer that is measured against its own size. `largest` is the largest of its kind.
     fn plain(&mut self, asked: Asked, got: Complex<S>, instant: Option<Dd>, largest: Dd) {
         let watched = Watched {
             asked,
@@ -101,7 +102,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         self.note(watched, got, own, largest.max(carried));
     }
 
-    /// All limits.
+    /// Adds all continuous limits.
     pub fn limits(&mut self, at: &SystemAt<'_, S>, found: Option<S>, per_mode: bool) {
         let zero = Dd::from(0.0);
         let real = |value: S| Complex::new(value, S::constant(0.0));
@@ -125,18 +126,18 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         }
     }
 
-    /// Whether V is more than what double-double leaves of a difference.
+    /// Returns whether V is larger than what double-double leaves of a difference.
     pub fn is_reached(&self) -> bool {
         self.faint() < NOTHING
     }
 
-    /// β*_lim.
+    /// Adds β*_lim.
     pub fn sliding(&mut self, at: &SystemAt<'_, S>) {
         let limit = Complex::new(at.sliding_limit(), S::constant(0.0));
         self.plain(Asked::SlidingLimit, limit, None, Dd::from(0.0));
     }
 
-    /// The stuck response of masses; whether there is one.
+    /// Adds the stuck response of masses, and returns whether one exists.
     pub fn stuck(&mut self, at: &SystemAt<'_, S>, asked: &[usize], masses: usize) -> bool {
         let Ok(stuck) = at.stuck() else { return false };
         let every = (0..masses).map(|mass| modulus(self.judge.at().stuck_amplitude(mass)));
@@ -147,7 +148,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             };
             let own = modulus(self.judge.at().stuck_amplitude(mass));
             if own.to_f64() <= UNREACHED * largest.to_f64() {
-                // What is left of terms that cancel altogether.
+                // The terms cancel altogether, and only rounding is left.
                 let exact = Complex::new((self.exact)(got.re), (self.exact)(got.im));
                 let left = modulus(exact).to_f64() / largest.to_f64();
                 let nothing = own.is_zero() && got.re.is_zero() && got.im.is_zero();
@@ -155,19 +156,19 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
                     self.unreached += 1;
                     continue;
                 }
-                // More than that is judged as any other answer is, against next to nothing.
+                // A larger remainder is judged as any other answer, against a size of nearly zero.
             }
             self.plain(Asked::Stuck(mass), got, None, largest);
         }
         true
     }
 
-    /// The contact's motion.
+    /// Adds the contact's motion.
     pub fn contact(&mut self, motion: &SystemMotion<'_, S>, tau: S) {
         let zero = S::constant(0.0);
         let contact = motion.contact();
         let exact = self.judge.at().contact(self.judge.place().beta);
-        // Beside a limit the exact contact may not move at all, where a rounding away it does.
+        // Next to a limit the exact contact may not move at all, although it moves one rounding away.
         let told = (self.exact)(contact.amplitude());
         let own = exact.amplitude().max(told);
         let real = |value: S| Complex::new(value, zero);
@@ -185,7 +186,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             instant: None,
             lag: None,
         };
-        // An angle is known to the rounding of a half turn.
+        // The rounding of an angle is that of a half turn.
         self.note(
             watched,
             Complex::new(phase, Dd::from(0.0)),
@@ -213,7 +214,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         }
     }
 
-    /// The motions of masses.
+    /// Adds the motions of masses.
     pub fn masses(&mut self, motion: &SystemMotion<'_, S>, asked: &[usize], masses: usize, tau: S) {
         let zero = Dd::from(0.0);
         let (at, beta) = (self.judge.at(), self.judge.place().beta);
@@ -259,7 +260,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         let of = Of::Mass(mass);
         let real = |value: S| Complex::new(value, S::constant(0.0));
         let peak = of_mass.peak();
-        // What is left of larger motions is all rounding, in double-double too.
+        // The remainder of larger motions is all rounding, in double-double too.
         let is_far = exact.amplitude_monoharmonic() < widest * Dd::from(FAR);
         let found = if self.searched && !is_far {
             None
@@ -278,7 +279,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             self.mark_searched(found.is_none());
         }
         self.wide(Asked::Estimate(mass), estimate, None, amplitude, widest);
-        // The instant counts from the contact's maximum, whose own roundings V's are.
+        // The instant counts from the contact's maximum, which has the rounding of V.
         let carried = widest.max(amplitude * self.faint);
         let there = real(of_mass.displacement(tau));
         self.wide(Asked::Displacement(of), there, None, amplitude, carried);
@@ -288,7 +289,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         if given_up {
             return;
         }
-        // A lag is right if the mass stands still there, and is at its largest.
+        // A lag is right if the mass has zero velocity there, and its largest displacement.
         let lag = (self.exact)(of_mass.phase());
         let contact = motion(self.judge.at(), Of::Contact, self.judge.place().beta);
         let falls = acceleration(exact, lag - contact.phase(), self.epsilon).abs();
@@ -312,8 +313,9 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         self.note(height, zero_at(lag), amplitude, carried);
     }
 
-    /// The free response and the one to the friction force, which the fundamental is the difference of: beside a
-    /// resonance both are larger than it.
+    /// Returns the larger of the free response and the fundamental, and 0 for other orders. The fundamental is the
+    /// difference of the free response and the response to friction. Near a resonance both are larger than their
+    /// difference.
     fn whole(&self, exact: &DataMotion<Dd>, of: Of, n: u32) -> Dd {
         if n != 1 {
             return Dd::from(0.0);
@@ -336,7 +338,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         }
     }
 
-    /// An answer of known size beside the largest of its kind.
+    /// Adds an answer of known size. `largest` is the largest of its kind.
     fn wide(&mut self, asked: Asked, got: Complex<S>, instant: Option<Dd>, own: Dd, largest: Dd) {
         let watched = Watched {
             asked,
@@ -354,12 +356,12 @@ struct MassPlace<'d> {
     widest: Dd,
 }
 
-/// 0, but NaN where the lag is.
+/// Returns 0, or NaN where the lag is NaN.
 fn zero_at(lag: Dd) -> Complex<Dd> {
     Complex::new(lag * Dd::from(0.0), Dd::from(0.0))
 }
 
-/// The largest free response over that of the contact.
+/// Returns the ratio of the largest free response to that of the contact.
 fn faint(judge: &Judge<'_>, masses: usize) -> Dd {
     let (at, zero) = (judge.at(), Dd::from(0.0));
     let own = at.contact(zero).amplitude();
@@ -367,7 +369,7 @@ fn faint(judge: &Judge<'_>, masses: usize) -> Dd {
     every.fold(own, Dd::max) / own
 }
 
-/// About the largest velocity.
+/// Returns an estimate of the largest velocity.
 fn speed(motion: &DataMotion<'_, Dd>) -> Dd {
     let speeds = SAMPLES.map(|t| motion.velocity(Dd::PI * Dd::from(t)).abs());
     speeds.into_iter().fold(Dd::from(0.0), Dd::max)

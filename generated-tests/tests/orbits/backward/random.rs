@@ -3,7 +3,7 @@
 use fuzzing::Random;
 use std::fmt::Write as _;
 
-/// 10⁻¹ to 10⁻¹⁵ of either sign, or to the scalar's own precision.
+/// Returns a relative distance of either sign between 10⁻¹ and the precision `epsilon` of the scalar.
 pub fn nearness(random: &mut Random, epsilon: f64) -> f64 {
     let distance = random.power(epsilon.log10(), -1.0);
     if random.unit() < 0.5 {
@@ -13,7 +13,8 @@ pub fn nearness(random: &mut Random, epsilon: f64) -> f64 {
     }
 }
 
-/// A chain's description, masses and springs spread over up to ten to plus and minus `decades`.
+/// Returns the description of a chain whose masses and springs are spread between 10^−`decades` and 10^`decades` at
+/// most.
 pub fn scene(random: &mut Random, decades: f64) -> String {
     let n = 1 + random.below(16);
     let mut text = String::from("struct Random { masses: { ");

@@ -1,5 +1,5 @@
-//! The measure sees what is wrong: answers that are off by a thousand roundings, NaN, or the wrong maximum are above
-//! the bar, whatever moves to explain them.
+//! Faulty answers exceed the bar: the tests insert errors of a thousand roundings, NaN or another maximum. No
+//! displacement of the inputs explains these faults.
 
 use crate::backward::asked::{Asked, Of, Place};
 use crate::backward::inputs::Exact;
@@ -11,10 +11,10 @@ use frictiongen_kernel::Complex;
 use frictiongen_kernel::number::dd::Dd;
 use std::collections::BTreeMap;
 
-/// So many roundings of its size are put into an answer.
+/// Number of roundings of its size that are added to an answer.
 const FAULT: f64 = 1e3;
 
-/// Scenes of one to four masses, every contact, with and without damping.
+/// Scenes of one to four masses, with every contact, damped and undamped.
 const SCENES: [&str; 6] = [
     "struct One { masses: { a: 1.0 }, springs: { base - a: 1.3 }, contact: a - wall, excitation: a, stiction: 1.2 }",
     "struct Pair { masses: { a: 1.0, b: 0.6 }, springs: { base - a: 1.3, a - b: 0.7 }, contact: a - wall,
@@ -30,7 +30,8 @@ const SCENES: [&str; 6] = [
      contact: d - wall, excitation: a, damping: modal[0.01, 0.3, 1.0, 1.7], stiction: 1.3 }",
 ];
 
-/// At ordinary frequencies, and a thousandth beside a resonance and a sub-harmonic, where conditions are 10³.
+/// Visits each scene at ordinary frequencies, and a thousandth away from a resonance and a subharmonic, where
+/// conditions are 10³.
 fn each_place(mut visit: impl FnMut(&Judge<'_>, &[Answer], &str)) {
     for text in SCENES {
         let system: System = text.parse().expect("a scene");
@@ -72,7 +73,7 @@ fn what_is_right_is_below_the_bar() {
     assert_eq!(places, 24);
 }
 
-/// A thousand roundings of its size in one answer, all others as they are.
+/// An error of a thousand roundings in one answer exceeds the bar, with all other answers unchanged.
 #[test]
 fn a_thousand_roundings_are_above_it() {
     let mut seen: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
@@ -92,7 +93,7 @@ fn a_thousand_roundings_are_above_it() {
     report(&seen, 17);
 }
 
-/// NaN in the place of any answer.
+/// NaN in place of any answer exceeds the bar.
 #[test]
 fn nan_is_above_it() {
     let mut seen: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
@@ -109,7 +110,7 @@ fn nan_is_above_it() {
     report(&seen, 17);
 }
 
-/// A radian and a half in a contact's phase.
+/// An error of 1.5 rad in the contact's phase exceeds the bar.
 #[test]
 fn another_phase_is_above_it() {
     let mut seen: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
@@ -128,7 +129,7 @@ fn another_phase_is_above_it() {
     report(&seen, 1);
 }
 
-/// Every kind was asked for, and nothing was missed.
+/// Asserts that every kind was asked for, and that no fault was missed.
 fn report(seen: &BTreeMap<&str, (u64, u64)>, kinds: usize) {
     for (kind, (all, missed)) in seen {
         println!("{kind:>22}: {all} faults, {missed} missed");

@@ -1,25 +1,25 @@
-//! What is known of each kind of answer, and what was left out.
+//! Results for each kind of answer, and the places that were left out.
 
 use crate::backward::judge::{Answer, Judged, Verdict};
 use std::collections::BTreeMap;
 
-/// Below this condition the worst of all answers together is told.
+/// Condition below which the worst error of all answers together is printed.
 const ORDINARY: f64 = 100.0;
 
-/// A kind of answer.
+/// Results for one kind of answer.
 #[derive(Default)]
 struct Kind {
     count: u64,
-    /// How many are above the bar by themselves.
+    /// Number of answers that exceed the bar when taken alone.
     above: u64,
-    /// How many far masses' answers are above the bar of their own or a thousandth of the largest motion.
+    /// Number of answers of far masses that exceed the bar of their own size or of a thousandth of the largest motion.
     far: u64,
     direct: Worst,
     of_its_own: Worst,
     alone: Worst,
 }
 
-/// The worst so far, and where.
+/// The worst error so far, and its place.
 #[derive(Default)]
 struct Worst(f64, String);
 
@@ -35,20 +35,20 @@ impl Worst {
     }
 }
 
-/// All kinds.
+/// Results for all kinds of answers.
 #[derive(Default)]
 pub struct Tally {
     kinds: BTreeMap<&'static str, Kind>,
     pub scenes: u64,
     places: u64,
     worst: Worst,
-    /// The worst of all answers of a place together, where the condition is [`ORDINARY`].
+    /// Worst error of all answers of a place together, where the condition is below [`ORDINARY`].
     together: Worst,
-    /// Places whose answers have no displacement in common.
+    /// Number of places whose answers have no common displacement.
     disagreeing: u64,
     /// Places above the bar.
     pub above: Vec<String>,
-    /// How many of them are wrong altogether.
+    /// Number of those places that nothing explains.
     pub wrong: u64,
     skipped: BTreeMap<&'static str, u64>,
 }
@@ -137,8 +137,8 @@ impl Tally {
         self.kinds.iter().map(|(name, kind)| (*name, kind.count))
     }
 
-    /// The share of places above the bar, of those whose answers have no displacement in common, and of those that are
-    /// wrong altogether.
+    /// Returns three fractions of all places: those above the bar, those without a common displacement, and those that
+    /// nothing explains.
     pub fn shares(&self) -> [f64; 3] {
         let counts = [
             self.above.len() as f64,

@@ -1,13 +1,14 @@
-//! Whether β_lim and β*_lim are where the integrated motion changes its kind.
+//! β_lim and β*_lim are the friction ratios at which the integrated motion changes its regime.
 
 use crate::plain_integration::equations::{Chain, Contact, STEPS, State, TOLERANCE, solve};
 use crate::plain_integration::scenes::{on_base, on_each_other, on_wall};
 use frictiongen::study::System;
 use std::f64::consts::PI;
 
-/// The motion that reverses at τ = 0 and τ = π and nowhere looks at z̄′ in between: friction is +β
-/// for half a period whether that is physical or not.  Start of the half period and its phase, by
-/// Newton's method on y(π) = −y(0), z̄′(0) = 0.
+/// Returns the formal motion: it reverses at τ = 0 and τ = π, and z̄′ in between is ignored.
+///
+/// Friction is +β for half a period even where that is not physical. The result is the phase and the start of the half
+/// period, by Newton's method on y(π) = −y(0), z̄′(0) = 0.
 fn formal(chain: &Chain) -> (f64, State) {
     let m = 2 * chain.n;
     let place = |i: usize| if i < chain.n { i } else { 3 + i - chain.n };
@@ -51,7 +52,7 @@ fn formal(chain: &Chain) -> (f64, State) {
             row[m + 1] = -value;
         }
         let change = solve(rows);
-        // Damped: from the frictionless motion the first step may be far.
+        // The step is limited, because the first one from the frictionless motion may be too long.
         let scale = 0.3 / change[m].abs().max(0.3);
         for j in 0..m {
             y[place(j)] += scale * change[j];
@@ -65,19 +66,19 @@ fn formal(chain: &Chain) -> (f64, State) {
     (t, y)
 }
 
-/// Whether the formal motion is one that Coulomb's law allows.
+/// Verdict of Coulomb's law on the formal motion.
 #[derive(Debug, PartialEq)]
 enum Verdict {
     Continuous,
-    /// z̄′ changes sign within the half period.
+    /// z̄′ changes its sign within the half period.
     Turns,
-    /// Static friction holds the contact at the reversal.
+    /// Static friction stops the contact at the reversal.
     Holds,
 }
 
 fn verdict(chain: &Chain) -> Verdict {
     let (t, start) = formal(chain);
-    // It comes to rest from +, so static friction of −μβ is what the load has to exceed.
+    // The contact comes to rest from the positive direction, so the load has to exceed a static friction of −μβ.
     if -chain.holding_force(t, &start) <= chain.mu * chain.beta {
         return Verdict::Holds;
     }
@@ -91,8 +92,8 @@ fn verdict(chain: &Chain) -> Verdict {
     Verdict::Continuous
 }
 
-/// β_lim is where the formal motion ceases to be possible, and for the reason given.  Returns how many
-/// verdicts were compared.
+/// Checks that the formal motion becomes impossible at β_lim for the given reason. Returns the number of compared
+/// verdicts.
 fn check_boundary(mut chain: Chain, text: &str, beyond: Verdict) -> usize {
     let system: System = text
         .parse()
@@ -100,11 +101,11 @@ fn check_boundary(mut chain: Chain, text: &str, beyond: Verdict) -> usize {
     let at = system.at(chain.r).unwrap();
     let limit = at.continuous_limit();
     assert!(limit < at.sliding_limit(), "{text}");
-    // S decides where leaving it out changes the answer.
+    // S determines the limit where leaving S out changes it.
     let by_search = limit < at.continuous_limit_without_search() * (1.0 - 1e-3);
     assert_eq!(by_search, beyond == Verdict::Turns, "{text}");
     let mut compared = 0;
-    // The closer pair is limited by the grid on which z̄′ is looked at, not by the integration.
+    // The grid of z̄′ limits the closer pair of factors, not the integration.
     for factor in [0.5, 0.98, 1.0 - 1e-5] {
         chain.beta = factor * limit;
         assert_eq!(
@@ -154,7 +155,7 @@ fn velocity_constraint_is_the_boundary() {
             Verdict::Turns,
         );
     }
-    // The modes together, where the sum of their own maxima is not the maximum of the sum.
+    // At this r the sum of the modes' own maxima is not the maximum of their sum.
     let (mut chain, text) = on_wall(false);
     chain.r = 0.35;
     compared += check_boundary(chain, text, Verdict::Turns);
@@ -176,8 +177,8 @@ fn break_away_is_the_boundary() {
     assert_eq!(compared, 4 * (3 + 2));
 }
 
-/// Complex amplitudes with the contact held, and the largest holding force, by integration.
-/// Returns how many amplitudes were compared.
+/// Compares complex amplitudes with the contact stuck, and the largest contact force, with the integration. Returns the
+/// number of compared amplitudes.
 fn check_stuck(chain: &Chain, text: &str, names: &[&str]) -> usize {
     let system: System = text
         .parse()
@@ -185,7 +186,7 @@ fn check_stuck(chain: &Chain, text: &str, names: &[&str]) -> usize {
     let at = system.at(chain.r).unwrap();
     let limit = at.sliding_limit();
     let stuck = at.stuck().unwrap();
-    // Held where z̄ = 0, from rest.
+    // The contact is stuck where z̄ = 0, and the run starts from rest.
     let mut y = [0.0; 6];
     for (y, w) in y.iter_mut().zip(&chain.w) {
         *y = chain.s * w;
@@ -199,7 +200,7 @@ fn check_stuck(chain: &Chain, text: &str, names: &[&str]) -> usize {
         for step in 0..2 * STEPS {
             let t = step as f64 * h;
             if cycle + 1 == cycles {
-                // Over a whole period of a smooth function equal weights are exact.
+                // Equal weights are exact over a whole period of a smooth function.
                 for (k, sum) in sums.iter_mut().enumerate() {
                     sum.0 += y[k] * t.cos() / STEPS as f64;
                     sum.1 -= y[k] * t.sin() / STEPS as f64;
@@ -222,7 +223,7 @@ fn check_stuck(chain: &Chain, text: &str, names: &[&str]) -> usize {
         );
         compared += 1;
     }
-    // The largest of 4000 samples of a sinusoid is short of its amplitude by 3.1e-7 of it at most.
+    // The largest of 4000 samples of a sinusoid is below its amplitude by at most 3.1e-7 of it.
     let error = force / chain.mu / limit - 1.0;
     assert!(
         error < TOLERANCE && error > -4e-7,

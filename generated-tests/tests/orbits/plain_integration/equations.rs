@@ -1,14 +1,14 @@
-//! A scene as equations of motion, and the scale of what is compared.
+//! A scene as equations of motion, with step and tolerance of the comparison.
 
-/// Steps to a half period.
+/// Number of steps in a half period.
 pub const STEPS: usize = 2000;
-/// Relative to the motion, of everything compared.
+/// Tolerance of every comparison, relative to the motion.
 pub const TOLERANCE: f64 = 1e-10;
 
 /// A scene as equations: r²Γx̄″ + C̄x̄′ + K̄x̄ + wf = p cos τ_e and z̄ = wᵀx̄ − s cos τ_e.
 #[derive(Clone)]
 pub struct Chain {
-    /// Up to three masses; the rest stays idle.
+    /// Number of masses, up to three. The other elements of the arrays are unused.
     pub n: usize,
     pub gamma: [f64; 3],
     pub c: [[f64; 3]; 3],
@@ -24,7 +24,7 @@ pub struct Chain {
 /// Displacements, then velocities with respect to τ.
 pub type State = [f64; 6];
 
-/// What the contact does.
+/// State of the contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Contact {
     /// Slides in the direction of this sign.
@@ -37,14 +37,14 @@ pub fn dot(a: &[f64; 3], b: &[f64]) -> f64 {
 }
 
 impl Chain {
-    /// p cos τ_e − C̄x̄′ − K̄x̄, what is left for inertia and contact.
+    /// Returns p cos τ_e − C̄x̄′ − K̄x̄, the force that remains for inertia and contact.
     pub fn load(&self, t: f64, y: &State) -> [f64; 3] {
         std::array::from_fn(|i| {
             self.p[i] * t.cos() - dot(&self.c[i], &y[3..]) - dot(&self.k[i], &y[..3])
         })
     }
 
-    /// The contact force that keeps z̄′ as it is: from z̄″ = 0.
+    /// Returns the contact force that keeps z̄′ constant, from z̄″ = 0.
     pub fn holding_force(&self, t: f64, y: &State) -> f64 {
         let load = self.load(t, y);
         let free: f64 = (0..self.n)
@@ -70,7 +70,7 @@ impl Chain {
         out
     }
 
-    /// One step of the classical Runge-Kutta method.
+    /// Returns the state after one step of the classical Runge-Kutta method.
     pub fn step(&self, t: f64, y: &State, h: f64, contact: Contact) -> State {
         let add = |k: &State, by: f64| -> State { std::array::from_fn(|i| y[i] + by * k[i]) };
         let k1 = self.derivative(t, y, contact);
@@ -88,10 +88,11 @@ impl Chain {
         dot(&self.w, &y[3..]) + self.s * t.sin()
     }
 
-    /// The response without friction at τ_e, of [`Chain::linear`] equations: where to begin.
+    /// Returns the response without friction at τ_e, as the start of an integration. It exists only for
+    /// [`Chain::linear`] equations.
     pub fn frictionless(&self, t: f64) -> State {
         let n = self.n;
-        // [K̄ − r²Γ, C̄; −C̄, K̄ − r²Γ][a; b] = [p; 0] with x̄ = a cos τ_e + b sin τ_e.
+        // The equations are [K̄ − r²Γ, C̄; −C̄, K̄ − r²Γ][a; b] = [p; 0] with x̄ = a cos τ_e + b sin τ_e.
         let rows: Vec<Vec<f64>> = (0..2 * n)
             .map(|row| {
                 let (i, lower) = (row % n, row >= n);
@@ -120,7 +121,7 @@ impl Chain {
     }
 }
 
-/// Gaussian elimination with pivoting, on rows with their right-hand side.
+/// Solves a linear system by Gaussian elimination with pivoting. Each row ends with its right-hand side.
 pub fn solve(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
     let n = rows.len();
     for column in 0..n {

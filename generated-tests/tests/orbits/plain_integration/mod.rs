@@ -1,14 +1,14 @@
-//! The closed forms against plain time integration.
+//! The closed forms, compared with plain time integration.
 //!
-//! Nothing here is shared with the project but the numbers of the scenes: hand-written matrices,
-//! the classical Runge-Kutta method with a fixed step, and the reversals found by bisection within
-//! a step.  Damped scenes run until the transient has gone; of undamped ones the periodic state is
-//! found by Newton's method on the half-period map of that same integration.
+//! The integration shares only the numbers of the scenes with the project. It uses matrices written by hand, the
+//! classical Runge-Kutta method with a fixed step, and reversals by bisection within a step. Damped scenes run until
+//! the transient has died out. For undamped scenes Newton's method finds the periodic state on the half-period map of
+//! the same integration.
 //!
-//! Tolerance: with [`STEPS`] steps to a half period the fastest mode of the scenes compared advances
-//! by less than 4e-3 rad a step, so Runge-Kutta's error is some 1e-11, and what remains of the transient or
-//! of Newton's residual is asserted below 1e-11 too.  The reversal instants and the
-//! displacements then agree within 1e-11; [`TOLERANCE`] leaves a digit.
+//! With [`STEPS`] steps in a half period the fastest mode of the compared scenes advances by less than 4e-3 rad a step.
+//! The error of Runge-Kutta is then some 1e-11. The tests also assert that the rest of the transient, or of Newton's
+//! residual, is below 1e-11. The reversal instants and the displacements then agree within 1e-11, and [`TOLERANCE`]
+//! leaves one more digit.
 
 mod boundaries;
 mod equations;
@@ -56,8 +56,8 @@ fn compare(chain: &Chain, damped: bool, text: &str, names: &[&str]) {
             amplitude,
             amplitude,
         );
-        // A maximum's place is known to the square root of its value's accuracy, but here both
-        // sides solve for zero velocity.
+        // The instant of a maximum is usually known only to the square root of its value's accuracy. Here both sides
+        // solve for zero velocity, so the instant is known better.
         near(
             &format!("phase of {name}"),
             wrapped(mass.phase() - lag),
@@ -87,7 +87,8 @@ fn compare(chain: &Chain, damped: bool, text: &str, names: &[&str]) {
             near(&format!("Im X_{n} of {name}"), harmonic.im, im, amplitude);
         }
     }
-    // Two of the contact; of each mass two, nine instants twice and three harmonics twice.
+    // There are two values of the contact. Each mass has two values, nine instants with two values and three harmonics
+    // with two values.
     println!("{} compared, none skipped", compared.get());
     assert_eq!(compared.get(), 2 + names.len() * (2 + 2 * 9 + 2 * 3));
     assert_eq!(names.len(), chain.n);

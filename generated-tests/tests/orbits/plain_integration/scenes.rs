@@ -1,8 +1,8 @@
-//! The scenes, as matrices by hand and as descriptions.
+//! The scenes, as matrices written by hand and as descriptions.
 
 use crate::plain_integration::equations::Chain;
 
-/// 3 masses, kg 2, 3, 1.5; N/m 50, 40, 60, 20: γ and κ by hand.
+/// Returns three masses of 2, 3 and 1.5 kg on springs of 50, 40, 60 and 20 N/m, with γ and κ by hand.
 pub fn on_wall(damped: bool) -> (Chain, &'static str) {
     let k = [[1.8, -0.8, 0.0], [-0.8, 2.0, -1.2], [0.0, -1.2, 1.6]];
     let gamma = [1.0, 1.5, 0.75];
@@ -27,8 +27,7 @@ pub fn on_wall(damped: bool) -> (Chain, &'static str) {
              contact: b - wall, excitation: a }",
         );
     }
-    // C = aM + bK with a = 0.4/s, b = 0.03 s and ω = r√(k₁/m₁) = 5r rad/s:
-    // C̄ = ωC/k₁ = ω(a m₁Γ/k₁ + bK̄).
+    // C = aM + bK with a = 0.4/s, b = 0.03 s and ω = r√(k₁/m₁) = 5r rad/s gives C̄ = ωC/k₁ = ω(a m₁Γ/k₁ + bK̄).
     let omega = 5.0 * r;
     for i in 0..3 {
         for j in 0..3 {
@@ -50,7 +49,8 @@ pub fn on_wall(damped: bool) -> (Chain, &'static str) {
     )
 }
 
-/// The second mass rubs on the moving base; kg 0.8, 2; N/m 100, 150 and 30 to the base as well.
+/// Returns a scene on the moving base. Undamped, it has masses of 0.8 and 2 kg, the second of which rubs on the base.
+/// Their springs have 100 and 150 N/m, and one of 30 N/m joins the second mass to the base. Damped, it has one mass.
 pub fn on_base(damped: bool) -> (Chain, &'static str, &'static [&'static str]) {
     if !damped {
         let chain = Chain {
@@ -73,7 +73,7 @@ pub fn on_base(damped: bool) -> (Chain, &'static str, &'static [&'static str]) {
             &["low", "up"],
         );
     }
-    // One mode: C̄ = 2ζr, on the absolute velocity.
+    // The chain has one mode: C̄ = 2ζr, which acts on the absolute velocity.
     let (zeta, r) = (0.12, 1.3);
     let mut c = [[0.0; 3]; 3];
     c[0][0] = 2.0 * zeta * r;
@@ -97,7 +97,8 @@ pub fn on_base(damped: bool) -> (Chain, &'static str, &'static [&'static str]) {
     )
 }
 
-/// Two masses rub on each other; kg 1, 2; N/m 10, 15; the contact is written later mass first.
+/// Returns two masses of 1 and 2 kg on springs of 10 and 15 N/m that rub on each other. The contact is written with the
+/// later mass first.
 pub fn on_each_other(damped: bool) -> (Chain, &'static str) {
     let gamma = [1.0, 2.0, 1.0];
     let k = [[2.5, -1.5, 0.0], [-1.5, 1.5, 0.0], [0.0; 3]];

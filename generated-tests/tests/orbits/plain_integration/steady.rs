@@ -1,4 +1,4 @@
-//! Time integration between reversals, and the steady motion it leads to.
+//! Time integration between reversals, and the steady motion that it reaches.
 
 use crate::plain_integration::equations::{Chain, Contact, STEPS, State, solve};
 use std::f64::consts::PI;
@@ -17,12 +17,12 @@ pub struct Piece {
 pub struct Reversal {
     pub t: f64,
     pub y: State,
-    /// The direction of sliding before it.
+    /// Direction of sliding before the reversal, as a sign.
     pub from: f64,
 }
 
-/// Integrates from t over `span` with the contact sliding all the time; errors where it would stop
-/// or where it turns more often than the motion of two reversals a period does.
+/// Integrates from t over `span` with the contact sliding all the time. Returns an error where the contact would stop,
+/// or where it reverses more than twice a period.
 pub fn integrate(
     chain: &Chain,
     (t0, y0, sign): (f64, State, f64),
@@ -44,7 +44,8 @@ pub fn integrate(
             (t, y, done) = (t + h, next, done + h);
             continue;
         }
-        // The instant of reversal, to the last bits: z̄′ changes sign once in so short a step.
+        // Bisection finds the instant of the reversal to the last bits, because z̄′ changes its sign once in so short a
+        // step.
         let (mut low, mut high) = (0.0, h);
         while high - low > 1e-15 {
             let middle = 0.5 * (low + high);
@@ -82,8 +83,8 @@ pub fn integrate(
     Ok((y, sign, reversals))
 }
 
-/// The steady motion: its pieces over one period, from the middle of a slide towards −z̄, and the
-/// maximum of z̄ in it.
+/// The steady motion: its steps over one period, from the middle of a slide in the direction of −z̄, and the maximum of
+/// z̄.
 pub struct Steady {
     pub pieces: Vec<Piece>,
     pub top: Reversal,
@@ -96,7 +97,8 @@ pub fn distance(chain: &Chain, a: &State, b: &State) -> f64 {
     })
 }
 
-/// By Newton's method on y ↦ −y(τ + π), or by waiting until the transient has gone.
+/// Returns the steady motion, by Newton's method on y ↦ −y(τ + π), or for a damped scene after the transient has died
+/// out.
 pub fn steady(chain: &Chain, damped: bool) -> Steady {
     // A quarter of a period after the maximum of the frictionless z̄ the contact slides fast.
     let velocity = |t: f64| chain.relative_velocity(t, &chain.frictionless(t));
@@ -115,8 +117,8 @@ pub fn steady(chain: &Chain, damped: bool) -> Steady {
         end
     };
     if damped {
-        // As time goes by: the sections alternate in sign, which the symmetry of the equations
-        // turns into the same half period again and again.
+        // The states at successive half periods alternate in sign. The symmetry of the equations turns them into the
+        // same half period each time.
         for _ in 0..400 {
             let end = half(&y).map(|value| -value);
             let change = (0..6).fold(0.0, |most: f64, i| most.max((end[i] - y[i]).abs()));
@@ -170,7 +172,7 @@ pub fn wrapped(angle: f64) -> f64 {
 }
 
 impl Steady {
-    /// x̄_k and x̄_k′ at an instant of the excitation's time.
+    /// Returns x̄_k or x̄_k′ at an instant of the excitation's time.
     pub fn at(&self, chain: &Chain, t: f64, k: usize) -> f64 {
         let first = self.pieces[0].t;
         let t = first + (t - first).rem_euclid(2.0 * PI);
@@ -178,7 +180,7 @@ impl Steady {
         chain.step(piece.t, &piece.y, t - piece.t, piece.contact)[k]
     }
 
-    /// The largest |x̄_k|, with the lag of that maximum.
+    /// Returns the largest |x̄_k|, with the lag of that maximum.
     pub fn amplitude(&self, chain: &Chain, k: usize) -> (f64, f64) {
         let mut best = (0.0, 0.0);
         for piece in &self.pieces {
@@ -197,7 +199,7 @@ impl Steady {
                 }
             }
             let value = chain.step(piece.t, &piece.y, low, piece.contact)[k];
-            // The half periods mirror each other: by its sign each maximum is the same one.
+            // The half periods mirror each other, so the sign of a maximum shifts it to the positive one.
             if value.abs() > best.0 {
                 best = (
                     value.abs(),
@@ -208,7 +210,7 @@ impl Steady {
         best
     }
 
-    /// X_n by Simpson's rule on every step.
+    /// Returns X_n by Simpson's rule on every step.
     pub fn harmonic(&self, chain: &Chain, k: usize, n: u32) -> (f64, f64) {
         let (mut re, mut im) = (0.0, 0.0);
         for Piece { t, y, h, contact } in &self.pieces {

@@ -1,9 +1,9 @@
-//! Richardson-extrapolated differences, and the comparison with a dual number's slope.
+//! Richardson-extrapolated differences, and their comparison with the slope of a dual number.
 //!
-//! The tolerance is the difference's own: ten times what the last extrapolation still moved, and the
-//! rounding of the values, 2^-84 of them (a search tells places apart by 2^-90), over the smallest step.
-//! The non-dimensional terms of an answer are of order 1, so that no answer is rounded to less than
-//! 2^-100 even where they cancel to 0.
+//! The tolerance is the error of the difference itself. It is ten times the last change by extrapolation, plus the
+//! rounding of the values over the smallest step. The rounding is 2^-84 of the values, because a search distinguishes
+//! instants by 2^-90. The non-dimensional terms of an answer are of order 1, so no answer is rounded to less than
+//! 2^-100, even where the terms cancel to 0.
 
 use crate::sensitivities::answers::{Answers, is_phase};
 use frictiongen::study::Sensitive;
@@ -11,26 +11,26 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
 const LEVELS: usize = 4;
-/// A tolerance above this share of slope and value over variable would prove nothing.
+/// Largest tolerance, relative to the slope and to the value over the variable. A larger one would prove nothing.
 const VACUOUS: f64 = 1e-9;
-/// What is 0 has no scale of its own.
+/// Scale of a value that is 0 and so has no scale of its own.
 const OF_NOTHING: f64 = 1e-20;
 
-/// From where differences are taken.
+/// Side from which a difference is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     Both,
-    /// At the end of a quantity's range: ζ = 0.
+    /// From above, at the bound ζ = 0 of a quantity's range.
     Above,
 }
 
-/// A difference, and what it may be off.
+/// A difference with its error bound.
 struct Difference {
     value: Dd,
     error: f64,
 }
 
-/// `values` are f(x + h_k) and f(x − h_k) (or f(x)), h_k = h/2^k.
+/// Extrapolates the differences of f(x + h_k) and f(x − h_k), or f(x) for one side, in `values`, with h_k = h/2^k.
 fn extrapolated(values: &[[Dd; 2]], h: Dd, side: Side, size: f64) -> Difference {
     let two = Dd::from(2.0);
     let mut step = h;
@@ -62,14 +62,14 @@ fn extrapolated(values: &[[Dd; 2]], h: Dd, side: Side, size: f64) -> Difference 
     }
 }
 
-/// The largest error over its tolerance, how many were compared, and the failures.
+/// Results of a comparison.
 #[derive(Default)]
 pub struct Outcome {
     pub compared: usize,
-    /// Answers that only one of both readings has.
+    /// Number of answers that only one of both evaluations has.
     pub skipped: usize,
     pub worst: f64,
-    /// The largest tolerance, relative to slope and value over variable.
+    /// Largest tolerance, relative to the slope and to the value over the variable.
     pub widest: f64,
     pub failures: Vec<String>,
 }
@@ -83,7 +83,7 @@ impl Outcome {
         self.failures.extend(other.failures);
     }
 
-    /// Prints it; so many have to have been compared, and so many skipped.
+    /// Prints the results, and asserts the number of compared and skipped answers.
     pub fn report(&self, title: &str, counts: (usize, usize)) {
         println!(
             "{title}: {} derivatives, {} skipped that one reading does not have; worst {:.3} of the difference's own error, which is {:.1e} of \
@@ -103,8 +103,8 @@ fn turned(value: Dd, by: Dd) -> Dd {
     value - turns * turn
 }
 
-/// Compares what both name.  `at` answers with the variable moved by its argument; `unit` is the size on
-/// which the answers vary.
+/// Compares the answers that both sides have. `at` returns the answers with the variable shifted by its argument.
+/// `unit` is the scale on which the answers vary.
 pub fn compare(
     name: &str,
     dual: &Answers<Sensitive>,

@@ -1,4 +1,4 @@
-//! Every derivative that dual numbers give, against central differences in double-double.
+//! Every derivative from dual numbers, compared with central differences in double-double.
 
 mod answers;
 mod differences;

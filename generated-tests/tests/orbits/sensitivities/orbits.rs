@@ -1,7 +1,8 @@
-//! Steady states with stops: the slopes of every answer against differences of orbits.
+//! Derivatives of steady states with stops, compared with differences of orbits.
 //!
-//! Differences are of values that the same way gives at moved quantities, closed to 30 digits; the centre is held to the
-//! orbit in double-double, found from rest without derivatives.  The tolerance is the difference's own (`differences`).
+//! The differences use values that the same method gives at shifted quantities, converged to 30 digits. The value at
+//! the centre must also agree with the orbit in double-double from rest, which uses no derivatives. The tolerance is
+//! the error of the difference itself (`differences`).
 
 use crate::sensitivities::answers::Answers;
 use crate::sensitivities::differences::{Outcome, Side, compare};
@@ -11,11 +12,11 @@ use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// Where an orbit is asked, and what it does there: stops, reversals, cycles of its period.
+/// A point (r, β) of an orbit, with its number of stops, reversals and cycles of its period.
 type Place = (f64, f64, (usize, usize, u32));
 
-/// 1, 2, 3 and 5 masses; wall, mass-mass and base contacts; with and without damping; μ = 1 and above; two stops and more.
-/// The shortening of the scenes' numbers lifts μ = 1 to 1.0625 but in the first.
+/// Scenes of 1, 2, 3 and 5 masses, with contacts to wall, base and mass, damped and undamped. They have μ = 1 or above,
+/// and two or more stops. The rounding of the scenes' numbers raises μ = 1 to 1.0625 in all but the first scene.
 const SCENES: &[(&str, bool, &str, &[Place])] = &[
     (
         "block",
@@ -83,7 +84,7 @@ fn answers(orbit: &SystemOrbit<'_, Sensitive>, masses: usize) -> Answers<Sensiti
             orbit.reversed_contact_phase(),
         ),
     ];
-    // Which of them comes first depends on where the search from rest ended.
+    // The order of the stops depends on where the search from rest ended, so they are sorted.
     let mut stops: Vec<_> = orbit.sticking_intervals().collect();
     stops.sort_by(|(a, _), (b, _)| a.partial_cmp(b).expect("a number"));
     for (place, (start, length)) in stops.into_iter().enumerate() {
@@ -102,7 +103,7 @@ fn answers(orbit: &SystemOrbit<'_, Sensitive>, masses: usize) -> Answers<Sensiti
         ] {
             all.push((format!("{name} {question}"), value));
         }
-        // A symmetric motion has no even ones.
+        // A symmetric motion has no even harmonics.
         let orders: &[u32] = if orbit.is_symmetric() {
             &[1, 3]
         } else {
@@ -117,7 +118,7 @@ fn answers(orbit: &SystemOrbit<'_, Sensitive>, masses: usize) -> Answers<Sensiti
     all
 }
 
-/// The answers of a scene with no quantity varied.
+/// Returns the answers of a scene with no quantity varied.
 fn values(system: &System, r: Dd, beta: Dd) -> Answers<Dd> {
     let varied = system.unvaried();
     let orbit = varied
@@ -149,7 +150,7 @@ fn of_steady_states() {
             assert_eq!(found, *seen, "{name}, r = {r}, β = {beta}");
             stopping += usize::from(orbit.stops() > 0);
             let (r, beta) = (Dd::from(*r), Dd::from(*beta));
-            // In double-double, from rest.
+            // The reference is the orbit from rest in double-double.
             let exact = System::<Dd>::try_from(scene.clone()).expect("a valid scene");
             let exact = exact.at(r).expect("in the domain");
             let exact = exact.orbit(beta).expect("an orbit");
@@ -211,7 +212,7 @@ fn of_steady_states() {
     outcome.report("steady states", (3838, 0));
 }
 
-/// Where the contact slides all the time the closed form says the same.
+/// Where the contact slides all the time, the closed form gives the same derivatives.
 #[test]
 fn as_the_closed_form() {
     let mut compared = 0;
@@ -232,7 +233,7 @@ fn as_the_closed_form() {
                         motion.mass_at(mass).expect("a mass"),
                         orbit.mass_at(mass).expect("a mass"),
                     );
-                    // The weights of the quadrature for an orbit's harmonics are rounded to `f64`.
+                    // The quadrature for an orbit's harmonics has weights rounded to `f64`, so its tolerance is wider.
                     for (a, b, tolerance) in [
                         (closed.amplitude(), found.amplitude(), 1e-24),
                         (closed.phase(), found.phase(), 1e-24),
@@ -254,7 +255,7 @@ fn as_the_closed_form() {
     assert_eq!(compared, 666);
 }
 
-/// Where there is no derivative there is an error, never a number.
+/// Where no derivative exists, the answer is an error and never a number.
 #[test]
 fn refused() {
     let refused = |text: &str, r: f64, beta: f64| {
@@ -267,9 +268,9 @@ fn refused() {
             .expect_err("no derivative")
     };
     let block = "struct A { masses: { a: 1.0 }, springs: { base - a: 1.0 }, contact: a - wall, excitation: a, }";
-    // One of a continuum.
+    // The state is one of a continuum.
     assert_eq!(refused(block, 0.5, 0.1), NoDerivative::Marginal);
-    // At the border of the continuous regime a stop is about to come: from both sides.
+    // At the boundary of the continuous regime a stop is about to appear. Both sides of the boundary are refused.
     let system: System = block.parse().expect("a valid scene");
     let limit = system.at(0.875).expect("in the domain").continuous_limit();
     for share in [1.0 - 1e-13, 1.0 + 1e-13] {
@@ -279,7 +280,7 @@ fn refused() {
             "{share}"
         );
     }
-    // Beside it there are derivatives, of either side.
+    // Farther from the boundary each side has its derivatives.
     for (share, stops) in [(1.0 - 1e-6, 0), (1.0 + 1e-6, 2)] {
         let varied = system.unvaried();
         let beta = Dual::variable(Dd::from(limit * share));
@@ -292,7 +293,7 @@ fn refused() {
             "{share}: {slope}"
         );
     }
-    // Of another r than the derivatives are asked at.
+    // The orbit belongs to another r than the one of the derivatives.
     let varied = system.unvaried();
     let orbit = system
         .at(0.4)

@@ -1,5 +1,5 @@
-//! Derivatives at constant hertz, newtons and metres: differences of responses of descriptions analysed anew, and no
-//! dependence on the order of masses and springs.
+//! Derivatives in hertz, newtons and metres. They equal differences of responses of descriptions analysed again, and do
+//! not depend on the order of masses and springs.
 
 use crate::sensitivities::scene::moved;
 use frictiongen::study::scene::Scene;
@@ -9,12 +9,12 @@ use frictiongen::study::{
 };
 use frictiongen::{NotContinuous, Of, Regime};
 
-/// Hz, N, and the regime there.
+/// Frequency in Hz, friction in N, and the regime there.
 type Place = (f64, f64, Regime);
-/// A scene in two orders, its load and where it is asked.
+/// A scene in two orders, its load and its points.
 type Case = (&'static str, &'static str, Load, &'static [Place]);
 
-/// The same scene in two orders; the quantities of each are found by their symbols.
+/// Scenes, each in two orders. The symbols of the quantities identify them in both.
 const SCENES: &[Case] = &[
     (
         "struct A { masses: { a: 3.25, b: 3.5 }, springs: { base - a: 1190.0, a - b: 1323.0 },
@@ -45,7 +45,7 @@ const SCENES: &[Case] = &[
     ),
 ];
 
-/// Amplitude in m, and phase, as the response says without derivatives.
+/// Returns amplitude in m and phase in rad from a response without derivatives.
 fn response(scene: &Scene, (hertz, friction, load): (f64, f64, Load), of: Of) -> (f64, f64) {
     let system = System::<f64>::try_from(scene.clone()).expect("a valid scene");
     let scale = system.load_scale(load).expect("a load");
@@ -86,7 +86,7 @@ fn response(scene: &Scene, (hertz, friction, load): (f64, f64, Load), of: Of) ->
     (scale.displacement(amplitude), phase)
 }
 
-/// A scene and a point with one parameter moved.
+/// Returns a scene and a point with one parameter shifted.
 fn shifted(
     scene: &Scene,
     (hertz, friction, load): (f64, f64, Load),
@@ -144,7 +144,7 @@ fn in_physical_units() {
                 let symbol = |which: usize, found: &ParameterSensitivity| {
                     found.parameter.symbol(systems[which].scene(), &point)
                 };
-                // No order of the lists changes them, beyond rounding of the values.
+                // The order of the lists changes the derivatives only by rounding of the values.
                 for found in &all[0] {
                     let twin = all[1]
                         .iter()
@@ -174,8 +174,8 @@ fn in_physical_units() {
                 let of = systems[0].motion_named(name).expect("a motion");
                 let at = (*hertz, *friction, *load);
                 for found in &all[0] {
-                    // Steps of powers of two near p/10³ and half of it: what is left is of fourth order, some 1e-8 of
-                    // what an answer changes by over p, and 1e-11 for the rounding of the values.
+                    // The steps are powers of two near p/10³ and half of that. The remaining error is of fourth order,
+                    // some 1e-8 of the change of an answer over p. The rounding of the values adds 1e-11.
                     let h = (found.value.log2().floor() - 11.0).exp2();
                     let middle = response(scene, at, of);
                     let turn = std::f64::consts::TAU;
@@ -217,7 +217,8 @@ fn in_physical_units() {
     assert_eq!((compared, invariant), (486, 1071));
 }
 
-/// A contact that a moving base holds where it was at rest: the masses beside it are held off their places too.
+/// The contact on a moving base is stuck at its position at rest, so the other masses are also displaced from their
+/// positions at rest.
 #[test]
 fn stuck_off_its_centre() {
     let text = "struct A { masses: { a: 1.0, b: 2.0 }, springs: { base - a: 100.0, a - b: 50.0 }, contact: b - base,
@@ -254,13 +255,13 @@ fn stuck_off_its_centre() {
         let found = all.iter().find(|found| found.parameter == of);
         let found = found.expect("a derivative");
         assert!((found.amplitude.value / here - 1.0).abs() < 1e-13);
-        // A power of two, so that it is added without a rounding.
+        // The step is a power of two, so that adding it causes no rounding.
         let by = found.value / 8192.0;
         let [up, down] = [by, -by].map(|by| {
             size(&System::<f64>::try_from(moved(system.scene(), quantity, by)).expect("valid"))
         });
         let expected = (up - down) / (2.0 * by);
-        // The square of the step, with room for a bend.
+        // The bound is the square of the step, with a margin for curvature.
         let scale = here / found.value;
         assert!(
             (found.amplitude.derivative - expected).abs() < 1e-6 * scale,

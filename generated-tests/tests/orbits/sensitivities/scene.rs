@@ -1,4 +1,5 @@
-//! Masses, springs, damping and stiction: the difference is of descriptions analysed anew.
+//! Derivatives with respect to masses, springs, damping and stiction, compared with differences of descriptions
+//! analysed again.
 
 use crate::sensitivities::answers::{Answers, of_system};
 use crate::sensitivities::differences::{Outcome, Side, compare};
@@ -9,8 +10,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 
-/// Wall, base and mass-mass contacts; no, modal (with ζ = 0, 1 and above) and Rayleigh damping; exactly
-/// equal modes, as twins and as satellites; and where each is asked.
+/// Scenes with contacts to wall, base and mass, and with their frequency ratios. Damping is absent, modal (with ζ = 0,
+/// 1 and above) or Rayleigh. Some scenes have exactly equal modes, as twins and as satellites.
 pub const SCENES: &[(&str, &str, &[f64])] = &[
     (
         "pair",
@@ -60,13 +61,13 @@ pub const SCENES: &[(&str, &str, &[f64])] = &[
     ),
 ];
 
-/// A friction ratio well inside the continuous regime.
+/// Returns a friction ratio well inside the continuous regime.
 pub fn place<S: Float>(system: &System<S>, r: f64) -> f64 {
     let at = system.at(S::constant(r)).expect("in the domain");
     0.4 * at.continuous_limit().min(at.sliding_limit()).to_f64()
 }
 
-/// What does not depend on r or β: frequencies, the limits at both ends, thresholds.
+/// Returns the answers that do not depend on r or β: frequencies, the limits at r = 0 and r = ∞, and thresholds.
 fn special<S: Float>(modal: &Modal<S>, equal: bool) -> Answers<S> {
     let ends = modal.ends();
     let mut all = vec![
@@ -74,7 +75,7 @@ fn special<S: Float>(modal: &Modal<S>, equal: bool) -> Answers<S> {
         (String::from("continuous at ∞"), ends.continuous_at_infinity),
         (String::from("sliding at ∞"), ends.sliding_at_infinity),
     ];
-    // Of equal modes no order is smooth.
+    // Equal modes have no order in which they change smoothly.
     if !equal {
         let frequencies = modal.natural_frequencies().into_iter().enumerate();
         all.extend(frequencies.map(|(i, omega)| (format!("frequency {i}"), omega)));
@@ -89,7 +90,7 @@ fn special<S: Float>(modal: &Modal<S>, equal: bool) -> Answers<S> {
     all
 }
 
-/// The quantities of a description, with their values.
+/// Returns the quantities of a description, with their values.
 pub fn quantities(scene: &Scene) -> Vec<(Quantity, f64)> {
     let masses = scene.masses.iter().enumerate();
     let mut all: Vec<_> = masses
@@ -105,7 +106,7 @@ pub fn quantities(scene: &Scene) -> Vec<(Quantity, f64)> {
     all
 }
 
-/// The scene with a quantity moved by a number that its value can take up exactly.
+/// Returns the scene with a quantity shifted by `by`. The sum must be exact in double precision.
 pub fn moved(scene: &Scene, quantity: Quantity, by: f64) -> Scene {
     let mut scene = scene.clone();
     let value = match (quantity, &mut scene.damping) {
@@ -121,12 +122,12 @@ pub fn moved(scene: &Scene, quantity: Quantity, by: f64) -> Scene {
     scene
 }
 
-/// A number with twenty bits less, so that it can be moved exactly.
+/// Returns a number with twenty bits less, so that it can be shifted exactly.
 fn short(value: f64) -> f64 {
     f64::from_bits(value.to_bits() & !0xF_FFFF)
 }
 
-/// The scene with short numbers, and with no quantity at the end of its range.
+/// Returns the scene with short numbers, and with no quantity at a bound of its range.
 pub fn shortened(text: &str) -> Scene {
     let system: System = text.parse().expect("a valid scene");
     let mut scene = system.scene().clone();

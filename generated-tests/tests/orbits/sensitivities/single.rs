@@ -1,4 +1,5 @@
-//! r, β, and the modal quantities, each alone: the difference is of modal data that no scene has.
+//! Derivatives with respect to r, β and single modal quantities, compared with differences of modal data that belongs
+//! to no scene.
 
 use crate::sensitivities::answers::{of_data, of_system};
 use crate::sensitivities::differences::{Outcome, Side, compare};
@@ -9,8 +10,8 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use generated_tests::data::Data;
 
-/// A modal quantity moved, with what is made of it: m* = Σ(φᵀw)², wᵀΓ⁻¹p = Σ(φᵀw)(φᵀp), and the static
-/// sums.
+/// Returns modal data with one quantity shifted, and with its derived sums: m* = Σ(φᵀw)², wᵀΓ⁻¹p = Σ(φᵀw)(φᵀp), and the
+/// static sums.
 fn moved(modal: &Modal, quantity: Quantity, by: Dd) -> Modal {
     let mut modal = modal.clone();
     let value = match quantity {
@@ -80,7 +81,7 @@ fn modal_data() {
                 let varied = system.along(quantity).expect("a quantity of the scene");
                 let at = varied.at(Dual::fixed(exact_r)).expect("in the domain");
                 let dual = of_system(&at, modal.loads.len(), Dual::fixed(exact_beta));
-                // ζ = 0 is an end of its range; ζ = 1 is none.
+                // ζ = 0 is a bound of its range, but ζ = 1 is not.
                 let damping = matches!(quantity, Quantity::DampingRatio(_));
                 let side = if damping && value.is_zero() {
                     Side::Above
@@ -141,8 +142,8 @@ fn frequency_and_friction_ratio() {
     outcome.report("r and β", (1560, 0));
 }
 
-/// A search for S that takes hundreds of steps: how they moved with r grew from one to the next until
-/// it was no number.
+/// A search for S of hundreds of steps returns a finite derivative. Its derivative with respect to r must not grow from
+/// step to step.
 #[test]
 fn a_long_search() {
     let text = "struct A { masses: { a: 0.93, b: 3.2, c: 1.2, d: 1.6, e: 0.39, f: 0.88, g: 0.55, h: 2.7,
@@ -153,12 +154,12 @@ fn a_long_search() {
          1e-3, 0.99994, 0.36, 0.07, 2e-9] }";
     let exact: System<Dd> = text.parse().expect("a valid scene");
     let limit = |r: Dd| exact.at(r).expect("in the domain").continuous_limit();
-    // Beside the thirty-first sub-harmonic of the third mode, whose damping all but vanishes.
+    // r lies near the thirty-first subharmonic of the third mode, whose damping nearly vanishes.
     let r = exact.resonances()[2] / Dd::from(31.0) * Dd::from(1.0 - 3e-8);
     let unvaried = exact.unvaried();
     let at = unvaried.at(Dual::variable(r)).expect("in the domain");
     let slope = at.continuous_limit().slope;
-    // β_lim is a smooth function of r over some 1e-8 here, and differences at 1e-12 lose (1e-4)² of it.
+    // β_lim is a smooth function of r over some 1e-8 here. Differences at 1e-12 lose (1e-4)² of it.
     let h = r * Dd::from(1e-12);
     let difference = (limit(r + h) - limit(r - h)) / (h + h);
     assert!(

@@ -1,10 +1,11 @@
-//! Above β*_lim with μ > 1: what motion from rest ends in, against `reference/several_states.json`, made by another
-//! program.
+//! States above β*_lim with μ > 1 that motion from rest reaches, compared with `reference/several_states.json`, which
+//! another program made.
 
 use frictiongen::System;
 use serde_json::Value;
 
-/// The reference's own error: it follows the motion for up to 900 cycles, without Newton's method.
+/// Tolerance, which allows for the reference's own error. The reference follows the motion for up to 900 cycles,
+/// without Newton's method.
 const TOLERANCE: f64 = 1e-5;
 
 fn number(value: &Value) -> f64 {

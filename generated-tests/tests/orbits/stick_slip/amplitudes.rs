@@ -1,4 +1,4 @@
-//! The largest |x̄| of a mass with stops, against its samples and against the contact's.
+//! The largest |x̄| of a mass with stops, compared with its samples and with the contact.
 
 use frictiongen::friction_system;
 
@@ -13,8 +13,8 @@ friction_system! {
     }
 }
 
-/// While the contact is stuck the mass in it does not move, but for rounding: a level that is met only
-/// by rounding's slope was looked for far beyond the stop's end.
+/// While the contact is stuck, its mass moves only by rounding. A search for a level that only this rounding meets must
+/// not leave the stop.
 #[test]
 fn of_masses_that_hardly_move() {
     const SAMPLES: u32 = 400;
@@ -25,7 +25,7 @@ fn of_masses_that_hardly_move() {
         let orbit = Slow::at(r).expect("in the domain").orbit(beta);
         let orbit = orbit.unwrap_or_else(|error| panic!("r = {r}, β = {beta}: {error}"));
         compared += 1;
-        // The contact's is read off the events.
+        // The amplitude of the contact comes from the events.
         let (mass, contact) = (orbit.mass(1).amplitude(), orbit.contact().amplitude());
         assert!(
             (mass - contact).abs() <= 1e-9 * contact.max(1e-6),
@@ -38,7 +38,7 @@ fn of_masses_that_hardly_move() {
         };
         let sampled = (0..SAMPLES).map(sample).fold(0.0, f64::max);
         let amplitude = first.amplitude();
-        // Samples at 2π/400 miss at most (π/400)²/2 = 3e-5 of a sinusoid, 1e-3 of its tenth harmonic.
+        // Samples at 2π/400 miss at most (π/400)²/2 = 3e-5 of a sinusoid, and 1e-3 of its tenth harmonic.
         assert!(
             sampled <= amplitude * (1.0 + 1e-12) && amplitude <= sampled * (1.0 + 1e-3),
             "r = {r}, β = {beta}: {amplitude:e}, of samples {sampled:e}"

@@ -1,5 +1,5 @@
-//! Motions at the very edge between two courses: the exact limit of sticking, a start from the very
-//! level, two equal maxima, a stop of no length.
+//! Motions exactly on the boundary between two sequences of events. The cases are the limit of sticking, a start at the
+//! break-away level, two equal maxima, and a stop of zero length.
 
 use frictiongen::System;
 use frictiongen::kernel::simulation::{Contact, Event};
@@ -17,8 +17,8 @@ fn block(rest: &str) -> System {
     ))
 }
 
-/// The force that holds the block is cos τ: at μβ = 1 it touches the level once in each half cycle,
-/// and the contact never slides.
+/// The force in the stuck contact is cos τ. At μβ = 1 it touches the break-away level once in each half cycle, and the
+/// contact never slides.
 #[test]
 fn at_the_level_exactly() {
     let mut seen = 0;
@@ -41,9 +41,10 @@ fn at_the_level_exactly() {
     println!("{seen} runs of 200 cycles at the level, none skipped");
 }
 
-/// A velocity that touches zero and goes on, without friction: x̄ = 4/3 (cos τ − ½ sin 2τ) at r = 1/2 has
-/// x̄′ = −4/3 (sin τ + cos 2τ) = −4/3 (1 − sin τ)(1 + 2 sin τ), zero of second order at π/2, and simply at
-/// 7π/6 and 11π/6.
+/// The relative velocity touches zero and keeps its sign, without friction.
+///
+/// At r = 1/2, x̄ = 4/3 (cos τ − ½ sin 2τ) has x̄′ = −4/3 (sin τ + cos 2τ) = −4/3 (1 − sin τ)(1 + 2 sin τ). It has a
+/// zero of second order at π/2, and simple zeros at 7π/6 and 11π/6.
 #[test]
 fn a_velocity_that_touches_zero() {
     let wall = block("");
@@ -58,7 +59,7 @@ fn a_velocity_that_touches_zero() {
         if segment.event == Some(Event::Reversal) {
             let within = phase.rem_euclid(TAU);
             let [first, second] = [7.0, 11.0].map(|sixths| (within - sixths * PI / 6.0).abs());
-            // Sums of lengths round: 400 of them.
+            // The tolerance allows for the rounding of a sum of 400 lengths.
             assert!(first.min(second) < 1e-9, "a reversal at {within}");
             reversals += 1;
         } else {
@@ -70,8 +71,8 @@ fn a_velocity_that_touches_zero() {
     assert!(cycles >= 100 && reversals + 1 >= 2 * cycles && reversals <= 2 * cycles + 2);
 }
 
-/// The holding force starts from the level itself, with no slope, and grows: rounding may say that the
-/// contact fails to leave, and where; it slides all the same.
+/// The contact force starts at the break-away level itself, with zero slope, and grows. Rounding may report that the
+/// contact does not break away at first, but the contact must slide.
 #[test]
 fn from_the_level_itself() {
     let pair = system(
@@ -100,7 +101,7 @@ fn from_the_level_itself() {
             while found.len() < 6 {
                 let segment = run.next().expect("it never ends");
                 tries += 1;
-                // What ends a segment fits what it was.
+                // The event at the end of a segment must match the state of the contact in the segment.
                 let stuck = segment.contact == Contact::Stuck;
                 assert_eq!(
                     segment.event == Some(Event::Slip),
@@ -114,7 +115,8 @@ fn from_the_level_itself() {
             }
             lengths.push(found);
         }
-        // What 1e-9 does at first it does to the rest as well, times how far apart motions get.
+        // A start velocity of 1e-9 changes the first segment, and the later ones by as much, multiplied by the
+        // divergence of the motions.
         let last = lengths.pop().expect("a run");
         for other in &lengths {
             for (a, b) in other.iter().zip(&last) {
@@ -127,8 +129,7 @@ fn from_the_level_itself() {
     assert_eq!(compared, 6 * 6 * 6);
 }
 
-/// A stop in the middle of which the load is at its minimum: its ends lag by ±φ, and the positive one
-/// counts.
+/// A stop whose middle coincides with the minimum of the load has end points that lag by ±φ. The positive lag counts.
 #[test]
 fn of_equal_maxima_the_positive_lag() {
     let chain = system(
@@ -138,7 +139,7 @@ fn of_equal_maxima_the_positive_lag() {
     );
     let at = chain.at(0.617).expect("in the domain");
     let orbit = |beta: f64| at.orbit(beta).expect("a steady state");
-    // The stop at the largest z̄: its start, and by how much its middle is past π.
+    // Returns the start of the stop at the largest z̄, and the distance of its middle from π.
     let stop = |orbit: &SystemOrbit<'_>| {
         let positive =
             |start: f64| orbit.contact().displacement(start + 1e-3 - orbit.origin()) > 0.0;
@@ -176,14 +177,14 @@ fn of_equal_maxima_the_positive_lag() {
     }
 }
 
-/// With μ = 1 there is one steady state, whatever the motion starts from and wherever it is cut: a
-/// stop shorter than 1/1000 counts among the others.
+/// With μ = 1 one steady state exists for every start and every cut of the motion. Stops shorter than 1/1000 are among
+/// those tested.
 #[test]
 fn a_short_stop_from_anywhere() {
     let wall = block("damping: modal(0.02)");
     let at = wall.at(0.6).expect("in the domain");
     let stuck = |beta: f64| at.orbit(beta).expect("a steady state").stuck_fraction() * TAU / 2.0;
-    // Just above β_lim a stop is as short as one likes.
+    // Just above β_lim the stop is arbitrarily short.
     let (mut low, mut high) = (at.continuous_limit(), at.continuous_limit() * 1.05);
     assert!(stuck(low * (1.0 - 1e-9)) == 0.0 && stuck(high) > 1e-3);
     for _ in 0..60 {
@@ -217,7 +218,7 @@ fn a_short_stop_from_anywhere() {
             "from {state:?}"
         );
         let apart = (orbit.stuck_fraction() - expected.stuck_fraction()).abs();
-        // A short stop's length is the root of a difference.
+        // The length of a short stop is the root of a difference, so the bound is wide.
         assert!(apart < 1e-9, "from {state:?}: {apart:e}");
         compared += 1;
     }
@@ -225,8 +226,8 @@ fn a_short_stop_from_anywhere() {
     assert_eq!(compared, 60_000);
 }
 
-/// Without friction the block follows 1/(1 − r² + 2iζr), also where the excitation is so near to the
-/// resonance that its motion is formed from differences.
+/// Without friction the block follows 1/(1 − r² + 2iζr). This also holds where the excitation is so near to the
+/// resonance that the motion is computed from differences.
 #[test]
 fn next_to_a_resonance_without_friction() {
     let mut compared = 0;
@@ -238,7 +239,7 @@ fn next_to_a_resonance_without_friction() {
             let mass = orbit.mass_at(0).expect("a mass");
             let (re, im) = ((1.0 - r) * (1.0 + r), 2.0 * zeta * r);
             let (size, lag) = (1.0 / re.hypot(im), im.atan2(re));
-            // ζ and r are given to 1.1e-16, and the detuning is formed from their products.
+            // ζ and r are known to 1.1e-16, and the detuning comes from their products.
             let budget = 1e-12_f64.max(4e-16 * size);
             assert!(
                 (mass.amplitude() - size).abs() < budget * size,
@@ -257,7 +258,7 @@ fn next_to_a_resonance_without_friction() {
     assert_eq!(compared, 28);
 }
 
-/// A mode that the contact does not touch goes its own steady way beside stops, slips and a contact that sticks.
+/// A mode that the contact does not touch keeps its own steady motion during stops, slips and sticking.
 #[test]
 fn a_mode_that_the_contact_does_not_touch() {
     let pair = system(
@@ -270,7 +271,7 @@ fn a_mode_that_the_contact_does_not_touch() {
     for (r, beta) in points {
         let orbit = pair.at(r).expect("in the domain").orbit(beta);
         let orbit = orbit.expect("a steady state");
-        // The symmetric motion of both, x̄₁ + x̄₂ = cos τ/(1 − r² + 2iζr) of a unit load on one of them.
+        // The symmetric motion of both masses under a unit load on one of them is x̄₁ + x̄₂ = cos τ/(1 − r² + 2iζr).
         let answer = frictiongen::Complex::new(1.0 - r * r, 0.16 * r).inv();
         for step in 0..40 {
             let tau = TAU * f64::from(step) / 40.0;

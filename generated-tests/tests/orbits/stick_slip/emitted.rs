@@ -1,11 +1,11 @@
-//! Emitted simulations and orbits are those of the run-time system, to the last bit.
+//! Emitted simulations and orbits equal those of the run-time system to the last bit.
 
 use frictiongen::kernel::orbit::{Orbit, OrbitMotion};
 use frictiongen::kernel::simulation::{Part, Segment, Simulation};
 use frictiongen::{Complex, NoOrbit, System};
 use frictiongen_kernel::Float;
 
-/// Everything that an orbit says, in bits.
+/// Returns every number of an orbit, as bits.
 fn said<S, P, V, C>(orbit: &Orbit<'_, S, P, V, C>, masses: usize) -> Vec<u64>
 where
     S: Float,
@@ -52,7 +52,7 @@ where
     values.map(|value| value.to_f64().to_bits()).to_vec()
 }
 
-/// The first hundred segments of a run.
+/// Returns the first hundred segments of a run.
 fn segments<S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>>(
     run: &mut Simulation<'_, S, P>,
 ) -> Vec<Segment<S>> {
@@ -109,10 +109,10 @@ macro_rules! same {
             println!("{values} values of {orbits} orbits and {seen} segments compared, no orbit: {without:?}");
             let points = [$($points)*].len();
             assert_eq!(seen, points * 2 * 100);
-            // Only one point is on a resonance that its friction does not bound.
+            // Only one point lies on a resonance that its friction does not bound.
             let unbounded = if stringify!($test) == "plain" { 2 } else { 0 };
             assert_eq!(orbits, points * 2 - unbounded);
-            // Seven, six of each motion, and the multipliers.
+            // An orbit has seven numbers, six of each motion, and the multipliers.
             assert!(values > orbits * (7 + 6 * (1 + masses)), "{values}");
             assert!(stops > 0, "no orbit that stops");
             let none: NoOrbit = $test::$name::at(0.5).expect("in the domain").orbit(<$scalar>::NAN).expect_err("none");
@@ -172,7 +172,7 @@ same!(
         damping: rayleigh(0.3, 1.4),
     }
 );
-// A pair of equal modes, one of which the contact does not touch.
+// The chain has a pair of equal modes, one of which the contact does not touch.
 same!(
     mirrored, f64, ((0.3, 0.2), (0.8, 0.1), (1.9, 0.1)), ([0.3, 0.1, 0.0], [-0.2, 0.4, 0.0]),
     struct Mirrored {
@@ -207,7 +207,7 @@ mod named {
     }
 }
 
-/// Masses by their names, and a run as something to go through.
+/// A mass is found by its name, and a run is an iterator.
 #[test]
 fn by_name() {
     let orbit = named::Frame::at(0.3).expect("in the domain").orbit(0.4);
@@ -226,7 +226,7 @@ fn by_name() {
     }
     println!("{count} segments looked at, none skipped");
     assert_eq!(count, 1000);
-    // After a thousand segments it is where the orbit is.
+    // After a thousand segments the run has reached the orbit.
     let tau = run.phase() - orbit.origin();
     let apart = run.lower().displacement() - orbit.lower().displacement(tau);
     assert!(apart.abs() < 1e-9, "{apart:e}");

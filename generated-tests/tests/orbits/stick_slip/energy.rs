@@ -1,4 +1,4 @@
-//! What the load puts in over a cycle of the steady state, friction and modal damping take out.
+//! Over a cycle of the steady state, the work of the load equals the losses by friction and modal damping.
 
 use frictiongen::System;
 use frictiongen::kernel::simulation::Contact;
@@ -13,7 +13,7 @@ const GAUSS: [(f64, f64); 4] = [
     (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
 ];
 
-/// x̄ and x̄′ of every mass at a maximum of the excitation.
+/// Returns x̄ and x̄′ of every mass at a maximum of the excitation.
 pub fn section(system: &System, orbit: &SystemOrbit<'_>) -> (Vec<f64>, Vec<f64>) {
     let tau = -orbit.origin();
     let masses = 0..system.scene().masses.len();
@@ -25,13 +25,13 @@ pub fn section(system: &System, orbit: &SystemOrbit<'_>) -> (Vec<f64>, Vec<f64>)
         .unzip()
 }
 
-/// Input less losses over the input; and the losses to modal damping over the input.
+/// Returns the input less the losses, and the losses by modal damping, both over the input.
 fn balance(system: &System, r: f64, beta: f64) -> (f64, f64) {
     let orbit = system.at(r).expect("in the domain").orbit(beta);
     let orbit = orbit.unwrap_or_else(|error| panic!("r = {r}, β = {beta}: {error}"));
     let scene = system.scene();
     let (m1, k1) = (scene.masses[0].value, scene.springs[0].stiffness);
-    // ∮ pᵀx̄′ cos τ dτ = −π Im X₁ of what the load moves; by base motion, through base springs.
+    // The input is ∮ pᵀx̄′ cos τ dτ = −π Im X₁ of the loaded mass. Base motion acts through the base springs.
     let moved = |mass: usize| orbit.mass_at(mass).expect("a mass").harmonic(1).im;
     let input = match scene.excitation {
         frictiongen::study::scene::Excitation::Force(mass) => -PI * moved(mass),
@@ -49,7 +49,7 @@ fn balance(system: &System, r: f64, beta: f64) -> (f64, f64) {
             springs.sum()
         }
     };
-    // From the section on, exactly: sliding distances, and where the events are.
+    // A run from the section gives the exact sliding distances and events.
     let (x, v) = section(system, &orbit);
     let mut run = system
         .simulation_from(r, beta, (&x, &v))
@@ -62,7 +62,8 @@ fn balance(system: &System, r: f64, beta: f64) -> (f64, f64) {
         if segment.contact != Contact::Stuck {
             slid += (run.run().relative().0 - before).abs();
         }
-        // ∮ x̄′ᵀC̄x̄′ dτ = Σ 2ζ r√λ ∮ (φᵀΓx̄′)² dτ, in panels that no mode turns far in.
+        // The loss is ∮ x̄′ᵀC̄x̄′ dτ = Σ 2ζ r√λ ∮ (φᵀΓx̄′)² dτ. The panels are so short that no mode turns far in one
+        // of them.
         let panels = (segment.length * 4.0 * (1.0 + 3.0 / r)).ceil();
         let width = segment.length / panels;
         for panel in 0..panels as usize {

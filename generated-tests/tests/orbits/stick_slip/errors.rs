@@ -1,8 +1,8 @@
-//! Why there is no steady state: every reason, provoked on purpose, emitted and at run time.
+//! Every reason for which no steady state is returned, provoked on purpose, emitted and at run time.
 
 use frictiongen::{NoOrbit, OutOfDomain, System};
 
-/// Emits a scene and asks it and the run-time system of the same text.
+/// Emits a scene, and asks it and the run-time system of the same text.
 macro_rules! refused {
     ($test:ident, $error:expr, ($($points:tt)*), struct $name:ident { $($body:tt)* }) => {
         mod $test {
@@ -32,7 +32,7 @@ macro_rules! refused {
     };
 }
 
-/// What a reader of the message sees first.
+/// Returns the first words of the message.
 fn first_words(error: NoOrbit) -> &'static str {
     match error {
         NoOrbit::OutOfDomain(_) => "beta is outside",
@@ -79,7 +79,7 @@ refused!(
         contact: block - base, excitation: base, stiction: 3.0,
     }
 );
-// So little friction that the free vibration from the start outlives every cycle that is followed.
+// With so little friction the free vibration from the start outlives all cycles that the search follows.
 refused!(
     unsettled, NoOrbit::Unsettled, ((0.06501, 0.000_001_849), (0.1382, 0.000_005_223)),
     struct Block {
@@ -88,7 +88,7 @@ refused!(
     }
 );
 
-/// A state that is no state, emitted and at run time.
+/// A state with NaN or infinity is refused, emitted and at run time.
 #[test]
 fn a_state_out_of_domain() {
     let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
@@ -111,7 +111,8 @@ fn a_state_out_of_domain() {
     assert_eq!(found, wanted);
 }
 
-/// A vibration so large that friction is below rounding seems steady; it is none of the motion's.
+/// A large free vibration, compared with which friction is below rounding, seems steady. It must not be reported as the
+/// steady state.
 #[test]
 fn nothing_larger_than_the_motion() {
     let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
@@ -121,7 +122,7 @@ fn nothing_larger_than_the_motion() {
     for beta in [0.000_025_1, 0.0001, 0.000_5, 0.002] {
         let found = system.at(0.2).expect("in the domain").orbit(beta);
         match found.map(|orbit| (orbit.contact().amplitude(), orbit.reversals())) {
-            // 0.993884883 at β = 0.005, and 1 without friction.
+            // The amplitude is 0.993884883 at β = 0.005, and 1 without friction.
             Ok((amplitude, reversals)) => {
                 assert!(
                     (0.99..1.01).contains(&amplitude) && reversals == 6,

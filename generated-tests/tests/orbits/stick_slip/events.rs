@@ -1,13 +1,13 @@
-//! Runs of a million events: none is missed, and the phase does not drift.
+//! Runs of a million events miss no event, and their phase does not drift.
 
 use frictiongen::System;
 use frictiongen::kernel::simulation::{Contact, Event};
 
-/// A million, in every profile.
+/// Number of events, in every build profile.
 const EVENTS: u64 = 1_000_000;
 
-/// After the transient every cycle has its `per_cycle` events, each at the phase at which the fixed
-/// point of the map, found without running, has it.
+/// Asserts that after the transient every cycle has `per_cycle` events. Their phases must equal those of the fixed
+/// point of the map, which is found without a run.
 fn run(text: &str, r: f64, beta: f64, per_cycle: u64) {
     let system: System = text.parse().expect("a scene");
     let mut run = system.simulation(r, beta).expect("in the domain");
@@ -36,7 +36,7 @@ fn run(text: &str, r: f64, beta: f64, per_cycle: u64) {
         contact = run.run().contact();
         let event = segment.event.expect("an event ends each segment");
         events += 1;
-        // What ends a segment fits what it was and what comes.
+        // An event must match the state of the contact before and after it.
         match event {
             Event::Stop => assert!(segment.contact != Contact::Stuck && contact == Contact::Stuck),
             Event::Slip => assert!(segment.contact == Contact::Stuck && contact != Contact::Stuck),
@@ -50,9 +50,10 @@ fn run(text: &str, r: f64, beta: f64, per_cycle: u64) {
         worst = worst.max(nearest.fold(f64::MAX, f64::min));
     }
     println!("{events} events compared, none skipped, worst {worst:e}");
-    // So many cycles, and not one event fewer or more.
+    // The number of cycles must belong to exactly this number of events.
     assert_eq!(run.run().cycles() - from, EVENTS / per_cycle, "{text}");
-    // The last event like the first; stops where the velocity grazes have half the digits.
+    // The last event must be as exact as the first. Stops that the velocity reaches with zero slope are known to half
+    // the digits.
     assert!(worst < 1e-9, "{text}: {worst:e}");
 }
 

@@ -1,4 +1,4 @@
-//! What motion from rest ends in, above β*_lim and below, against [`Plain`] runs.
+//! States that motion from rest reaches, above β*_lim and below, compared with [`Plain`] runs.
 
 use super::plain::Plain;
 use frictiongen::study::{SystemAt, SystemOrbit};
@@ -8,20 +8,21 @@ use nalgebra::DVector;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Cycles of a run that does not repeat.
+/// Number of cycles after which a run counts as not repeating.
 const MOST: usize = 1500;
-/// The longest period that is looked for.
+/// Longest period that the test looks for, in cycles.
 const LONGEST: usize = 64;
-/// A run has settled where a period changes it by less than this,
+/// Largest change over a period in a settled run.
 const SETTLED: f64 = 1e-10;
-/// and a shorter one by more than this: a free vibration that dies slowly comes back to itself.
+/// Smallest change over a shorter period in a settled run. A free vibration that decays slowly nearly repeats after
+/// such a period.
 const APART: f64 = 1e-6;
-/// Both agree to this: the run's events are known to 2e-11, and it has settled to 1e-10.
+/// Tolerance of the comparison. The run's events are known to 2e-11, and the run has settled to 1e-10.
 const TOLERANCE: f64 = 1e-8;
-/// Factors of β*_lim.
+/// Friction ratios, as factors of β*_lim.
 const FACTORS: [f64; 10] = [1.001, 1.003, 1.01, 1.02, 1.03, 1.05, 1.08, 1.12, 1.2, 1.3];
 
-/// A chain of one to four masses with every kind of contact, damped.
+/// Returns a damped chain of one to four masses with a random contact.
 fn chain(random: &mut Random) -> String {
     let n = 1 + random.below(4);
     let name = |i: usize| format!("m{}", i + 1);
@@ -69,7 +70,7 @@ fn chain(random: &mut Random) -> String {
     )
 }
 
-/// What a run comes to: how many cycles its period has, and what happens in it.
+/// Steady state of a run: its period in cycles, and its events.
 #[derive(Debug)]
 struct Settled {
     period: usize,
@@ -79,7 +80,7 @@ struct Settled {
     largest: Vec<f64>,
 }
 
-/// `nudge` displaces the first mass at the start.
+/// Runs until the motion has settled. `nudge` displaces the first mass at the start.
 fn settled(plain: &Plain, masses: usize, nudge: f64) -> Option<Settled> {
     let mut run = plain.rest();
     run.state[0] += nudge;
@@ -118,7 +119,8 @@ fn settled(plain: &Plain, masses: usize, nudge: f64) -> Option<Settled> {
     None
 }
 
-/// What a run and an answer have in common, and by how much amplitudes differ, of the largest.
+/// Returns the largest difference of the amplitudes, relative to the largest one. The difference is infinite if the
+/// events differ.
 fn difference(found: &Settled, expected: &Settled) -> f64 {
     let counts = |of: &Settled| (of.period, of.stops, of.reversals);
     if counts(found) != counts(expected) {
@@ -143,7 +145,7 @@ fn answered(orbit: &SystemOrbit<'_>, masses: usize) -> Settled {
     }
 }
 
-/// One place: what kind of state it is, or how answer and run differ.
+/// Judges one point (r, β). Returns the kind of its state, or the difference of answer and run.
 fn judged(system: &System, at: &SystemAt<'_>, r: f64, beta: f64) -> (&'static str, String) {
     let masses = system.scene().masses.len();
     let plain = Plain::new(system.scene(), r, beta);
@@ -164,7 +166,7 @@ fn judged(system: &System, at: &SystemAt<'_>, r: f64, beta: f64) -> (&'static st
         };
         return (kind, String::new());
     }
-    // Where a start that is off by 1e-9 makes as much of a difference, no program can say more.
+    // If a start that is off by 1e-9 makes a difference of the same size, no program can decide.
     let sensitive = [1e-9, -1e-9, 1e-8].into_iter().any(|nudge| {
         settled(&plain, masses, nudge).is_none_or(|nudged| {
             0.1 * apart < difference(&nudged, &run) || difference(&answer, &nudged) < TOLERANCE
@@ -178,7 +180,7 @@ fn judged(system: &System, at: &SystemAt<'_>, r: f64, beta: f64) -> (&'static st
     (kind, format!("{apart:.1e}: {answer:?}, run {run:?}"))
 }
 
-/// Random scenes at factors of a limit: counts of what both agree on, and what they do not.
+/// Judges random scenes at factors of a limit. Returns the count of each kind of state, and the differences.
 fn survey(
     scenes: usize,
     factors: &[f64],
@@ -219,7 +221,7 @@ fn survey(
     )
 }
 
-/// A few scenes in every run; [`long`] is the same for more.
+/// Judges a few scenes in every test run. [`long`] judges more of them.
 #[test]
 fn short() {
     let (counts, told) = survey(10, &[1.003, 1.03, 1.3], |at| at.sliding_limit());
@@ -247,7 +249,8 @@ fn long() {
     }
 }
 
-/// Below both limits with μ > 1 the closed form exists, but motion from rest may end in stick-slip: the desk says so.
+/// Below both limits with μ > 1 the closed form exists, but motion from rest may end in stick-slip. `response` reports
+/// this.
 #[test]
 fn response_from_rest() {
     let system: System = "struct Chain {
@@ -277,7 +280,7 @@ fn response_from_rest() {
     }
 }
 
-/// Below both limits: with μ > 1 a motion from rest may end in stick-slip there too.
+/// Below both limits with μ > 1, motion from rest may also end in stick-slip.
 #[test]
 #[ignore = "minutes: SCENES=300 cargo test --release -p generated-tests --test orbits stick_slip::from_rest::below -- --ignored --nocapture"]
 fn below() {

@@ -1,4 +1,4 @@
-//! Steady states that are easily got wrong.
+//! Steady states that an implementation easily gets wrong.
 
 use frictiongen::study::SystemOrbit;
 use frictiongen::{NoOrbit, System};
@@ -51,7 +51,7 @@ fn steady_states_that_are_approached_slowly() {
         assert!(orbit.is_symmetric() && orbit.is_stable() && !orbit.is_marginal());
         let multipliers = orbit.multipliers().iter();
         let largest = multipliers.fold(0.0_f64, |most, value| most.max(value.norm()));
-        // Known to as many digits as are printed.
+        // The reference has as many digits as it prints.
         assert!((largest.sqrt() - half).abs() < 1e-9, "{}", largest.sqrt());
         compared += 1;
     }
@@ -59,15 +59,14 @@ fn steady_states_that_are_approached_slowly() {
     assert_eq!(compared, 2);
 }
 
-/// r = 1/2: a free vibration in step with every second half cycle costs nothing until it makes the
-/// contact stop.
+/// At r = 1/2 a free vibration in step with every second half cycle loses no energy until it makes the contact stop.
 #[test]
 fn one_of_a_continuum() {
     let base = block("base", "");
     let orbit = orbit(&base, 0.5, 0.04);
     assert!(orbit.is_marginal() && orbit.is_stable() && !orbit.is_symmetric());
     assert_eq!((orbit.stops(), orbit.reversals()), (0, 2));
-    // The motion from rest tends to it, ever more slowly: the stop's share falls as n^(−1/2).
+    // The motion from rest approaches the orbit ever more slowly. The fraction of sticking falls as n^(−1/2).
     let mut run = base.simulation(0.5, 0.04).expect("in the domain");
     let (mut apart, mut compared) = ([0.0_f64; 2], 0);
     for (cycles, worst) in [200, 20_000].into_iter().zip(&mut apart) {
@@ -89,7 +88,7 @@ fn one_of_a_continuum() {
     assert!(early < 0.1 && late < 0.2 * early, "{apart:?}");
 }
 
-/// β_lim on one side, the closed form on the other; β*_lim the same for the stuck response.
+/// At 0.9 β_lim the orbit equals the closed form. From β*_lim on it equals the stuck response.
 #[test]
 fn the_closed_form_on_either_side() {
     let scenes = [
@@ -142,7 +141,7 @@ fn the_closed_form_on_either_side() {
                 compared += 2 + 4 * 2 + 4;
             }
             let stuck = at.stuck().expect("a response");
-            // The stuck motion itself at a maximum of the excitation: Re(A e^{iτ}) and its rate.
+            // The start is the stuck motion itself at a maximum of the excitation, Re(A e^{iτ}) and its derivative.
             let state = masses
                 .clone()
                 .map(|mass| stuck.mass_at(mass).expect("a mass"));
@@ -165,12 +164,12 @@ fn the_closed_form_on_either_side() {
         }
     }
     println!("{compared} values compared, none skipped");
-    // Five ratios of scenes of one, one, two and five masses.
+    // There are five ratios of scenes with one, one, two and five masses.
     assert_eq!(places, 5 * 9);
     assert_eq!(compared, 20 * (2 + 2 * 3) + places * (14 + 2 * 2));
 }
 
-/// Below β*_lim by rounding only, nothing false moves; at β = β*_lim the limit decides.
+/// At β below β*_lim by rounding only, the contact must not move. At β = β*_lim the limit decides.
 #[test]
 fn at_the_sliding_limit() {
     let base = block("base", "");
@@ -189,7 +188,8 @@ fn at_the_sliding_limit() {
     assert_eq!(compared, 5 * 3);
 }
 
-/// β = 1 − ε: the force passes friction by ε − τ²/2 about its peak, the mass slips from −√(2ε) to 2√(2ε), by 9ε²/2r².
+/// At β = 1 − ε the force exceeds friction by ε − τ²/2 about its peak. The mass slips from −√(2ε) to 2√(2ε), by
+/// 9ε²/2r².
 #[test]
 fn hardly_sliding() {
     let wall = block("block", "");
@@ -201,7 +201,7 @@ fn hardly_sliding() {
             let orbit = at.orbit(1.0 - below).expect("hardly sliding");
             let expected = 2.25 * below * below / (r * r);
             let apart = (amplitude(&orbit) - expected).abs();
-            // The formula leaves out some ε of it.  An answer may be 64 roundings of P/k₁ off besides.
+            // The formula neglects terms of relative size ε. The answer may also be off by 64 roundings of P/k₁.
             let left_out = 4.0 * below * (1.0 + 1.0 / (r * r)) * expected;
             let allowed = left_out + 64.0 * f64::EPSILON;
             assert!(
@@ -217,7 +217,7 @@ fn hardly_sliding() {
 }
 
 /// Between β*_lim and β_n on the resonance friction bounds no sliding motion, but a contact that is at rest on the base
-/// stays so.
+/// stays at rest.
 #[test]
 fn stuck_on_a_resonance() {
     let base = block("base", "stiction: 1.5");
@@ -228,10 +228,11 @@ fn stuck_on_a_resonance() {
     let orbit = at.orbit_from(0.7, (&[1.0], &[0.0])).expect("it sticks");
     assert_eq!((orbit.stuck_fraction(), orbit.offset()), (1.0, 0.0));
     assert!((amplitude(&orbit) - 1.0).abs() < 1e-15);
-    // At absolute rest the base stands at Y: the spring tears the contact loose, and it slides and grows.
+    // A mass at absolute rest starts while the base is at Y. The spring breaks the contact away, and its sliding motion
+    // grows.
     let rest = at.orbit(0.7);
     assert_eq!(rest.map(|orbit| orbit.stops()), Err(NoOrbit::Unbounded));
-    // With enough friction it stays where it is, a whole Y off.
+    // With enough friction the contact stays where it starts, with an offset of Y.
     let orbit = at.orbit(1.4).expect("it sticks");
     assert_eq!((orbit.stuck_fraction(), orbit.offset()), (1.0, -1.0));
     assert!((amplitude(&orbit) - 2.0).abs() < 1e-15);
@@ -253,7 +254,7 @@ fn where_there_is_none() {
         error(&wall, 0.5, f64::NAN),
         NoOrbit::OutOfDomain(_)
     ));
-    // A symmetric pair: the load drives a mode that the contact does not touch.
+    // The pair is symmetric, and the load drives a mode that the contact does not touch.
     let pair: System = "struct Pair {
         masses: { left: 1, right: 1 },
         springs: { base - left: 1, left - right: 1, right - wall: 1 },
@@ -264,9 +265,10 @@ fn where_there_is_none() {
     assert_eq!(error(&pair, 0.6, 0.1), NoOrbit::Undamped(0));
 }
 
-/// Two oscillators of one frequency rub on each other, the second four times as heavy: their difference is one
-/// oscillator under 5/4 of the friction.  The two modes are equal, and turned so that the contact drives one of them
-/// alone.
+/// Two oscillators of the same frequency rub on each other, and the second is four times as heavy.
+///
+/// Their difference moves as one oscillator under 5/4 of the friction. The two modes are equal, and their basis is
+/// turned so that the contact drives only one of them.
 #[test]
 fn equal_modes_are_turned() {
     let alike: System = "struct Alike {

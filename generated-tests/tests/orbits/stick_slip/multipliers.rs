@@ -1,16 +1,16 @@
-//! Floquet multipliers against finite differences of the period map, which is followed in time.
+//! Floquet multipliers, compared with finite differences of the period map, which the test follows in time.
 
 use super::energy::section;
 use frictiongen::System;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
-/// Central differences: h² is lost to curvature, ε/h to rounding.
+/// Step of the central differences. Curvature costs h², and rounding ε/h.
 const STEP: f64 = 1e-5;
-/// What both leave, times what the eigenvalues make of it.
+/// Error of both, multiplied by the sensitivity of the eigenvalues.
 const TOLERANCE: f64 = 1e-6;
 
-/// The state after one period from a state at a maximum of the excitation.
+/// Returns the state one period after a state at a maximum of the excitation.
 fn period(system: &System, r: f64, beta: f64, state: &[f64]) -> Vec<f64> {
     let (x, v) = state.split_at(state.len() / 2);
     let mut run = system
@@ -69,7 +69,7 @@ fn finite_differences() {
             let orbit = orbit.unwrap_or_else(|error| panic!("{what}: {error}"));
             let (x, v) = section(&system, &orbit);
             let state = [x, v].concat();
-            // It is a fixed point.
+            // The state is a fixed point of the map.
             let again = period(&system, r, beta, &state);
             assert_eq!(again.len(), state.len());
             for (a, b) in again.iter().zip(&state) {
@@ -107,13 +107,13 @@ fn finite_differences() {
         }
     }
     println!("{fixed} coordinates and {compared} multipliers compared, none skipped");
-    // Points of one, two, three and two masses, two of each a mass.
+    // There are points of one, two, three and two masses, and each mass has two multipliers.
     let all = 5 * 2 + 4 * 4 + 3 * 6 + 3 * 4;
     assert_eq!((fixed, compared), (all, all));
 }
 
-/// Stuck for good, the upper mass stays where it is put and loses its velocity; the lower one swings on two
-/// springs by itself, λ² + (α + 2β)λ + 2 = 0 for the factors α and β.
+/// If the contact never slides, the upper mass stays in place and loses its velocity. The lower mass vibrates alone on
+/// two springs, with λ² + (α + 2β)λ + 2 = 0 for the Rayleigh factors α and β.
 #[test]
 fn of_a_contact_that_never_slides() {
     let mut compared = 0;
@@ -140,7 +140,7 @@ fn of_a_contact_that_never_slides() {
                     .enumerate()
                     .min_by(|a, b| a.1.total_cmp(&b.1))
                     .expect("one is left");
-                // Roundings of a few turns.
+                // The bound allows for the rounding of a few turns.
                 assert!(distance < 1e-12, "{text}, r = {r}: {found} of {expected:?}");
                 expected.swap_remove(nearest);
                 compared += 1;

@@ -1,5 +1,5 @@
-//! States that are not centred: a contact that comes to rest off its centre, members of a continuum; and the phase of a
-//! contact that stops at its largest displacement.
+//! States with an offset: a contact that comes to rest off its centre, and members of a continuum. The file also tests
+//! the phase of a contact that stops at its largest displacement.
 
 use frictiongen::study::{OperatingPoint, Parameter};
 use frictiongen::{Of, Regime, Run as _, System};
@@ -15,7 +15,8 @@ fn block() -> System {
     )
 }
 
-/// At r = 1/2n an undamped motion keeps a free vibration: every call answers with the member that motion from rest tends to.
+/// At r = 1/2n an undamped motion keeps a free vibration. Every call answers with the member of the continuum that
+/// motion from rest approaches.
 #[test]
 fn one_rule_at_half_the_resonance() {
     let block = block();
@@ -24,7 +25,7 @@ fn one_rule_at_half_the_resonance() {
     assert_eq!(response.regime(), Regime::Continuous);
     assert!(response.is_marginal() && response.is_from_rest());
     let amplitude = |of| response.swing(of).expect("a motion").amplitude;
-    // The closed form is the symmetric member: 4/3; the last member is off its centre by 2/15.
+    // The closed form is the symmetric member, with amplitude 4/3. The last member has an offset of 2/15.
     for found in [
         amplitude(Of::Contact),
         amplitude(Of::Mass(0)),
@@ -42,7 +43,7 @@ fn one_rule_at_half_the_resonance() {
     let values = history.tracks[0].displacement.iter();
     let largest = values.fold(0.0_f64, |most, value| most.max(value.abs()));
     assert!((largest - 22.0 / 15.0).abs() < 1e-5, "{largest}");
-    // From a start nearer to the middle the motion keeps what it has.
+    // From a start with a smaller offset the motion keeps its offset.
     let motion = at.motion(0.2).expect("a motion");
     let early = -motion.contact().phase();
     let [x, v] = [
@@ -55,7 +56,8 @@ fn one_rule_at_half_the_resonance() {
     assert!((wider - range).abs() < 1e-9, "{wider}");
 }
 
-/// The offset of a contact that ends stuck, and the largest displacements with it, against runs in time.
+/// Checks the offset of a contact that ends stuck, and the largest displacements with that offset, against runs in
+/// time.
 #[test]
 fn where_a_contact_comes_to_rest() {
     let frame = system(
@@ -77,7 +79,7 @@ fn where_a_contact_comes_to_rest() {
                 let at = system.at(r).expect("in the domain");
                 let beta = over * at.sliding_limit();
                 let response = at.response(beta).expect("a response");
-                // Without a number where motion from rest never settles.
+                // Where motion from rest never settles, there is no offset to compare.
                 if response.regime() != Regime::Stuck || !response.is_from_rest() {
                     continue;
                 }
@@ -96,7 +98,7 @@ fn where_a_contact_comes_to_rest() {
                     }
                 }
                 let what = format!("{}, r = {r}, {over}", system.scene().name);
-                // With μ = 1 the run creeps to where the contact just holds, as 1/n.
+                // With μ = 1 the run approaches the offset at which friction just suffices, as 1/n.
                 let crawls = system.scene().stiction == 1.0
                     && response.offset().abs() == response.offset_range().expect("a range");
                 let bar = if crawls { 1e-2 } else { 1e-9 };
@@ -123,8 +125,8 @@ fn where_a_contact_comes_to_rest() {
     assert!(compared > 40 && off_centre > 8, "{compared} {off_centre}");
 }
 
-/// One mass on a moving base with μ = 1: the contact starts a whole Y off, and slips less and less to where friction just
-/// holds it, β = r² + |z̄|.
+/// One mass on a moving base with μ = 1: the contact starts with an offset of Y, and slips less and less. It approaches
+/// the offset at which friction just suffices, β = r² + |z̄|.
 #[test]
 fn slips_that_shrink_without_end() {
     let block = system(
@@ -145,7 +147,8 @@ fn slips_that_shrink_without_end() {
     }
 }
 
-/// A mass that stays a whole Y behind its base moves by cos τ − 1: it starts from zero, and rounding may have either sign there.
+/// A mass whose offset from its base stays Y moves by cos τ − 1. Its motion starts from zero, where rounding may have
+/// either sign.
 #[test]
 fn from_zero_and_back() {
     let chain = system(
@@ -165,8 +168,8 @@ fn from_zero_and_back() {
     }
 }
 
-/// The phase of a contact that stops at its largest displacement is the lag of the stop's beginning: continuous in β, and
-/// with its derivative.
+/// The phase of a contact that stops at its largest displacement is the lag of the beginning of the stop. The phase is
+/// continuous in β, and its derivative agrees with differences.
 #[test]
 fn the_phase_of_a_stop() {
     let block = block();
@@ -174,7 +177,7 @@ fn the_phase_of_a_stop() {
         let orbit = block.at(0.3).expect("in the domain").orbit(beta);
         orbit.expect("an orbit").contact().phase()
     };
-    // The plateau holds the load's maximum in all three.
+    // In all three cases the stop contains the maximum of the load.
     for (beta, lag) in [(0.5, -0.348), (0.7, -0.132), (0.78, -0.026)] {
         assert!((phase(beta) - lag).abs() < 5e-4, "{beta}: {}", phase(beta));
     }
@@ -195,13 +198,13 @@ fn the_phase_of_a_stop() {
             .derivative;
         let h = 1e-5;
         let difference = (phase(beta + h) - phase(beta - h)) / (2.0 * h);
-        // Differences of numbers known to 1e-12 over 2e-5, and a third derivative.
+        // The bound allows for differences of numbers known to 1e-12 over 2e-5, and for a third derivative.
         assert!(
             (slope - difference).abs() < 1e-6,
             "{beta}: {slope} {difference}"
         );
     }
-    // The fundamental's phase is another.
+    // The phase of the fundamental is another one.
     let orbit = block
         .at(0.3)
         .expect("in the domain")

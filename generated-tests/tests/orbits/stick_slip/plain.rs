@@ -1,23 +1,25 @@
-//! The motion from rest by dense matrix exponentials over steps that are halved down to an event.  It shares no formula
-//! with the project: no modes of the held chain, no series, no walk, no Newton's method.
+//! The motion from rest by dense matrix exponentials, over steps that are halved down to an event.
+//!
+//! The integrator shares no formula with the project. It has no modes of the chain with a stuck contact, no series, no
+//! search with bounds and no Newton's method.
 
 use frictiongen::study::scene::{Damping, Excitation, Node, Scene};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// Steps of a cycle.
+/// Number of steps in a cycle.
 const STEPS: u32 = 256;
-/// A step is halved so often at most: events are known to 2e-11 rad.
+/// Largest number of halvings of a step, with which events are known to 2e-11 rad.
 const HALVINGS: usize = 30;
-/// After a break-away or a reversal the sign of the velocity is rounding's for so long.
+/// Time in τ after a break-away or a reversal in which rounding decides the sign of the velocity.
 const GRACE: f64 = 2e-6;
 
-/// Steps that are halved less often than this are looked through for what comes and goes within them,
+/// Number of halvings below which the test also looks for events that begin and end within a step.
 const GRAZES: usize = 14;
-/// and halved where the force comes so near to the grip.
+/// Distance of the force from the break-away level, as a fraction of it, below which a step is halved.
 const NEAR: f64 = 1e-6;
 
-/// The least of a cubic from values and slopes at both ends of the unit interval.
+/// Returns the minimum of a cubic from the values and slopes at both end points of the unit interval.
 fn lowest([a, slope_a]: [f64; 2], [b, slope_b]: [f64; 2]) -> f64 {
     let (quadratic, cubic) = (
         3.0 * (b - a) - 2.0 * slope_a - slope_b,
@@ -35,15 +37,16 @@ fn lowest([a, slope_a]: [f64; 2], [b, slope_b]: [f64; 2]) -> f64 {
     places.map(value).fold(a.min(b), f64::min)
 }
 
-/// A scene at one frequency ratio and one friction ratio.  A state is x, dx/dτ, cos τ, sin τ and 1.
+/// A scene at one frequency ratio and one friction ratio. A state has x, dx/dτ, cos τ, sin τ and 1.
 pub struct Plain {
     masses: usize,
-    /// exp(A·step/2^k) while the contact slides backward, sticks, slides forward.
+    /// exp(A·step/2^k) while the contact slides backward, sticks or slides forward.
     moves: [Vec<DMatrix<f64>>; 3],
-    /// The rate of z̄, and the force that keeps it.
+    /// The rate of z̄, and the force that keeps this rate constant.
     rate: DVector<f64>,
     holding: DVector<f64>,
-    /// The derivatives of that which decides, while the contact slides backward, sticks, slides forward.
+    /// Derivatives of the quantity that decides the next event, while the contact slides backward, sticks or slides
+    /// forward.
     slopes: [DVector<f64>; 3],
     /// Γ⁻¹w/m*.
     lift: DVector<f64>,
@@ -54,17 +57,18 @@ pub struct Plain {
 pub struct Run<'p> {
     plain: &'p Plain,
     pub state: DVector<f64>,
-    /// −1, 0, 1.
+    /// Direction of sliding: −1, 0 or 1.
     pub way: i32,
     grace: f64,
     pub stops: usize,
     pub reversals: usize,
     pub stuck: f64,
-    /// Largest |x| of each mass, while it is asked for.
+    /// Largest |x| of each mass, while it is recorded.
     pub largest: Option<Vec<f64>>,
 }
 
-/// Mass matrix over m₁, stiffness over k₁, damping over √(m₁k₁), load and contact vectors, base share.
+/// Mass matrix over m₁, stiffness over k₁, damping over √(m₁k₁), the load and contact vectors, and the coefficient s of
+/// the base motion.
 type Matrices = (
     DMatrix<f64>,
     DMatrix<f64>,
@@ -146,7 +150,7 @@ impl Plain {
         let weights = mass.map(|value| if value > 0.0 { 1.0 / value } else { 0.0 });
         let mobility = (contact.transpose() * &weights * &contact)[(0, 0)];
         let lift = &weights * &contact / mobility;
-        // dv/dτ without the contact force, as a matrix over the state.
+        // dv/dτ without the contact force, as a matrix that acts on the state.
         let mut free = DMatrix::zeros(n, size);
         free.view_mut((0, 0), (n, n))
             .copy_from(&(-&weights * &stiffness / (r * r)));
@@ -161,7 +165,7 @@ impl Plain {
         };
         let mut rate = row(&contact, n);
         rate[2 * n + 1] = share;
-        // wᵀv′ + s cos τ, over what a unit of force changes it by.
+        // wᵀv′ + s cos τ, over its change for a unit of force.
         let mut holding = free.transpose() * &contact;
         holding[2 * n] += share;
         holding *= r * r / mobility;
@@ -200,7 +204,7 @@ impl Plain {
         }
     }
 
-    /// At rest where the excitation is at its maximum.
+    /// Returns a run that starts at rest where the excitation is at its maximum.
     pub fn rest(&self) -> Run<'_> {
         let mut state = DVector::zeros(2 * self.masses + 3);
         (state[2 * self.masses], state[2 * self.masses + 2]) = (1.0, 1.0);
@@ -222,17 +226,17 @@ impl Plain {
 }
 
 impl Run<'_> {
-    /// A cycle of the excitation.
+    /// Advances the run by a cycle of the excitation.
     pub fn cycle(&mut self) {
         for _ in 0..STEPS {
             self.step(0);
         }
-        // The excitation is known better than its matrix exponential.
+        // The excitation is known more exactly than from the matrix exponential.
         let n = self.plain.masses;
         (self.state[2 * n], self.state[2 * n + 1]) = (1.0, 0.0);
     }
 
-    /// Counts anew from now on, and notes how far the masses go.
+    /// Restarts the counts, and records the largest displacements of the masses.
     pub fn count(&mut self) {
         (self.stops, self.reversals, self.stuck) = (0, 0, 0.0);
         self.largest = Some(vec![0.0; self.plain.masses]);
@@ -250,7 +254,7 @@ impl Run<'_> {
         let slope = &plain.slopes[(self.way + 1) as usize];
         let [from, to] =
             [&self.state, &next].map(|state| [row.dot(state), length * slope.dot(state)]);
-        // How far what decides stays from where it does.
+        // Distance of the deciding quantity from its limit.
         let room = |sign: f64, limit: f64| {
             let [from, to] = [from, to].map(|[value, slope]| [limit - sign * value, -sign * slope]);
             (
@@ -290,7 +294,7 @@ impl Run<'_> {
         }
     }
 
-    /// An event: break-away, stop or reversal.
+    /// Applies an event: a break-away, a stop or a reversal.
     fn turn(&mut self) {
         let plain = self.plain;
         let n = plain.masses;
@@ -311,7 +315,7 @@ impl Run<'_> {
         self.grace = GRACE;
     }
 
-    /// Notes the largest |x| of a step, its ends and where a velocity changes its sign.
+    /// Records the largest |x| of a step, at its end points and where a velocity changes its sign.
     fn note_peaks(&mut self, next: &DVector<f64>, halvings: usize) {
         let Some(mut largest) = self.largest.take() else {
             return;

@@ -1,5 +1,5 @@
-//! Motions in time against `reference/runs.json`, made by an integrator that shares no code with this
-//! project: every segment, and the state after the last.
+//! Motions in time, compared with `reference/runs.json`, made by an integrator that shares no code with this project:
+//! every segment, and the state after the last one.
 
 use super::independent::number;
 use frictiongen::System;
@@ -7,8 +7,8 @@ use frictiongen::kernel::simulation::{Contact, Event};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// Both sides round an event's place to some 1e-15 over how steeply the function crosses zero, and pass it
-/// on from event to event: twenty times what comes of it.
+/// Tolerance of the comparison. Both sides round the time of an event to some 1e-15 over the slope of the function
+/// there, and each event inherits the error of the last one. The tolerance is twenty times the resulting error.
 const TOLERANCE: f64 = 1e-10;
 
 fn numbers(value: &Value) -> Vec<f64> {
@@ -16,7 +16,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     list.iter().map(number).collect()
 }
 
-/// The largest error of each kind, over the bar's scale.
+/// Collects the largest error of each kind, relative to the scale of its kind.
 fn compare(expected: &Value, worst: &mut BTreeMap<&'static str, (f64, String)>) -> (usize, usize) {
     let text = expected["description"].as_str().expect("text");
     let (r, beta) = (number(&expected["r"]), number(&expected["beta"]));
@@ -53,7 +53,7 @@ fn compare(expected: &Value, worst: &mut BTreeMap<&'static str, (f64, String)>) 
         };
         assert_eq!(run.run().contact(), contact, "{what}: segment {index}");
         let mut length = 0.0;
-        // A segment longer than a cycle comes in pieces.
+        // A segment longer than a cycle is returned in several segments.
         let found = loop {
             let piece = run.next().expect("it never ends");
             assert_eq!(piece.contact, contact, "{what}: segment {index}");
@@ -74,7 +74,7 @@ fn compare(expected: &Value, worst: &mut BTreeMap<&'static str, (f64, String)>) 
             .iter()
             .fold(0.0_f64, |most, value| most.max(value.abs()))
     };
-    // A single mass ends in a stop, with no velocity of its own.
+    // With a single mass the run ends in a stop, where the velocity is zero and has no scale of its own.
     let size = largest(&x).max(largest(&v));
     for (index, mass) in system.scene().masses.iter().enumerate() {
         let found = run.mass(&mass.name).expect("a mass");

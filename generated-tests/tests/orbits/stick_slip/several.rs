@@ -1,11 +1,11 @@
-//! Steady states that repeat after several cycles of the excitation: what they answer against a run in time, emitted and
-//! at run time.
+//! Steady states that repeat after several cycles of the excitation, compared with a run in time, emitted and at run
+//! time.
 
 use frictiongen::study::SystemOrbit;
 use frictiongen::{Complex, Of, SteadyState, System};
 use std::f64::consts::TAU;
 
-/// Emits a scene and asks it and the run-time system of the same text.
+/// Emits a scene, and asks it and the run-time system of the same text.
 macro_rules! repeats {
     ($test:ident, $period:expr, $r:expr, $beta:expr, struct $name:ident { $($body:tt)* }) => {
         mod $test {
@@ -58,7 +58,7 @@ repeats!(
         contact: block - wall, excitation: base, damping: modal(0.03443), stiction: 3.0,
     }
 );
-// More segments than there is room for: every second one is followed anew.
+// The motion has more segments than the orbit can store, so every second one is computed again.
 repeats!(
     after_five_cycles_of_many_segments, 5, 0.07241, 0.2439,
     struct Pair {
@@ -67,7 +67,7 @@ repeats!(
     }
 );
 
-/// What two of them answer, one perhaps in another precision.
+/// Compares the answers of two orbits, one of which may have another precision.
 fn alike<T: SteadyState>(one: &SystemOrbit<'_>, other: &T, tolerance: f64) {
     use frictiongen::kernel::Float;
     assert_eq!(one.period(), other.period());
@@ -83,7 +83,8 @@ fn alike<T: SteadyState>(one: &SystemOrbit<'_>, other: &T, tolerance: f64) {
     assert!(apart.abs() < tolerance, "{apart:e}");
 }
 
-/// Every answer against a run from rest, after it has settled: 2^12 instants of a period, followed by events.
+/// Compares every answer with a run from rest after it has settled. The run has 2^12 instants in a period, each reached
+/// from event to event.
 fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>) {
     const INSTANTS: usize = 1 << 12;
     const SETTLED: usize = 1200;
@@ -105,7 +106,7 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     for _ in 0..SETTLED * period as usize {
         on(&mut run, TAU);
     }
-    // The run stands at a maximum of the excitation, in some cycle of the period.
+    // The run is at a maximum of the excitation, in an unknown cycle of the period.
     let origin = orbit.origin();
     let apart = |cycle: u32, x: f64| {
         (orbit
@@ -122,7 +123,7 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     let mut components = vec![Complex::new(0.0, 0.0); orders as usize + 1];
     let step = whole / INSTANTS as f64;
     for index in 0..INSTANTS {
-        // τ of the excitation: 0 at the maximum next to where the contact's motion is counted from.
+        // τ of the excitation is 0 at the maximum next to the origin of the contact's motion.
         let angle = TAU * first + step * index as f64;
         for (mass, largest) in largest.iter_mut().enumerate() {
             let moment = run.mass(names[mass]).expect("a mass");
@@ -143,7 +144,7 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     assert!(worst < 1e-9, "off by {worst:e}");
     for (mass, largest) in largest.iter().enumerate() {
         let amplitude = orbit.mass_at(mass).expect("a mass").amplitude();
-        // Sampled: lower by up to (step/2)²/2 of the fastest motion's curvature.
+        // The largest sample is below the maximum by up to (step/2)²/2 of the curvature of the fastest motion.
         assert!(
             largest - amplitude < 1e-9 && amplitude - largest < 1e-4,
             "{largest} {amplitude}"
@@ -151,7 +152,7 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     }
     let share = stuck as f64 / INSTANTS as f64;
     assert!((share - orbit.stuck_fraction()).abs() < 0.01, "{share}");
-    // The trapezoidal sum of a motion whose acceleration jumps: about step².
+    // The acceleration jumps, so the trapezoidal sum has an error of about step².
     let motion = orbit.mass_at(0).expect("a mass");
     for (order, found) in components.iter().enumerate() {
         let order = order as u32;
@@ -198,8 +199,8 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     );
 }
 
-/// A free vibration that dies slowly brings the motion back to itself after several cycles on its way to a state of
-/// fewer: such states were told with 5, 9, 4, 10, 28 and 5 cycles.
+/// A free vibration that decays slowly nearly repeats after several cycles, on its way to a state of fewer cycles. The
+/// search must not report such a longer period.
 #[test]
 fn no_longer_than_it_is() {
     let one = |contact: &str, excitation: &str, stiction: f64| {

@@ -1,18 +1,20 @@
-//! Steady states that motion from rest comes to more slowly than it is followed: beside a resonance of the masses that the
-//! contact does not move.
+//! Steady states that motion from rest reaches more slowly than the search follows it. They lie near a resonance of
+//! masses that the contact does not move.
 
 use frictiongen::study::SystemOrbit;
 use frictiongen::{SteadyState, System};
 use std::f64::consts::TAU;
 
-/// Two equal masses, load and contact on the lower.  With it held, the upper one resonates at r = 1.
+/// Returns two equal masses, with load and contact on the lower one. With the contact stuck, the upper one resonates at
+/// r = 1.
 fn two() -> System {
     let text = "struct Two { masses: { lower: 1, upper: 1 }, springs: { base - lower: 1, lower - upper: 1 },
         contact: lower - wall, excitation: lower }";
     text.parse().expect("a scene")
 }
 
-/// The largest difference of the displacements over a cycle from a run of so many cycles from rest.
+/// Returns the largest difference of the displacements over a cycle between the orbit and a run of `cycles` cycles from
+/// rest.
 fn from_a_run(system: &System, (r, beta): (f64, f64), cycles: u32, orbit: &SystemOrbit<'_>) -> f64 {
     let mut run = system.simulation(r, beta).expect("a run");
     let mut on = |mut left: f64| {
@@ -36,8 +38,8 @@ fn from_a_run(system: &System, (r, beta): (f64, f64), cycles: u32, orbit: &Syste
     worst
 }
 
-/// The largest multiplier of these is above 0.9990 a cycle: 512 cycles from rest leave more than half of the way.  The run
-/// goes on until 1e-8 of it is left.
+/// The largest multiplier of these points is above 0.9990 a cycle, so that after 512 cycles from rest more than half of
+/// the deviation remains. The run continues until 1e-8 of the deviation remains.
 #[test]
 fn a_run_comes_to_the_state_at_last() {
     let system = two();
@@ -62,7 +64,8 @@ fn a_run_comes_to_the_state_at_last() {
     }
 }
 
-/// Towards the resonance both sides tend to √(1 − β²), as the square root of the distance: the mean of both is nearer.
+/// Towards the resonance the amplitude on both sides tends to √(1 − β²), as the square root of the distance. The mean
+/// of both sides is nearer.
 #[test]
 fn both_sides_tend_to_the_same() {
     let system = two();

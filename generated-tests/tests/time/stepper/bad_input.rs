@@ -1,11 +1,11 @@
-//! What a stepper cannot take is an error that changes nothing; what is saved comes back to the bit.
+//! Inputs that a stepper refuses change nothing, and a saved state is restored to the bit.
 
 use crate::stepper::independent::loads;
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, begin, rig, scene, try_rig};
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL};
 use frictiongen_kernel::stepper::{Input, Sample};
 
-/// Every number of the state, as its digits tell it apart.
+/// Returns every number of the state as text, whose digits distinguish all values.
 fn bits(rig: &Rig<f64>) -> String {
     format!("{:?}", rig.save())
 }
@@ -58,7 +58,7 @@ fn refused_and_unchanged() {
                 assert_eq!(error.argument, "stiction");
                 assert_eq!(bits(&rig), before);
             }
-            // Once under way, a start is too late.
+            // After the first step `begin` is too late.
             let sample = Sample {
                 base: sound.base,
                 forces: &sound.forces,
@@ -66,7 +66,7 @@ fn refused_and_unchanged() {
             };
             assert_eq!(rig.begin(sample).expect_err("too late").argument, "steps");
             assert_eq!(bits(&rig), before);
-            // And the sound load goes through as if nothing had been.
+            // A valid load is then accepted as if the refused ones had not been given.
             advance(&mut rig, &sound);
             assert_ne!(bits(&rig), before);
         }
@@ -130,7 +130,7 @@ fn saved_and_restored() {
     assert_eq!(bits(&one), before);
 }
 
-/// The state of another scene or step has the same size, and another meaning.
+/// The state of another scene or step has the same size, but another meaning, so it is refused.
 #[test]
 fn the_state_of_another_stepper_is_refused() {
     let law = Kind {
@@ -176,7 +176,7 @@ fn the_state_of_another_stepper_is_refused() {
     }
 }
 
-/// So many steps are so many seconds.
+/// The time is the number of steps multiplied by the step.
 #[test]
 fn time_passes() {
     let mut rig = rig::<f32>(&scene(ONE), LINEAR, 0.02);

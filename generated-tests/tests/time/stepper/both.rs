@@ -1,4 +1,4 @@
-//! The stepper and the plain integrator side by side.
+//! The stepper and the plain integrator under the same input.
 
 use crate::stepper::plain::chain::Chain;
 use crate::stepper::plain::{Input as Polynomials, Plain};
@@ -7,17 +7,17 @@ use crate::stepper::rig::{Kind, Load, Rig, advance, begin, rig};
 use frictiongen_kernel::stepper::Input;
 use frictiongen_model::scene::Scene;
 
-/// Both, from rest.
+/// A stepper and a plain integrator, both from rest.
 pub struct Both {
     pub plain: Plain,
     pub rig: Rig<f64>,
     kind: Input,
     last: Load,
     dt: f64,
-    /// The largest displacement and velocity of a mass, and the largest of their differences over them.
+    /// Largest displacement and velocity of a mass, and largest differences of both.
     pub size: [f64; 2],
     pub apart: [f64; 2],
-    /// What the stepper counted, and in how many steps it and the integrator counted otherwise.
+    /// Number of events of the stepper, and number of steps in which the integrator has another number.
     pub events: u64,
     pub otherwise: u32,
 }
@@ -76,7 +76,7 @@ impl Both {
         }
     }
 
-    /// The largest difference of displacements or velocities, over the largest of them.
+    /// Returns the largest difference of displacements or velocities, relative to the largest of them.
     pub fn error(&self) -> f64 {
         (self.apart[0] / self.size[0]).max(self.apart[1] / self.size[1])
     }

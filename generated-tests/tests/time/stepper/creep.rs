@@ -1,4 +1,4 @@
-//! Stuck means stuck.
+//! A stuck contact does not creep.
 
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, advance, begin, rig, scene};
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, WALL};
@@ -6,8 +6,10 @@ use frictiongen_kernel::Plain;
 use frictiongen_model::scene::Excitation;
 use fuzzing::Random;
 
-/// A load that grips at `share` of the break-away force, and a dither of 4 % of that force on every mass that shakes the
-/// chain: the contact's place keeps its bits.
+/// Asserts that a stuck contact keeps its displacement to the bit.
+///
+/// A constant load stresses the contact with `share` of the break-away force. A dither of 4 % of that force acts on the
+/// mass of the contact, and a small random force on every mass.
 fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
     let scene = scene(text);
     let (k1, m1) = (scene.springs[0].stiffness, scene.masses[0].value);
@@ -23,7 +25,7 @@ fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
         friction,
     };
     begin(&mut rig, &load);
-    // Somewhere, by a push; then long enough for the rest to calm down.
+    // A push moves the contact away from the origin. The remaining motion then has time to die out.
     load.forces[contact] = 3.0 * grip;
     for _ in 0..40 {
         advance(&mut rig, &load);
@@ -33,7 +35,7 @@ fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
         advance(&mut rig, &load);
     }
     assert!(rig.contact().is_sticking(), "{text}");
-    // How much of the force on the mass is felt in the contact says a small one.
+    // A small force shows what fraction of the force on the mass acts in the contact.
     let before = rig.contact().force().to_f64();
     load.forces[contact] = 0.01 * grip;
     for _ in 0..20_000 {
@@ -41,7 +43,7 @@ fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
     }
     let felt = (rig.contact().force().to_f64() - before) / (0.01 * grip);
     let mean = (share * grip - before) / felt;
-    // Gently, or a chain without damping overshoots.
+    // The load grows slowly, because a chain without damping would overshoot.
     for step in 0..2000 {
         load.forces[contact] = mean * f64::from(step) / 2000.0;
         advance(&mut rig, &load);
@@ -57,7 +59,7 @@ fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
         }
         load.forces[contact] += 0.02 * grip * f64::from(2 * (step % 2)) - 0.02 * grip;
         if on_base {
-            // At rest in the mean, and slow.
+            // The base is at rest in the mean, and slow.
             let angle = 1e-3 * f64::from(step % 6283);
             load.base = [1e-4 * friction / k1 * angle.sin(), 0.0];
             load.base[1] = 1e-4 * friction / k1 * 1e-3 / dt * angle.cos();
@@ -73,7 +75,7 @@ fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
         scene.name
     );
     assert!(largest > share && largest < 1.0);
-    // The same comparison sees a slip.
+    // The same comparison detects a slip.
     load.forces[contact] = 3.0 * grip + mean;
     advance(&mut rig, &load);
     advance(&mut rig, &load);
@@ -96,8 +98,8 @@ fn none() {
     all(1_000_000);
 }
 
-/// A base that goes there and back within one step: the force that the wall's spring asks of the contact is largest in the
-/// middle, and the same at both ends.  Friction that is less slips, friction that is more does not.
+/// A base moves to and fro within one step. The force of the wall's spring on the contact is then largest in the middle
+/// of the step, and equal at both ends. Friction below that maximum slips, and friction above it does not.
 #[test]
 fn the_force_within_a_step_counts() {
     let scene = scene(
@@ -105,7 +107,7 @@ fn the_force_within_a_step_counts() {
          excitation: base }",
     );
     let (dt, y, v) = (0.05, 1.0, 1.0);
-    // The cubic is y + vt(1 − t/dt), and the mass goes with it: mÿ + ky.
+    // The cubic is y + vt(1 − t/dt), and the mass moves with it, so the force is mÿ + ky.
     let middle = -2.0 * v / dt + 100.0 * (y + 0.25 * v * dt);
     for (share, slips) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
         let mut rig = rig::<f64>(&scene, LINEAR, dt);

@@ -1,8 +1,9 @@
-//! Load = friction + damping + stored, over many random steps; no step creates energy.
+//! Energy balance over many random steps: the work of the load is friction, damping and stored energy, and no step
+//! creates energy.
 //!
-//! `Work::damping` is what the other three leave, so the sum alone says nothing: without damping it must vanish; with
-//! damping it must grow in every step and be what a quadrature of ẋᵀCẋ says (`independent`); what is stored must be what
-//! the masses' motions say.
+//! `Work::damping` is the remainder of the other three, so the sum alone proves nothing. Without damping it must
+//! vanish. With damping it must grow in every step, and equal a quadrature of ẋᵀCẋ (`independent`). The stored energy
+//! must follow from the motions of the masses.
 
 use crate::stepper::independent::loads;
 use crate::stepper::plain::chain::Chain;
@@ -21,7 +22,7 @@ fn without_damping(text: &str) -> String {
     format!("{}{end}", before.trim_end().trim_end_matches(','))
 }
 
-/// ½ẋᵀMẋ + ½xᵀKx, and what the springs to a moving base add.
+/// Returns ½ẋᵀMẋ + ½xᵀKx, with the energy of the springs to a moving base.
 fn stored(scene: &Scene, chain: &Chain, [x, v]: [&DVector<f64>; 2], base: f64) -> f64 {
     let kinetic = v.component_mul(&chain.m).dot(v);
     let mut sum = 0.5 * (kinetic + (&chain.k * x).dot(x));
@@ -31,7 +32,7 @@ fn stored(scene: &Scene, chain: &Chain, [x, v]: [&DVector<f64>; 2], base: f64) -
     sum
 }
 
-/// The balance over a run, relative to what the load put in and took out; `rounding` is the scalar's.
+/// Checks the balance over a run, relative to the work in and out. `rounding` is that of the scalar.
 fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
     let scene = scene(text);
     let chain = Chain::of(&scene, &[]);
@@ -54,7 +55,7 @@ fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
         [work.load, work.friction, work.damping, work.stored].map(S::to_f64)
     };
     let mut before = work(&rig);
-    // What went through: the yardstick of a step and of the whole.
+    // The work in and out is the scale of the errors of a step and of the whole run.
     let (mut passed, mut largest, mut made, mut off) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
     for step in 0..steps {
         let load = next();
@@ -71,7 +72,7 @@ fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
             let column = |of: &dyn Fn(usize) -> f64| DVector::from_fn(n, |mass, _| of(mass));
             let x = column(&|mass| rig.mass(mass).displacement().to_f64());
             let v = column(&|mass| rig.mass(mass).velocity().to_f64());
-            // A held base ends a step where its velocity takes it.
+            // With held input the velocity of the base moves it during a step, so the base ends the step elsewhere.
             let base = match kind.input {
                 Input::Hold => load.base[0] + load.base[1] * dt,
                 Input::Linear => load.base[0],
@@ -91,7 +92,7 @@ fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
          {off:.1e}, made at most {made:.1} roundings",
         scene.name, before[0], before[1], before[2],
     );
-    // Stored energy is a sum of squares over the modes, of a hundred terms at most.
+    // Stored energy is a sum of squares over the modes, with a hundred terms at most.
     assert!(off < 100.0 * rounding, "{text}: {off:e}");
     assert!(residue < 30.0 * rounding, "{text}: {residue:e}");
     assert!(made < 30.0, "{text}: {made}");

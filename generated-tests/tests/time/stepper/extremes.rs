@@ -1,4 +1,4 @@
-//! Loads and steps that nobody would choose: the bound on events is kept and told, no energy is made, nothing is NaN.
+//! Extreme loads and steps: the bound on events is kept and reported, no energy is created, and no result is NaN.
 
 use crate::stepper::both::Both;
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, rig, scene};
@@ -8,7 +8,7 @@ use frictiongen_kernel::stepper::{Input, MAX_EVENTS, MAX_PARTS, Sample};
 use frictiongen_model::scene::{Excitation, Scene};
 use fuzzing::Random;
 
-/// What a run came to.
+/// Results of a run.
 #[derive(Clone, Copy, Debug, Default)]
 struct Seen {
     events: u64,
@@ -16,7 +16,7 @@ struct Seen {
     exceeded: u64,
 }
 
-/// Runs, and holds every step to what must be true of it.
+/// Runs a stepper, and checks the properties of every step.
 fn run<S: Plain>(
     scene: &Scene,
     (kind, radians): (Kind<'_>, f64),
@@ -37,7 +37,8 @@ fn run<S: Plain>(
         seen.most = seen.most.max(stepped.events);
         seen.exceeded += u64::from(stepped.exceeded);
         let what = format!("{}, {radians} rad, step {step}: {stepped:?}", scene.name);
-        // The held chain's fastest mode is no faster than the free one's, but its damping may differ.
+        // The fastest mode of the chain with a stuck contact is no faster than that of the free chain, but its damping
+        // may differ.
         let parts = (2.0 * radians).ceil().max(1.0) as u32;
         assert!(
             stepped.events <= parts.min(MAX_PARTS) * MAX_EVENTS,
@@ -53,7 +54,7 @@ fn run<S: Plain>(
         let now = [work.load, work.friction, work.damping].map(S::to_f64);
         through = through.max(work.stored.to_f64().abs());
         through = through.max((now[0] - before[0]).abs());
-        // Every part rounds the state once, and the energy with it.
+        // Every sub-step rounds the state once, and the energy with it.
         let noise = rounding * (now[0].abs() + through) * (100.0 + f64::from(parts));
         for k in [1, 2] {
             assert!(now[k] - before[k] >= -noise, "{what}: {now:?}, {before:?}");
@@ -70,15 +71,15 @@ fn run<S: Plain>(
 
 const ALL: [&str; 7] = [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE, TEN];
 
-/// Steps in radians of the fastest mode: far below it, and far beyond the step rate.
+/// Steps in radians of the fastest mode, from far below it to far above it.
 const RADIANS: [f64; 5] = [1e-3, 0.3, 3.0, 40.0, 900.0];
 
 fn steps(radians: f64) -> u32 {
     if radians > 10.0 { 20 } else { 150 }
 }
 
-/// A force on every mass that changes its sign in every step, 10⁴ times the break-away force and 10⁻⁴ of it; the base
-/// as wild.
+/// Applies a force on every mass that changes its sign in every step, from 10⁴ to 10⁻⁴ times the break-away force. The
+/// base moves as irregularly.
 fn alternating(one_in: usize) -> Seen {
     let (mut all, mut turn) = (Seen::default(), 0);
     for text in ALL {
@@ -120,7 +121,7 @@ fn alternating(one_in: usize) -> Seen {
     all
 }
 
-/// One in nine, a number that shares no divisor with those of the loops.
+/// Every ninth case runs, because nine shares no divisor with the numbers of the loops.
 #[test]
 fn alternating_at_the_step_rate() {
     let all = alternating(9);
@@ -134,7 +135,7 @@ fn all_alternating_at_the_step_rate() {
     assert!(all.events > 10_000 && all.most > 50);
 }
 
-/// Forces that stay beside the break-away force, F that comes and goes, F = 0.
+/// Forces near the break-away force, with F that varies in time, and with F = 0.
 #[test]
 fn grazing() {
     let mut events = 0;
@@ -165,7 +166,8 @@ fn grazing() {
     assert!(events > 1000);
 }
 
-/// The same forces, none of them within a rounding of the grip: the motion is the plain integrator's.
+/// Under these forces, none of them within a rounding of the break-away force, the motion is that of the plain
+/// integrator.
 #[test]
 fn grazing_moves_as_the_plain_integrator_says() {
     for text in ALL {
@@ -205,7 +207,7 @@ fn grazing_moves_as_the_plain_integrator_says() {
     }
 }
 
-/// Laws so steep that the contact chatters; one that is too steep for its step is refused.
+/// With steep friction laws the contact chatters. A law that is too steep for its step is refused.
 #[test]
 fn steep_laws() {
     let mut all = Seen::default();
@@ -257,7 +259,8 @@ fn steep_laws() {
     assert!(all.events > 1000);
 }
 
-/// A law of so many lines that a part of a step cannot follow the speed through all of them: told, and no energy made.
+/// A law has too many lines for the speed to pass through all of them in one sub-step. The stepper reports this, and
+/// creates no energy.
 #[test]
 fn more_than_is_followed() {
     let mut exceeded = 0;
@@ -287,8 +290,8 @@ fn more_than_is_followed() {
     assert!(exceeded > 100);
 }
 
-/// The strongest force that is taken, always along the motion: the work grows until a step is refused, and is finite until
-/// then.
+/// Under the strongest accepted force, always along the motion, the work grows until a step is refused, and is finite
+/// until then.
 #[test]
 fn work_stays_finite() {
     fn check<S: Plain>(text: &str, radians: f64) {
@@ -329,7 +332,7 @@ fn work_stays_finite() {
                 );
             }
         }
-        // In a step of many turns the force does not know where the motion goes.
+        // In a step of many turns the force cannot follow the direction of the motion.
         assert!(
             refused || radians > 10.0,
             "{text}, {radians} rad, {strongest:e}: {:?}",
@@ -345,7 +348,7 @@ fn work_stays_finite() {
     }
 }
 
-/// A motion that has decayed to numbers below the normal ones is none that a contact without friction tells of.
+/// A motion that has decayed to subnormal numbers causes no events in a contact without friction.
 #[test]
 fn decay_without_friction_has_no_events() {
     for text in [PAIR, WALL, ONE_ON_BASE] {

@@ -1,27 +1,27 @@
-//! A chain that has gone far from where it started: what holds its contact is a difference of displacements, and single
-//! precision has few digits of them.
+//! A chain far away from its start. The force in its stuck contact is a difference of displacements, of which single
+//! precision keeps few digits.
 
 use frictiongen::{StepLoad, Stepping, System};
 use frictiongen_kernel::Plain;
 
-/// A motor turns a load through a shaft; a weak spring keeps the chain at its base.
+/// A motor turns a load through a shaft, and a weak spring connects the chain to its base.
 const DRIVE: &str = "struct Drive { masses: { motor: 0.02, load: 0.05 },
     springs: { base - motor: 1e-3, motor - load: 800 }, contact: load - wall, excitation: motor, stiction: 1.2,
     provide: [stepper]";
 
-/// What a run came to.
+/// Results of a run.
 #[derive(Debug, Default)]
 struct Run {
     events: u32,
-    /// The contact's places at the ends of the rests.
+    /// Displacements of the contact at the ends of the rests.
     places: Vec<f64>,
-    /// The forces that held it there.
+    /// Forces in the stuck contact there.
     forces: Vec<f64>,
-    /// By how much it moved while it rested.
+    /// Creep of the contact during the rests.
     crept: f64,
 }
 
-/// Pushes of some seconds, each with a rest in which the torque trembles far below the grip.
+/// Runs pushes of some seconds, each followed by a rest in which the torque trembles far below the break-away force.
 fn run<S: Plain>(pushes: u32, friction: f64, damping: &str) -> Run {
     let system: System<S> = format!("{DRIVE}{damping} }}").parse().expect("a scene");
     let dt = S::constant(1e-3);
@@ -63,8 +63,10 @@ fn run<S: Plain>(pushes: u32, friction: f64, damping: &str) -> Run {
     run
 }
 
-/// The places are sums over some 10⁴ steps, each rounded at 2000: single precision has six digits of them.  The forces
-/// are differences.
+/// In single precision four pushes have the events of double precision, up to one in a hundred.
+///
+/// A displacement is a sum over some 10⁴ steps, each rounded at a value of 2000, so single precision has six digits of
+/// it. The forces are differences.
 #[test]
 fn four_pushes_have_the_events_of_double_precision() {
     for damping in [", damping: modal(0.05)", ""] {
@@ -86,7 +88,7 @@ fn four_pushes_have_the_events_of_double_precision() {
                 continue;
             }
             for (found, want) in narrow.forces.iter().zip(&wide.forces) {
-                // A shaft of 800 that is off by one rounding of 2000 holds 0.1.
+                // A shaft with a stiffness of 800 whose twist is off by one rounding of 2000 has a force error of 0.1.
                 assert!(
                     (found - want).abs() < 1e-4 * friction,
                     "F {friction}{damping}"

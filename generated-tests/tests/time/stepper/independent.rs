@@ -1,4 +1,4 @@
-//! Random loads: the stepper against the integrator that shares no code with it.
+//! Random loads: the stepper is compared with the integrator that shares no code with it.
 
 use crate::stepper::both::Both;
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, advance, begin, loaded, rig, scene};
@@ -7,7 +7,7 @@ use frictiongen_kernel::stepper::Input;
 use frictiongen_model::scene::{Excitation, Scene};
 use fuzzing::Random;
 
-/// A ground motion of a few incommensurable waves, or forces without rule.
+/// Returns a load without a rule: a ground motion of a few incommensurable waves, or random forces.
 pub fn loads(scene: &Scene, seed: u64, dt: f64) -> impl FnMut() -> Load {
     let mut random = Random(seed);
     let n = scene.masses.len();
@@ -42,7 +42,8 @@ pub fn loads(scene: &Scene, seed: u64, dt: f64) -> impl FnMut() -> Load {
     }
 }
 
-/// Both sides round each step; friction forgets, so that roundings do not add up: 3e-15 was found.
+/// Tolerance of the comparison. Both sides round each step, but friction removes old errors, so that roundings do not
+/// add up.
 const BAR: f64 = 3e-14;
 
 fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
@@ -56,7 +57,7 @@ fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
     }
     let (found, want) = (both.rig.work(), both.plain.work);
     let load = want.load - want.carried;
-    // What is stored of the base's pull is counted as stored and as load alike.
+    // The energy that the base's pull stores counts as stored energy and as load alike.
     let damping = (found.damping - want.damping).abs() / load.abs();
     let friction = (found.friction - want.friction).abs() / load.abs();
     println!(
@@ -75,7 +76,7 @@ fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
     assert!(damping < 10.0 * bar && friction < 10.0 * bar);
 }
 
-/// Coulomb's law, both kinds of input, all contacts.
+/// Coulomb's law with both kinds of input and all contacts.
 #[test]
 fn any_load() {
     for text in [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE] {
@@ -87,8 +88,8 @@ fn any_load() {
     }
 }
 
-/// A base that jumps, with a velocity of its own at each sample or with none: its cubic bends within a step, and a held
-/// one leaves a contact behind, which may stick on.
+/// The base jumps, with a velocity at each sample or without one. With linear input its cubic bends within a step. With
+/// held input the base jumps away from its contact, which may stay stuck.
 #[test]
 fn jumping_base() {
     for text in [BASE, ONE_ON_BASE, WALL_BASE] {
@@ -118,7 +119,7 @@ fn jumping_base() {
                     both.otherwise,
                     both.error()
                 );
-                // An event on a sample may be counted in either step.
+                // An event on a sample may count in either step.
                 assert!(both.otherwise <= 3, "{text}, {velocity}, {grip}");
                 assert!(
                     both.error() < 1e-12,
@@ -130,7 +131,7 @@ fn jumping_base() {
     }
 }
 
-/// Some masses loaded, in any order, or none: the motion under no force on the others.
+/// With some masses loaded in any order, or none, the motion equals that with zero force on the others.
 #[test]
 fn some_masses_loaded() {
     for text in [WALL, BASE, PAIR, WALL_BASE] {
@@ -183,8 +184,8 @@ fn some_masses_loaded() {
     }
 }
 
-/// A law that falls and rises so steeply that it bends the motion more than the spring does: a power series reaches a
-/// fraction of a step.
+/// The law falls and rises so steeply that it bends the motion more than the spring does. A power series then reaches
+/// only a fraction of a step.
 #[test]
 fn steep_law() {
     let law = &[[0.002, 0.2], [0.005, 1.1]];
@@ -195,7 +196,7 @@ fn steep_law() {
     }
 }
 
-/// A kinetic level that depends on the speed.
+/// The kinetic friction force depends on the speed.
 #[test]
 fn stribeck() {
     let laws: [&[[f64; 2]]; 2] = [&[[0.02, 0.7], [0.08, 0.5]], &[[0.03, 0.6], [0.1, 0.9]]];

@@ -1,5 +1,5 @@
-//! Scenes at random: all contacts and dampings, μ from 1 on, 1 to 64 masses, both laws, both inputs; double precision
-//! against the plain integrator, single precision against double.
+//! Random scenes with all contacts and dampings, μ = 1 and above, 1 to 64 masses, both laws and both inputs. The plain
+//! integrator checks double precision, and double precision checks single precision.
 
 use crate::stepper::both::Both;
 use crate::stepper::independent::loads;
@@ -10,7 +10,7 @@ use frictiongen_model::scene::{Excitation, Node, Precision, Scene};
 use frictiongen_model::transient::excess_loss;
 use fuzzing::Random;
 
-/// A chain, a contact, a damping, by chance; many masses are damped less than critically.
+/// Returns a random chain with contact and damping. With many masses the damping is below critical.
 fn description(random: &mut Random, masses: usize) -> String {
     let names: Vec<String> = (0..masses).map(|i| format!("m{i}")).collect();
     let mut list = Vec::new();
@@ -86,7 +86,7 @@ fn parsed(text: &str) -> Option<Scene> {
     Some(system.ok()?.scene().clone())
 }
 
-/// What the scenes were.
+/// Counts of the scenes, and their errors.
 #[derive(Debug, Default)]
 struct Seen {
     scenes: u32,
@@ -98,13 +98,13 @@ struct Seen {
     otherwise: u32,
     worst: f64,
     single: f64,
-    /// The differences of the scenes in single precision.
+    /// Errors of the scenes in single precision.
     singles: Vec<f64>,
-    /// How many are refused in single precision.
+    /// Number of scenes that single precision refuses.
     lost: u32,
 }
 
-/// Whether too many modes are beyond critical damping for a motion in time, so that a scene is refused.
+/// Returns whether a scene is refused because too many modes are beyond critical damping for a motion in time.
 fn lost(scene: &Scene, precision: Precision) -> bool {
     let scene = Scene {
         precision,
@@ -189,7 +189,7 @@ fn check(seen: &Seen, bar: f64) {
     assert!(kinds.iter().all(|count| *count > 1), "{kinds:?}");
     assert!(seen.events > 100 && seen.otherwise == 0);
     assert!(seen.worst < bar, "{:e}", seen.worst);
-    // Single precision has 5e8 times the rounding, and may see a grazing otherwise: in one scene of ten.
+    // Single precision has 5e8 times the rounding, and may miss a grazing event in one scene of ten.
     assert!(seen.single < 5e-3, "{:e}", seen.single);
     let mut singles = seen.singles.clone();
     singles.sort_by(f64::total_cmp);
@@ -198,8 +198,8 @@ fn check(seen: &Seen, bar: f64) {
     assert!(most < 2e-5, "{most:e}");
 }
 
-/// Below critical damping the held modes keep their digits, however many they are: 7e-14 was found.  Beyond, real roots
-/// taken in pairs cost up to six of them with 8 masses.
+/// Below critical damping the modes of the chain with a stuck contact keep their digits, however many they are. Above
+/// it, pairs of real roots cost up to six digits with 8 masses.
 #[test]
 fn scenes_at_random() {
     check(&all(&[1, 2, 3, 5, 8], 40, 300), 1e-8);
@@ -213,8 +213,9 @@ fn more_scenes_at_random() {
     check(&all(&[16, 33, 64], 60, 300), 1e-12);
 }
 
-/// Many masses, every mode at its critical damping: the poles of the held chain crowd between double roots.  What would
-/// lose half of its digits is refused, by the same name in every motion in time; what is not, keeps them.
+/// With many masses and every mode critically damped, the poles of the chain with a stuck contact crowd between double
+/// roots. All functions for motion in time refuse a scene that would lose half of its digits, with the same argument
+/// name. An accepted scene keeps its digits.
 #[test]
 fn critical_damping_of_many_masses() {
     let mut refused = Vec::new();

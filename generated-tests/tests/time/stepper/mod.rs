@@ -1,7 +1,7 @@
-//! The real-time stepper: what shows that it is right.
+//! Tests of the real-time stepper.
 //!
-//! `plain` is an integrator that shares no code with it.  Long forms:
-//! `cargo test --release -p generated-tests --test time stepper:: -- --ignored`.
+//! `plain` is an integrator that shares no code with the stepper. The long tests run with `cargo test --release -p
+//! generated-tests --test time stepper:: -- --ignored`.
 
 mod bad_input;
 mod both;

@@ -1,14 +1,14 @@
-//! Undamped chains keep their energy: what is stored is what the load did, over as many steps as a device takes in a day.
+//! Undamped chains keep their energy: the stored energy is the work of the load, over the number of steps that a device
+//! takes in a day.
 //!
-//! The tables turn a mode by a product of shears, which conserves a quadratic form whatever they are rounded to.  The
-//! rounding of the state is left: 1e-4 of the energy in 10⁸ steps of single precision was found
-//! (docs/decisions/0001-passive-step.md).
+//! The tables turn a mode by a product of shears, which conserves a quadratic form for any rounding of the tables. Only
+//! the rounding of the state changes the energy (docs/decisions/0001-passive-step.md).
 
 use frictiongen::{StepLoad, Stepping, System, friction_system};
 use frictiongen_kernel::{Float, Plain, Scalar};
 
 friction_system! {
-    /// [`CHAIN`] in single precision, its tables constants.
+    /// [`CHAIN`] in single precision, with constant tables.
     struct Declared {
         masses: { a: 1, b: 0.5, c: 2 },
         springs: { base - a: 3.3e5, a - b: 2e5, b - c: 1e5 },
@@ -23,14 +23,14 @@ friction_system! {
 
 const CHAIN: &str = "struct Chain { masses: { a: 1, b: 0.5, c: 2 },
     springs: { base - a: 3.3e5, a - b: 2e5, b - c: 1e5 }, contact: c - wall, excitation: a }";
-/// One mass with a radian in a second.
+/// One mass with a natural angular frequency of 1 rad/s.
 const MASS: &str =
     "struct Mass { masses: { m: 2 }, springs: { base - m: 2 }, contact: m - wall, excitation: m }";
 
-/// Angles of a step; beyond 1 the step has two or three parts.
+/// Angles of a step in rad. Beyond 1 the stepper divides the step into two or three.
 const ANGLES: [f64; 7] = [0.03, 0.18, 0.59, 0.60, 1.16, 2.0, 2.9];
 
-/// What is stored less what the load did, over the energy at the start: the largest, and the last.
+/// Returns the stored energy less the work of the load, over the initial energy: the largest and the last value.
 fn drift(
     mut stepper: impl Stepping<Scalar: Scalar>,
     energy: f64,
@@ -54,7 +54,8 @@ fn drift(
     [largest, last]
 }
 
-/// From 1 mm of every mass, so that the first spring alone is strained, without a load.
+/// Returns the drift of a chain that is released with every mass at 1 mm, so that only the first spring is strained,
+/// without a load.
 fn released<S: Plain>(text: &str, dt: f64, steps: u32) -> [f64; 2] {
     let system: System<S> = text.parse().expect("a scene");
     let scene = system.scene();
@@ -84,8 +85,7 @@ fn all(steps: u32, single: f64, double: f64) {
     }
 }
 
-/// Tables that were rounded each for itself had 1.7e-2 for the three masses and up to 4.5e-2 for the one; 8e-11 and 1e-10
-/// in double precision.
+/// Without a load the energy drifts by less than the tolerances, in both precisions.
 #[test]
 fn without_load() {
     all(1_000_000, 3e-4, 1e-12);
@@ -97,7 +97,7 @@ fn without_load_over_a_hundred_million_steps() {
     all(100_000_000, 1e-3, 1e-9);
 }
 
-/// Constant tables, rounded once from double-double.
+/// Constant tables, rounded once from double-double, keep the energy as well.
 #[test]
 fn by_declared_tables() {
     let state = [1e-3; 3];
@@ -107,7 +107,8 @@ fn by_declared_tables() {
     assert!(off[0] < 3e-4, "{off:?}");
 }
 
-/// A force that goes on acting, and one that has shaken a chain whose contact then sticks.
+/// The energy balance under a force that continues, and after a force that has shaken a chain whose contact then
+/// sticks.
 #[test]
 fn under_load() {
     let text = |input: &str| {
@@ -131,7 +132,7 @@ fn under_load() {
         ("driven, contact stuck", 1e6, &wave),
         ("shaken, contact stuck", 1e6, &push),
     ] {
-        // What 100 N store in the first spring.
+        // The scale is the energy that 100 N store in the first spring.
         let energy = 0.5 * 1e4 / 3.3e5;
         let load = |step| [force(step), friction];
         let from = |system: &System<f32>| {
@@ -139,7 +140,8 @@ fn under_load() {
         };
         let declared = Declared::stepper(Declared::STEP).expect("its step");
         let held = [from(&hold), drift(declared, energy, 500_000, load)];
-        // The work of a force in straight lines has weights of its own, whose rounding adds up: 2e-9 of the energy a step.
+        // The work of a piecewise linear force has weights of its own. Their rounding adds up to 2e-9 of the energy a
+        // step, so its tolerance is wider.
         let straight = from(&linear);
         println!("{name}: {held:?}, in straight lines {straight:?}");
         assert!(
@@ -150,20 +152,21 @@ fn under_load() {
     }
 }
 
-/// A damped mode loses what it has to, however small that is beside a rounding, and never gains.
+/// A damped mode loses the energy of its damping, even if the loss is small compared with a rounding, and never gains
+/// energy.
 #[test]
 fn damped_modes_decay_by_their_damping() {
     for zeta in [1e-9, 1e-7, 1e-5, 1e-3] {
         let text = format!("{}, damping: modal({zeta}) }}", MASS.trim_end_matches(" }"));
         for angle in ANGLES {
-            // To a tenth of the energy, or as far as the tables' rounding would have been seen.
+            // The run ends at a tenth of the energy, or earlier where the rounding of tables would already show.
             let steps = (1.15 / (zeta * angle)).clamp(1000.0, 500_000.0) as u32;
             let [_, single] = released::<f32>(&text, angle, steps);
             let [_, double] = released::<f64>(&text, angle, steps);
-            // At its ends a cycle has a velocity, and y + ζu is what decays.
+            // At the end points of a cycle the mass has a velocity, and y + ζu is the quantity that decays.
             let want = (-2.0 * zeta * angle * f64::from(steps)).exp_m1();
             println!("ζ {zeta:e}, {angle} rad: {single:.6}, {double:.6} for {want:.6}");
-            // A loss of less than half a rounding a step is not seen in most steps of single precision.
+            // In most steps single precision does not resolve a loss of less than half a rounding a step.
             let unseen = if zeta < 1e-8 { -want } else { 0.0 };
             assert!(
                 (want - 1e-3..want + unseen + 1e-3).contains(&single),

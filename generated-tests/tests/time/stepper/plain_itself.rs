@@ -1,4 +1,4 @@
-//! The plain integrator against the event-driven motion in time, which is exact, and against itself.
+//! The plain integrator, compared with the exact event-driven motion in time, and with itself.
 
 use crate::stepper::plain::chain::Chain;
 use crate::stepper::plain::{Input, Plain};
@@ -7,7 +7,8 @@ use frictiongen::System;
 use fuzzing::Random;
 use std::f64::consts::TAU;
 
-/// How far from the exact motion, in parts of the base's, with so many cubics a cycle, and how many events.
+/// Returns the largest difference from the exact motion, as a fraction of the base motion, with `steps` cubics a cycle,
+/// and the number of events.
 fn off(text: &str, [r, beta]: [f64; 2], steps: i32) -> (f64, u64) {
     let system: System = text.parse().expect("a scene");
     let scene = system.scene();
@@ -45,10 +46,13 @@ fn off(text: &str, [r, beta]: [f64; 2], steps: i32) -> (f64, u64) {
     (worst, plain.events)
 }
 
-/// A cosine of the base as cubics between instants is off by h⁴/384, h in radians, its second derivative by h²/12.  The
-/// contact with the base feels that one: with μ > 1 a break-away is late by as much, and the force that is left out then
-/// is not small; with μ = 1 it is.  So the order is 4 for a contact with the wall, 3 for one with the base; with μ > 1 it
-/// is 2, but how late a break-away is changes its sign within a cubic.
+/// Order of the error for a base motion that cubics interpolate.
+///
+/// Cubics between instants approximate a cosine with an error of h⁴/384, with h in radians, and its second derivative
+/// with an error of h²/12. A contact with the base feels the second derivative. With μ > 1 a break-away is late by as
+/// much, and the force neglected in that time is not small. With μ = 1 it is small. The order is therefore 4 for a
+/// contact with the wall, and 3 for a contact with the base. With μ > 1 the order is 2, but the delay of a break-away
+/// changes its sign within a cubic.
 #[test]
 fn a_cosine_of_the_base() {
     for (text, at, mu, order, bar) in [
@@ -71,7 +75,7 @@ fn a_cosine_of_the_base() {
     }
 }
 
-/// The cubic through displacement and velocity at both ends.
+/// Returns the cubic with displacement and velocity at both end points.
 pub fn hermite([y0, v0]: [f64; 2], [y1, v1]: [f64; 2], dt: f64) -> [f64; 4] {
     let rise = (y1 - y0) / dt;
     [
@@ -82,7 +86,7 @@ pub fn hermite([y0, v0]: [f64; 2], [y1, v1]: [f64; 2], dt: f64) -> [f64; 4] {
     ]
 }
 
-/// Energy, and half the step: a law of the speed, and forces on all masses.
+/// Checks the energy, and the agreement with half the step, for a law of the speed and forces on all masses.
 #[test]
 fn against_itself() {
     let laws: [&[[f64; 2]]; 2] = [&[], &[[0.2, 0.6], [0.5, 0.9]]];

@@ -1,4 +1,4 @@
-//! A stepper of a scene in any scalar, with every mass loaded or some.
+//! A stepper of a scene in any scalar, with every mass loaded or only some.
 
 use frictiongen_kernel::Plain;
 use frictiongen_kernel::number::dd::Dd;
@@ -10,10 +10,10 @@ use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Excitation, Scene};
 use frictiongen_model::transient::Transient;
 
-/// The coefficients of an input: a cubic's.
+/// Number of coefficients of an input, which is a cubic.
 const D: usize = 4;
 
-/// Tables in vectors.
+/// Tables of a stepper, stored in vectors.
 #[derive(Clone, Debug)]
 pub struct Lists<S> {
     pace: Pace<S>,
@@ -37,7 +37,7 @@ impl<S: Copy> Tables<S, D> for Lists<S> {
     }
 }
 
-/// A state in vectors.
+/// State of a stepper, stored in vectors.
 #[derive(Clone, Debug)]
 pub struct Numbers<S> {
     modes: Vec<[S; 2]>,
@@ -67,19 +67,19 @@ impl<S> Store<S, D> for Numbers<S> {
     }
 }
 
-/// What the input does, and the friction law.
+/// Kind of input, and the friction law.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind<'a> {
     pub input: Input,
     pub law: &'a [[f64; 2]],
 }
 
-/// Linear inputs, Coulomb's law.
+/// Linear input and Coulomb's law.
 pub const LINEAR: Kind<'static> = Kind {
     input: Input::Linear,
     law: &[],
 };
-/// Held inputs, Coulomb's law.
+/// Held input and Coulomb's law.
 pub const HOLD: Kind<'static> = Kind {
     input: Input::Hold,
     law: &[],
@@ -88,7 +88,7 @@ pub const HOLD: Kind<'static> = Kind {
 /// A stepper that keeps the scene as long as the program runs.
 pub type Rig<S> = Stepper<'static, S, D, Lists<S>, Numbers<S>>;
 
-/// One input, in the units of the scene: a force on each mass.
+/// Input of one step in the units of the scene, with a force on each mass.
 #[derive(Clone, Debug)]
 pub struct Load {
     pub base: [f64; 2],
@@ -96,7 +96,7 @@ pub struct Load {
     pub friction: f64,
 }
 
-/// The scene of a description.
+/// Returns the scene of a description.
 pub fn scene(text: &str) -> Scene {
     let system: frictiongen::System = text
         .parse()
@@ -104,12 +104,12 @@ pub fn scene(text: &str) -> Scene {
     system.scene().clone()
 }
 
-/// A stepper of a scene at rest.
+/// Returns a stepper of a scene at rest.
 pub fn rig<S: Plain>(scene: &Scene, kind: Kind<'_>, dt: f64) -> Rig<S> {
     try_rig(scene, kind, dt).expect("a step")
 }
 
-/// The same, with the error of a step that it cannot take.
+/// Returns a stepper of a scene at rest, or the error for a step that it refuses.
 pub fn try_rig<S: Plain>(
     scene: &Scene,
     kind: Kind<'_>,
@@ -119,7 +119,7 @@ pub fn try_rig<S: Plain>(
     loaded(scene, kind, dt, &every)
 }
 
-/// The same with a force on these masses.
+/// Returns a stepper of a scene at rest with forces on these masses only.
 pub fn loaded<S: Plain>(
     scene: &Scene,
     kind: Kind<'_>,
@@ -182,12 +182,12 @@ fn parts<S: Plain>(scene: &Scene, kind: Kind<'_>, masses: &[usize]) -> StepScene
     }
 }
 
-/// Hands a load to a stepper.
+/// Advances a stepper by one step under a load.
 pub fn advance<S: Plain>(rig: &mut Rig<S>, load: &Load) -> Stepped<S> {
     with(load, |sample| rig.advance(sample)).expect("a sound load")
 }
 
-/// The same, with the error of a load that it cannot take.
+/// Advances a stepper by one step, or returns the error for a load that it refuses.
 pub fn try_advance<S: Plain>(
     rig: &mut Rig<S>,
     load: &Load,
@@ -195,7 +195,7 @@ pub fn try_advance<S: Plain>(
     with(load, |sample| rig.advance(sample))
 }
 
-/// Tells a stepper the load at the start.
+/// Gives a stepper the load at the start.
 pub fn begin<S: Plain>(rig: &mut Rig<S>, load: &Load) {
     with(load, |sample| rig.begin(sample)).expect("a sound load");
 }

@@ -1,5 +1,5 @@
-//! Driven by a sampled cosine: towards `orbit`'s steady state and along the event-driven motion in time, by the order
-//! that the input has.
+//! A stepper driven by a sampled cosine. It approaches the steady state of `orbit`, and follows the event-driven motion
+//! in time, with the order of its input.
 
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, begin, rig};
 use crate::stepper::scenes::{BASE, ONE_ON_BASE, PAIR, WALL, WALL_BASE, sticky};
@@ -7,7 +7,7 @@ use frictiongen::System;
 use frictiongen_model::scene::{Excitation, Scene};
 use std::f64::consts::TAU;
 
-/// A cosine sampled so many times a cycle.
+/// A cosine that is sampled `steps` times a cycle.
 struct Wave {
     steps: u32,
     dt: f64,
@@ -55,14 +55,15 @@ impl Wave {
         }
     }
 
-    /// Takes step number `step`, whose input is held from its start or reached at its end.
+    /// Takes step number `step`. Held input is that at the start of the step, and linear input reaches its value at the
+    /// end.
     fn drive(&self, rig: &mut Rig<f64>, kind: Kind<'_>, step: u32) {
         let hold = kind.input == frictiongen_kernel::stepper::Input::Hold;
         advance(rig, &self.at(if hold { step } else { step + 1 }));
     }
 }
 
-/// How far the last of many cycles is from the steady state, over its amplitude, and its stops.
+/// Returns the distance of the last of many cycles from the steady state, over the amplitude, and the number of stops.
 fn from_orbit(
     text: &str,
     kind: Kind<'_>,
@@ -97,7 +98,8 @@ fn from_orbit(
     (worst, stops, orbit.stops())
 }
 
-/// 50, 200 and 1000 steps a cycle: order 2 with a straight line, 1 with a step, and for the base's cubics 2 at least.
+/// The runs have 50, 200 and 1000 steps a cycle. The order is 2 for linear input and 1 for held input. For the cubics
+/// of the base it is at least 2.
 #[test]
 fn tends_to_the_steady_state() {
     for (text, at, mu) in [
@@ -124,14 +126,14 @@ fn tends_to_the_steady_state() {
         for (_, stops, want) in linear {
             assert_eq!(stops as usize, want, "{text}");
         }
-        // A held motion of the base jumps, and the contact with it.
+        // With held input the base jumps, and the contact with it.
         if !text.contains("excitation: base") {
             assert!((0.8..1.3).contains(&orders[2]), "{text}: {orders:?}");
         }
     }
 }
 
-/// From rest, beside the exact motion under the cosine itself, at every step.
+/// From rest, the stepper is compared at every step with the exact motion under the cosine itself.
 #[test]
 fn follows_the_event_driven_motion() {
     for (text, at, mu) in [

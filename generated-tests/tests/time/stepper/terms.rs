@@ -1,18 +1,19 @@
-//! The number of terms of a power series: the terms themselves bound the remainder that is left out.
+//! The number of terms of a power series. The terms themselves bound the remainder.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::stepper::series_terms;
 
-/// The terms that are left out, x^n/n!, add up to less than a rounding.
+/// Asserts that the neglected terms, x^n/n!, add up to less than a rounding.
 fn ends<S: Float>(epsilon: f64) {
     for tenth in 1..=10 {
         let rate = 0.1 * f64::from(tenth);
         let terms = series_terms::<S>(S::constant(rate), epsilon);
         let term = |n: u32| (1..=n).fold(1.0, |term, k| term * rate / f64::from(k));
         let left: f64 = (terms..terms + 20).map(term).sum();
-        // The first of them is a sixteenth of a rounding at most, and each next one less than a fifth of the one before.
+        // The first neglected term is at most a sixteenth of a rounding, and each later one less than a fifth of the
+        // last.
         assert!(left < epsilon / 12.0, "{rate}: {left:e} after {terms}");
-        // One term less is not enough.
+        // One term less would not be enough.
         assert!(epsilon / 16.0 < term(terms - 1), "{rate}: {terms}");
     }
 }

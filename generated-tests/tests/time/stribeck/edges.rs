@@ -1,11 +1,11 @@
-//! Speeds that only just come up to a point of the law, numbers that nobody would choose, and refused ones.
+//! Speeds that just reach a point of the law, extreme numbers, and refused numbers.
 
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE};
 use crate::stribeck::{follow, lined, scaled, units};
 use frictiongen::kernel::Plain;
 use frictiongen::{OutOfDomain, System};
 
-/// The largest speed in the contact over the first cycles, and where the mass is after them.
+/// Returns the largest speed of the contact over the first cycles, and the position of the mass after them.
 fn peak(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2]) -> (f64, f64, usize) {
     let ([_, speed], amplitude) = units(&lined(text, 1.2, &[]), r);
     let scene = lined(text, 1.2, &scaled(law, speed));
@@ -19,15 +19,15 @@ fn peak(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2]) -> (f64, f64, usize) 
     (largest, run.run().mass(0).displacement(), calls)
 }
 
-/// A point of the law where the speed peaks: on either side of it, and within roundings, the motion is the same but for
-/// what the change of the point makes.
+/// The speed has its peak at a point of the law. On either side of the point, and within roundings, the motion changes
+/// only by the effect of the shifted point.
 #[test]
 fn a_grazed_point() {
     let mut compared = 0;
     for text in [ONE, WALL, ONE_ON_BASE] {
         let at = [0.8, 0.3];
         let law = |v: f64| [[v, 0.7], [v + 0.5, 0.9]];
-        // The peak moves little with the point: its fixed point grazes.
+        // The peak changes little with the point, so a fixed-point iteration finds a point that the peak touches.
         let mut v = 0.5;
         for _ in 0..60 {
             v += 0.5 * (peak(text, &law(v), at).0 - v);
@@ -67,7 +67,7 @@ fn sound<S: Plain>(
         let (z, rate) = run.relative();
         assert!(z.is_finite() && rate.is_finite() && run.friction().is_finite());
         assert!(segment.length.is_finite() && S::constant(0.0) <= segment.length);
-        // The terms of what holds the contact are as large as the load.
+        // The terms of the force in a stuck contact are as large as the load.
         let most = 1.2 * beta * (1.0 + 1e-5) + 64.0 * S::EPSILON * (1.0 + r * r);
         let force = run.friction().to_f64().abs();
         assert!(
@@ -83,8 +83,8 @@ fn sound<S: Plain>(
     Ok(events)
 }
 
-/// Frequencies, frictions and loads over many decades, in both precisions: nothing is NaN, the friction force keeps its
-/// bounds, and no call is without an end.
+/// Runs frequencies, friction forces and loads over many decades, in both precisions. No result is NaN, the friction
+/// force keeps its bounds, and every call ends.
 fn far(one_in: usize) -> [usize; 3] {
     let (mut runs, mut refused, mut events) = (0, 0, 0);
     let mut turn = 0;
@@ -120,7 +120,7 @@ fn far(one_in: usize) -> [usize; 3] {
     [runs, events, refused]
 }
 
-/// One in eleven, a number that shares no divisor with those of the loops.
+/// Every eleventh case runs, because eleven shares no divisor with the numbers of the loops.
 #[test]
 fn extremes() {
     let [runs, events, refused] = far(11);
@@ -152,9 +152,9 @@ fn refused() {
     for amplitude in [0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert_eq!(refused(0.5, 0.3, amplitude), "amplitude");
     }
-    // Speeds over the load's that no number holds.
+    // No number can represent a speed over the speed of the load here.
     assert_eq!(refused(0.5, 0.3, 1e-320), "amplitude");
-    // A law that is over at once.
+    // The law ends at once here.
     assert_eq!(refused(0.5, 0.3, 1e308), "steepness");
     for r in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert_eq!(refused(r, 0.3, 1.0), "r");
@@ -170,7 +170,7 @@ fn refused() {
     assert_eq!(from(&state, &[0.0; 3]), "state");
     assert_eq!(from(&[0.0; 3], &state), "state");
     assert_eq!(from(&[0.0; 2], &[0.0; 3]), "state");
-    // What rests on a constant level.
+    // These functions need a constant kinetic friction force.
     assert_eq!(
         system
             .simulation(0.5, 0.3)
@@ -185,7 +185,7 @@ fn refused() {
         system.at(0.5).map(drop).expect_err("none").argument,
         "stribeck"
     );
-    // A wall of a law.
+    // The law is nearly vertical.
     let steep: System = lined(text, 1.2, &[[1e-9, 1.2]])
         .try_into()
         .expect("a scene");
@@ -199,7 +199,7 @@ fn refused() {
     for reach in [-1.0, f64::NAN, f64::INFINITY] {
         assert_eq!(run.advance(reach).expect_err("none").argument, "reach");
     }
-    // Without points the amplitude does not matter, but is looked at all the same.
+    // Without points of the law the amplitude does not matter, but it is still checked.
     let plain: System = lined(text, 1.2, &[]).try_into().expect("a scene");
     assert!(plain.simulation_under(0.5, 0.3, f64::NAN).is_err());
     let (a, b) = (
@@ -213,8 +213,8 @@ fn refused() {
     );
 }
 
-/// A state whose contact slides with the speed of a point of the law, slower or faster from there on: the point decides
-/// nothing, so a point beside it does not move the motion, of a run or of a stepper.
+/// The contact of the initial state slides with the speed of a point of the law, and becomes slower or faster. The
+/// point itself decides nothing, so a point next to that speed gives the same motion, in a run and in a stepper.
 #[test]
 fn from_a_point() {
     let (x, v) = ([0.002], [0.01]);
@@ -227,7 +227,7 @@ fn from_a_point() {
         };
         let run = |point: f64| {
             let system = system(point);
-            // P/k₁ and ω are 1 but for roundings.
+            // P/k₁ and ω are 1 up to roundings.
             let (r, scale) = (0.5, 1e-2);
             let speed = scale * r * 20.0;
             let state = ([x[0] / scale], [v[0] / speed]);

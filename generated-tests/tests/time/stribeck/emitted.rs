@@ -1,13 +1,13 @@
-//! Emitted runs are those of a run-time system, to the last bit.
+//! Emitted runs equal those of a run-time system to the last bit.
 
 use frictiongen::kernel::simulation::Segment;
 use frictiongen::kernel::{Float, Scalar};
 use frictiongen::{OutOfDomain, Run, SimulatesUnder, System};
 
-/// A segment, and the numbers after it in bits.
+/// A segment, and the numbers after it as bits.
 type Passed<S> = (Segment<S>, [u64; 5]);
 
-/// So many segments, and where each leaves the contact and a mass.
+/// Returns a hundred segments, each with the state of the contact and of a mass at its end.
 fn said<F: SimulatesUnder>(
     system: &F,
     [r, beta, amplitude]: [F::Scalar; 3],

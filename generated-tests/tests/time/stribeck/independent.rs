@@ -1,4 +1,4 @@
-//! Runs against the integrator that shares no code with them.
+//! Runs compared with an integrator that shares no code with them.
 
 use crate::stepper::plain::chain::Chain;
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE};
@@ -7,7 +7,8 @@ use crate::stribeck::{follow, lined, scaled, units};
 use frictiongen::System;
 use frictiongen::study::scene::Excitation;
 
-/// How far apart, in parts of the largest displacement and velocity; how many events, and points of the law met.
+/// Returns the difference relative to the largest displacement or velocity. Also returns the numbers of events of both,
+/// and how often the speed met a point of the law.
 fn apart(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2], steps: usize) -> (f64, [usize; 3]) {
     const CYCLES: usize = 12;
     let ([length, speed], amplitude) = units(&lined(text, 1.2, &[]), r);
@@ -48,11 +49,11 @@ fn apart(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2], steps: usize) -> (f6
     (worst, [events, plain.events, plain.crossed])
 }
 
-/// All contacts, damped and not, at a low frequency with many stops, about a resonance, and above it; a law that falls,
-/// and one that falls and rises.
+/// Compares runs with all contacts, damped and undamped, at a low frequency with many stops, near a resonance, and
+/// above it. One law falls, and the other falls and rises.
 ///
-/// What is left is the integrator's own error: with four times as many steps it is a 256th, but where the coarse steps
-/// lost an event or rounding takes over, at some 1e-12 of the motion.
+/// The remaining difference is the integrator's own error. With four times as many steps it is a 256th, unless the
+/// coarse steps missed an event or rounding dominates at some 1e-12 of the motion.
 fn runs(one_in: usize) -> [usize; 4] {
     let falls = [[0.3, 0.7], [0.8, 0.5]];
     let rises = [[0.2, 0.6], [0.7, 1.1]];
@@ -71,7 +72,7 @@ fn runs(one_in: usize) -> [usize; 4] {
                     "{}, {at:?}: {coarse:.1e}, {fine:.1e}, {found} events, {points} points met",
                     &text[7..14]
                 );
-                // The last event may be on either side of the end.
+                // The last event may lie on either side of the end.
                 assert!(want.abs_diff(found) <= 1, "{want} events, {found}");
                 assert!(fine < 1e-7, "{fine:e}");
                 ordered += usize::from(fine < coarse / 128.0);
@@ -84,7 +85,7 @@ fn runs(one_in: usize) -> [usize; 4] {
     [compared, ordered, events, crossed]
 }
 
-/// One in five, which goes through all scenes, places and laws.
+/// Every fifth case runs, which covers all scenes, points and laws.
 #[test]
 fn runs_from_rest() {
     let [compared, _, events, crossed] = runs(5);

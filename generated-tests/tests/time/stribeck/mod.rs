@@ -1,6 +1,7 @@
-//! Runs in time with a kinetic level that changes with the speed.
+//! Runs in time with a kinetic friction force that depends on the speed.
 //!
-//! `plain` is an integrator that shares no code with them: Runge-Kutta steps of the equations of motion.
+//! `plain` is an integrator that shares no code with these runs. It integrates the equations of motion by Runge-Kutta
+//! steps.
 
 mod coulomb;
 mod edges;
@@ -14,7 +15,7 @@ use frictiongen::System;
 use frictiongen::kernel::Float;
 use frictiongen::study::scene::{Excitation, FrictionLaw, Provide, Scene};
 
-/// A scene with stiction and with a law in its own units; Coulomb's without points.
+/// Returns a scene with stiction and a friction law in its own units. Without points the law is Coulomb's.
 pub fn lined(text: &str, mu: f64, law: &[[f64; 2]]) -> Scene {
     let system: System = sticky(text, mu).parse().expect("a scene");
     let mut scene = system.scene().clone();
@@ -25,8 +26,8 @@ pub fn lined(text: &str, mu: f64, law: &[[f64; 2]]) -> Scene {
     scene
 }
 
-/// What takes z̄ and dz̄/dτ to metres and metres a second, at r under a load that moves things by about a centimetre; and
-/// that load's amplitude.
+/// Returns the factors from z̄ and dz̄/dτ to metres and metres a second, at r under a load that causes displacements of
+/// about a centimetre. Also returns the amplitude of that load.
 pub fn units(scene: &Scene, r: f64) -> ([f64; 2], f64) {
     const LENGTH: f64 = 0.01;
     let (k1, m1) = (scene.springs[0].stiffness, scene.masses[0].value);
@@ -37,12 +38,12 @@ pub fn units(scene: &Scene, r: f64) -> ([f64; 2], f64) {
     ([LENGTH, LENGTH * r * (k1 / m1).sqrt()], amplitude)
 }
 
-/// A law whose speeds are dz̄/dτ, in a scene's units.
+/// Returns a law in the units of a scene from one with speeds dz̄/dτ.
 pub fn scaled(law: &[[f64; 2]], speed: f64) -> Vec<[f64; 2]> {
     law.iter().map(|[v, f]| [v * speed, *f]).collect()
 }
 
-/// Moves a run on to an instant, in cycles; how many events it met.
+/// Advances a run to an instant, in cycles, and returns the number of events.
 pub fn follow<S: Float>(
     run: &mut impl frictiongen::Run<Scalar = S>,
     cycle: u64,

@@ -1,28 +1,28 @@
-//! The equations of motion by Runge-Kutta steps of fourth order, each cut where the contact meets a point of its law, stops
-//! or breaks away: bisection says where.
+//! The equations of motion by Runge-Kutta steps of fourth order. A step is cut where the contact meets a point of its
+//! law, stops or breaks away, which bisection finds.
 
 use crate::stepper::plain::chain::Chain;
 use nalgebra::DVector;
 
-/// What the contact does.
+/// State of the contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Slip {
     Stuck,
-    /// In the direction of this sign, on this line of the law.
+    /// Slides in the direction of this sign, on this line of the law.
     Slides(f64, usize),
 }
 
-/// A harmonic load: on a mass, or of the base.
+/// A harmonic load on a mass or of the base.
 #[derive(Clone, Copy, Debug)]
 pub struct Load {
     pub on: Option<usize>,
     pub amplitude: f64,
     pub omega: f64,
-    /// F.
+    /// Kinetic friction force F.
     pub friction: f64,
 }
 
-/// A run from rest, the load at its maximum.
+/// A run from rest, with the load at its maximum at the start.
 #[derive(Debug)]
 pub struct Run {
     pub chain: Chain,
@@ -31,9 +31,9 @@ pub struct Run {
     pub v: DVector<f64>,
     slip: Slip,
     time: f64,
-    /// Stops, break-aways and reversals.
+    /// Number of stops, break-aways and reversals.
     pub events: usize,
-    /// How often a point of the law was met.
+    /// Number of times that the speed met a point of the law.
     pub crossed: usize,
 }
 
@@ -63,7 +63,7 @@ impl Run {
         self.chain.mu * self.load.friction
     }
 
-    /// The base's displacement, velocity and acceleration.
+    /// Returns the base's displacement, velocity and acceleration.
     fn base(&self, time: f64) -> [f64; 3] {
         let Load {
             amplitude,
@@ -82,7 +82,7 @@ impl Run {
         }
     }
 
-    /// M times the acceleration without the contact.
+    /// Returns M times the acceleration without the contact.
     fn pull(&self, (x, v): &State, time: f64) -> DVector<f64> {
         let mut sum = -(&self.chain.k * x) - &self.chain.c * v;
         sum += &self.chain.to_base * self.base(time)[0];
@@ -92,7 +92,7 @@ impl Run {
         sum
     }
 
-    /// The contact force that keeps the relative velocity.
+    /// Returns the contact force that keeps the relative velocity constant.
     fn holding(&self, state: &State, time: f64) -> f64 {
         let free = self.pull(state, time).component_div(&self.chain.m);
         let own = self.chain.s * self.base(time)[2];
@@ -138,7 +138,8 @@ impl Run {
         )
     }
 
-    /// What is positive while the contact goes on as it does: it stays above what slows it, and below what lies ahead.
+    /// Returns two distances that stay positive while the contact stays in its state: to the bound below and to the
+    /// bound above.
     fn room(&self, state: &State, time: f64) -> [f64; 2] {
         match self.slip {
             Slip::Stuck => {
@@ -154,9 +155,9 @@ impl Run {
         }
     }
 
-    /// The step of length h with this number.
+    /// Advances the run by step `number` of length h.
     pub fn step(&mut self, number: usize, h: f64) {
-        // From its number, so that no rounding adds up.
+        // The time follows from the number, so that no rounding adds up.
         self.time = number as f64 * h;
         let mut left = h;
         while left > 0.0 {
@@ -172,7 +173,7 @@ impl Run {
         let mut length = h;
         let mut met = inside(self, h);
         if met != [true; 2] {
-            // The last instant before, and the first after.
+            // `low` is the last instant before the event, and `high` the first one after it.
             let (mut low, mut high) = (0.0, h);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
@@ -198,7 +199,7 @@ impl Run {
         self.slip = match self.slip {
             Slip::Stuck => {
                 self.events += 1;
-                // −grip is met on the first side.
+                // The first side is the bound −μF.
                 Slip::Slides(if side == 0 { -1.0 } else { 1.0 }, 0)
             }
             Slip::Slides(sign, line) if side == 1 => {

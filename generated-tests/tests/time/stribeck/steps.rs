@@ -1,4 +1,4 @@
-//! A run in other steps, from other states, and beside the stepper.
+//! A run with other steps, from other states, and compared with the stepper.
 
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, WALL, WALL_BASE};
 use crate::stribeck::{follow, lined, scaled, units};
@@ -16,7 +16,7 @@ fn system(text: &str, r: f64) -> (System, f64) {
     (scene.try_into().expect("a scene"), amplitude)
 }
 
-/// Events do not depend on the steps in which a run is passed, bit for bit.
+/// Events do not depend on the steps of a run, bit for bit.
 #[test]
 fn steps_do_not_matter() {
     let mut compared = 0;
@@ -49,7 +49,8 @@ fn steps_do_not_matter() {
     assert!(100 < compared);
 }
 
-/// A run from the state of another, a cycle later, is the other: the lines follow from the state.
+/// A run that starts from the state of another one, a cycle later, equals it. The lines of the law follow from the
+/// state.
 #[test]
 fn from_a_state() {
     let mut compared = 0;
@@ -73,7 +74,7 @@ fn from_a_state() {
             follow(&mut on, start + 1, 0.4);
             for mass in masses.clone() {
                 let (a, b) = (from.run().mass(mass), on.run().mass(mass));
-                // Both round, and a state is not told whether what is at rest sticks: 1e-14 was found.
+                // Both runs round. A state also does not contain whether a contact at rest sticks.
                 let off = (a.displacement() - b.displacement()).abs()
                     + (a.velocity() - b.velocity()).abs();
                 assert!(off < 1e-12, "{text}: {off:e}");
@@ -84,7 +85,8 @@ fn from_a_state() {
     assert_eq!(compared, 66);
 }
 
-/// The stepper with a sampled cosine comes near with the square of its step: straight lines leave h²/8 out.
+/// The stepper under a sampled cosine differs from the run by the square of its step, because straight lines between
+/// samples miss h²/8 of the cosine.
 #[test]
 fn beside_the_stepper() {
     let mut compared = 0;
@@ -134,7 +136,7 @@ fn beside_the_stepper() {
             };
             let [coarse, fine] = [400, 3200].map(off);
             println!("{}, {r}, {beta}: {coarse:.1e}, {fine:.1e}", &text[7..14]);
-            // 64 times; a break-away that is late by a part of a step varies.
+            // The expected factor is 64. A break-away that is late by a fraction of a step makes it vary.
             assert!(fine < 1e-5 && fine < coarse / 16.0, "{coarse:e}, {fine:e}");
             compared += 1;
         }

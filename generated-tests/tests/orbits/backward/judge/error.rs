@@ -1,11 +1,11 @@
-//! How far an answer is off what is exact.
+//! The error of an answer against the exact value.
 
 use super::Answer;
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 
-/// An angle's distance, within half a turn.
+/// Returns the difference of two angles within half a turn.
 pub fn angle(difference: Dd) -> Dd {
     let turn = Dd::PI + Dd::PI;
     let turns = Float::floor(difference / turn + Dd::from(0.5));
@@ -24,12 +24,13 @@ pub(super) fn same(a: Complex<Dd>, b: Complex<Dd>) -> bool {
     a.re == b.re && a.im == b.im
 }
 
-/// A limit grows without bound beside a zero of what it is divided by: there its reciprocal is compared.
+/// Returns whether an answer is an infinite limit. A limit grows without bound near a zero of its denominator, so its
+/// reciprocal is compared there.
 pub(super) fn may_be_infinite(answer: &Answer) -> bool {
     answer.watched.asked.is_limit() && answer.got.re.to_f64() == f64::INFINITY
 }
 
-/// How far an answer is off; of what may be infinite, 1/got − 1/exact, times exact².
+/// Returns the error of an answer. For a limit that is infinite the error is 1/got − 1/exact, multiplied by exact².
 pub(super) fn error(answer: &Answer, exact: Complex<Dd>) -> Complex<Dd> {
     let (got, zero) = (answer.got, Dd::from(0.0));
     if may_be_infinite(answer) {
@@ -41,7 +42,7 @@ pub(super) fn error(answer: &Answer, exact: Complex<Dd>) -> Complex<Dd> {
     }
 }
 
-/// The sign of its derivatives in [`error`].
+/// Returns the sign of the derivatives of an answer in [`error`].
 pub(super) fn sense(answer: &Answer) -> f64 {
     if may_be_infinite(answer) { -1.0 } else { 1.0 }
 }

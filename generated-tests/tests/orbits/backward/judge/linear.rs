@@ -1,4 +1,5 @@
-//! The fit's equations: how far each answer is off, and how it moves with each input, about some r and β.
+//! The equations of the fit about some r and β: the error of each answer, and its derivative with respect to each
+//! input.
 
 use super::error::{error, sense};
 use super::{Answer, Judge, Judged};
@@ -12,9 +13,9 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use generated_tests::data::DataAt;
 
-/// The weight of an input's rest in such a step, beside 1 of an answer.
+/// Weight of the residual of an input in such a step. The weight of an answer is 1.
 const STILL: f64 = 1e-4;
-/// The weight of an answer that is below the bar.
+/// Weight of an answer that is below the bar.
 const IDLE: f64 = 1e-100;
 /// The columns of r, β and τ come first, then those of the description.
 const RATIO: usize = 0;
@@ -22,11 +23,11 @@ pub(super) const BETA: usize = 1;
 const TAU: usize = 2;
 const OF_PLACE: usize = 3;
 
-/// The fit's equations about some r and β.
+/// Equations of the fit about some r and β.
 pub(super) struct Linear {
     pub a: Vec<Vec<Dd>>,
     pub b: Vec<Dd>,
-    /// Whether the contact's motion has vanished there.
+    /// Whether the contact's motion vanishes at this r and β.
     pub stands: bool,
 }
 
@@ -35,8 +36,9 @@ impl Linear {
         fit(&self.a, &self.b, bar)
     }
 
-    /// From where derivatives are known to where to take them anew: each answer above the bar counts by how far it moves with the
-    /// inputs, so that what is curved in the worst of them does not outweigh the others.
+    /// Returns the step from the displacement of these derivatives to the displacement of the next ones. Each answer
+    /// above the bar is weighted by its sensitivity to the inputs, so that the curvature of the worst answer does not
+    /// outweigh the others.
     pub fn step(&self, to: &[f64], bar: f64) -> Option<Vec<f64>> {
         let rest = self.a.iter().zip(&self.b).map(|(row, b)| {
             let there = row.iter().zip(to);
@@ -58,7 +60,7 @@ impl Linear {
         Some(moved.iter().map(|moved| moved.to_f64()).collect())
     }
 
-    /// The most that an answer moves by, with one rounding of every input.
+    /// Returns the largest change of an answer for one rounding of every input.
     pub fn condition(&self) -> f64 {
         let sum = |row: &Vec<Dd>| {
             let sum = row
@@ -69,7 +71,7 @@ impl Linear {
         self.a.iter().map(sum).fold(1.0, f64::max)
     }
 
-    /// k of every answer by itself: |b|/(1 + Σ|a|).
+    /// Computes k of every answer alone, |b|/(1 + Σ|a|).
     pub fn each_alone(&self, told: &[Answer], judged: &mut [Judged]) {
         let mut rows = self.a.iter().zip(&self.b);
         for (answer, judged) in told.iter().zip(judged) {
@@ -91,7 +93,7 @@ impl Linear {
 }
 
 impl Judge<'_> {
-    /// The equations about inputs displaced by these roundings; for every input, or for those of the place.
+    /// Returns the equations about inputs displaced by these roundings. `every` selects all inputs, or only r, β and τ.
     pub(super) fn linear(
         &self,
         told: &[Answer],
@@ -119,7 +121,7 @@ impl Judge<'_> {
             let follow = |watched: &Watched<Dd>| follow(&at, &place, *watched, self.epsilon);
             let questions: Vec<_> = here.iter().map(follow).collect();
             let moved = answers(&at, &place, &questions);
-            // What is known better than by the formulas stays so much better.
+            // Some exact values are known better than by the formulas. The displaced value keeps that correction.
             let better = exact.iter().zip(self.exact(&here));
             let there = moved.iter().zip(better).map(|(moved, (exact, here))| {
                 Complex::new(
@@ -141,7 +143,7 @@ impl Judge<'_> {
             let (off, sense) = (error(answer, *there), Dd::from(sense(answer)));
             let slopes = |part: fn(Complex<Dd>) -> Dd| -> Vec<Dd> {
                 let of = columns.iter().map(|column| part(column[index]));
-                // An input that moves the answer without bound explains nothing to first order.
+                // A derivative without bound explains nothing to first order, so it counts as 0.
                 of.map(|slope| slope * sense / answer.size)
                     .map(|slope| {
                         if slope.to_f64().is_finite() {
@@ -166,7 +168,7 @@ impl Judge<'_> {
         linear
     }
 
-    /// x ∂f/∂x of every question, for every input.
+    /// Returns x ∂f/∂x of every question, for every input x.
     fn columns(
         &self,
         modal: &Modal,
@@ -210,7 +212,7 @@ impl Judge<'_> {
     }
 }
 
-/// The same question at another r and β, a largest value where it is there.
+/// Returns the same question at another r and β, with the instant of its maximum there.
 fn follow(
     at: &DataAt<'_, Dd>,
     place: &Place<Dd>,

@@ -1,12 +1,14 @@
-//! By how many roundings of its scene the answers of one place are the exact ones.
+//! Backward error of the answers at one place: the number of roundings of the scene's inputs that makes all answers
+//! exact.
 //!
-//! The inputs are the numbers of the description (masses, springs, damping, μ) and r, β and τ.  Answers are as good as
-//! their inputs allow if one scene within k roundings of each input has all of them as its exact answers, each but for
-//! k roundings of its own size.  By exact first derivatives that is a Chebyshev fit.  Where r stands a few roundings
-//! beside a pole derivatives change within a rounding: they are taken anew where the fit has moved r and β to.
+//! The inputs are the numbers of the description (masses, springs, damping, μ) and r, β and τ. The answers have a
+//! backward error of k if they are the exact answers of one scene within k roundings of each input. Each answer may
+//! also be off by k roundings of its own size. With exact first derivatives the smallest k is a Chebyshev fit. A few
+//! roundings away from a pole the derivatives change within a rounding of r. They are then evaluated again at the r and
+//! β to which the fit has led.
 //!
-//! Here is what is asked and what a place is found to be; `error` has how far an answer is off, `linear` the fit's
-//! equations, `turning` where their derivatives are taken anew.
+//! This module has the answers and the verdict on a place. `error` computes the error of an answer, and `linear` the
+//! equations of the fit. `turning` gives the displacements at which derivatives are evaluated again.
 
 mod error;
 mod linear;
@@ -22,88 +24,90 @@ use generated_tests::data::{Data, DataAt};
 use linear::Linear;
 use turning::Turning;
 
-/// So few roundings of an answer need no input to explain them.
+/// Up to this number of roundings an answer needs no displaced input.
 pub const PLAIN: f64 = 4.0;
-/// No answer may be off by more: a stuck response is a difference of free ones, which may be larger than it by so much.
+/// Upper bound on the error of any answer, in roundings. A stuck response is a difference of free responses, which may
+/// be larger by this factor.
 const MOST: f64 = 4096.0;
-/// Answers of a place with a larger condition need not agree on one displacement: they come from different sums, whose
-/// roundings the condition magnifies.  Each by itself must have one.
+/// Condition above which the answers of a place need not share one displacement. They come from different sums, and the
+/// condition magnifies the rounding of each. Each answer alone must still have a displacement.
 const AGREEING: f64 = 100.0;
-/// So often are the derivatives taken anew: with respect to r, β and τ, then to every input.
+/// Number of evaluations of the derivatives: `FEW_TURNS` for r, β and τ, then `TURNS` for every input.
 const FEW_TURNS: usize = 6;
 const TURNS: usize = 12;
 
 /// An answer of the code under test.
 #[derive(Clone, Copy, Debug)]
 pub struct Answer {
-    /// What was asked; with the exact instant of a largest value.
+    /// The question, with the exact instant of a maximum.
     pub watched: Watched<Dd>,
-    /// What was told.
+    /// The answer that was returned.
     pub got: Complex<Dd>,
     /// Whether double-double has searched for the instant itself.
     pub searched: bool,
-    /// What its own roundings are counted in where answers are explained.
+    /// Size in whose roundings the error is counted where answers are explained.
     pub size: Dd,
-    /// Its own size, or a thousandth of the largest motion.
+    /// The answer's own size, or a thousandth of the largest motion if that is larger.
     pub strict: Dd,
-    /// Its own size.
+    /// The answer's own size.
     pub own: Dd,
 }
 
-/// What is known of one answer.
+/// Errors of one answer.
 #[derive(Clone, Copy, Debug)]
 pub struct Judged {
     /// The exact answer.
     pub exact: Complex<Dd>,
-    /// In roundings of its size.
+    /// Error in roundings of its size.
     pub direct: f64,
-    /// In roundings of its strict size.
+    /// Error in roundings of its strict size.
     pub strict: f64,
-    /// In roundings of its own size.
+    /// Error in roundings of its own size.
     pub of_its_own: f64,
-    /// In roundings of the inputs, were it the only answer of its place.
+    /// Backward error in roundings of the inputs, if this were the only answer of its place.
     pub alone: f64,
 }
 
 impl Judged {
-    /// Whether the answer is of a motion below a thousandth of the largest.
+    /// Returns whether the answer belongs to a motion below a thousandth of the largest.
     pub fn is_far(&self, answer: &Answer) -> bool {
         answer.own < answer.strict
     }
 }
 
-/// What is known of a place.
+/// Backward errors of one place.
 #[derive(Clone, Debug)]
 pub struct Verdict {
-    /// The smallest k found for all answers together.
+    /// Smallest k found for all answers together.
     pub together: f64,
-    /// The largest of the answers, each by itself.
+    /// Largest k of the answers, each taken alone.
     pub alone: f64,
-    /// By how many roundings an answer moves with one of every input, at most.
+    /// Largest change of an answer for one rounding of every input, in roundings.
     pub condition: f64,
     pub answers: Vec<Judged>,
 }
 
 impl Verdict {
-    /// Whether the place keeps the bar: every answer by itself, and all together unless their condition is large.
+    /// Returns whether the place keeps the bar: every answer alone, and all answers together unless their condition is
+    /// large.
     pub fn keeps(&self, bar: f64) -> bool {
         self.alone <= bar && (self.together <= bar || AGREEING < self.condition)
     }
 
-    /// Whether nothing about it is to be understood.
+    /// Returns whether an answer is off by more than any displacement can explain, or is NaN.
     pub fn is_wrong(&self) -> bool {
         !(self.alone <= MOST)
     }
 }
 
-/// One place of a scene.
+/// Judge of the answers at one place of a scene.
 pub struct Judge<'a> {
     exact: &'a Exact,
     place: Place<Dd>,
     at: DataAt<'a, Dd>,
     epsilon: f64,
     bar: f64,
-    /// How often derivatives are taken anew, for few inputs and for all.
+    /// Number of times that the derivatives are evaluated again, for few inputs and for all.
     turns: [usize; 2],
 }
 
@@ -120,7 +124,8 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// By the derivatives where the answers were asked alone, which is enough where a thousand roundings are few.
+    /// Restricts the fit to the derivatives at the place itself, which is enough where a thousand roundings are a small
+    /// distance.
     pub fn at_once(self) -> Self {
         Self {
             turns: [0, 0],
@@ -128,7 +133,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// The scene's own.
+    /// Returns the scene's own data.
     pub fn data(&self) -> &'a Data<Dd> {
         &self.exact.data
     }
@@ -141,18 +146,18 @@ impl<'a> Judge<'a> {
         &self.place
     }
 
-    /// The exact answers.
+    /// Returns the exact answers.
     pub fn exact(&self, questions: &[Watched<Dd>]) -> Vec<Complex<Dd>> {
         answers(&self.at, &self.place, questions)
     }
 
-    /// What is known of these answers, all of this place.
+    /// Returns the verdict on answers that all belong to this place.
     pub fn verdict(&self, told: &[Answer]) -> Verdict {
         let exact = self.exact(&told.iter().map(|answer| answer.watched).collect::<Vec<_>>());
         self.compared(told, &exact)
     }
 
-    /// The same where the exact answers are known.
+    /// Returns the verdict on answers whose exact values are known.
     pub fn compared(&self, told: &[Answer], exact: &[Complex<Dd>]) -> Verdict {
         let epsilon = Dd::from(self.epsilon);
         let mut judged: Vec<Judged> = Vec::new();
@@ -195,7 +200,7 @@ impl<'a> Judge<'a> {
         for group in [Group::Motion, Group::Harmonics] {
             let of_group: Vec<usize> = (0..told.len())
                 .filter(|index| Group::of(told[*index].watched.asked) == group)
-                // What is 0 and told as 0 needs no displacement.
+                // An answer of 0 whose exact value is 0 needs no displacement.
                 .filter(|index| judged[*index].direct != 0.0 || !told[*index].size.is_zero())
                 .collect();
             let pick = |index: &usize| told[*index];
@@ -227,8 +232,8 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// The smallest k found: by r, β and τ alone, which is cheap, then by every input.  Derivatives are taken anew at
-    /// what the last step found.  With the place's condition.
+    /// Returns the smallest k found, and the condition of the place. The fit first displaces r, β and τ alone, which is
+    /// cheap, and then every input. It evaluates the derivatives again at the result of the last step.
     fn explained(
         &self,
         told: &[Answer],
@@ -240,7 +245,7 @@ impl<'a> Judge<'a> {
             linear.fitted(self.bar)
         };
         let (mut best, mut condition) = (f64::INFINITY, 1.0);
-        // Most places are explained where they are.
+        // At most places the derivatives at the place itself suffice.
         let mut here = Vec::new();
         for every in [false, true] {
             let linear = self.linear(told, exact, &[], every);
@@ -270,11 +275,11 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// Answers that one displacement explains.
+/// Groups of answers, each of which one displacement must explain.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Group {
     Motion,
-    /// The fundamental is put together from whole responses, not from the motion.
+    /// The fundamental is computed from whole responses and not from the motion, so it forms its own group.
     Harmonics,
 }
 

@@ -1,16 +1,16 @@
-//! Displacements at which the derivatives are taken anew.
+//! Displacements at which the derivatives are evaluated again.
 
 use super::linear::{BETA, Linear};
 
-/// Displacements at which the derivatives are taken anew, one after the other.
+/// Sequence of displacements at which the derivatives are evaluated again.
 pub(super) struct Turning {
-    /// The equations at the displacement found last.
+    /// Equations at the last displacement.
     pub linear: Linear,
-    /// It, in roundings.
+    /// The last displacement, in roundings.
     to: Vec<f64>,
-    /// The last one before the contact stood still.
+    /// The last displacement at which the contact still moved.
     moving: Option<Vec<f64>>,
-    /// By how many roundings of β the contact is set free.
+    /// Number of roundings of β by which the contact is released.
     back: f64,
 }
 
@@ -26,14 +26,16 @@ impl Turning {
 
     pub fn next(&mut self, bar: f64) -> Option<&[f64]> {
         if let (true, Some(moving)) = (self.linear.stands, &self.moving) {
-            // Beyond |V|/|U| the contact stands still whatever moves: halfway to where it did not.
+            // Beyond |V|/|U| the contact does not move for any input. The next displacement is halfway to the last one
+            // at which it moved.
             for (to, moving) in self.to.iter_mut().zip(moving) {
                 *to = 0.5 * (*to + moving);
             }
         } else {
             let step = self.linear.step(&self.to, bar)?;
             if self.linear.stands {
-                // To where the limits are as they were told, and back by more and more of β.
+                // The step leads to where the limits equal the returned ones. Ever more roundings of β then lead back
+                // to where the contact moves.
                 self.back = (self.back + self.back).min(bar);
                 self.to[BETA] -= self.back;
             } else {

@@ -1,4 +1,4 @@
-//! Largest values at instants all over the half period.
+//! Search for maxima by evaluation at instants all over the half period.
 
 use super::BAR;
 use crate::backward::asked::{Asked, Of, Place, motion};
@@ -6,12 +6,13 @@ use crate::backward::judge::{Answer, Judge};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Brute force counts the instants of modes up to this many times as fast as the excitation.
+/// Largest ratio of a natural frequency to the excitation frequency for which the brute-force search is short enough.
 pub(super) const FASTEST: f64 = 60.0;
 
-/// Looks for larger values at instants all over the half period, and has answers judged by those: in double precision
-/// first, then closer in double-double.  The code under test searches with the same bounds in double-double: what it has
-/// found itself must be the largest.
+/// Searches for larger values at instants all over the half period, and judges the answers by the values found.
+///
+/// The search runs in double precision first, and then closer in double-double. If the code under test has searched in
+/// double-double itself, its value must be the largest.
 pub(super) fn by_force<S: Float>(
     judge: &Judge<'_>,
     told: &mut [Answer],
@@ -26,7 +27,7 @@ pub(super) fn by_force<S: Float>(
         let higher = |best: (f64, f64), one: (f64, f64)| if best.0 < one.0 { one } else { best };
         let mut about = Dd::from(all.fold((0.0, 0.0), higher).1);
         let mut value = of(about);
-        // Closer about the highest, by halves of the step.
+        // The search then closes in on the maximum, with steps that are halved each time.
         let mut width = Dd::from(step);
         for _ in 0..24 {
             width = width * Dd::from(0.5);

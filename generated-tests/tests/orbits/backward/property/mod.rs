@@ -1,7 +1,8 @@
-//! Random scenes of 1 to 16 masses, over the whole range of r, and beside poles, sub-harmonics and limits.
+//! Backward error of random scenes of 1 to 16 masses, over the whole range of r, and near poles, subharmonics and
+//! limits.
 //!
-//! Here are the runs and what they must keep; `subject` draws scenes and places, `told` asks everything at one of them,
-//! `brute_force` looks for larger values than those that were told.
+//! This module has the runs and their bounds. `subject` draws scenes and places. `told` asks all questions at one
+//! place. `brute_force` searches for values larger than the returned maxima.
 
 mod brute_force;
 mod subject;
@@ -13,11 +14,11 @@ use frictiongen_kernel::number::dd::Dd;
 use subject::{DOUBLE, Range, SINGLE, Subject};
 use told::{Asking, told};
 
-/// In roundings of the inputs.
+/// Bar for the backward error, in roundings of the inputs.
 pub const BAR: f64 = 64.0;
 const POINTS: u64 = 10;
 
-/// One scene at its places.
+/// Checks one scene at its places.
 fn check<S: Float>(seed: u64, range: &Range, exact: impl Fn(S) -> Dd + Copy, tally: &mut Tally) {
     let Some(mut subject) = Subject::<S>::of(seed, range) else {
         tally.skip("a scene that is refused");
@@ -60,20 +61,20 @@ fn run<S: Float>(scenes: &[u64], range: &Range, exact: impl Fn(S) -> Dd + Copy +
     })
 }
 
-/// The kinds of answers of a run of some length.
+/// Number of kinds of answers in a run of some length.
 const KINDS: usize = 17;
-/// What a run may have of each, as shares of its places.
+/// Upper bounds of a run, as fractions of its places.
 struct Shares {
-    /// Above the bar: stuck responses that are differences of larger free ones, and conditions about the largest at
-    /// which all answers must agree.
+    /// Places above the bar. They are stuck responses that are differences of larger free responses, and places whose
+    /// condition is near the largest at which all answers must agree.
     above: f64,
-    /// Without a displacement in common, all of them with a condition above 100.
+    /// Places without a common displacement, all of them with a condition above 100.
     disagreeing: f64,
-    /// Wrong altogether: where the contact's force is known to no digit, in double-double neither, and where r within a
-    /// rounding of a resonance decides whether the contact moves.
+    /// Places without any explanation. Either no digit of the contact's force is known, not even in double-double. Or r
+    /// lies within a rounding of a resonance, and this rounding decides whether the contact moves.
     wrong: f64,
 }
-/// Of a hundred places one is more than of thousands.
+/// In a hundred places a single one is a larger fraction than in thousands.
 const FEW: Shares = Shares {
     above: 0.0,
     disagreeing: 0.04,
@@ -85,10 +86,10 @@ const MANY: Shares = Shares {
     wrong: 1e-3,
 };
 
-/// What a run has to keep.
+/// Prints a run and asserts its bounds.
 fn report(title: &str, tally: &Tally, most: &Shares) {
     tally.print(title);
-    // The limit per mode is asked for at few places.
+    // Only few places ask for the limit per mode.
     assert!(KINDS - 1 <= tally.counts().count(), "a kind is missing");
     let [above, disagreeing, wrong] = tally.shares();
     assert!(
@@ -126,7 +127,7 @@ fn single_precision() {
     single(0..12, &FEW);
 }
 
-/// The scenes of SCENES: a number of them, or `from..to`.
+/// Returns the range of scenes from the variable SCENES, which is a number of scenes or `from..to`.
 pub fn asked() -> std::ops::Range<u64> {
     let text = std::env::var("SCENES").unwrap_or_else(|_| "10000".to_owned());
     let (from, to) = text.split_once("..").unwrap_or(("0", &text));
@@ -134,15 +135,14 @@ pub fn asked() -> std::ops::Range<u64> {
     number(from)..number(to)
 }
 
-/// `SCENES=100000 cargo test --release -p generated-tests --test orbits long_double -- --ignored
-/// --nocapture`
+/// Run with `SCENES=100000 cargo test --release -p generated-tests --test orbits long_double -- --ignored --nocapture`.
 #[test]
 #[ignore = "takes long; the scenes are SCENES"]
 fn long_double() {
     double(asked(), &MANY);
 }
 
-/// The same in single precision.
+/// Checks the same scenes in single precision.
 #[test]
 #[ignore = "takes long; the scenes are SCENES"]
 fn long_single() {

@@ -1,4 +1,4 @@
-//! A random scene and the places at which it is asked.
+//! A random scene and the places of its questions.
 
 use crate::backward::asked::Place;
 use crate::backward::inputs::Exact;
@@ -8,11 +8,11 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use fuzzing::Random;
 
-/// What a scalar's range asks of the test.
+/// Ranges of the random numbers, which depend on the scalar.
 pub struct Range {
-    /// r is drawn in 2^−this … 2^this.
+    /// r is drawn between 2^−`exponents` and 2^`exponents`.
     exponents: f64,
-    /// Masses and springs spread over ten to plus and minus this.
+    /// Masses and springs are spread between 10^−`decades` and 10^`decades`.
     decades: f64,
 }
 
@@ -20,14 +20,14 @@ pub const DOUBLE: Range = Range {
     exponents: 300.0,
     decades: 3.0,
 };
-/// A chain's far masses move by the r⁻²th power of every link: at f32's precision there is nothing
-/// left of them beyond this.
+/// Ranges for single precision. Far masses of a chain move by r⁻² per link, so that in f32 nothing of their motion is
+/// left beyond this range.
 pub const SINGLE: Range = Range {
     exponents: 20.0,
     decades: 1.0,
 };
 
-/// A scene under test, and its exact reading.
+/// A scene under test, with the same scene in double-double.
 pub struct Subject<S> {
     pub seed: u64,
     pub system: System<S>,
@@ -36,7 +36,7 @@ pub struct Subject<S> {
 }
 
 impl<S: Float> Subject<S> {
-    /// The scene of a seed; none where it is refused.
+    /// Returns the scene of a seed, or nothing if the scene is refused.
     pub fn of(seed: u64, range: &Range) -> Option<Self> {
         let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5851_F42D);
         let text = scene(&mut random, range.decades);
@@ -50,7 +50,8 @@ impl<S: Float> Subject<S> {
         })
     }
 
-    /// The next place: r anywhere, or beside a resonance or a fraction of one; β up to the limit or beside it.
+    /// Draws the next place. r lies anywhere, or near a resonance or a fraction of one. β lies anywhere up to the
+    /// limit, or near it.
     pub fn place(&mut self, range: &Range) -> (S, impl Fn(&mut Self, S) -> Place<S> + use<S>) {
         let random = &mut self.random;
         let resonances = &self.system.modal().resonances;

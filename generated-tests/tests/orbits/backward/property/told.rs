@@ -1,4 +1,4 @@
-//! Everything that a system tells at one place.
+//! All answers of a system at one place.
 
 use super::BAR;
 use super::brute_force::{FASTEST, by_force};
@@ -12,29 +12,30 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::data::Data;
 
-/// One place in so many has its largest values searched in double-double as well.
+/// Spacing, in places, of the searches for maxima in double-double.
 const SEARCHED: u64 = 16;
-/// Double-double does not search modes faster than this.
+/// Largest ratio of a natural frequency to r at which double-double searches.
 const SEARCHABLE: f64 = 1e3;
-/// One place in so many has them searched by brute force.
+/// Spacing, in places, of the brute-force searches for maxima.
 const BY_FORCE: u64 = 8;
-/// One place in so many asks for the limit per mode, whose searches are many.
+/// Spacing, in places, of the questions for the limit per mode, each of which needs many searches.
 const PER_MODE: u64 = 256;
-/// One place in so many asks every mass.
+/// Spacing, in places, of the questions to every mass.
 const EVERY_MASS: u64 = 16;
-/// Beyond so many roundings of r in an angle of the fastest mode nothing is known of U and S.
+/// Largest rounding of r in an angle of the fastest mode. Beyond it no digit of U and S is known.
 const SLOW: f64 = 1e-3;
-/// Where so much of V is lost, nothing is known of a motion that counts from the contact's.
+/// Largest fraction of V that may be rounding. With more rounding no digit is known of a mass's motion, because its
+/// phase counts from the contact's.
 const LOST: f64 = 1e-2;
 
-/// What is told at one place, judged.
+/// A place whose answers are to be judged.
 pub struct Asking<'s, S> {
     pub subject: &'s Subject<S>,
     pub point: u64,
     pub mass: usize,
 }
 
-/// Everything that a system tells at one place, or why nothing is asked.
+/// Returns all answers of a system at one place, or nothing if the place is skipped.
 pub fn told<'e, S: Float>(
     asking: &Asking<'e, S>,
     place: &Place<S>,
@@ -69,7 +70,7 @@ pub fn told<'e, S: Float>(
     if !questions.stuck(&at, &asked, masses) {
         tally.skip("a resonance of the stuck chain");
     }
-    // In so slow a sweep every angle is below the rounding of r: U and S may be anything.
+    // In so slow a motion every angle is below the rounding of r, so that U and S may have any value.
     let zero = S::constant(0.0);
     let (continuous, without) = (at.continuous_limit(), at.continuous_limit_without_search());
     let nearly = S::constant(1.0 + BAR * S::EPSILON);
@@ -94,7 +95,7 @@ pub fn told<'e, S: Float>(
             Ok(motion) => {
                 questions.contact(&motion, place.tau);
                 let reduced = system.modal();
-                // The mass that rubs on the wall moves as the contact does.
+                // A mass that rubs on the wall moves as the contact does.
                 let rubs =
                     |mass: &usize| !reduced.on_moving_base && reduced.contact == (*mass, None);
                 let asked: Vec<usize> = asked.into_iter().filter(|mass| !rubs(mass)).collect();

@@ -1,7 +1,8 @@
-//! Steady states against `reference/orbits_more.json`, made by an integrator that shares no code with
-//! this project (`reference/tools`): asymmetric, of many segments, subharmonic, unstable, marginal.
+//! Steady states compared with `reference/orbits_more.json`, made by an integrator that shares no code with this
+//! project (`reference/tools`). The references are asymmetric, subharmonic, unstable or marginal, or have many
+//! segments.
 //!
-//! Here are the tests; `points` has the references, `values` what is compared.
+//! This module has the tests. `points` reads the references, and `values` compares them.
 
 mod points;
 mod values;
@@ -13,7 +14,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use values::{Tally, all_motions, all_values, bars};
 
-/// A motion that approaches as 1/√n, continued from 4096 cycles to infinitely many.
+/// Tolerance for a motion that approaches its limit as 1/√n, extrapolated from 4096 cycles.
 const CONTINUED: f64 = 2e-6;
 
 fn reported(point: &Point) -> bool {
@@ -22,7 +23,7 @@ fn reported(point: &Point) -> bool {
         && count(&point.expected["segments"]) <= 64
 }
 
-/// What repeats after a cycle.
+/// States that repeat after one cycle.
 #[test]
 fn of_one_cycle() {
     let points = points(reported);
@@ -45,7 +46,7 @@ fn of_one_cycle() {
     tally.end(bars);
 }
 
-/// z̄ is largest where τ is counted from, whichever of several maxima that is.
+/// τ counts from the largest of several maxima of z̄.
 #[test]
 fn counted_from_the_largest() {
     let several = |point: &Point| {
@@ -61,7 +62,7 @@ fn counted_from_the_largest() {
         let start = contact.displacement(0.0);
         let samples = (0..2000).map(|k| contact.displacement(TAU * f64::from(k) / 2000.0));
         let largest = samples.fold(f64::MIN, f64::max);
-        // A sample is no higher than the maximum, but for rounding.
+        // A sample exceeds the maximum at most by rounding.
         assert!(
             largest <= start + 1e-12 * start.abs().max(1.0),
             "{what}: {largest} above {start}"
@@ -71,7 +72,8 @@ fn counted_from_the_largest() {
     assert!(points.len() >= 20);
 }
 
-/// The references in which the force at a stop lies between β and μβ would be others if β decided.
+/// In some references the force at a stop lies between β and μβ. A rule that used β in place of μβ would give other
+/// states there.
 #[test]
 fn the_rule_matters() {
     let (mut other, mut none) = (0, 0);
@@ -101,7 +103,7 @@ fn the_rule_matters() {
     assert!(other >= 20);
 }
 
-/// What repeats after several cycles.
+/// States that repeat after several cycles.
 #[test]
 fn of_several_cycles() {
     let mut tally = Tally::default();
@@ -109,21 +111,20 @@ fn of_several_cycles() {
     for point in points(|point| point.kind() == "steady" && count(&point.expected["period"]) > 1) {
         all_values(&point, &mut tally);
         *told.entry(count(&point.expected["period"])).or_insert(0) += 1;
-        // More segments than there is room for: some are followed anew when they are asked for.
+        // The motion has more segments than the orbit can store, so some are computed again on request.
         followed += usize::from(count(&point.expected["segments"]) > 64);
     }
     println!("periods and how many: {told:?}; {followed} of more than 64 segments");
     assert!(told.len() >= 12 && told.values().sum::<usize>() >= 40 && followed >= 10);
     tally.end(|kind| match kind {
-        // Over so many stops central differences lose more: of 12 cycles of `Point079` they say 0.16104, and the run
-        // from rest decays by 0.16047 in each period.
+        // Central differences lose more digits over this number of stops.
         "multiplier" => 1e-3,
         _ => bars(kind),
     });
 }
 
-/// A fixed point from which deviations grow is called unstable by whoever starts on it, and where the
-/// motion from rest neither repeats nor settles, from rest.
+/// An orbit from which deviations grow is reported as unstable if the motion starts on it. Motion from rest is also
+/// unstable where it neither repeats nor settles.
 #[test]
 fn unstable() {
     let points = points(|point| point.kind() == "unstable");
@@ -133,7 +134,7 @@ fn unstable() {
         assert!(number(&expected["multiplier"]) > 1.01, "{what}");
         let at = point.system.at(point.r).expect("in the domain");
         match point.orbit() {
-            // The motion that made the reference was asked for 16 cycles only.
+            // The program that made the reference looked only for periods up to 16 cycles.
             Ok(orbit) => {
                 assert!(orbit.period() > 16 && orbit.is_stable(), "{what}");
                 assert!(repeats(point, orbit.period()) < 1e-9, "{what}");
@@ -145,7 +146,7 @@ fn unstable() {
                 assert!(!seen.is_settled() && !seen.is_stable(), "{what}");
                 let largest = largest_seen(point);
                 let amplitude = seen.contact().amplitude();
-                // The largest of other cycles of a motion without a rule.
+                // The motion has no period, and the run has its largest value in other cycles.
                 assert!(
                     (amplitude / largest - 1.0).abs() < 0.25,
                     "{what}: {amplitude}, {largest}"
@@ -161,7 +162,7 @@ fn unstable() {
             .collect();
         let (x, v) = state.split_at(state.len() / 2);
         match at.orbit_from(point.beta, (x, v)) {
-            // Rounding grows on it, and may lead to where the motion from rest comes to repeat.
+            // Rounding grows on the unstable orbit, and may lead to the period that motion from rest reaches.
             Ok(orbit) => {
                 let rest = point.orbit().expect("what the motion from rest tends to");
                 assert!(orbit.period() > 16 && orbit.is_stable(), "{what}");
@@ -184,7 +185,7 @@ fn unstable() {
     assert!(points.len() >= 4 && longer >= 1 && bounded >= 3 && left <= longer);
 }
 
-/// A run from rest, cycle by cycle: the relative displacement at the end of each, and its largest in the events of each.
+/// Returns, for each cycle of a run from rest, the relative displacement at its end and the largest one at its events.
 fn cycles(point: &Point, count: usize) -> Vec<(f64, f64)> {
     let mut run = point.system.simulation(point.r, point.beta).expect("a run");
     let one = |_| {
@@ -198,7 +199,7 @@ fn cycles(point: &Point, count: usize) -> Vec<(f64, f64)> {
     (0..count).map(one).collect()
 }
 
-/// By how much a run from rest fails to repeat, after so many cycles that it has settled.
+/// Returns the change of a run from rest over `period` cycles, after it has settled.
 fn repeats(point: &Point, period: u32) -> f64 {
     let cycles = cycles(point, 6000);
     let (early, late) = cycles.split_at(cycles.len() - period as usize);
@@ -206,7 +207,7 @@ fn repeats(point: &Point, period: u32) -> f64 {
     early.fold(0.0, |most, (a, b)| most.max((a.0 - b.0).abs()))
 }
 
-/// The largest relative displacement of a run from rest, over many cycles.
+/// Returns the largest relative displacement of a run from rest, over many cycles.
 fn largest_seen(point: &Point) -> f64 {
     let cycles = cycles(point, 3000);
     cycles[2500..].iter().fold(0.0, |most, one| most.max(one.1))
@@ -227,7 +228,7 @@ fn too_many_events() {
     println!("{} states of more than 64 segments", points.len());
 }
 
-/// What a motion tends to whose stops shrink for ever.
+/// States that a motion approaches while its stops shrink for ever.
 #[test]
 fn marginal() {
     let points = points(|point| point.kind() == "marginal");

@@ -16,7 +16,7 @@ fn references() -> Vec<Value> {
     serde_json::from_str(include_str!("../../../../reference/orbits_more.json")).expect("JSON")
 }
 
-/// A reference with its system.
+/// A reference with its system and point.
 pub struct Point {
     pub expected: Value,
     pub system: System,

@@ -1,4 +1,4 @@
-//! A steady state against its reference, value by value.
+//! Comparison of a steady state with its reference, value by value.
 
 use super::points::{Point, count, number};
 use frictiongen::study::{SystemOrbit, SystemOrbitMotion};
@@ -6,15 +6,15 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
-/// The reference ends Newton's method at 1e-14 to 1e-12 of the state, and rounds each event's place to
-/// 1e-15 over how steeply the velocity crosses zero: twenty times what comes of it.
+/// Tolerance for values. The reference ends Newton's method at 1e-14 to 1e-12 of the state, and rounds the time of each
+/// event to 1e-15 over the slope of the velocity. The tolerance is twenty times the resulting error.
 const TOLERANCE: f64 = 1e-11;
-/// The place of a maximum has half the digits of its height, or those of an event.
+/// Tolerance for phases. The instant of a maximum has half the digits of its value, or those of an event.
 const PHASES: f64 = 1e-7;
-/// Central differences over 1e-6 of the state.
+/// Tolerance for multipliers, which the reference has from central differences over 1e-6 of the state.
 const MULTIPLIERS: f64 = 1e-4;
 
-/// Values compared and skipped, and the worst error of each kind.
+/// Numbers of compared and skipped values, and the worst error of each kind.
 #[derive(Default)]
 pub struct Tally {
     compared: usize,
@@ -37,7 +37,7 @@ impl Tally {
         *self.skipped.entry(why).or_insert(0) += 1;
     }
 
-    /// Prints what was compared; every kind must be within its bar.
+    /// Prints the results, and asserts that every kind is within its tolerance.
     pub fn end(&self, bar: impl Fn(&str) -> f64) {
         println!(
             "{} values compared, skipped: {:?}",
@@ -52,7 +52,7 @@ impl Tally {
     }
 }
 
-/// A motion against its reference.
+/// Compares a motion with its reference.
 fn compare(
     motion: SystemOrbitMotion<'_, '_>,
     expected: &Value,
@@ -100,7 +100,7 @@ pub fn all_motions(orbit: &SystemOrbit<'_>, point: &Point, phases: bool, tally: 
     }
 }
 
-/// A steady state, value by value.
+/// Compares a steady state with its reference, value by value.
 pub fn all_values(point: &Point, tally: &mut Tally) {
     let (expected, what) = (&point.expected, &point.what);
     let orbit = point

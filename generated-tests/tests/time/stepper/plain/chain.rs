@@ -3,31 +3,31 @@
 use frictiongen_model::scene::{Damping, Excitation, Node, Scene};
 use nalgebra::{DMatrix, DVector};
 
-/// Mẍ + Cẋ + Kx + w f = p(t) + k_base y(t), and z = wᵀx − s y.
+/// The equations Mẍ + Cẋ + Kx + w f = p(t) + k_base y(t), and z = wᵀx − s y.
 #[derive(Clone, Debug)]
 pub struct Chain {
-    /// Of each mass.
+    /// Values of the masses.
     pub m: DVector<f64>,
     pub c: DMatrix<f64>,
     pub k: DMatrix<f64>,
-    /// The contact's direction.
+    /// Direction vector of the contact.
     pub w: DVector<f64>,
-    /// 1 if the contact rubs on the moving base.
+    /// 1 if the contact rubs on the moving base, otherwise 0.
     pub s: f64,
-    /// Of each mass, the stiffness of its springs to the base.
+    /// Stiffness of the springs from each mass to the base.
     pub to_base: DVector<f64>,
-    /// wᵀM⁻¹w.
+    /// Inverse effective mass of the contact, wᵀM⁻¹w.
     pub inverse_mass: f64,
-    /// Static over kinetic friction force.
+    /// Ratio of static to kinetic friction force.
     pub mu: f64,
-    /// Kinetic level over F at speeds: (0, 1), then the law's points.
+    /// Kinetic friction force over F at speeds: (0, 1), then the law's points.
     pub law: Vec<[f64; 2]>,
-    /// The largest rate of anything that moves, 1/s.
+    /// Largest rate of any motion, in 1/s.
     pub fastest: f64,
 }
 
 impl Chain {
-    /// The matrices of a scene; `law` are the points of a kinetic level that depends on the speed.
+    /// Returns the matrices of a scene. `law` has the points of a kinetic friction force that depends on the speed.
     pub fn of(scene: &Scene, law: &[[f64; 2]]) -> Self {
         let n = scene.masses.len();
         let m: DVector<f64> = DVector::from_iterator(n, scene.masses.iter().map(|mass| mass.value));
@@ -72,7 +72,7 @@ impl Chain {
             }
             _ => {
                 for (mode, column) in order.iter().enumerate() {
-                    // Mφ with φᵀMφ = 1.
+                    // The eigenvectors become Mφ with φᵀMφ = 1.
                     let shape = eigen.eigenvectors.column(*column).component_mul(&root);
                     c += &shape * shape.transpose() * (2.0 * zeta(mode) * omega[mode]);
                 }
@@ -98,7 +98,7 @@ impl Chain {
         }
     }
 
-    /// The same with the law's slopes counted in what is fastest, which needs F.
+    /// Returns the largest rate including the slopes of the law, which depend on F.
     pub fn rate(&self, friction: f64) -> f64 {
         let slopes = self.law.windows(2).map(|ends| {
             let [[v0, f0], [v1, f1]] = [ends[0], ends[1]];

@@ -1,8 +1,11 @@
-//! The motion in time by an integrator that shares no code with this project: the masses' displacements as Taylor
-//! series of the equations of motion with dense matrices, the holding force from the constraint, events as zeros of
-//! polynomials cleared by bounds.
+//! The motion in time, by an integrator that shares no code with this project.
 //!
-//! Its error is rounding: a part of the step is so short, and the series so long, that what is left out is less.
+//! The displacements of the masses are Taylor series of the equations of motion with dense matrices. The force in a
+//! stuck contact follows from the constraint. Events are zeros of polynomials, found with bounds that exclude intervals
+//! without a zero.
+//!
+//! A step is divided into sub-steps. The sub-steps are so short, and the series so long, that the remainder is below
+//! rounding.
 
 pub mod chain;
 mod work;
@@ -12,10 +15,11 @@ use chain::Chain;
 use nalgebra::DVector;
 use zeros::{first, shifted, slope, value};
 
-/// A part of a step, in radians of the fastest mode.
+/// Largest length of a sub-step, in radians of the fastest mode.
 const PART: f64 = 0.4;
 
-/// Terms of a series over so many radians of the fastest mode: what is left out is below 1e-22 of the motion.
+/// Returns the number of terms of a series over this angle of the fastest mode. The remainder is below 1e-22 of the
+/// motion.
 fn order(radians: f64) -> usize {
     let (mut term, mut order) = (1.0, 0);
     while term > 1e-22 || order < 5 {
@@ -25,39 +29,39 @@ fn order(radians: f64) -> usize {
     order
 }
 
-/// What the contact does.
+/// State of the contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Slip {
     Stuck,
-    /// Slides in the direction of this sign, on this piece of the law.
+    /// Slides in the direction of this sign, on this line of the law.
     Slides(f64, usize),
 }
 
-/// The input over one step, as polynomials of the time since its start.
+/// Input over one step, as polynomials of the time since its start.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// On each mass: value and slope.
+    /// Force on each mass: value and slope.
     pub forces: Vec<[f64; 2]>,
-    /// The base's displacement.
+    /// Displacement of the base.
     pub base: [f64; 4],
-    /// F.
+    /// Kinetic friction force F.
     pub friction: f64,
 }
 
-/// J, since the start.
+/// Work in J since the start.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Work {
-    /// By forces, ∫ p ẋ, and by the base through its springs, ∫ (k_base y) ẋ, which is no potential.
+    /// Work of the forces, ∫ p ẋ, and of the base through its springs, ∫ (k_base y) ẋ, which has no potential.
     pub load: f64,
-    /// Into the contact: ∫ f ż.
+    /// Work into the contact, ∫ f ż.
     pub friction: f64,
-    /// ∫ ẋᵀCẋ.
+    /// Loss by damping, ∫ ẋᵀCẋ.
     pub damping: f64,
-    /// By the base through the contact: ∫ s f ẏ.
+    /// Work of the base through the contact, ∫ s f ẏ.
     pub carried: f64,
 }
 
-/// A run.
+/// A run of the integrator.
 #[derive(Clone, Debug)]
 pub struct Plain {
     pub chain: Chain,
@@ -65,30 +69,30 @@ pub struct Plain {
     pub v: DVector<f64>,
     pub slip: Slip,
     pub work: Work,
-    /// Stops, break-aways and reversals since the start.
+    /// Number of stops, break-aways and reversals since the start.
     pub events: u64,
-    /// The contact force at the end of the last step.
+    /// Contact force at the end of the last step.
     pub force: f64,
-    /// z where it sticks; the base's velocity at the end of the last step; whether a grip that was reached did not give
-    /// way.
+    /// Values of the contact. `held_at` is z where it sticks, `base_rate` the velocity of the base at the end of the
+    /// last step. `wedged` is set if the force reached the break-away level without a slip.
     held_at: f64,
     base_rate: f64,
     wedged: bool,
     order: usize,
-    /// Whether the work is counted.
+    /// Whether the run computes its work.
     pub metered: bool,
 }
 
-/// Series over a part: displacements and contact force.
+/// Series over a sub-step: displacements and contact force.
 struct Series {
     x: Vec<DVector<f64>>,
-    /// z as a polynomial.
+    /// Polynomial of z.
     z: Vec<f64>,
     force: Vec<f64>,
 }
 
 impl Plain {
-    /// From a state of the masses and of the base.
+    /// Starts a run from a state of the masses and of the base.
     pub fn new(chain: Chain, (x, v): (&[f64], &[f64]), base: [f64; 2]) -> Self {
         let mut run = Self {
             x: DVector::from_column_slice(x),
@@ -112,7 +116,7 @@ impl Plain {
         run
     }
 
-    /// z and ż for this displacement and velocity of the base.
+    /// Returns z and ż for this displacement and velocity of the base.
     pub fn relative(&self, base: [f64; 2]) -> [f64; 2] {
         let chain = &self.chain;
         [
@@ -121,13 +125,13 @@ impl Plain {
         ]
     }
 
-    /// ½ẋᵀMẋ + ½xᵀKx.
+    /// Returns ½ẋᵀMẋ + ½xᵀKx.
     pub fn stored(&self) -> f64 {
         let kinetic = self.v.component_mul(&self.chain.m).dot(&self.v);
         0.5 * (kinetic + (&self.chain.k * &self.x).dot(&self.x))
     }
 
-    /// The piece of the law at a speed.
+    /// Returns the line of the law at a speed.
     fn piece(&self, speed: f64) -> usize {
         let law = &self.chain.law;
         law.iter()
@@ -135,7 +139,8 @@ impl Plain {
             .expect("the law starts at 0")
     }
 
-    /// The kinetic level on a piece of the law, over F: at speed 0, and its slope.
+    /// Returns the kinetic friction force on a line of the law, over F: its value extrapolated to speed 0, and its
+    /// slope.
     fn level(&self, piece: usize) -> [f64; 2] {
         let law = &self.chain.law;
         let [v0, f0] = law[piece];
@@ -146,12 +151,12 @@ impl Plain {
         [f0 - slope * v0, slope]
     }
 
-    /// Moves on by one step with this input.
+    /// Advances the run by one step with this input.
     pub fn advance(&mut self, input: &Input, dt: f64) {
         let radians = dt * self.chain.rate(input.friction);
         let parts = (radians / PART).ceil().max(1.0);
         self.order = order(radians / parts);
-        // A base that jumps leaves the masses behind, and one that goes on at another speed may turn the contact.
+        // A jump of the base does not move the masses. A jump of its velocity may reverse the contact.
         let [z, rate] = self.relative([input.base[0], input.base[1]]);
         self.held_at = z;
         let jump = (input.base[1] - self.base_rate).abs();
@@ -161,7 +166,7 @@ impl Plain {
         }
         self.base_rate = value(&slope(&input.base), dt);
         for part in 0..parts as usize {
-            // Inputs about the part's start.
+            // The input is expanded about the start of the sub-step.
             let from = dt * part as f64 / parts;
             let span = dt * (part + 1) as f64 / parts - from;
             let base = shifted(&input.base, from);
@@ -170,7 +175,7 @@ impl Plain {
         }
     }
 
-    /// One part, from event to event.
+    /// Advances the run by one sub-step, from event to event.
     fn part(&mut self, mut base: Vec<f64>, mut loads: Vec<Vec<f64>>, friction: f64, span: f64) {
         let mut left = span;
         let mut known: Option<f64> = None;
@@ -233,7 +238,7 @@ impl Plain {
         panic!("events without end");
     }
 
-    /// What roundings have moved, moved back.
+    /// Moves the contact back to its stuck position, which removes the rounding.
     fn pin(&mut self, base: &[f64]) {
         let [z, _] = self.relative([base[0], base[1]]);
         let held_at = self.held_at;
@@ -243,7 +248,7 @@ impl Plain {
         self.held_at = held_at;
     }
 
-    /// The relative velocity exactly 0, by what the contact's force can do to the masses.
+    /// Sets the relative velocity to exactly 0, by an impulse in the contact.
     fn rest(&mut self, base: &[f64]) {
         let [z, rate] = self.relative([base[0], base[1]]);
         let chain = &self.chain;
@@ -292,7 +297,8 @@ impl Plain {
         Series { x, z, force }
     }
 
-    /// Where the piece ends, and by what; `excess` of force where the contact has just left rest.
+    /// Returns the length of the motion up to the next event, and that event. `excess` is the excess of force where the
+    /// contact has just left rest.
     fn next(&self, series: &Series, friction: f64, left: f64, excess: Option<f64>) -> (f64, Next) {
         let Slip::Slides(sign, piece) = self.slip else {
             let size = 1.0 + if self.wedged { 1e-13 } else { 0.0 };
@@ -311,7 +317,7 @@ impl Plain {
         let mut speed: Vec<f64> = slope(&series.z).iter().map(|rate| sign * rate).collect();
         let halt;
         if let Some(excess) = excess {
-            // From rest: what is known exactly is put in, and t or t² taken out.
+            // From rest the exact values replace the first coefficients, and a factor t or t² is divided out.
             speed[0] = 0.0;
             speed[1] = self.chain.inverse_mass * excess;
             let lead = if excess > 0.0 { 1 } else { 2 };
@@ -332,7 +338,7 @@ impl Plain {
             } else if c[1] < 0.0 {
                 Some(0.0)
             } else {
-                // On the edge, leaving it for this piece.
+                // The speed is exactly that of a point of the law, and leaves it along this line.
                 first(&c[1..], 0.0, best.0)
             };
             if let Some(at) = found.filter(|at| *at < best.0 || best.1 == Next::End) {
@@ -352,7 +358,7 @@ impl Plain {
         best
     }
 
-    /// Displacements and velocities at an instant of a piece.
+    /// Returns displacements and velocities at an instant of a series.
     fn at(series: &Series, t: f64) -> (DVector<f64>, DVector<f64>) {
         let mut terms = series.x.iter().enumerate().rev();
         let (last, top) = terms.next().expect("terms");
@@ -367,7 +373,7 @@ impl Plain {
     }
 }
 
-/// What ends a piece.
+/// Event at the end of a motion without events.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Next {
     End,

@@ -1,10 +1,10 @@
-//! What is done over a piece, by quadrature of the powers.
+//! The work over a motion without events, by quadrature of the powers.
 
 use super::zeros::{slope, value};
 use super::{Plain, Series};
 
 impl Plain {
-    /// Gauss's rule of eight points on what is done over a piece.
+    /// Adds the work, by Gauss's rule with eight points.
     pub(super) fn collect(&mut self, series: &Series, base: &[f64], loads: &[Vec<f64>], at: f64) {
         const POINTS: [[f64; 2]; 4] = [
             [0.183_434_642_495_649_8, 0.362_683_783_378_362],

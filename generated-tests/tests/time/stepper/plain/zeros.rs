@@ -1,17 +1,18 @@
-//! The first zero of a polynomial, none missed: halves of the interval that a bound on all derivatives cannot clear.
+//! The first zero of a polynomial, without missing any. A bound on all derivatives excludes intervals, and the
+//! remaining ones are halved.
 
-/// The value of Σ c_k tᵏ.
+/// Returns the value of Σ c_k tᵏ.
 pub fn value(c: &[f64], t: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * t + c)
 }
 
-/// The coefficients of the derivative.
+/// Returns the coefficients of the derivative.
 pub fn slope(c: &[f64]) -> Vec<f64> {
     let rest = c.iter().enumerate().skip(1);
     rest.map(|(k, c)| k as f64 * c).collect()
 }
 
-/// The coefficients about t.
+/// Returns the coefficients of the polynomial about t.
 pub fn shifted(c: &[f64], t: f64) -> Vec<f64> {
     let mut c = c.to_vec();
     for low in 0..c.len() {
@@ -22,7 +23,8 @@ pub fn shifted(c: &[f64], t: f64) -> Vec<f64> {
     c
 }
 
-/// The first zero of a polynomial that is positive at `from`, up to `to`; a touch counts.
+/// Returns the first zero, up to `to`, of a polynomial that is positive at `from`. A zero without a change of sign
+/// counts.
 pub fn first(c: &[f64], from: f64, to: f64) -> Option<f64> {
     let half = 0.5 * (to - from);
     let middle = from + half;
@@ -39,11 +41,11 @@ pub fn first(c: &[f64], from: f64, to: f64) -> Option<f64> {
     if about[0] > rest {
         return None;
     }
-    // An interval of a rounding's length that holds no sign change holds a touch.
+    // An interval as short as a rounding that has no change of sign contains a double zero.
     if half <= 1e-15 * to.abs() || half < 1e-300 {
         return (about[0] <= rest).then_some(middle);
     }
-    // Steep and monotone: bisect without bounds.
+    // The polynomial is steep and monotone here, so bisection needs no bounds.
     let steep: f64 = {
         let mut power = 1.0;
         let terms = about.iter().enumerate().skip(2);
@@ -84,12 +86,13 @@ fn monotone(c: &[f64], from: f64, to: f64) -> Option<f64> {
 
 #[test]
 fn zeros_of_known_polynomials() {
-    // (t − 1/4)(t − 3/4) from the left, from between mirrored, and clear of both.
+    // (t − 1/4)(t − 3/4) is tested from the left, from between its zeros with the opposite sign, and on an interval
+    // without zeros.
     let c = [0.1875, -1.0, 1.0];
     assert!((first(&c, 0.0, 1.0).expect("a zero") - 0.25).abs() < 1e-15);
     assert!((first(&c.map(|c| -c), 0.3, 1.0).expect("a zero") - 0.75).abs() < 1e-15);
     assert_eq!(first(&c, 0.0, 0.2), None);
-    // (t − 1/2)² + 1e-10 touches nothing, 1e-10 less it has two zeros near to each other.
+    // (t − 1/2)² + 1e-10 has no zero. (t − 1/2)² − 1e-10 has two zeros near each other.
     assert_eq!(first(&[0.25 + 1e-10, -1.0, 1.0], 0.0, 1.0), None);
     let near = first(&[0.25 - 1e-10, -1.0, 1.0], 0.0, 1.0).expect("a zero");
     assert!((near - (0.5 - 1e-5)).abs() < 1e-10);
