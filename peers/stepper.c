@@ -3,16 +3,15 @@
  *   stepper MASSES CONTACT EXCITED ZETA R BETA [MOST_CYCLES [RUNS]]
  *   stepper MASSES CONTACT EXCITED ZETA - MU [MOST_CYCLES]
  *
- * A chain of equal masses and springs held by the base, one contact of mass CONTACT with the wall,
- * a harmonic force on mass EXCITED (0: the base moves and the wall with it), modal damping ZETA,
- * mu = 1 or as given.  It starts from rest in relative motion, goes in steps of 1/50 cycle by the exact
- * propagator of whatever phase the contact is in, sees events as changes of sign at the end of a
- * step, bisects them to 1e-12, and ends when the state repeats from cycle to cycle to 1e-9.
+ * A chain of equal masses and springs on the base, with one contact of mass CONTACT with the wall and modal damping
+ * ZETA. A harmonic force acts on mass EXCITED. With EXCITED = 0 the base moves, and the wall with it. mu is 1 unless MU
+ * is given. The run starts from rest in relative motion and takes steps of 1/50 cycle with the exact propagator of the
+ * present phase, sliding or stuck. An event is a change of sign at the end of a step, which is bisected to 1e-12. The
+ * run ends when the state repeats from cycle to cycle to 1e-9.
  *
- * Prints: microseconds (median of RUNS), cycles, whether it repeats, stops and reversals of the last
- * cycle, amplitude of the relative motion in the contact, amplitude of the mass in contact.
- * With - it reads pairs of r and beta and prints a line for each without the time; the time of all
- * goes to standard error.
+ * Prints: microseconds (median of RUNS), number of cycles, whether the state repeats, stops and reversals of the last
+ * cycle, amplitude of the relative motion in the contact, amplitude of the mass in contact. With - it reads pairs of r
+ * and beta from standard input, and prints a line for each without the time. The total time goes to standard error.
  */
 #include <complex.h>
 #include <math.h>

@@ -2,9 +2,9 @@
  *
  *   time_stepping METHOD MASSES CONTACT EXCITED A B R BETA STEPS CYCLES [RUNS]
  *
- * A chain of equal masses and springs held by the base (base - 1 - 2 - ...), one contact of mass CONTACT with
- * the wall, mu = 1, a force cos t on mass EXCITED, damping C = a M + b K in units of m and k, as many STEPS in a
- * cycle.  In units of m = k = P = 1 it starts from rest and runs CYCLES cycles.  METHOD:
+ * A chain of equal masses and springs on the base (base - 1 - 2 - ...), with one contact of mass CONTACT with the wall,
+ * mu = 1, and damping C = a M + b K in units of m and k. A force cos t acts on mass EXCITED. A cycle has STEPS steps.
+ * In units of m = k = P = 1 the run starts from rest and covers CYCLES cycles. METHOD is one of:
  *
  *   moreau-half   Moreau-Jean with theta = 1/2: impulses of the contact over a step, the velocity at its end
  *   moreau-one    Moreau-Jean with theta = 1
@@ -12,10 +12,10 @@
  *                 where the velocity has turned, let go where the force is too large
  *   rk4-located   the same, with the turn and the break-away located within the step by bisection
  *
- * Every method gets the force exactly, the Runge-Kutta methods in the middle of a step too.
+ * Every method gets the exact force, the Runge-Kutta methods also in the middle of a step.
  *
- * Prints nanoseconds a step (median of RUNS), stops and reversals of the last cycle; then for each step of
- * the last cycle the displacement of the contact's mass and of the first at its end.
+ * Prints nanoseconds a step (median of RUNS), and stops and reversals of the last cycle. A line follows for each step
+ * of the last cycle, with the displacements at its end of the contact's mass and of the first mass.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,15 +1,15 @@
-//! The scenes that are measured on bare metal, and what is called of them.
+//! Scenes that are measured on bare metal, and the calls to them.
 #![no_std]
-// no-panic's own expansion is not safe code.
+// The expansion of no-panic contains unsafe code.
 #![cfg_attr(not(feature = "prove"), forbid(unsafe_code))]
 
 pub mod calls;
 pub mod steps;
 pub mod tabled;
 
-/// Each scene with the least that a question needs: what is not provided is not in the image.
+/// Scenes that each provide only what one call needs. An item that is not provided is not in the image.
 pub mod least {
-    /// Limits only.
+    /// A scene with limits only.
     pub mod limits {
         frictiongen::friction_system! {
             /// Two masses, the upper rubbing on a wall.
@@ -23,7 +23,7 @@ pub mod least {
             }
         }
     }
-    /// Limits and the motion of one mass.
+    /// A scene with limits and the motion of one mass.
     pub mod motion {
         frictiongen::friction_system! {
             /// Two masses, the upper rubbing on a wall.
@@ -39,7 +39,7 @@ pub mod least {
     }
 }
 
-/// Scenes whose contact stops: the steady state with its stops.
+/// Scenes with the steady state including its stops.
 pub mod stopping {
     frictiongen::friction_system! {
         /// One mass on a wall, the classic.
@@ -92,7 +92,7 @@ frictiongen::friction_system! {
 }
 
 frictiongen::friction_system! {
-    /// The same in double precision.
+    /// Two masses, the upper rubbing on a wall, in double precision.
     pub struct PairDouble {
         masses: { lower: 3.27, upper: 3.25 },
         springs: { base - lower: 1190.0, lower - upper: 1323.0 },
