@@ -9,7 +9,7 @@ use frictiongen_plot::{Axis, Colour, Figure, Layer, Line, Marker, Markers, Panel
 use std::error::Error;
 
 const RANGE: (f64, f64) = (0.1, 2.5);
-/// Friction ratio of figure 3.15; below it the range of r that the figure shows.
+/// Friction ratio of figure 3.15. `SHOWN` is the range of r in which other states are drawn.
 const BETA: f64 = 1.0;
 const SHOWN: (f64, f64) = (0.8, 1.8);
 /// Number of steps in r of the search for steady states that motion from rest does not reach.

@@ -11,8 +11,7 @@ use std::f64::consts::TAU;
 
 const R: f64 = 0.85;
 const BETA: f64 = 0.2;
-/// Sampling rate in Hz and length in s; the number of samples is small, so that the width of a spectral line is
-/// visible.
+/// Sampling rate, Hz. The samples are few, so that the width of a spectral line is visible.
 const RATE: f64 = 100.0;
 const SECONDS: f64 = 6.0;
 /// Factor by which zero padding lengthens the recording.
