@@ -1,8 +1,8 @@
-//! Names that clash with emitted ones.
+//! Scenes among names that clash with emitted ones.
 #![deny(warnings)]
 #![no_std]
 
-/// Values in the way: no local variable of emitted code may be taken for one of them.
+/// Constants with the names of local variables in emitted code, which must not refer to them.
 pub mod values {
     #![allow(non_upper_case_globals, dead_code)]
 
@@ -43,7 +43,7 @@ pub mod values {
     }
 }
 
-/// The same as statics and unit structs.
+/// Statics and unit structs with the names of local variables in emitted code.
 pub mod more_values {
     #![allow(non_upper_case_globals, non_camel_case_types, dead_code)]
 
@@ -69,7 +69,7 @@ pub mod more_values {
     }
 }
 
-/// A type called like a number.
+/// A type with the name of a number type.
 pub mod types {
     #![allow(non_camel_case_types)]
 
@@ -91,7 +91,7 @@ pub mod types {
 macro_rules! scenes {
     ($($module:ident $name:ident)*) => {
         $(
-            /// A scene called like a type that emitted code uses.
+            /// A scene with the name of a type that emitted code uses.
             pub mod $module {
                 friction::friction_system! {
                     /// A scene.
@@ -117,7 +117,7 @@ scenes! {
     iterator Iterator  self_ Scene  system System  of Of  steady Steady
 }
 
-/// A deprecated scene: its own code does not complain of it.
+/// A deprecated scene. Its own code must not cause a warning.
 pub mod deprecated {
     friction::friction_system! {
         /// A scene.
@@ -133,7 +133,7 @@ pub mod deprecated {
     }
 }
 
-/// Masses as in a textbook, and a name in lower case that is allowed once for all.
+/// Masses with capitals as in a textbook, and a scene in lower case whose lint is allowed.
 pub mod spelling {
     friction::friction_system! {
         /// A scene.

@@ -1,4 +1,4 @@
-//! A user's crate: every edition reads this file.
+//! A user's crate, which is compiled with every edition.
 #![no_std]
 #![deny(
     warnings,
@@ -48,7 +48,7 @@ friction::friction_system! {
     }
 }
 
-/// One mass rubbing on the moving base, without a doc comment of its own.
+/// One mass that rubs on the moving base, without a doc comment of its own.
 pub mod block {
     friction::friction_system! {
         pub struct Block {
@@ -61,10 +61,10 @@ pub mod block {
     }
 }
 
-/// The largest motion of the upper floor.
+/// Returns the largest displacement of the upper floor.
 ///
 /// # Errors
-/// Where the contact stops.
+/// Fails if the contact stops.
 pub fn upper_floor(r: f64, beta: f64) -> Result<f64, friction::Error> {
     Ok(Frame::at(r)?.motion(beta)?.upper().amplitude())
 }
