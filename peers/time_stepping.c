@@ -1,4 +1,4 @@
-/* Fixed-step integrators of the usual kinds, as peers for frictiongen's stepper.
+/* Usual fixed-step integrators, as peers for frictiongen's stepper.
  *
  *   time_stepping METHOD MASSES CONTACT EXCITED A B R BETA STEPS CYCLES [RUNS]
  *
@@ -45,7 +45,7 @@ static double stiffness(const Chain *c, const double *x, int i) {
 
 /* ---- Moreau-Jean ---- */
 
-/* Solves (M + h theta C + h^2 theta^2 K) y = y; the matrix is tridiagonal. */
+/* Solves (M + h theta C + h^2 theta^2 K) x = y and stores x in y. The matrix is tridiagonal. */
 static void implicit(const Chain *c, double *y) {
     for (int i = 1; i < c->n; i++) y[i] -= c->lower[i] * y[i - 1];
     y[c->n - 1] /= c->pivot[c->n - 1];

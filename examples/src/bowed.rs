@@ -8,7 +8,7 @@ use frictiongen::friction_system;
 use std::error::Error;
 
 friction_system! {
-    /// A block on a belt, and what rings along with it.
+    /// A block on a belt, with a second mass that vibrates with it.
     struct Bowed {
         masses: { block: 0.010, board: 0.040 },
         springs: { wall - block: 12000.0, block - board: 9000.0, wall - board: 60000.0 },

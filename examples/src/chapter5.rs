@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 const TO: f64 = 2.5;
 
-/// Two equal masses; the lower one is loaded, the upper one rubs on a wall.
+/// Two equal masses. The lower one is loaded, and the upper one rubs on a wall.
 fn wall() -> System {
     system(
         "struct Wall {

@@ -1,10 +1,10 @@
 //! Den Hartog's motion with two stops a cycle: one mass, undamped, rubbing on a fixed wall, μ = 1 (2.5.1). It is a
 //! special case of an orbit, found here without the solver of orbits.
 //!
-//! From x̄(0) = X, x̄′(0) = 0, x̄(τ₀) = −X, x̄′(τ₀) = 0 and X = β + cos φ (2.32), with
-//! D = (sin τ₀ − r sin(τ₀/r))/(1 − r²) and E = (cos τ₀ − cos(τ₀/r))/(1 − r²), follows
-//! (cos φ, sin φ) = ∓(E, −D)/√(D² + E²) and 2β = ±[D² + E² + E(1 + cos(τ₀/r))]/√(D² + E²):
-//! β as a function of the sliding time τ₀, to be inverted.
+//! The conditions are x̄(0) = X, x̄′(0) = 0, x̄(τ₀) = −X, x̄′(τ₀) = 0 and X = β + cos φ (2.32). With
+//! D = (sin τ₀ − r sin(τ₀/r))/(1 − r²) and E = (cos τ₀ − cos(τ₀/r))/(1 − r²) they give
+//! (cos φ, sin φ) = ∓(E, −D)/√(D² + E²) and 2β = ±[D² + E² + E(1 + cos(τ₀/r))]/√(D² + E²).
+//! The program inverts this β, which is a function of the sliding time τ₀.
 
 use frictiongen::kernel::Scalar;
 use frictiongen::kernel::oscillator::decay::{Decay, Instant, Undamped};

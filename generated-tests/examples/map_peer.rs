@@ -143,7 +143,7 @@ fn from_rest(system: &System, r: f64, beta: f64) -> (usize, usize) {
 }
 
 fn counts(point: &MapPoint) -> (usize, usize) {
-    // The stepper counts within one cycle, not within a period.
+    // The stepper counts within one cycle, so the counts of a period are divided by its number of cycles.
     let period = point.pattern.period.max(1) as usize;
     (
         point.pattern.stops / period,

@@ -39,7 +39,7 @@ pub fn of(label: &Label, method: Method) -> Option<Operations> {
             ..without_search
         });
     }
-    // 1/r, |V|/√(…) and |V|/(μ|H|); a complex modulus takes a division and a root.
+    // The divisions are 1/r, |V|/√(…) and |V|/(μ|H|). A complex modulus adds a division and a root.
     let moduli = if label.zeta > 0.0 { 2 } else { 0 };
     Some(Operations {
         divisions: stage.divisions + 3 + moduli,

@@ -1,4 +1,4 @@
-//! The table as Markdown.
+//! Formats the table as Markdown.
 
 use super::row::{Entry, Row, Verdict};
 

@@ -175,7 +175,7 @@ fn no_order_of_a_description_changes_a_physical_answer() {
                     for (place, (value, expected)) in pairs.enumerate() {
                         let mut apart = (value - expected).abs();
                         if name.ends_with("_deg") {
-                            // Even harmonics are zero, so their phases say nothing.
+                            // The mean and the even harmonics are zero, so their phases are only rounding.
                             if place.is_multiple_of(2) {
                                 continue;
                             }

@@ -17,7 +17,7 @@ pub mod values {
     }
 
     friction::friction_system! {
-        /// In straight lines.
+        /// A scene that is emitted as straight-line code.
         pub struct Frame {
             crate: ::friction,
             masses: { lower: 3.27, upper: 3.25 },
@@ -30,7 +30,7 @@ pub mod values {
     }
 
     friction::friction_system! {
-        /// In passes.
+        /// A scene that is emitted as loops over the modes ("passes").
         pub struct Five {
             crate: ::friction,
             masses: { a: 1.0, b: 1.0, c: 1.0, d: 1.0, e: 1.0 },
@@ -57,7 +57,7 @@ pub mod more_values {
     pub struct modes;
 
     ::friction::friction_system! {
-        /// In straight lines.
+        /// A scene that is emitted as straight-line code.
         pub struct Frame {
             crate: ::friction,
             masses: { lower: 3.27, upper: 3.25 },
@@ -76,7 +76,7 @@ pub mod types {
     pub struct f64;
 
     friction::friction_system! {
-        /// In straight lines.
+        /// A scene that is emitted as straight-line code.
         pub struct Frame {
             crate: ::friction,
             masses: { lower: 3.27, upper: 3.25 },

@@ -22,7 +22,7 @@
 #![forbid(unsafe_code)]
 
 friction::friction_system! {
-    /// Straight lines, damped.
+    /// A damped scene that is emitted as straight-line code.
     pub struct Frame {
         crate: ::friction,
         masses: { lower: 3.27, upper: 3.25 },
@@ -36,7 +36,7 @@ friction::friction_system! {
 }
 
 friction::friction_system! {
-    /// Passes, in single precision.
+    /// A scene in single precision that is emitted as loops over the modes ("passes").
     pub struct Five {
         crate: ::friction,
         masses: { a: 1.0, b: 1.0, c: 1.0, d: 1.0, e: 1.0 },

@@ -148,7 +148,7 @@ fn a_frame_on_which_the_search_gave_up() {
 fn optima_of_two_hundred_frames() {
     let (mut slowest, mut above, mut spent) = ((0.0, String::new()), 0, 0);
     let mut compared = 0_usize;
-    // FRAMES=120..200 selects some of the frames.
+    // The environment selects some of the frames, for example FRAMES=120..200.
     let part = std::env::var("FRAMES").unwrap_or_else(|_| "0..200".to_owned());
     let ends: Vec<usize> = part
         .split("..")

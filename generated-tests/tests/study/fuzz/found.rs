@@ -63,7 +63,7 @@ fn a_facade_that_is_no_path() {
 }
 
 friction_system! {
-    /// Its second resonance lies at 3.2e5.
+    /// A scene whose second resonance lies at r = 3.2e5.
     struct Spread {
         masses: { a: 1.0, b: 1e-6 },
         springs: { base - a: 1.0, a - b: 1e5 },
@@ -99,7 +99,7 @@ fn any_friction_on_a_moving_base_at_infinity() {
 }
 
 friction_system! {
-    /// All but undamped.
+    /// A scene with almost no damping.
     struct Faint {
         masses: { a: 1.0, b: 1.0 },
         springs: { base - a: 1.0, a - b: 1.0 },

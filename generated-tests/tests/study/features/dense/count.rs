@@ -61,7 +61,7 @@ impl Count {
     ) {
         self.compared += compare(found, wanted, what);
         for place in found {
-            // The sign changes at a zero. Near another zero or a pole, double precision cannot show it.
+            // The sign changes at a zero. Samples at this distance do not show it if another zero or a pole is near.
             let beside = 1e-7;
             let crosses = |f: &dyn Fn(f64) -> f64| {
                 f(place * (1.0 - beside)) * f(place * (1.0 + beside)) < 0.0
