@@ -1,5 +1,5 @@
-//! Chapter 5: results of the theory of chains, compared with its approximations. `cargo run --release --example
-//! chapter5`
+//! Chapter 5: results of the theory of chains, compared with its approximations.
+//! `cargo run --release --example chapter5`
 
 use frictiongen::{Of, System};
 use frictiongen_examples::album::Album;

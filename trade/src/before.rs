@@ -20,7 +20,7 @@ pub struct Before {
 }
 
 impl Before {
-    /// Starts the program.
+    /// Starts the reference program.
     pub fn start(program: &Path) -> io::Result<Self> {
         let mut child = Command::new(program)
             .stdin(Stdio::piped())

@@ -1,5 +1,5 @@
-//! Chapter 4 in method: theory of the one-storey rig, compared with recordings that are simulated with noise. `cargo
-//! run --release --example chapter4`
+//! Chapter 4 in method: theory of the one-storey rig, compared with recordings that are simulated with noise.
+//! `cargo run --release --example chapter4`
 
 mod forced;
 mod prepared;

@@ -1,4 +1,4 @@
-//! Figures of the rig of 6.4 and 6.5.3 with friction: two storeys on a moving base.
+//! Figures of the rig of sections 6.4 and 6.5.3 with friction: two storeys on a moving base.
 
 use super::systems::{M1, M2, rig};
 use frictiongen::Of;

@@ -31,7 +31,7 @@ pub fn five(contact: usize) -> System {
     chain(&[1.0; 5], &[1.0; 5], &contact, "m1", "")
 }
 
-/// The rig of 6.4 on its moving base, γ = 0.9772, κ = 1.1119.
+/// The rig of section 6.4 on its moving base, γ = 0.9772, κ = 1.1119.
 pub fn rig(contact: &str) -> System {
     chain(&[1.0, 0.9772], &[1.0, 1.1119], contact, "base", "")
 }

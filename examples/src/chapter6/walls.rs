@@ -18,7 +18,7 @@ type Drawn = Result<Figure, Box<dyn Error>>;
 /// Colour of the invariant points, which no β has.
 const MAGENTA: Colour = Colour::Rgb(0xd1, 0x00, 0xa5);
 
-/// Figure 6.1a: the system of 6.2.
+/// Figure 6.1a: the example of section 6.2.
 pub fn system_of_three() -> Drawn {
     Ok(Figure::new(
         "6.1a",

@@ -71,7 +71,7 @@ fn seen(piece: &[Point], y: &Axis) -> Vec<Vec<Point>> {
     parts
 }
 
-/// Returns the smallest set of points of a piece that draws the same line.
+/// Returns the points of a piece that are needed to draw it.
 fn thin(piece: &[Point], x: &Axis, y: &Axis) -> Vec<Point> {
     let places: Vec<Point> = piece
         .iter()

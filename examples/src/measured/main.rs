@@ -1,5 +1,5 @@
-//! Chapters 4 and 6 with measurements: recordings that are simulated with noise of 40 dB. `cargo run --release
-//! --example measured` writes the recordings of the page to docs/measure.
+//! Chapters 4 and 6 with measurements: recordings that are simulated with noise of 40 dB.
+//! `cargo run --release --example measured` writes the recordings of the page to docs/measure.
 
 mod recordings;
 

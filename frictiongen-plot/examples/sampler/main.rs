@@ -1,5 +1,6 @@
-//! Samples of everything that a figure can contain, written to the folder of the first argument: `cargo run --example
-//! sampler`. Each figure is written for a page and for a telephone, as SVG and, with the feature `png`, as PNG.
+//! Samples of everything that a figure can contain, written to the folder of the first argument:
+//! `cargo run --example sampler`. Each figure is written for a page and for a telephone, as SVG and, with the feature
+//! `png`, as PNG.
 //!
 //! One file for each kind of figure: `responses`, `maps`, `times`, and `systems`, which has the sketches of the others.
 
