@@ -1,4 +1,4 @@
-//! The reference program, which is built against an earlier commit with its slower searches. It returns the time of its
+//! The reference program, which is built against an earlier commit with its own searches. It returns the time of its
 //! passes. Its passes alternate with the rounds of this program.
 
 use crate::clock::Job;

@@ -35,7 +35,7 @@ pub enum By {
     /// Emitted scene with tables, double precision, to 10 to the minus this exponent. The tables of the finest accuracy
     /// are built at run time.
     Table(u8),
-    /// Emitted scene of an earlier commit, double precision, with its slower searches.
+    /// Emitted scene of an earlier commit, double precision, with its own searches.
     Before,
 }
 

@@ -1,4 +1,5 @@
-//! Figures of the rig of section 6.4: the support of its disc, and the tests that give its parameters (6.4.2, appendix A).
+//! Figures of the rig of section 6.4: the support of its disc, and the tests that give its parameters (6.4.2, appendix
+//! A).
 
 use super::systems::{M1, rig};
 use frictiongen::measure::{Measured, SweepFit, SweepPoint};

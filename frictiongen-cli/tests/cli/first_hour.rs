@@ -119,7 +119,7 @@ fn a_curve_in_one_command() {
     assert!(counts[0] > 5 && counts[2] > 20 && counts.iter().sum::<i32>() == 49);
 }
 
-/// `orbit` returns two cycles of a subharmonic state, and the last 64 cycles of a motion that does not settle.
+/// A subharmonic state is read over its two cycles, and a motion that does not settle over its last 64 cycles.
 #[test]
 fn beyond_one_cycle() {
     let rubbing = |stiction: &str| {

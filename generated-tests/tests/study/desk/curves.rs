@@ -5,8 +5,8 @@ use frictiongen::study::{CurveError, CurveRequest, Damping, End};
 use frictiongen::{Of, Regime};
 use std::f64::consts::TAU;
 
-/// Returns the friction ratios of a scene. Five masses take a minute for each whose motions do not settle, so only the
-/// last one is returned for them. `CURVES=all` in the environment returns all.
+/// Returns the friction ratios of a scene. With five masses a curve whose motions do not settle takes long, so only the
+/// last friction ratio is returned. `CURVES=all` in the environment returns all.
 fn frictions<'a>(name: &str, all: &'a [f64]) -> &'a [f64] {
     let short = name.starts_with("five") && std::env::var_os("CURVES").is_none();
     if short { &all[all.len() - 1..] } else { all }
@@ -69,8 +69,8 @@ fn lines_between_points_pass_the_response() {
                         checked += 1;
                         beyond += u32::from(unique && 4.0 * request.accuracy < stray);
                         // The phase of a small amplitude is not compared. With stops the largest displacement may pass
-                        // from one instant to another at once, while the amplitude changes continuously. The curve has
-                        // a point at that frequency.
+                        // from one instant to another at once, whatever the amplitude does. The curve finds that
+                        // frequency.
                         if exact < 0.05 || !alone || b.r - a.r < 1e-5 * r {
                             continue;
                         }

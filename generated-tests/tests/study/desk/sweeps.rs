@@ -164,8 +164,8 @@ fn one_state_however_it_is_reached() {
     assert!(compared > 300, "{compared}");
 }
 
-/// With less friction than its threshold the resonance is a pole of the amplitude. A sweep in either direction ends at it
-/// on one side, and continues on the other.
+/// With less friction than its threshold the resonance is a pole of the amplitude. A sweep in either direction ends at
+/// it on one side, and continues on the other.
 #[test]
 fn a_sweep_across_a_pole() {
     let system: System = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },

@@ -26,9 +26,9 @@ fn a_zero_beside_a_pole() {
     }
 }
 
-/// Load and contact act on the same mass. Where the other mass acts as an absorber, the motion and the receptance of the
-/// contact vanish together. More friction enlarges the fundamental on one side of that frequency only. The bound of the
-/// range is reported as a frequency at which the contact does not move.
+/// Load and contact act on the same mass. Where the other mass acts as an absorber, the motion and the receptance of
+/// the contact vanish together. More friction enlarges the fundamental on one side of that frequency only. The bound of
+/// the range is reported as a frequency at which the contact does not move.
 #[test]
 fn where_the_contact_is_still() {
     let system = unit(2, "m1 - wall", "m1");

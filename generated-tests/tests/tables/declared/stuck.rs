@@ -242,7 +242,8 @@ fn stuck_beside_the_system_whole() {
     beside_the_system::<f32>("f32", points(1_000_000));
 }
 
-/// Responses of random scenes, including graphs and overdamped modes, are within the accuracy if their products keep it.
+/// Responses of random scenes, including graphs and overdamped modes, are within the accuracy if their products keep
+/// it.
 fn random_scenes<S: Float>(scalar: &str, count: usize, points: usize, accuracy: f64, most: usize) {
     let mut random = Random(20_261_123);
     let (mut tally, mut left) = (Tally::default(), 0);
