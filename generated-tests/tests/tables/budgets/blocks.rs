@@ -51,7 +51,7 @@ fn chain<T: Real>(stiction: T, inverse_mass: T) -> Chain<T> {
     }
 }
 
-/// A contact with V = v + iv/4 and a receptance from h, with only the fields that the limits read.
+/// A contact with V = v + iv/4 and H = h − ih/2, with only the fields that the limits read.
 fn contact<T: Real>(v: T, u: T, h: T) -> ContactAt<T> {
     let c = T::constant;
     ContactAt {

@@ -62,8 +62,8 @@ fn quotient(a: Big, b: Big) -> Option<Big> {
     (!b.is_zero()).then(|| a / b)
 }
 
-/// Returns the angle: the kernel's own result plus the correction from big numbers. y cos − x sin is the sine of the
-/// correction, whose cube is negligible.
+/// Returns the angle of (x, y), or `None` at the origin. An estimate in `f64` is corrected five times. A correction is
+/// (y cos − x sin)/(x cos + y sin), the tangent of the remaining angle.
 fn angle(y: Big, x: Big) -> Option<Vec<Big>> {
     if y.is_zero() && x.is_zero() {
         return None;
