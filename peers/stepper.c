@@ -3,16 +3,15 @@
  *   stepper MASSES CONTACT EXCITED ZETA R BETA [MOST_CYCLES [RUNS]]
  *   stepper MASSES CONTACT EXCITED ZETA - MU [MOST_CYCLES]
  *
- * A chain of equal masses and springs held by the base, one contact of mass CONTACT with the wall,
- * a harmonic force on mass EXCITED (0: the base moves and the wall with it), modal damping ZETA,
- * mu = 1 or as given.  It starts from rest in relative motion, goes in steps of 1/50 cycle by the exact
- * propagator of whatever phase the contact is in, sees events as changes of sign at the end of a
- * step, bisects them to 1e-12, and ends when the state repeats from cycle to cycle to 1e-9.
+ * A chain of equal masses and springs on the base, with one contact of mass CONTACT with the wall and modal damping
+ * ZETA. A harmonic force acts on mass EXCITED. With EXCITED = 0 the base moves, and the wall with it. mu is 1 unless MU
+ * is given. The run starts from rest in relative motion and takes steps of 1/50 cycle with the exact propagator of the
+ * present phase, sliding or stuck. An event is a change of sign at the end of a step, which is bisected to 1e-12. The
+ * run ends when the state repeats from cycle to cycle to 1e-9.
  *
- * Prints: microseconds (median of RUNS), cycles, whether it repeats, stops and reversals of the last
- * cycle, amplitude of the relative motion in the contact, amplitude of the mass in contact.
- * With - it reads pairs of r and beta and prints a line for each without the time; the time of all
- * goes to standard error.
+ * Prints: microseconds (median of RUNS), number of cycles, whether the state repeats, stops and reversals of the last
+ * cycle, amplitude of the relative motion in the contact, amplitude of the mass in contact. With - it reads pairs of r
+ * and beta from standard input, and prints a line for each without the time. The total time goes to standard error.
  */
 #include <complex.h>
 #include <math.h>
@@ -50,7 +49,7 @@ typedef struct {
 
 typedef struct { int cycles, repeats, stops, reversals; double contact, mass; } Found;
 
-/* Gauss's elimination with row exchanges; b becomes the solution. */
+/* Solves m x = b by Gauss's elimination with row exchanges. The solution overwrites b. */
 static void solve(int n, double complex m[STATES][STATES], double complex *b) {
     for (int i = 0; i < n; i++) {
         int best = i;
@@ -69,7 +68,7 @@ static void solve(int n, double complex m[STATES][STATES], double complex *b) {
     }
 }
 
-/* Modes of a symmetric matrix by Jacobi's rotations. */
+/* Computes the modes of a symmetric matrix by Jacobi's rotations. */
 static void modes(int n, double m[MOST][MOST], double phi[MOST][MOST], double *lambda) {
     for (int i = 0; i < n; i++) for (int k = 0; k < n; k++) phi[i][k] = i == k;
     for (int sweep = 0; sweep < 30; sweep++)
@@ -93,7 +92,7 @@ static void modes(int n, double m[MOST][MOST], double phi[MOST][MOST], double *l
     for (int i = 0; i < n; i++) lambda[i] = m[i][i];
 }
 
-/* A free mode's exact 2 x 2 propagator over t. */
+/* Computes the exact 2 x 2 propagator of a free mode over t. */
 static void free_mode(double w, double zeta, double t, double out[2][2]) {
     double d = w * sqrt(1 - zeta * zeta), e = exp(-zeta * w * t);
     double c = e * cos(d * t), s = e * sin(d * t) / d;
@@ -101,7 +100,7 @@ static void free_mode(double w, double zeta, double t, double out[2][2]) {
     out[1][0] = -w * w * s; out[1][1] = c - zeta * w * s;
 }
 
-/* y = exp(a t) x by Taylor's series. */
+/* Replaces x by exp(a t) x, by Taylor's series. */
 static void free_stuck(const Scene *s, double t, double *x) {
     double term[STATES], next[STATES];
     memcpy(term, x, sizeof term);
@@ -120,7 +119,7 @@ static void free_stuck(const Scene *s, double t, double *x) {
     }
 }
 
-/* Index among the masses that stay free while stuck. */
+/* Returns the index in the chain of mass i of those that remain free while the contact sticks. */
 static int place(const Scene *s, int i) { return i < s->j ? i : i + 1; }
 
 static void prepare(Scene *s, int n, int contact, int excited, double zeta, double r, double beta) {
@@ -130,7 +129,7 @@ static void prepare(Scene *s, int n, int contact, int excited, double zeta, doub
     for (int i = 0; i < n; i++) {
         chain[i][i] = i + 1 < n ? 2 : 1;
         if (i + 1 < n) chain[i][i + 1] = chain[i + 1][i] = -1;
-        /* Relative to a moving base every mass feels its acceleration. */
+        /* In coordinates relative to a moving base, the base's acceleration acts on every mass. */
         s->p[i] = s->base ? 1 : (i == excited - 1) / r2;
     }
     for (int i = 0; i < n; i++) for (int k = 0; k < n; k++) s->k[i][k] = chain[i][k] / r2;
@@ -172,14 +171,14 @@ static void prepare(Scene *s, int n, int contact, int excited, double zeta, doub
     }
 }
 
-/* Displacement (rate) of a mass. */
+/* Returns displacement or velocity of a mass from its modal coordinates or their rates. */
 static double of(const Scene *s, const double *modal, int mass) {
     double sum = 0;
     for (int i = 0; i < s->n; i++) sum += s->phi[i][mass] * modal[i];
     return sum;
 }
 
-/* What would hold the contact, over k1's unit of force. */
+/* Returns the contact force that would keep the contact at rest, in the unit of beta. */
 static double load(const Scene *s, const State *x) {
     double sum = s->p[s->j] * cos(x->t);
     for (int i = 0; i < s->n; i++)
@@ -187,7 +186,7 @@ static double load(const Scene *s, const State *x) {
     return sum * s->r * s->r;
 }
 
-/* The state after t more; whole: one step, whose propagators are at hand. */
+/* Returns the state after a time t. If `whole` is set, t is one step, whose propagators are known. */
 static State after(const Scene *s, const State *x, double t, int whole) {
     State y = *x;
     y.t = x->t + t;
@@ -231,7 +230,7 @@ static State after(const Scene *s, const State *x, double t, int whole) {
     return y;
 }
 
-/* Whether the phase has ended by this state. */
+/* Returns 1 if the present phase, sliding or stuck, has ended in this state. */
 static int over(const Scene *s, const State *x) {
     return x->way ? x->way * of(s, x->u, s->j) <= 0 : fabs(load(s, x)) > s->mu * s->beta;
 }

@@ -2,13 +2,13 @@
 %
 %   octave --no-gui --quiet thesis_method.m MASSES CONTACT EXCITED ZETA R BETA [CYCLES [RELTOL [ABSTOL [INITIALSTEP]]]]
 %
-% The scene as in stepper.c.  Sliding: ode45 until the contact's velocity is zero.  Stuck: one mass
-% alone waits until fzero finds its release; with more, ode45 goes on with the contact's mass held,
-% until the load exceeds the friction force.  From rest through CYCLES (200); the amplitude is the
-% largest value that ode45 returned in the last cycle.
+% The scene is given as in stepper.c. While the contact slides, ode45 runs until its velocity is zero. While it sticks,
+% a single mass waits until fzero finds its release. With more masses ode45 continues with the contact's mass fixed,
+% until the load exceeds the friction force. The run starts from rest and covers CYCLES cycles (200). The amplitude is
+% the largest value that ode45 returned in the last cycle.
 %
-% The thesis states the tolerances as "absolute and relative ... 1e-6 and 1e-12 respectively".  Taken
-% here in the order of Matlab's options: RelTol = 1e-6, AbsTol = 1e-12.
+% The thesis states the tolerances as "absolute and relative ... 1e-6 and 1e-12 respectively". They are taken here in
+% the order of Matlab's options: RelTol = 1e-6, AbsTol = 1e-12.
 %
 % Prints the columns of stepper.c.
 1;
@@ -43,7 +43,7 @@ function [value, terminal, direction] = tears (t, x, s)
   direction = 1;
 endfunction
 
-% Where a single mass tears loose: bracketed in steps of 1/100 cycle.
+% Release of a single mass: bracketed in steps of 1/100 cycle.
 function t = release (t, x, s, last)
   f = @(t) abs (load_of (t, x, s)) - s.beta;
   while t < last
@@ -69,7 +69,7 @@ if numel (numbers) > 8, absolute_tolerance = numbers(9); endif
 if numel (numbers) > 9, first = numbers(10); endif
 [n, contact, excited, zeta, r, beta] = num2cell (numbers(1:6)){:};
 
-% Loading ode45 itself is not counted.
+% The time to load ode45 does not count.
 [~, ~] = ode45 (@(t, x) -x, [0 1], 1, odeset ("Events", @(t, x) deal (x, true, 0)));
 start = tic;
 s.n = n; s.j = contact; s.beta = beta; s.r2 = r^2;

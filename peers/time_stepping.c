@@ -1,21 +1,21 @@
-/* Fixed-step integrators of the usual kinds, as peers for frictiongen's stepper.
+/* Usual fixed-step integrators, as peers for frictiongen's stepper.
  *
  *   time_stepping METHOD MASSES CONTACT EXCITED A B R BETA STEPS CYCLES [RUNS]
  *
- * A chain of equal masses and springs held by the base (base - 1 - 2 - ...), one contact of mass CONTACT with
- * the wall, mu = 1, a force cos t on mass EXCITED, damping C = a M + b K in units of m and k, as many STEPS in a
- * cycle.  In units of m = k = P = 1 it starts from rest and runs CYCLES cycles.  METHOD:
+ * A chain of equal masses and springs on the base (base - 1 - 2 - ...), with one contact of mass CONTACT with the wall,
+ * mu = 1, and damping C = a M + b K in units of m and k. A force cos t acts on mass EXCITED. A cycle has STEPS steps.
+ * In units of m = k = P = 1 the run starts from rest and covers CYCLES cycles. METHOD is one of:
  *
  *   moreau-half   Moreau-Jean with theta = 1/2: impulses of the contact over a step, the velocity at its end
  *   moreau-one    Moreau-Jean with theta = 1
- *   rk4           Runge and Kutta's method of fourth order; at the end of a step the contact is switched: stopped
- *                 where the velocity has turned, let go where the force is too large
- *   rk4-located   the same, with the turn and the break-away located within the step by bisection
+ *   rk4           fourth-order Runge-Kutta method. The contact is switched at the end of a step: it is stopped if
+ *                 the velocity has changed its sign, and released if the force is too large
+ *   rk4-located   rk4 with the sign change and the break-away located within the step by bisection
  *
- * Every method gets the force exactly, the Runge-Kutta methods in the middle of a step too.
+ * Every method gets the exact force, the Runge-Kutta methods also in the middle of a step.
  *
- * Prints nanoseconds a step (median of RUNS), stops and reversals of the last cycle; then for each step of
- * the last cycle the displacement of the contact's mass and of the first at its end.
+ * Prints nanoseconds a step (median of RUNS), and stops and reversals of the last cycle. A line follows for each step
+ * of the last cycle, with the displacements at its end of the contact's mass and of the first mass.
  */
 #include <math.h>
 #include <stdio.h>
@@ -43,9 +43,9 @@ static double stiffness(const Chain *c, const double *x, int i) {
     return f;
 }
 
-/* ---- Moreau and Jean ---- */
+/* ---- Moreau-Jean ---- */
 
-/* Solves (M + h theta C + h^2 theta^2 K) y = y; the matrix is tridiagonal. */
+/* Solves (M + h theta C + h^2 theta^2 K) x = y and stores x in y. The matrix is tridiagonal. */
 static void implicit(const Chain *c, double *y) {
     for (int i = 1; i < c->n; i++) y[i] -= c->lower[i] * y[i - 1];
     y[c->n - 1] /= c->pivot[c->n - 1];
@@ -69,7 +69,7 @@ static void prepare(Chain *c) {
 
 static void moreau(const Chain *c, State *s, double here, double there) {
     double h = c->dt, y[MOST], q[MOST];
-    /* The change of the velocities without friction. */
+    /* y becomes the change of the velocities without friction. */
     for (int i = 0; i < c->n; i++) q[i] = s->x[i] + (h * c->theta + c->b) * s->v[i];
     for (int i = 0; i < c->n; i++) y[i] = -h * (stiffness(c, q, i) + c->a * s->v[i]);
     y[c->e] += h * (c->theta * there + (1 - c->theta) * here);
@@ -86,7 +86,7 @@ static void moreau(const Chain *c, State *s, double here, double there) {
     s->way = way;
 }
 
-/* ---- Runge and Kutta ---- */
+/* ---- Runge-Kutta ---- */
 
 static void rates(const Chain *c, const State *s, double force, double *x, double *v) {
     for (int i = 0; i < c->n; i++) {
@@ -123,12 +123,12 @@ static void rk4(const Chain *c, State *s, double h, const double *force) {
     }
 }
 
-/* Whether what the contact does has ended in this state. */
+/* Returns 1 if the present phase of the contact, sliding or stuck, has ended in this state. */
 static int over(const Chain *c, const State *s, double force) {
     return s->way ? s->way * s->v[c->j] <= 0 : fabs(holding(c, s, force)) > c->beta;
 }
 
-/* What the contact does next. */
+/* Sets the next phase of the contact: sliding in one direction, or stuck. */
 static void turn(const Chain *c, State *s, double force) {
     double f = holding(c, s, force);
     s->v[c->j] = 0;
@@ -163,7 +163,7 @@ static void located(const Chain *c, State *s, double t, const double *force) {
         int broke = next.way == 0;
         double f = holding(c, &next, three[2]);
         turn(c, &next, three[2]);
-        /* At a break-away the force is the grip but for rounding. */
+        /* At a break-away the force equals the friction force up to rounding, which must not keep the contact stuck. */
         if (broke && !next.way) next.way = f > 0 ? 1 : -1;
         *s = next;
         left -= high;

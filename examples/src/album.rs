@@ -1,11 +1,11 @@
-//! Where a program's figures go, and how far it is.
+//! Folder and progress of the figures that a program writes.
 
 use crate::gallery::{self, Entry};
 use std::error::Error;
 use std::io::{IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 
-/// The figures of one program.
+/// Figures of one program, with the folder that they are written to.
 #[derive(Debug)]
 pub struct Album {
     folder: PathBuf,
@@ -16,10 +16,10 @@ pub struct Album {
 }
 
 impl Album {
-    /// For so many figures, in the folder of the first argument, else in this crate's `figures`.
+    /// Creates an album of `total` figures in the folder of the first argument, by default in this crate's `figures`.
     ///
     /// # Errors
-    /// Where the folder cannot be made.
+    /// Fails if the folder cannot be created.
     pub fn open(total: usize) -> Result<Self, Box<dyn Error>> {
         let folder = std::env::args_os().nth(1).map_or_else(
             || Path::new(env!("CARGO_MANIFEST_DIR")).join("figures"),
@@ -37,17 +37,18 @@ impl Album {
         Ok(album)
     }
 
-    /// For so many figures of a chapter; closed, it writes the chapter's page of the gallery as well.
+    /// Creates an album of `total` figures of a chapter. [`close`](Self::close) then also writes the chapter's page of
+    /// the gallery.
     ///
     /// # Errors
-    /// Where the folder cannot be made.
+    /// Fails if the folder cannot be created.
     pub fn of_chapter(number: u32, title: &str, total: usize) -> Result<Self, Box<dyn Error>> {
         let mut album = Self::open(total)?;
         album.chapter = Some((number, title.to_owned()));
         Ok(album)
     }
 
-    /// Notes a figure for the gallery.
+    /// Adds a figure to the gallery.
     pub fn enter(&mut self, entry: Entry) {
         self.entries.push(entry);
     }
@@ -55,7 +56,7 @@ impl Album {
     /// Writes `figure-<name>.png`.
     ///
     /// # Errors
-    /// Where writing fails.
+    /// Fails if the file cannot be written.
     #[cfg(feature = "png")]
     pub fn picture(&self, name: &str, png: &[u8]) -> Result<(), Box<dyn Error>> {
         Ok(std::fs::write(
@@ -67,7 +68,7 @@ impl Album {
     /// Writes `figure-<number>.svg` and `.csv`.
     ///
     /// # Errors
-    /// Where writing fails.
+    /// Fails if a file cannot be written.
     pub fn add(&mut self, number: &str, svg: &str, csv: &str) -> Result<(), Box<dyn Error>> {
         let name = format!("figure-{number}.csv");
         std::fs::write(self.folder.join(name), csv)?;
@@ -77,7 +78,7 @@ impl Album {
     /// Writes `narrow/figure-<number>.svg`, for telephones.
     ///
     /// # Errors
-    /// Where writing fails.
+    /// Fails if the folder or the file cannot be written.
     pub fn add_narrow(&self, number: &str, svg: &str) -> Result<(), Box<dyn Error>> {
         let folder = self.folder.join("narrow");
         std::fs::create_dir_all(&folder)?;
@@ -85,10 +86,10 @@ impl Album {
         Ok(std::fs::write(folder.join(name), svg)?)
     }
 
-    /// Writes `figure-<number>.svg` of what has no data, such as a sketch.
+    /// Writes `figure-<number>.svg` of a figure without data, such as a sketch.
     ///
     /// # Errors
-    /// Where writing fails.
+    /// Fails if the file cannot be written.
     pub fn add_picture(&mut self, number: &str, svg: &str) -> Result<(), Box<dyn Error>> {
         let name = format!("figure-{number}.svg");
         std::fs::write(self.folder.join(name), svg)?;
@@ -97,8 +98,10 @@ impl Album {
         Ok(())
     }
 
+    /// Ends the album, and writes the page of its chapter if the album has one.
+    ///
     /// # Errors
-    /// Where there are not as many figures as were announced, or the chapter's page cannot be written.
+    /// Fails if the number of figures is not the announced one, or if the chapter's page cannot be written.
     pub fn close(self) -> Result<(), Box<dyn Error>> {
         if let Some((number, title)) = &self.chapter {
             let page = gallery::page(*number, title, &self.entries);
@@ -112,12 +115,12 @@ impl Album {
         }
     }
 
-    /// A line that rewrites itself, for somebody who waits.
+    /// Shows the progress in one line of a terminal, which each call overwrites.
     fn show(&self) {
         let mut screen = std::io::stderr();
         if screen.is_terminal() {
             let end = if self.done == self.total { "\n" } else { "" };
-            // A screen that fails must not stop the figures.
+            // A terminal error must not stop the figures.
             let _ = write!(screen, "\rfigure {} of {}{end}", self.done, self.total);
         }
     }

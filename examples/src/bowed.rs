@@ -1,13 +1,14 @@
 //! A block that a moving belt drags along, at audio rate: stick-slip as sound.
 //!
-//! `cargo run --release --example bowed sound.wav` writes three seconds at 48 kHz.  The block, a spring behind it, rubs on the belt
-//! with a friction force that falls with the speed of sliding; a second mass, light and barely damped, rings along.
+//! `cargo run --release --example bowed sound.wav` writes three seconds at 48 kHz. A spring holds the block, which rubs
+//! on the belt. The friction force falls with the sliding speed. A second mass, light and barely damped, vibrates with
+//! the block.
 
 use frictiongen::friction_system;
 use std::error::Error;
 
 friction_system! {
-    /// A block on a belt, and what rings along with it.
+    /// A block on a belt, with a second mass that vibrates with it.
     struct Bowed {
         masses: { block: 0.010, board: 0.040 },
         springs: { wall - block: 12000.0, block - board: 9000.0, wall - board: 60000.0 },
@@ -21,13 +22,13 @@ friction_system! {
     }
 }
 
-/// Samples a second.
+/// Sampling rate of the sound, in samples a second.
 const RATE: u32 = 48_000;
-/// In seconds.
+/// Length of the sound, in s.
 const LENGTH: u32 = 3;
-/// The speed of the belt, in m/s.
+/// Speed of the belt, in m/s.
 const SPEED: f64 = 0.12;
-/// The friction force once the belt is pressed on, in N.
+/// Friction force in N while the belt is fully pressed on.
 const FRICTION: f64 = 2.5;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -37,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut events, mut stuck) = (0, 0_u32);
     for sample in 1..=samples {
         let time = f64::from(sample) / f64::from(RATE);
-        // The belt is pressed on in a third of a second and lifted in the last one.
+        // The normal force grows during the first third of a second and falls to zero in the last third.
         let press = (3.0 * time)
             .min(3.0 * (f64::from(LENGTH) - time))
             .clamp(0.0, 1.0);
@@ -53,7 +54,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let loudest = sound
         .iter()
         .fold(0.0_f64, |most, value| most.max(value.abs()));
-    // The second without a ramp.
+    // The second between 1 s and 2 s, which has no ramp.
     let whole = RATE as usize..2 * RATE as usize;
     let steady = sound.get(whole).unwrap_or_default();
     let rises = steady

@@ -11,17 +11,17 @@ use std::f64::consts::{PI, TAU};
 
 const BLOCK: Of = Of::Mass(0);
 
-/// A loaded block on a spring rubs on a fixed wall.
+/// A loaded block on a spring, which rubs on a fixed wall.
 fn wall() -> System {
     block("wall", "block", "")
 }
 
-/// The same with a dashpot, ζ = 0.2.
+/// The system of [`wall`] with a dashpot, ζ = 0.2.
 fn damped() -> System {
     block("wall", "block", "damping: modal(0.2),")
 }
 
-/// Two masses, the lower one loaded and in contact.
+/// Two masses. The lower one is loaded and in contact with the wall.
 fn two() -> System {
     system(
         "struct Two {
@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     album.close()
 }
 
-/// 2.1: friction force over sliding velocity, and over displacement.
+/// Figure 2.1: friction force over sliding velocity, and over displacement.
 fn laws() -> Result<Figure, Box<dyn Error>> {
     let (low, high, least) = (-4.0, 4.0, 1e-6);
     let steps = 200;
@@ -96,7 +96,7 @@ fn laws() -> Result<Figure, Box<dyn Error>> {
     ))
 }
 
-/// The friction force over the displacement in a motion with two stops.
+/// Panel with the friction force over the displacement, in a motion with two stops.
 fn loop_of_work() -> Result<Panel, Box<dyn Error>> {
     let system = wall();
     let mut run = system.simulation(0.6, 0.6)?;
@@ -112,7 +112,7 @@ fn loop_of_work() -> Result<Panel, Box<dyn Error>> {
             let segment = run.advance(left)?;
             left -= segment.length;
             if 1e-12 < left {
-                // An event: both values of the force.
+                // At an event the force jumps, so both of its values are drawn.
                 points.push((run.run().mass(0).displacement(), -run.friction()));
             }
         }
@@ -123,7 +123,7 @@ fn loop_of_work() -> Result<Panel, Box<dyn Error>> {
     Ok(Panel::new("(d) over a cycle with two stops", x, y).with(line))
 }
 
-/// 2.3a: the system.
+/// Figure 2.3a: the system.
 fn loaded() -> Figure {
     Figure::new("2.3a", "A block on a spring against a fixed wall", 1, Vec::new())
         .with_sketch(drawn(&wall()))
@@ -133,7 +133,7 @@ fn loaded() -> Figure {
         )
 }
 
-/// 2.3b: one cycle of continuous motion.
+/// Figure 2.3b: one cycle of continuous motion.
 fn half_periods() -> Result<Figure, Box<dyn Error>> {
     let system = wall();
     let times = Times {
@@ -152,7 +152,7 @@ fn half_periods() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// 2.4: continuous responses.
+/// Figure 2.4: responses in continuous motion.
 fn amplitudes() -> Result<Figure, Box<dyn Error>> {
     let system = wall();
     let betas = [0.0, 0.2, 0.4, 0.6, 0.8];
@@ -173,7 +173,7 @@ fn amplitudes() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// 2.5: regimes.
+/// Figure 2.5: regimes.
 fn map() -> Result<Figure, Box<dyn Error>> {
     let system = wall();
     let lines = system.limit_lines(0.0, 2.5, 1e-4)?;
@@ -186,7 +186,7 @@ fn map() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// 2.6: a motion with two stops.
+/// Figure 2.6: a motion with two stops.
 fn two_stops() -> Result<Figure, Box<dyn Error>> {
     let system = wall();
     let times = Times {
@@ -205,7 +205,7 @@ fn two_stops() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// 2.7: with a dashpot.
+/// Figure 2.7: responses with a dashpot.
 fn dashpot() -> Result<Figure, Box<dyn Error>> {
     let system = damped();
     let betas = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
@@ -225,7 +225,7 @@ fn dashpot() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// 2.8: the systems that the next chapters treat.
+/// Figures 2.8a to 2.8c: the systems of the next chapters.
 fn systems() -> [Figure; 3] {
     [
         ("2.8a", "Base motion, fixed wall", block("wall", "base", ""),

@@ -1,4 +1,4 @@
-//! Chapter 5: what the theory of chains gives, beside its shortcuts.
+//! Chapter 5: results of the theory of chains, compared with its approximations.
 //! `cargo run --release --example chapter5`
 
 use frictiongen::{Of, System};
@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 const TO: f64 = 2.5;
 
-/// Two equal masses, loaded below, in contact with a wall above.
+/// Two equal masses. The lower one is loaded, and the upper one rubs on a wall.
 fn wall() -> System {
     system(
         "struct Wall {
@@ -25,7 +25,7 @@ fn wall() -> System {
     )
 }
 
-/// The two masses rub on each other.
+/// Two masses that rub on each other.
 fn between() -> System {
     system(
         "struct Between {
@@ -37,7 +37,7 @@ fn between() -> System {
     )
 }
 
-/// Five equal masses.
+/// Five equal masses with a given contact and excitation.
 fn five(contact: &str, excitation: &str) -> System {
     system(&format!(
         "struct Five {{
@@ -65,7 +65,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     album.close()
 }
 
-/// 5.1, 5.3: the three kinds of contact.
+/// Figures 5.1 and 5.3: the three kinds of contact.
 fn systems() -> [Figure; 3] {
     [
         (
@@ -95,7 +95,7 @@ fn systems() -> [Figure; 3] {
     })
 }
 
-/// 5.2: between two maxima of the mass in contact.
+/// Figure 5.2: motion between two maxima of the mass in contact.
 fn maxima() -> Result<Figure, Box<dyn Error>> {
     let system = wall();
     let parts = [
@@ -117,7 +117,7 @@ fn maxima() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// The limit of continuous motion by its shortcuts, over the exact one.
+/// Ratio of the approximate limits of continuous motion to the exact limit.
 fn limits() -> Figure {
     let (two, chain) = (wall(), five("m1 - wall", "m1"));
     let panel = |title: &str, system: &System| {
@@ -157,7 +157,7 @@ fn limits() -> Figure {
     )
 }
 
-/// The monoharmonic estimate of an amplitude over the exact amplitude.
+/// Ratio of the monoharmonic estimate of an amplitude to the exact amplitude.
 fn amplitudes() -> Figure {
     let panel = |title: &str, system: &System, (low, high): (f64, f64)| {
         let x = Axis::new("frequency ratio *r*_1", 0.0, TO);

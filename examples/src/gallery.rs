@@ -1,21 +1,21 @@
-//! The pages of the gallery: each chapter's figures with their captions.
+//! Pages of the gallery: the figures of each chapter with their captions.
 
 use frictiongen_plot::{Face, Label, Level};
 use std::fmt::Write as _;
 
-/// A figure in the gallery.
+/// Entry of a figure in the gallery.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// Its number.
+    /// Number of the figure.
     pub number: String,
-    /// What it shows.
+    /// Title of the figure.
     pub title: Label,
-    /// What is seen, and the parameters.
+    /// Description of the figure, with its parameters.
     pub caption: Label,
 }
 
-/// The page of a chapter: what it holds, then each figure.  The captions stand in the pictures, and for those who do not see
-/// them beside these.
+/// Writes the page of a chapter: a list of the figures, then each figure. The captions are part of the pictures. The
+/// page repeats them as text for readers who do not see the pictures.
 #[must_use]
 pub fn page(number: u32, title: &str, entries: &[Entry]) -> String {
     let mut page = format!(
@@ -41,13 +41,13 @@ pub fn page(number: u32, title: &str, entries: &[Entry]) -> String {
     page
 }
 
-/// Text within an attribute.
+/// Escapes a text for an HTML attribute.
 fn escaped(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;");
     text.replace('"', "&quot;")
 }
 
-/// A label as Markdown.
+/// Converts a label to Markdown.
 #[must_use]
 pub fn markdown(label: &Label) -> String {
     let mut text = String::new();

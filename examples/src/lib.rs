@@ -1,5 +1,5 @@
-//! What the programs share: figures with their data and captions (`draw`, `gallery`), and the numbers that the thesis
-//! prints beside what they come out as (`facts`), recordings (`rig`).
+//! Shared code of the programs: figures with their data and captions (`draw`, `gallery`), the numbers that the thesis
+//! prints compared with computed ones (`facts`), and synthetic recordings (`rig`).
 
 pub mod album;
 pub mod draw;

@@ -1,5 +1,5 @@
-//! From a description to regimes, responses and emitted code, and a check by plain time
-//! integration.  `cargo run --release --example tour`
+//! From a description to regimes, responses and emitted code, with a check by plain time integration.
+//! `cargo run --release --example tour`
 
 mod plain;
 
@@ -8,7 +8,7 @@ use std::error::Error as StdError;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// The same text serves the macro, the run-time system and the printed description.
+/// Passes the same text to the macro, the run-time system and the printed description.
 macro_rules! both {
     ($(#[doc = $doc:literal])* pub struct $name:ident $fields:tt) => {
         friction_system! { $(#[doc = $doc])* pub struct $name $fields }
@@ -57,7 +57,7 @@ fn main() -> Result<(), Box<dyn StdError>> {
     check()
 }
 
-/// The boundaries of the three regimes over the frequency ratio.
+/// Prints the boundaries of the three regimes over the frequency ratio.
 fn regimes() -> Result<(), Error> {
     println!("Regimes: the closed form exists below β_lim, a stuck state from β*_lim on");
     println!("{:>6} {:>12} {:>12}   at β = 0.3", "r", "β_lim", "β*_lim");
@@ -80,7 +80,7 @@ fn regimes() -> Result<(), Error> {
     Ok(())
 }
 
-/// Exact amplitudes and lags, beside the one-harmonic estimate.
+/// Prints exact amplitudes and lags, with the estimate from one harmonic.
 fn responses() -> Result<(), Error> {
     println!("Response at β = 0.1: amplitude x̄ (its estimate from one harmonic) and lag");
     for r in [0.628, 0.9, 1.684] {
@@ -104,7 +104,7 @@ fn responses() -> Result<(), Error> {
     Ok(())
 }
 
-/// A part of the emitted Rust, and the run-time system of the same text.
+/// Prints an excerpt of the emitted Rust, and compares with the run-time system of the same text.
 fn emitted() -> Result<(), Box<dyn StdError>> {
     let limits = frictiongen_codegen::Limits::MACRO;
     let source = frictiongen_codegen::pretty(&frictiongen_codegen::parse_text(TEXT, &limits)?)?;
@@ -126,7 +126,7 @@ fn emitted() -> Result<(), Box<dyn StdError>> {
     Ok(())
 }
 
-/// Plain time integration of the same frame, and both times.
+/// Compares with plain time integration of the same frame, and prints the time of both.
 fn check() -> Result<(), Box<dyn StdError>> {
     let (r, beta) = (0.9, 0.3);
     let clock = Instant::now();

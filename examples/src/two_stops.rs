@@ -1,20 +1,20 @@
-//! Den Hartog's motion with two stops a cycle: one mass, undamped, rubbing on a fixed wall, μ = 1
-//! (2.5.1).  A special case of an orbit, found without the solver of orbits.
+//! Den Hartog's motion with two stops a cycle: one mass, undamped, rubbing on a fixed wall, μ = 1 (2.5.1). It is a
+//! special case of an orbit, found here without the solver of orbits.
 //!
-//! From x̄(0) = X, x̄′(0) = 0, x̄(τ₀) = −X, x̄′(τ₀) = 0 and X = β + cos φ (2.32), with
-//! D = (sin τ₀ − r sin(τ₀/r))/(1 − r²) and E = (cos τ₀ − cos(τ₀/r))/(1 − r²), follows
-//! (cos φ, sin φ) = ∓(E, −D)/√(D² + E²) and 2β = ±[D² + E² + E(1 + cos(τ₀/r))]/√(D² + E²):
-//! β as a function of the sliding time τ₀, to be inverted.
+//! The conditions are x̄(0) = X, x̄′(0) = 0, x̄(τ₀) = −X, x̄′(τ₀) = 0 and X = β + cos φ (2.32). With
+//! D = (sin τ₀ − r sin(τ₀/r))/(1 − r²) and E = (cos τ₀ − cos(τ₀/r))/(1 − r²) they give
+//! (cos φ, sin φ) = ∓(E, −D)/√(D² + E²) and 2β = ±[D² + E² + E(1 + cos(τ₀/r))]/√(D² + E²).
+//! The program inverts this β, which is a function of the sliding time τ₀.
 
 use frictiongen::kernel::Scalar;
 use frictiongen::kernel::oscillator::decay::{Decay, Instant, Undamped};
 use std::f64::consts::{FRAC_1_PI, PI};
 
-/// The finest division of the half period in the search for τ₀.
+/// Finest division of the half period in the search for τ₀.
 const MOST_SAMPLES: u32 = 4096;
 
-/// Den Hartog's two-stop motion: from τ = 0 the mass slides from X to −X within τ₀, sticks until
-/// τ = π, and goes back in the same way.
+/// Den Hartog's two-stop motion. From τ = 0 the mass slides from X to −X within τ₀, sticks until τ = π, and returns in
+/// the same way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoStops {
     r: f64,
@@ -25,13 +25,13 @@ pub struct TwoStops {
     slide: f64,
 }
 
-/// D, E and cos(τ/r) at τ.
+/// Returns D, E and cos(τ/r) at τ.
 fn sides(r: f64, x: f64, tau: f64) -> (f64, f64, f64) {
     let at = Instant::new(tau * FRAC_1_PI);
     let basis = Undamped.basis(x, &at);
     let detuning = (1.0 - r) * (1.0 + r);
     if detuning == 0.0 {
-        // On the resonance both are the derivatives by r.
+        // At the resonance D and E are the derivatives by r.
         let d = (at.sine - tau * at.cosine) * 0.5;
         return (d, tau * at.sine * 0.5, basis.slope);
     }
@@ -39,7 +39,7 @@ fn sides(r: f64, x: f64, tau: f64) -> (f64, f64, f64) {
     (d, basis.forced_slope / detuning, basis.slope)
 }
 
-/// ±2β for a sliding time, and √(D² + E²).
+/// Returns ±2β for a sliding time, and √(D² + E²).
 fn friction(r: f64, x: f64, tau: f64) -> (f64, f64) {
     let (d, e, slope) = sides(r, x, tau);
     let size = (d * d + e * e).sqrt();
@@ -47,8 +47,8 @@ fn friction(r: f64, x: f64, tau: f64) -> (f64, f64) {
 }
 
 impl TwoStops {
-    /// The motion at r and β; none where the mass does not move in this way, or r is not positive
-    /// and finite.  Below r = 1/100 it may be overlooked.
+    /// Returns the motion at r and β. The result is `None` if the mass does not move in this way, or if r is not
+    /// positive and finite. Below r = 1/100 the search may miss the motion.
     ///
     /// ```
     /// use frictiongen_examples::two_stops::TwoStops;
@@ -99,7 +99,7 @@ impl TwoStops {
         }
     }
 
-    /// Whether the mass slides one way until τ₀, and is held from then on.
+    /// Returns `true` if the mass slides in one direction until τ₀ and sticks from then on.
     fn holds(&self, beta: f64) -> bool {
         let samples = 256;
         let slides = (1..samples).all(|index| {
@@ -109,7 +109,7 @@ impl TwoStops {
         let grip = beta * (1.0 + 4096.0 * f64::EPSILON);
         let held = |force: f64| force.abs() <= grip;
         let force = |tau: f64| self.amplitude + self.load(tau);
-        // Where the load is ±P within the stop.
+        // The load is ±P at these instants of the stop, so the contact force is extreme.
         let ahead = self.phase();
         let inside = |tau: f64| self.slide < tau && tau < PI;
         let turns = (-1..=2).all(|turn| {
@@ -131,27 +131,27 @@ impl TwoStops {
         -(cosine * d + sine * e)
     }
 
-    /// X = max|x̄|.
+    /// Returns the amplitude X = max|x̄|.
     #[must_use]
     pub fn amplitude(&self) -> f64 {
         self.amplitude
     }
 
-    /// φ: the load is cos(τ + φ) where τ counts from the end of the upper stop.
+    /// Returns the phase φ. The load is cos(τ + φ), where τ counts from the end of the upper stop.
     #[must_use]
     pub fn phase(&self) -> f64 {
         let (cosine, sine) = self.phase;
         sine.atan2(cosine)
     }
 
-    /// The part of the cycle for which it sticks, 1 − τ₀/π.
+    /// Returns the fraction of the cycle in which the mass sticks, 1 − τ₀/π.
     #[must_use]
     pub fn stuck_fraction(&self) -> f64 {
         1.0 - self.slide * FRAC_1_PI
     }
 }
 
-/// The zero of a function between two places where its signs differ.
+/// Finds the zero of a function between two arguments at which its signs differ.
 fn halved(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let below = function(low) < 0.0;
     for _ in 0..128 {

@@ -1,8 +1,8 @@
-//! The gallery leads somewhere.
+//! Tests that the links of the gallery lead to files.
 
 use std::path::Path;
 
-/// What a page links to and shows, without anchors and other sites.
+/// Returns the targets of a page's links and pictures, without anchors and other sites.
 fn links(page: &str) -> impl Iterator<Item = &str> {
     let ends = [("](", ')'), ("src=\"", '"'), ("srcset=\"", '"')];
     ends.into_iter()

@@ -1,9 +1,9 @@
-//! Den Hartog's two-stop motion against the orbit.
+//! Compares Den Hartog's two-stop motion with the orbit.
 
 use frictiongen::System;
 use frictiongen_examples::two_stops::TwoStops;
 
-/// Both over a plane of r and β: where one has two stops so has the other, and they are the same.
+/// Compares both over a grid of r and β. They find two-stop motions at the same points, with the same values.
 #[test]
 fn den_hartog() {
     let wall: System = "struct Block {
@@ -31,7 +31,7 @@ fn den_hartog() {
                 continue;
             };
             seen += 1;
-            // τ₀ follows from β through a function that may be flat: half the digits at worst.
+            // τ₀ follows from β through a function that may be flat, so up to half of the digits may be lost.
             let apart = found.amplitude() - orbit.contact().amplitude();
             assert!(apart.abs() < 1e-11, "{what}: {apart:e}");
             let apart = found.stuck_fraction() - orbit.stuck_fraction();
@@ -44,7 +44,7 @@ fn den_hartog() {
         "{seen} orbits compared, skipped: {other} of other courses, {none} points without one"
     );
     assert_eq!(seen + other + none, 50 * 39);
-    // On the resonance, up to β = π/4.
+    // Points without a steady state are those on the resonance with β below π/4.
     assert_eq!(none, 31);
     assert!(seen > 500, "{seen}");
 }

@@ -1,4 +1,4 @@
-//! The linker script of the emulated board.
+//! Passes the linker script of the emulated board to the linker.
 
 use std::{env, fs, path::Path};
 

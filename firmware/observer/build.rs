@@ -1,5 +1,5 @@
-//! The linker script of the emulated board, and what sensors would have recorded of the frame: its exact motion with
-//! noise of a fixed seed, in whole counts.
+//! Passes the linker script of the emulated board, and writes a recording of the frame as sensors would deliver it: the
+//! exact motion with noise of a fixed seed, in whole counts.
 
 use std::{env, error::Error, f64::consts::TAU, fs, path::Path};
 
@@ -16,19 +16,19 @@ frictiongen::friction_system! {
     }
 }
 
-/// Of the base: 1.5 Hz, 10 mm.
+/// Motion of the base: 1.5 Hz, 10 mm.
 const FREQUENCY: f64 = 1.5;
 const AMPLITUDE: f64 = 0.01;
-/// The damper's, N.
+/// Friction force of the damper, N.
 const FRICTION: f64 = 3.5;
 const SAMPLES: usize = 4000;
 const RATE: f64 = 1000.0;
-/// What a count is worth: m, m/s, m, N.
+/// Values of one count: m, m/s, m, N.
 const COUNTS: [f64; 4] = [1e-6, 1e-5, 1e-6, 1e-3];
-/// Standard deviations of the sensors in the same units.
+/// Standard deviations of the sensors, in the same units.
 const NOISE: [f64; 4] = [2e-6, 2e-4, 1e-5, 0.02];
 
-/// Numbers of about a normal distribution: twelve equal ones added up.
+/// Random numbers with an approximately normal distribution: each is the sum of twelve uniform ones.
 struct Noise(u64);
 
 impl Noise {

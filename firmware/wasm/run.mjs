@@ -1,4 +1,4 @@
-// Prints every call's values as the host program does.
+// Prints the values of every call in the format of the host program.
 import { readFileSync } from "node:fs";
 
 const { instance } = await WebAssembly.instantiate(readFileSync(process.argv[2]));

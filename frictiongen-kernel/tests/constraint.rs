@@ -228,7 +228,7 @@ fn what_is_admitted_is_below_the_limit() {
     let mut random = Random(9);
     let (mut compared, mut exhausted) = (0, 0);
     let mut differing = Vec::new();
-    for case in 0..1600 {
+    for case in 0..640 {
         let mut parts = random_parts(&mut random, 8, case % 8 != 0);
         for part in &mut parts {
             part.zeta *= 1e-3;
@@ -250,9 +250,9 @@ fn what_is_admitted_is_below_the_limit() {
     println!(
         "{compared} β, {differing:?} otherwise than the limit says, {exhausted} searches given up"
     );
-    assert_eq!(compared, 9600);
+    assert_eq!(compared, 3840);
     // Both searches then end with the best value that the same walk has found.
-    assert!(exhausted >= 5, "{exhausted}");
+    assert!(exhausted >= 2, "{exhausted}");
     assert!(
         differing.is_empty(),
         "{} of {compared}: {:?}",

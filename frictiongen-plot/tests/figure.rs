@@ -1,11 +1,11 @@
-//! Whole figures: what is in the file, and that it is always the same.
+//! Tests of whole figures: the content of the file, and that it is always the same.
 
 use frictiongen_plot::{
     Across, Anchor, Axis, Cells, Colour, Figure, Fill, Guide, Inset, Key, Line, Marker, Markers,
     Note, Panel, Point, Raster, Region, Stroke,
 };
 
-/// Values that no file may hold.
+/// Values that must never appear in a file.
 const ODD: [f64; 7] = [
     f64::NAN,
     f64::INFINITY,
@@ -23,7 +23,7 @@ fn parabola() -> Vec<Point> {
         .collect()
 }
 
-/// A small figure with one of each kind of layer.
+/// A small figure with one layer of each kind.
 fn small() -> Figure {
     let inner = Panel::new("", Axis::new("", 0.9, 1.1), Axis::new("", 0.8, 1.2)).with(
         Line::unnamed(Colour::Series(0), Stroke::Solid, vec![parabola()]),
@@ -72,7 +72,7 @@ fn small() -> Figure {
         .with_caption("*β*_lim = 1.")
 }
 
-/// The recorded picture of the small figure; `UPDATE_FIGURES=1` renews it.
+/// The small figure equals its recorded picture. `UPDATE_FIGURES=1` renews the recording.
 #[test]
 fn the_small_figure_is_as_recorded() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small.svg");
@@ -210,7 +210,7 @@ fn the_png_has_the_size_and_the_pixels_that_are_recorded() {
         .filter(|pixel| pixel.red() < 128)
         .count();
     assert!((10_000..200_000).contains(&inked), "{inked}");
-    // FNV-1a over all pixels: the same on every host.
+    // FNV-1a hash of all pixels, which is the same on every host.
     let hash = pixels
         .data()
         .iter()

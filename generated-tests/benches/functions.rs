@@ -1,7 +1,7 @@
-//! Every closed form of every scene of `trade`: `cargo bench -p generated-tests --bench functions`.
+//! Times every closed form of every scene of `trade`: `cargo bench -p generated-tests --bench functions`.
 //!
-//! A sample answers at 64 points; the items a second are answers a second.  A filter goes behind `--`, for
-//! example `-- double::limits`.  What other ways need for the same is `scripts/trade`'s.
+//! A sample computes 64 points, and the items per second are computed points per second. A filter follows `--`, for
+//! example `-- double::limits`. `scripts/trade` times other methods for the same quantities.
 
 #[macro_use]
 #[path = "../../trade/src/chains.rs"]
@@ -33,7 +33,7 @@ fn called(label: &Label) -> String {
     format!("{}, ζ = {}", label.name, label.zeta)
 }
 
-/// Finds a scene by what it is called.
+/// Finds a scene by its name.
 struct Finder<'a> {
     wanted: &'a str,
     double: Option<Fill<f64>>,
@@ -85,7 +85,7 @@ fn answers<S: Float + Sync>(bencher: Bencher<'_, '_>, fill: Option<Fill<S>>, met
     let ratio = |i: usize| S::constant(0.2 + 2.3 * (i as f64 * GOLDEN).fract());
     let mut points: Vec<Pair<S>> = (0..POINTS).map(|i| [ratio(i); 2]).collect();
     let mut out = points.clone();
-    // Half the smaller limit: continuous everywhere.
+    // Half of the smaller limit, so that every motion is continuous.
     fill(Method::Limits, &points, &mut out);
     for (point, [continuous, sliding]) in points.iter_mut().zip(&out) {
         point[1] = continuous.min(*sliding) * S::constant(0.5);

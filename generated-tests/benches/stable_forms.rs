@@ -1,6 +1,6 @@
-//! What each stable form costs against the printed one, and where that breaks.
+//! Cost of each stable form compared with the printed form, and error of the printed form where it loses accuracy.
 //!
-//! `cargo bench -p generated-tests --bench stable_forms`; with `UPDATE_ACCURACY=1` the figures go to
+//! Run with `cargo bench -p generated-tests --bench stable_forms`. With `UPDATE_ACCURACY=1` the figures are written to
 //! `tests/tables/budgets/costs.csv`, from which `docs/accuracy.md` is made.
 
 use frictiongen_kernel::number::complex::{self, Complex};
@@ -14,7 +14,7 @@ use std::fmt::Write;
 use std::hint::black_box;
 use std::time;
 
-/// One result, the kernel's way in `f64` and double-double, and the printed way.
+/// One result: the kernel's form in `f64` and in double-double, and the printed form.
 struct Form {
     name: &'static str,
     stable: fn([f64; 3]) -> f64,
@@ -51,7 +51,7 @@ fn mode<T: Float>(zeta: T) -> Mode<T> {
     }
 }
 
-/// β_lim of one undamped mass at r ≤ 2, from v and u with their pole divided out.
+/// Returns β_lim of one undamped mass at r ≤ 2, from v and u with their common pole removed.
 fn limit<T: Float>(r: T) -> T {
     let one = T::constant(1.0);
     let at = mode(T::constant(0.0)).response(one / r, 0);
@@ -64,7 +64,7 @@ fn printed_limit(r: f64) -> f64 {
     v.abs() / (u * u + r.powi(-4)).sqrt()
 }
 
-/// u + g of a damped mode at x = 1/R (7.11, 7.12).
+/// Returns u + g of a damped mode at x = 1/R (7.11, 7.12).
 fn damping<T: Float>([x, zeta, _]: [T; 3]) -> T {
     let at = mode(zeta).response(x, 0);
     (at.u * x * x + at.g) / at.size
@@ -88,7 +88,7 @@ fn printed_overdamping(x: f64, zeta: f64) -> f64 {
     x * b.sinh() / q / d + (a.sinh() - zeta / q * b.sinh()) / d
 }
 
-/// g alone.
+/// Returns g of a damped mode.
 fn g<T: Float>([x, zeta, _]: [T; 3]) -> T {
     let at = mode(zeta).response(x, 0);
     at.g / at.size
@@ -100,7 +100,7 @@ fn printed_g([x, zeta, _]: [f64; 3]) -> f64 {
     (a.sinh() - zeta / q * b.sin()) / (a.cosh() + b.cos())
 }
 
-/// |V|² − (βU)² under the root of the amplitude (5.36, 7.19).
+/// Returns |V|² − (βU)², whose root is part of the amplitude (5.36, 7.19).
 fn remainder<T: Float>([v, beta, u]: [T; 3]) -> T {
     (v - beta * u) * (v + beta * u)
 }
@@ -113,7 +113,7 @@ fn basis<T: Float>([x, zeta, t]: [T; 3]) -> Basis<T> {
     Damped::of(&mode(zeta)).basis(x, &Instant::new(t))
 }
 
-/// (1 − d)/x² + p + (cos τ − p′).
+/// Returns (1 − d)/x² + p + (cos τ − p′).
 fn total<T: Float>(basis: Basis<T>) -> T {
     basis.rise + basis.free + basis.forced_slope
 }
@@ -263,7 +263,7 @@ fn forms() -> Vec<Form> {
     ]
 }
 
-/// The relative error where the printed form breaks.
+/// Returns the relative error of a form at the arguments where the printed form loses accuracy.
 fn error(form: &Form, value: fn(&Form) -> f64) -> f64 {
     let exact = (form.exact)(form.breaks.map(Dd::from));
     ((Dd::from(value(form)) - exact) / exact).to_f64().abs()

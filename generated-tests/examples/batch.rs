@@ -1,4 +1,4 @@
-//! Limits without search one by one and over a slice, in turn: nanoseconds for each r, and how many times as fast.
+//! Compares limits without search one by one with those over a slice: nanoseconds for each r, and the speed-up.
 //!
 //!     cargo run --release -p generated-tests --example batch
 //!     RUSTFLAGS="-C target-cpu=native" cargo run --release -p generated-tests --example batch
@@ -65,9 +65,9 @@ scenes! {
     }
 }
 
-/// Nanoseconds for each r, one by one and over a slice: the least of all rounds.
+/// Returns the nanoseconds for each r, one by one and over a slice, as the minimum of all rounds.
 fn times<F: FrictionSystem<Scalar = f64>>(system: &F) -> [f64; 2] {
-    // The golden section spreads them evenly over 0.2 to 2.5, in no order that a processor could learn.
+    // The golden section spreads the frequencies evenly over 0.2 to 2.5, in an order that a processor cannot predict.
     let spread = |index: usize| (index as f64 * 0.618_033_988_749_894_9).fract();
     let rs: Vec<f64> = (1..=POINTS)
         .map(|index| 0.2 + 2.3 * spread(index))

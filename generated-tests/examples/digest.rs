@@ -1,9 +1,10 @@
-//! A digest of a million answers: equal before and after a change that is meant to change none.
+//! Digest of a million results, to show that a change of the code changes none of them.
 //!
 //!     cargo run --release -p generated-tests --example digest [-- --keep FILE | --against FILE]
 //!
-//! A row for each scene, reading and kind of answer: how many values, and a hash of their bits.  `--keep` writes the
-//! values, `--against` compares with those that were kept: how many differ, by how much of the larger, and by how much.
+//! The digest has a row for each scene, reading and kind of result, with the number of values and a hash of their bits.
+//! `--keep` writes the values. `--against` compares with kept values: how many differ, and the largest difference,
+//! relative and absolute.
 
 use frictiongen::{
     Complex, ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, OrbitAt, Periodic, Run,
@@ -69,10 +70,10 @@ mod scenes {
     }
 }
 
-/// A row's values.
+/// Values of each row.
 type Rows = BTreeMap<String, Vec<f64>>;
 
-/// A frequency ratio from 0.02 to 20.
+/// Draws a frequency ratio from 0.02 to 20.
 fn ratio(points: &mut Random) -> f64 {
     0.02 * 1000_f64.powf(points.unit())
 }
@@ -171,7 +172,7 @@ where
             .expect("in the domain");
         for mass in 0..system.masses() {
             let value = at.stuck_mass(mass).expect("no resonance").expect("a mass");
-            // The sign of a zero says nothing here.
+            // The sign of a zero has no meaning here, so it is removed.
             add(
                 digest.row("stuck"),
                 parts(value).map(|part| part + S::constant(0.0)),
@@ -202,7 +203,7 @@ where
             f64::from(orbit.period()),
         ]);
         add(row, [orbit.stuck_fraction()]);
-        // The order in which eigenvalues are found says nothing.
+        // The order of the eigenvalues has no meaning, so they are sorted.
         let mut multipliers: Vec<_> = orbit.multipliers().iter().copied().map(parts).collect();
         multipliers.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
         add(row, multipliers.into_iter().flatten());
@@ -384,7 +385,7 @@ fn against(rows: &Rows, kept: &[f64]) -> ExitCode {
     }
 }
 
-/// FNV-1a over the bits.
+/// FNV-1a hash of the bits.
 fn hash(values: &[f64]) -> u64 {
     values
         .iter()

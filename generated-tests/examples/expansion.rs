@@ -1,5 +1,5 @@
-//! How long the macro takes for scenes of 1, 8 and 64 masses, and for limits to 1e-4 of 1 to 10.  `scripts/expansion-times` builds it as
-//! a user's build builds the macro, without optimisation.
+//! Time of the macro for scenes of 1, 8 and 64 masses, and for limits to 1e-4 of 1 to 10 masses.
+//! `scripts/expansion-times` builds this program without optimisation, as a user's build builds the macro.
 
 use frictiongen_codegen::{Limits, SceneTables, emit, parse_text};
 use frictiongen_model::modal::Modal;
@@ -54,7 +54,7 @@ fn main() {
     }
 }
 
-/// The scene of a table, with what it provides.
+/// Returns the description of a scene with tables, and with the given `provide` list.
 fn tabled(masses: usize, damping: &str, provide: &str) -> String {
     scene(masses, damping).replace(
         "provide: [limits, motion, stuck]",
@@ -94,7 +94,7 @@ fn limits_and_proof(masses: usize, damping: &str) {
     );
 }
 
-/// Where the scene asks for the whole proof.
+/// Times a scene that requests the complete proof.
 fn proven_whole(masses: usize, damping: &str) {
     let text = tabled(masses, damping, "limits").replace("2.5 }", "2.5 }, proof: whole");
     let clock = Instant::now();

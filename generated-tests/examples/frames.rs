@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [from, to] = frame.band;
         let path = format!("{directory}/{masses}-{index}.friction");
         std::fs::write(&path, &frame.text)?;
-        // The curve takes 0.3 of the middle sliding limit: every regime occurs there.
+        // The curve takes 0.3 times the median sliding limit, at which every regime occurs.
         let mut limits: Vec<f64> = (0..=90)
             .filter_map(|i| {
                 frame

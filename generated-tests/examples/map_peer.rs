@@ -1,8 +1,8 @@
-//! Our side of `scripts/map-peers`: figure 3.12 of the thesis, stops a cycle over r and β.
+//! This library's part of `scripts/map-peers`: figure 3.12 of the thesis, stops in a cycle over r and β.
 //!
-//! `map_peer points` prints the points of the map, r and β. `map_peer MU FILE STEPPER` reads what the plain stepper found at them,
-//! a line each, and prints our time in seconds, how many points differ, and why each does. STEPPER is the stepper with
-//! steps a tenth as long.
+//! `map_peer points` prints the points (r, β) of the map. `map_peer MU FILE STEPPER` reads the results of the plain
+//! stepper at these points, one line each. It prints this library's time in seconds, the number of points that differ,
+//! and the reason of each. STEPPER is the stepper with steps a tenth as long.
 
 use frictiongen::kernel::simulation::Event;
 use frictiongen::study::{Map, MapPoint, MapRequest, SystemResponse};
@@ -12,7 +12,7 @@ use std::io::Write as _;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
-/// What the stepper found.
+/// Result of the stepper at a point.
 struct Theirs {
     repeats: bool,
     stops: usize,
@@ -21,7 +21,7 @@ struct Theirs {
 }
 
 fn grid() -> (Vec<f64>, Vec<f64>) {
-    // At r = 0 a cycle never ends.
+    // A cycle at r = 0 never ends.
     let r = (1..=126).map(|i| f64::from(i) * 0.02).collect();
     let beta = (0..=400).map(|i| f64::from(i) * 0.01).collect();
     (r, beta)
@@ -47,7 +47,7 @@ fn read(text: &str) -> Vec<Theirs> {
     text.lines().map(line).collect()
 }
 
-/// What another stepper finds at a point.
+/// Runs another stepper at a point.
 fn again(stepper: &str, mu: &str, r: f64, beta: f64) -> Theirs {
     let mut run = Command::new(stepper)
         .args(["1", "1", "0", "0", "-", mu, "5000"])
@@ -64,7 +64,7 @@ fn again(stepper: &str, mu: &str, r: f64, beta: f64) -> Theirs {
     found.into_iter().next().expect("a line")
 }
 
-/// Why two answers differ.
+/// Returns the reason why two results differ.
 fn reason(
     system: &System,
     r: f64,
@@ -125,7 +125,7 @@ fn reason(
     )
 }
 
-/// Stops and reversals in the 5000th cycle of our own simulation from rest.
+/// Returns stops and reversals in the 5000th cycle of this library's simulation from rest.
 fn from_rest(system: &System, r: f64, beta: f64) -> (usize, usize) {
     let mut run = system.simulation(r, beta).expect("in the domain");
     let (mut stops, mut reversals) = (0, 0);
@@ -143,7 +143,7 @@ fn from_rest(system: &System, r: f64, beta: f64) -> (usize, usize) {
 }
 
 fn counts(point: &MapPoint) -> (usize, usize) {
-    // The stepper counts a cycle.
+    // The stepper counts within one cycle, so the counts of a period are divided by its number of cycles.
     let period = point.pattern.period.max(1) as usize;
     (
         point.pattern.stops / period,
@@ -180,7 +180,7 @@ fn main() {
     let mut times = Vec::new();
     let mut answer: Option<(System, Map)> = None;
     for _ in 0..5 {
-        // From the text on.
+        // The time includes parsing the text.
         let start = Instant::now();
         let system: System = scene.parse().expect("a scene");
         let map = system.map(&request, |_| true).expect("a map");
@@ -197,7 +197,7 @@ fn main() {
         let same = ours
             .as_ref()
             .is_ok_and(|ours| counts(ours) == (theirs.stops, theirs.reversals));
-        // A hundredth of the amplitude apart is another motion, whatever is counted.
+        // A difference of a hundredth of the amplitude means another motion, even if the counts agree.
         let size = ours.as_ref().map_or(0.0, |ours| ours.amplitudes[0]);
         if same && (size - theirs.contact).abs() < 0.01 * size + 1e-6 {
             farthest = farthest.max((size - theirs.contact).abs() / size.max(1.0));

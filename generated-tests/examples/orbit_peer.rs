@@ -1,9 +1,9 @@
-//! Our side of `scripts/orbit-peers`: one steady state, how long it takes, and how far it is from
-//! itself in double-double.
+//! This library's part of `scripts/orbit-peers`: one steady state, its time, and its difference from the same state in
+//! double-double.
 //!
-//! `orbit_peer FILE R BETA [RUNS]` prints microseconds (the median of the runs, each from a parsed
-//! scene on: frequency stage, steady state, amplitudes), stops, reversals, the amplitude of the
-//! contact's relative motion and that of its mass, and both again in double-double.
+//! `orbit_peer FILE R BETA [RUNS]` prints microseconds, stops, reversals, the amplitude of the contact's relative
+//! motion and that of its mass, and both amplitudes in double-double. The time is the median of the runs. A run starts
+//! from a parsed scene and includes frequency stage, steady state and amplitudes.
 
 use frictiongen::study::scene::Node;
 use frictiongen::{NoOrbit, System};
@@ -12,7 +12,7 @@ use frictiongen_kernel::number::dd::Dd;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// What the columns are made of.
+/// Values of the columns.
 struct Answer<S> {
     stops: usize,
     reversals: usize,

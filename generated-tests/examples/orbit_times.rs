@@ -1,7 +1,7 @@
-//! How long one steady state takes: run through `scripts/orbit-times`.
+//! Time of one steady state. `scripts/orbit-times` runs this program.
 //!
-//! Random r and β between the limits, so that the contact stops; the median, and what nine of ten
-//! take at most, of the best of five runs each.
+//! r and β are random and lie between the limits, so that the contact stops. For each point the best of five runs
+//! counts. The program prints the median and the 90th percentile over the points.
 
 use frictiongen::study::SystemAt;
 use frictiongen::{FrictionSystem, System};
@@ -11,7 +11,7 @@ use std::time::Instant;
 
 const POINTS: usize = 400;
 
-/// The scenes: SDOF, and a damped chain of five masses with and without stiction.
+/// The scenes: one mass, and a damped chain of five masses with and without stiction.
 const SCENES: [(&str, &str); 4] = [
     (
         "one mass",
@@ -36,7 +36,7 @@ const SCENES: [(&str, &str); 4] = [
     ),
 ];
 
-/// µs.
+/// Returns the time of one steady state, in µs.
 fn once(at: &SystemAt<'_>, beta: f64) -> f64 {
     let start = Instant::now();
     let _ = black_box(at.orbit(black_box(beta)));

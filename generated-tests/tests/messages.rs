@@ -1,9 +1,9 @@
-//! Every message of the scene language: what is told of a faulty description, where, and what to
-//! write instead, through each door.
+//! Tests of every message of the scene language: its text, its position in the description, and the replacement that it
+//! suggests, for each way to give a description.
 //!
-//! A case is a file in `messages/`: its cause in a sentence, a faulty description, what is told of
-//! it, and the description cured.  From the cases come `../refused/tests/messages/*.rs`, which the
-//! compiler reads, and `docs/messages.md`.  After a change:
+//! A case is a file in `messages/` with its cause in a sentence, a faulty description, the messages for it, and the
+//! corrected description. The cases generate `../refused/tests/messages/*.rs`, which the compiler reads, and
+//! `docs/messages.md`. After a change:
 //!
 //! ```sh
 //! UPDATE_DOCS=1 cargo test -p generated-tests --test messages
@@ -30,7 +30,7 @@ use frictiongen_model::validate::validate;
 use proc_macro2::{Literal, TokenTree};
 use std::path::Path;
 
-/// What the parser tells, with line and column, and that the cure is one.
+/// The parser gives the messages of each case with line and column, and accepts the corrected description.
 #[test]
 fn of_a_text() {
     for case in cases() {
@@ -40,7 +40,7 @@ fn of_a_text() {
                 .to_string();
             assert_eq!(told, case.told.join("\n"), "{}", case.name);
         } else if case.door == Door::Macro {
-            // A text is refused as well, by other words.
+            // A text is refused as well, with another message.
             parse_text(&case.faulty, &Limits::MACRO).expect_err(&case.name);
         }
         if case.door.is_description() {
@@ -50,7 +50,7 @@ fn of_a_text() {
     }
 }
 
-/// The same at run time, where a scene may be larger.
+/// A run-time system gives the same messages, except that it accepts larger scenes.
 #[test]
 fn of_a_system() {
     for case in cases() {
@@ -65,7 +65,7 @@ fn of_a_system() {
     }
 }
 
-/// The same of a file that a macro reads: on its path, with the place in the text.
+/// A file that a macro reads gives the same messages, at the path's token, with the position in the file.
 #[test]
 fn of_a_file() {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("faulty.friction");
@@ -99,7 +99,7 @@ fn of_a_file_that_is_not_there() {
     }
 }
 
-/// The errors that the macro gives for a file.
+/// Returns the errors of the macro for a file.
 fn told_by_expansion(path: &str) -> Vec<String> {
     let path = TokenTree::from(Literal::string(path));
     let mut told = Vec::new();
@@ -111,7 +111,7 @@ fn told_by_expansion(path: &str) -> Vec<String> {
     told
 }
 
-/// What only a scene made in code can get wrong.
+/// Errors that only a scene made in code can contain.
 #[test]
 fn of_a_scene_made_in_code() {
     let faulty = |name: &str| {
@@ -164,21 +164,20 @@ fn frame() -> Scene {
     }
 }
 
-/// The files that `refused-scenes` gives to the compiler hold these cases.
+/// The files that `refused-scenes` passes to the compiler contain these cases.
 #[test]
 fn of_a_macro() {
     rust::write_or_check(&cases());
 }
 
-/// What the compiler was seen to tell is what the cases say, place by place: the recorded output
-/// cannot be accepted with a message on the wrong token, or with one too many.
+/// The recorded output of the compiler equals the cases position by position. A message at the wrong token, or an extra
+/// one, cannot be recorded unnoticed.
 #[test]
 fn of_a_macro_at_the_right_places() {
     rust::check_places(&cases());
 }
 
-/// No message is without a case: every text in the sources that a message is made of is part of
-/// what some case is told.
+/// Every message has a case: each text in the sources that is part of a message occurs in the messages of a case.
 #[test]
 fn every_message_has_a_case() {
     let told: Vec<String> = cases()
@@ -211,13 +210,13 @@ fn every_message_has_a_case() {
     );
 }
 
-/// `docs/messages.md` shows the cases as they are.
+/// `docs/messages.md` shows the present cases.
 #[test]
 fn the_page_is_up_to_date() {
     page::write_or_check(&cases());
 }
 
-/// Each case says something of its own.
+/// No two cases are the same.
 #[test]
 fn no_case_twice() {
     let cases = cases();
@@ -235,7 +234,7 @@ fn no_case_twice() {
     }
 }
 
-/// Writes a file where it is asked for, and otherwise fails where it is out of date.
+/// Writes a file if `UPDATE_DOCS` is set, and otherwise fails if the file is out of date.
 fn write_or_compare(path: &Path, text: &str) {
     if std::env::var_os("UPDATE_DOCS").is_some() {
         let folder = path.parent().expect("a folder");
@@ -251,7 +250,7 @@ fn write_or_compare(path: &Path, text: &str) {
     );
 }
 
-/// The cases of each group, by the first digit of their number.
+/// Returns the cases of each group, by the first digit of their number.
 fn groups(cases: &[Case]) -> impl Iterator<Item = (&'static Group, Vec<&Case>)> {
     GROUPS.iter().map(|group| {
         let own = cases
@@ -262,16 +261,16 @@ fn groups(cases: &[Case]) -> impl Iterator<Item = (&'static Group, Vec<&Case>)> 
     })
 }
 
-/// Cases that belong together.
+/// A group of related cases.
 struct Group {
     digit: char,
     title: &'static str,
-    /// The files that the compiler reads, each with the number of its first case.
+    /// Files that the compiler reads, each with the number of its first case.
     files: &'static [(&'static str, &'static str)],
 }
 
 impl Group {
-    /// The cases of each file.
+    /// Returns the cases of each file.
     fn of_files<'c>(&self, cases: &[&'c Case]) -> Vec<(&'static str, Vec<&'c Case>)> {
         let next = self.files.iter().skip(1).map(|(_, first)| *first);
         let next = next.map(Some).chain([None]);

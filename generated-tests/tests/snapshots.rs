@@ -1,4 +1,4 @@
-//! The emitted source of the scenes in `generated_tests::shown`, as reviewers see it.
+//! Snapshots of the emitted source of the scenes in `generated_tests::shown`, for reviewers.
 
 use frictiongen_codegen::{Limits, parse_text, pretty};
 use generated_tests::shown::SCENES;
@@ -9,14 +9,14 @@ fn emitted_source() {
     for (name, text) in SCENES {
         let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
         let source = pretty(&description).expect("emitted Rust");
-        // As files of Rust: a review page shows them as such.
+        // The snapshots are Rust files, so that a review page highlights them.
         insta::with_settings!({ description => *text, omit_expression => true }, {
             insta::assert_binary_snapshot!(&format!("{name}.rs"), source.into_bytes());
         });
     }
 }
 
-/// Scenes that declare an accuracy: what a reviewer sees of their tables.
+/// Scenes that declare an accuracy, whose snapshots show their tables.
 const TABLED: [(&str, &str); 3] = [
     (
         "DeclaredLimits",
@@ -90,7 +90,7 @@ fn emission_is_deterministic() {
     }
 }
 
-/// What a specialisation leaves out is not in the source.
+/// Code that a specialisation leaves out is not in the source.
 #[test]
 fn specialised_away() {
     let source = |wanted: &str| {
@@ -119,14 +119,14 @@ fn specialised_away() {
     assert!(!limits.contains("fn motion(") && !limits.contains("fn stuck("));
     let one = source("OneMotion");
     assert!(one.contains("fn m3(") && !one.contains("fn m1(") && !one.contains("fn stuck("));
-    // Three masses, two driven modes.
+    // The scene has three masses and two driven modes.
     let symmetric = source("Symmetric");
     assert!(symmetric.contains("MODES: [Mode<f64>; 2]") && !symmetric.contains("mode_3"));
     assert!(symmetric.contains("RESONANCES: [f64; 3]"));
 }
 
-/// Every local variable of emitted code is shielded from constants of the same name in the user's
-/// code; those of a single mode, `mode_1_…`, are left out.
+/// Every local variable of emitted code is protected from constants of the same name in the user's code. Those of a
+/// single mode, `mode_1_…`, are not in the list.
 #[test]
 fn local_names_are_shielded() {
     let shielded = include_str!("../../frictiongen-kernel/src/emitted/locals.rs");

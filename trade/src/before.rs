@@ -1,5 +1,5 @@
-//! The searches before: another program, built against the code of that commit, that answers how
-//! long its passes took, in turns with the rounds here.
+//! The reference program, which is built against an earlier commit with its own searches. It returns the time of its
+//! passes. Its passes alternate with the rounds of this program.
 
 use crate::clock::Job;
 use crate::methods::{Method, Pair};
@@ -10,17 +10,17 @@ use std::io::{self, BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
-/// What it answers.
+/// Quantities that the reference program computes.
 pub const METHODS: [Method; 3] = [Method::Limits, Method::Amplitude, Method::Contact];
 
-/// The other program, as it runs.
+/// The running reference program.
 pub struct Before {
     child: Child,
     pipes: RefCell<(ChildStdin, BufReader<ChildStdout>)>,
 }
 
 impl Before {
-    /// Starts the program.
+    /// Starts the reference program.
     pub fn start(program: &Path) -> io::Result<Self> {
         let mut child = Command::new(program)
             .stdin(Stdio::piped())
@@ -44,7 +44,7 @@ impl Before {
         line.trim().parse().map_err(io::Error::other)
     }
 
-    /// Jobs at the same points of the same scene, each with its question.
+    /// Creates jobs at the given points of a scene, one for each quantity.
     pub fn jobs<'a>(&'a self, label: &Label, points: &[Pair<f64>]) -> io::Result<Vec<Job<'a>>> {
         let mut request = format!("scene {} {}", label.name, label.zeta);
         for [r, beta] in points {

@@ -1,10 +1,11 @@
-//! The chains: how the steady state is asked for, name, number of masses, which one is looked at, description, and what
-//! an exact scene provides.
+//! The chains. An entry begins with `orbit` if its steady states with stops are measured, otherwise with `plain`. It
+//! continues with the name, the number of masses, the index of the observed mass, the description, and what an exact
+//! scene provides.
 //!
-//! Equal masses and springs, because one of the peers, `peers/stepper.c`, knows no others.  The last mass that is named
-//! is the one that is looked at.
+//! Masses and springs are equal, because one of the peers, `peers/stepper.c`, has no others. The observed mass is the
+//! last one that is named.
 
-/// Hands every chain to a macro.
+/// Passes every chain to a macro.
 macro_rules! chains {
     ($then:ident) => {
         $then! {

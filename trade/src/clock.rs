@@ -1,14 +1,14 @@
-//! Nanoseconds a call: medians and minima of interleaved rounds.
+//! Nanoseconds a call: medians and minima over interleaved rounds.
 
 use std::time::Instant;
 
-/// One pass lasts at least this long, or is repeated within a round.
+/// Shortest pass, in s. A shorter pass is repeated within its round.
 const SHORTEST: f64 = 2e-4;
-/// Passes that last longer are cut to fewer points.
+/// Longest pass, in s. A longer pass is reduced to fewer points, but not below `FEWEST_POINTS`.
 const LONGEST: f64 = 0.05;
 const FEWEST_POINTS: usize = 8;
 
-/// Something to time: calls itself at the first points, as many and as often as it is told.
+/// A function that is timed. It is called at the first `points` points, `passes` times.
 pub struct Job<'a> {
     seconds: Box<dyn FnMut(usize, usize) -> f64 + 'a>,
     points: usize,
@@ -16,17 +16,17 @@ pub struct Job<'a> {
     times: Vec<f64>,
 }
 
-/// Of all rounds, ns a call.
+/// Time of a call over all rounds, ns.
 #[derive(Clone, Copy, Debug)]
 pub struct Time {
-    /// The median.
+    /// Median over the rounds.
     pub median: f64,
-    /// The shortest.
+    /// Shortest time.
     pub least: f64,
 }
 
 impl<'a> Job<'a> {
-    /// A job of at most `points` calls a pass.
+    /// Creates a job with at most `points` calls a pass.
     pub fn new(points: usize, mut run: impl FnMut(usize) + 'a) -> Self {
         Self::timed_by(points, move |count, passes| {
             let start = Instant::now();
@@ -37,7 +37,7 @@ impl<'a> Job<'a> {
         })
     }
 
-    /// A job that knows itself how many seconds it took, for so many points and passes.
+    /// Creates a job that measures its own time: `seconds` takes the numbers of points and passes.
     pub fn timed_by(points: usize, seconds: impl FnMut(usize, usize) -> f64 + 'a) -> Self {
         Self {
             seconds: Box::new(seconds),
@@ -61,7 +61,7 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Times jobs in turn.
+/// Times jobs in turn, round by round.
 pub fn interleaved(jobs: &mut [Job<'_>], rounds: usize) -> Vec<Time> {
     jobs.iter_mut().for_each(Job::fit);
     for _ in 0..rounds {

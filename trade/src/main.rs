@@ -1,8 +1,8 @@
-//! Speed against accuracy: every way to an answer, ours and others', in the same run.
+//! Speed against accuracy: every method of this library and of others, measured in the same run.
 //!
-//! `scripts/trade` runs it: `trade FOLDER` writes `trade.csv`, `trade.md` and the pictures there;
-//! `trade --quick FOLDER` measures less, up to two masses, in seconds.  `--before PROGRAM` names the
-//! program of the searches before (`before/`).  `picture/` draws from `trade.csv` alone.
+//! `scripts/trade` runs this program. `trade FOLDER` writes `trade.csv`, `trade.md` and the pictures to a folder.
+//! `trade --quick FOLDER` measures less, with up to two masses, in seconds. `--before PROGRAM` names the program with
+//! the earlier searches (`before/`). `picture/` draws from `trade.csv` alone.
 
 #[macro_use]
 mod chains;

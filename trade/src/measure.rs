@@ -1,4 +1,4 @@
-//! Measures every way in every scene.
+//! Measures every method in every scene.
 
 use crate::before::{self, Before};
 use crate::clock::{Job, Time, interleaved};
@@ -15,31 +15,32 @@ use frictiongen::kernel::Float;
 use frictiongen::kernel::number::dd::Dd;
 use frictiongen::{FrictionSystem, MotionAt, System};
 
-/// Who answers.
+/// Program that computes a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum By {
-    /// Emitted, double precision.
+    /// Emitted scene, double precision.
     Double,
-    /// Emitted, single precision.
+    /// Emitted scene, single precision.
     Single,
-    /// The run-time `System`.
+    /// Run-time `System`.
     RunTime,
-    /// The thesis's formulas in C.
+    /// Formulas of the thesis in C.
     Hand,
-    /// The eigenproblem at each r, by nalgebra.
+    /// Eigenproblem solved at each r, by nalgebra.
     Textbook,
-    /// Harmonic balance up to a harmonic.
+    /// Harmonic balance up to a given harmonic.
     Balance(usize),
-    /// The event stepper in C.
+    /// Event stepper in C.
     Stepper,
-    /// Emitted with tables, double precision, to 10 to the minus this; to the finest the run-time system's.
+    /// Emitted scene with tables, double precision, to 10 to the minus this exponent. The tables of the finest accuracy
+    /// are built at run time.
     Table(u8),
-    /// Emitted, double precision, by the searches before.
+    /// Emitted scene of an earlier commit, double precision, with its own searches.
     Before,
 }
 
 impl By {
-    /// In the tables.
+    /// Returns the name in the tables.
     pub fn name(self) -> String {
         match self {
             Self::Double => "emitted f64".into(),
@@ -56,44 +57,44 @@ impl By {
     }
 }
 
-/// One way to one answer in one scene.
+/// Measurement of one quantity, by one program, in one scene.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// The scene.
+    /// Scene.
     pub label: Label,
-    /// Who.
+    /// Program that computes the quantity.
     pub by: By,
-    /// What.
+    /// Quantity.
     pub method: Method,
-    /// How long.
+    /// Time of a call.
     pub time: Time,
-    /// Against the same formula in double-double, all points.
+    /// Errors against the same formula in double-double, all points.
     pub rounding: Errors,
-    /// Against the exact answer, at usual points.
+    /// Errors against the exact value, usual points.
     pub usual: Errors,
-    /// Against the exact answer, all points.
+    /// Errors against the exact value, all points.
     pub error: Errors,
-    /// Operations a call, emitted scenes only, without those of a search.
+    /// Operations of a call without those of a search, for emitted scenes only.
     pub operations: Option<Operations>,
-    /// Of a table alone.
+    /// Figures of a table, for scenes with tables only.
     pub table: Option<Figures>,
 }
 
-/// Measures the scenes that it is shown.
+/// Visitor that measures the scenes.
 pub struct Measure {
-    /// How much.
+    /// Extent of the measurement.
     pub extent: Extent,
-    /// The searches before, if they could be built.
+    /// The program with the earlier searches, `None` if it could not be built.
     pub before: Option<Before>,
-    /// What came out.
+    /// Results.
     pub rows: Vec<Row>,
-    /// What single calls took.
+    /// Times of single calls.
     pub tails: Vec<Tail>,
-    /// Where the finest tables cannot be had.
+    /// Scenes for which the finest tables were refused.
     pub refused: Vec<Refused>,
 }
 
-/// The points of a scalar: for the clock, for the errors usual and at the edges, and with stops.
+/// Points of a scalar: for the clock, for the errors at usual points and at the edges, and with stops.
 struct Sets<S> {
     timed: Set<S>,
     usual: Set<S>,
@@ -101,7 +102,7 @@ struct Sets<S> {
     stops: Set<S>,
 }
 
-/// The text in double-double: what answers are judged by.
+/// The scene in double-double, against which results are judged.
 struct Reference {
     system: System<Dd>,
     fill: Fill<Dd>,
@@ -144,7 +145,7 @@ impl Reference {
     }
 }
 
-/// A way whose time is not known yet.
+/// A program and a quantity whose time is not known yet.
 struct Entry<'a, S> {
     by: By,
     method: Method,
@@ -172,7 +173,7 @@ fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Ti
     let (mut rounding, usual) = (errors(first, method), errors(first, exact));
     let mut error = usual.clone();
     if entry.table.is_some() {
-        // The edges are out of the tables' range; the clock's points are not.
+        // The edges lie outside the range of the tables. The points of the clock lie inside.
         error = error.with(&errors(&sets.timed, exact));
     } else if !stops {
         rounding = rounding.with(&errors(&sets.edges, method));
@@ -191,7 +192,7 @@ fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Ti
     }
 }
 
-/// A row without errors.
+/// Creates a row without errors.
 fn only_timed(label: Label, by: By, method: Method, time: Time) -> Row {
     Row {
         label,
@@ -307,7 +308,7 @@ impl Visitor for Measure {
             .extend(rows.map(|(method, t)| only_timed(label, By::Before, *method, *t)));
         #[cfg(with_c)]
         {
-            // In the contact's amplitude, which is what it gives.
+            // The stepper is judged by the amplitude of the contact, because it returns no other.
             let contact = contact_amplitudes(&reference, &wide.timed, self.extent.stepped);
             self.stepped(label, Method::Amplitude, &contact);
             let stops = asked(
@@ -355,7 +356,7 @@ fn contact_amplitudes(reference: &Reference, set: &Set<f64>, count: usize) -> Ve
 
 #[cfg(with_c)]
 impl Measure {
-    /// The event stepper at these points, against the contact's exact amplitude.
+    /// Runs the event stepper at these points, and compares with the exact amplitude of the contact.
     fn stepped(&mut self, label: Label, method: Method, points: &[(Pair<f64>, Dd)]) {
         let mut runs = Vec::new();
         let mut error = Errors::default();

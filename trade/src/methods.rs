@@ -1,33 +1,33 @@
-//! What is measured: questions to a scene, asked in the same way of emitted and run-time systems.
+//! Quantities that are measured, computed in the same way by emitted and run-time systems.
 
 use crate::scenes::Orbit;
 use crate::without_search;
 use frictiongen::kernel::{Float, Scalar};
 use frictiongen::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady};
 
-/// A question.
+/// A quantity that a scene computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Method {
-    /// Both limits, the velocity constraint's S from the guaranteed search.
+    /// Both limits, with S of the velocity constraint from the guaranteed search.
     Limits,
-    /// Both limits, S by its limit for τ → 0.
+    /// Both limits, with the limit for τ → 0 as S.
     WithoutSearch,
-    /// Both limits, S as the sum of each mode's own maximum.
+    /// Both limits, with the sum of the maxima of each mode as S.
     PerMode,
-    /// The exact maximum of a mass's motion.
+    /// Exact maximum of a mass's motion.
     Amplitude,
-    /// Its monoharmonic estimate.
+    /// Monoharmonic estimate of a mass's amplitude.
     Monoharmonic,
-    /// The modulus of its fundamental.
+    /// Modulus of the fundamental of a mass's motion.
     Fundamental,
-    /// The amplitude of the continuous motion in the contact.
+    /// Amplitude of the continuous motion in the contact.
     Contact,
-    /// The amplitude in the contact of the steady state with stops.
+    /// Amplitude in the contact of the steady state with stops.
     Orbit,
 }
 
 impl Method {
-    /// Those that every emitted scene answers.
+    /// Quantities that every emitted scene computes.
     pub const CLOSED: [Self; 6] = [
         Self::Limits,
         Self::WithoutSearch,
@@ -37,7 +37,7 @@ impl Method {
         Self::Fundamental,
     ];
 
-    /// Those whose truth is asked for at continuous points.
+    /// Quantities for which the exact value is computed at continuous points.
     pub const JUDGED: [Self; 7] = [
         Self::Limits,
         Self::WithoutSearch,
@@ -48,7 +48,7 @@ impl Method {
         Self::Contact,
     ];
 
-    /// In the tables.
+    /// Returns the name in the tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Limits => "limits, exact S",
@@ -62,7 +62,7 @@ impl Method {
         }
     }
 
-    /// The question whose exact answer this one is an approximation of.
+    /// Returns the quantity whose exact value this one approximates.
     pub fn exact(self) -> Self {
         match self {
             Self::Limits | Self::WithoutSearch | Self::PerMode => Self::Limits,
@@ -73,12 +73,12 @@ impl Method {
     }
 }
 
-/// A point (r, β), and the two numbers of an answer (both limits; or twice the amplitude).
+/// A point (r, β), or the two numbers of a result (both limits, or the amplitude twice).
 pub type Pair<S> = [S; 2];
-/// Answers a question at every point; NaN where there is no answer.
+/// Function that computes a quantity at every point, NaN where there is no result.
 pub type Fill<S> = Box<dyn Fn(Method, &[Pair<S>], &mut [Pair<S>])>;
 
-/// The answers of a system, emitted or not.
+/// Creates the function that computes the quantities of a system, emitted or not.
 pub fn filler<F>(system: F, watched: usize, orbit: Orbit<F::Scalar>) -> Fill<F::Scalar>
 where
     F: FrictionSystem + 'static,
@@ -113,7 +113,7 @@ where
     })
 }
 
-/// One answer at each point.
+/// Computes one result at each point.
 pub fn each<S: Float>(
     points: &[Pair<S>],
     out: &mut [Pair<S>],
@@ -124,7 +124,7 @@ pub fn each<S: Float>(
     }
 }
 
-/// Both limits at each point.
+/// Computes both limits at each point.
 pub fn limits<F>(
     system: &F,
     points: &[Pair<F::Scalar>],

@@ -1,17 +1,18 @@
-//! How many operations an emitted solver performs, as its documentation says.
+//! Number of operations of an emitted solver, as its documentation lists them.
 
 use crate::methods::Method;
 use crate::scenes::Label;
 use frictiongen_codegen::{Limits, emit, parse_text};
 
-/// Operations from r to both limits; those of a search come on top.
+/// Operations from r to both limits, without those of a search.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Operations {
-    /// All that the function without search lists; with a search, those of the frequency stage.
+    /// All operations that the documentation lists: of the function without search, or of the frequency stage with a
+    /// search.
     pub total: usize,
-    /// Divisions, with those of 1/r and of the two limits.
+    /// Divisions, including those of 1/r and of the two limits.
     pub divisions: usize,
-    /// Square roots, with those of the two limits.
+    /// Square roots, including those of the two limits.
     pub roots: usize,
     /// Pairs of sine and cosine.
     pub circular: usize,
@@ -19,7 +20,7 @@ pub struct Operations {
     pub exponential: usize,
 }
 
-/// Operations of a call from r on that gives both limits; what a search needs comes on top.
+/// Returns the operations of a call that computes both limits from r, without those of a search.
 pub fn of(label: &Label, method: Method) -> Option<Operations> {
     if !matches!(
         method,
@@ -38,7 +39,7 @@ pub fn of(label: &Label, method: Method) -> Option<Operations> {
             ..without_search
         });
     }
-    // 1/r, |V|/√(…) and |V|/(μ|H|); a complex modulus takes a division and a root.
+    // The divisions are 1/r, |V|/√(…) and |V|/(μ|H|). A complex modulus adds a division and a root.
     let moduli = if label.zeta > 0.0 { 2 } else { 0 };
     Some(Operations {
         divisions: stage.divisions + 3 + moduli,
@@ -49,7 +50,7 @@ pub fn of(label: &Label, method: Method) -> Option<Operations> {
 
 const MARK: &str = "Operations: ";
 
-/// What follows the mark in a function's documentation: `12: 5 ×, 3 +, 1 ÷, 1 sin_cos_pi.`
+/// Parses the text after the mark in a function's documentation: `12: 5 ×, 3 +, 1 ÷, 1 sin_cos_pi.`
 fn listed(text: &str) -> Option<Operations> {
     let (text, _) = text.split_once('.')?;
     let (total, parts) = text.split_once(": ").unwrap_or((text, ""));
@@ -63,7 +64,7 @@ fn listed(text: &str) -> Option<Operations> {
         match kind {
             "÷" => operations.divisions += count,
             "√" => operations.roots += count,
-            // A complex modulus.
+            // A complex modulus takes a division and a root.
             "hypot" => {
                 operations.divisions += count;
                 operations.roots += count;

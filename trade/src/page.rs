@@ -1,4 +1,4 @@
-//! `docs/trade.md`.
+//! Writes the page `docs/trade.md`.
 
 mod declared;
 mod ours;
@@ -11,12 +11,12 @@ use crate::tables::pools;
 use std::fmt::{Result as Written, Write};
 use table::{Table, Tally, cell, verdict};
 
-/// Where C's time falls below ours.
+/// Ratio of the times of C and of this library at which they are equal.
 const EVEN: f64 = 1.0;
-/// By what the event stepper's time is to exceed the closed form's: without search, with.
+/// Aims for the time of the event stepper over that of the closed form: without search, and with search.
 const STEPPER: [f64; 2] = [1e4, 1e3];
 
-/// The page: what was measured, with the texts around it.
+/// Writes the page: the measurements, with the texts around them.
 pub fn page(measure: &Measure, firmware: &str) -> Result<String, std::fmt::Error> {
     let rows = &measure.rows;
     let mut text = String::from(include_str!("page_head.md"));
@@ -49,7 +49,7 @@ fn shown(ns: f64) -> String {
     }
 }
 
-/// By what C's time is to exceed ours.
+/// Returns the aim for the time of C over that of this library.
 fn aim_against_hand(label: &Label, method: Method) -> f64 {
     match (method, label.masses, label.zeta > 0.0) {
         (Method::WithoutSearch, 1, false) => 1.1,

@@ -1,4 +1,4 @@
-//! Where is measured.
+//! Points at which the programs are measured.
 
 use crate::methods::{Fill, Method, Pair};
 use frictiongen::FrictionSystem;
@@ -6,48 +6,48 @@ use frictiongen::System;
 use frictiongen::kernel::Float;
 use frictiongen::kernel::number::dd::Dd;
 
-/// How much is measured.
+/// Extent of a measurement.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
-    /// Points for the clock.
+    /// Number of points for the clock.
     pub timed: usize,
-    /// Usual points for the errors; the edges come on top.
+    /// Number of usual points for the errors, without those at the edges.
     pub usual: usize,
-    /// Rounds of the clock.
+    /// Number of rounds of the clock.
     pub rounds: usize,
-    /// Points with stops.
+    /// Number of points with stops.
     pub orbits: usize,
-    /// Points that the event stepper runs.
+    /// Number of points for the event stepper.
     pub stepped: usize,
-    /// Points whose times are taken one by one.
+    /// Number of points that are timed one by one.
     pub tail: usize,
-    /// Scenes of at most so many masses.
+    /// Largest number of masses in a scene.
     pub masses: usize,
 }
 
-/// β over the smaller limit at usual points.
+/// Values of β over the smaller limit, at usual points.
 pub const USUAL: [f64; 3] = [0.5, 0.1, 0.9];
-/// β over the smaller limit at the edges.
+/// Values of β over the smaller limit, at the edges.
 pub const EXTREME: [f64; 4] = [0.5, 1e-3, 0.9, 1.0 - 1e-6];
-/// The golden ratio's fraction: its multiples cover an interval evenly.
+/// Fractional part of the golden ratio. Its multiples cover an interval evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 fn spread(index: usize) -> f64 {
     ((index as f64 + 0.5) * GOLDEN).fract()
 }
 
-/// Usual frequency ratios: even over 0.2 to 2.5.
+/// Usual frequency ratios, evenly spread over 0.2 to 2.5.
 pub fn usual(count: usize) -> Vec<f64> {
     (0..count).map(|i| 0.2 + 2.3 * spread(i)).collect()
 }
 
-/// Frequency ratios of even logarithms.
+/// Frequency ratios with evenly spread logarithms.
 pub fn logarithmic(count: usize, [low, high]: [f64; 2]) -> Vec<f64> {
     let ratio = |i| low * (high / low).powf(spread(i));
     (0..count).map(ratio).collect()
 }
 
-/// Frequency ratios of the edges: beside every resonance and its sub-harmonics, and far out.
+/// Frequency ratios at the edges of the domain: next to every resonance and its subharmonics, and far away.
 pub fn edges(resonances: &[f64]) -> Vec<f64> {
     let mut ratios = Vec::new();
     for resonance in resonances {
@@ -64,15 +64,15 @@ pub fn edges(resonances: &[f64]) -> Vec<f64> {
     ratios
 }
 
-/// Points of a scalar, rounded to it, with what double-double answers there.
+/// Points rounded to a scalar, with the results of double-double at the rounded points.
 pub struct Set<S> {
-    /// r and β.
+    /// The points (r, β).
     pub points: Vec<Pair<S>>,
     truths: Vec<(Method, Vec<Pair<Dd>>)>,
 }
 
 impl<S: Float> Set<S> {
-    /// Continuous points: β is a share of the smaller limit, by turns.
+    /// Creates points of continuous motion. β takes the fractions of the smaller limit in turn.
     pub fn continuous(ratios: &[f64], reference: &Fill<Dd>, shares: &[f64]) -> Self {
         let ratios: Vec<Dd> = ratios
             .iter()
@@ -94,7 +94,7 @@ impl<S: Float> Set<S> {
         Self::of(points.collect(), reference, &Method::JUDGED)
     }
 
-    /// Points between the limits whose steady state double-double finds.
+    /// Creates points between the limits whose steady state double-double finds.
     pub fn with_stops(system: &System<Dd>, reference: &Fill<Dd>, most: usize) -> Self {
         let mut points = Vec::new();
         let found = |r: f64, i: usize| -> Option<Pair<S>> {
@@ -133,8 +133,8 @@ impl<S: Float> Set<S> {
         }
     }
 
-    /// The relative forward errors of answers to `method` against double-double's to `truth`, and
-    /// at how many points there was no answer.
+    /// Returns the relative forward errors of results of `method` against double-double's results of `truth`, and the
+    /// number of points without result.
     pub fn errors(&self, answers: &[Pair<S>], truth: Method) -> Errors {
         let exact = self.truths.iter().find(|(method, _)| *method == truth);
         let mut errors = Vec::new();
@@ -166,35 +166,35 @@ impl<S: Float> Set<S> {
     }
 }
 
-/// The errors at a set of points, ascending.
+/// Errors at a set of points, in ascending order.
 #[derive(Clone, Debug, Default)]
 pub struct Errors {
-    /// Where there was an answer.
+    /// Errors at the points with a result.
     pub sorted: Vec<f64>,
-    /// At how many points there was none.
+    /// Number of points without a result.
     pub none: usize,
 }
 
 impl Errors {
-    /// What 99 of 100 do not exceed.
+    /// Returns the 99th percentile.
     pub fn percentile(&self) -> f64 {
         let place = (self.sorted.len() * 99).div_ceil(100).saturating_sub(1);
         self.sorted.get(place).copied().unwrap_or(f64::NAN)
     }
 
-    /// The largest.
+    /// Returns the largest error.
     pub fn worst(&self) -> f64 {
         self.sorted.last().copied().unwrap_or(f64::NAN)
     }
 
-    /// These and others: both together.
+    /// Returns these errors together with others.
     pub fn with(&self, other: &Self) -> Self {
         let mut all = self.clone();
         all.and(other);
         all
     }
 
-    /// Adds others.
+    /// Adds the errors of another set.
     pub fn and(&mut self, other: &Self) {
         self.sorted.extend(&other.sorted);
         self.sorted.sort_by(f64::total_cmp);
@@ -202,7 +202,7 @@ impl Errors {
     }
 }
 
-/// The answers to one question.
+/// Computes a quantity at every point.
 pub fn asked<S: Float>(fill: &Fill<S>, method: Method, points: &[Pair<S>]) -> Vec<Pair<S>> {
     let mut out = vec![[S::constant(f64::NAN); 2]; points.len()];
     fill(method, points, &mut out);

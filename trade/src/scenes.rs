@@ -1,19 +1,19 @@
-//! The scenes: chains of 1, 2, 5 and 10 equal masses and springs, each contact, undamped and with
-//! ζ = 0.02 in every mode, in both precisions.
+//! The scenes: chains of 1, 2, 5 and 10 equal masses and springs with each contact, undamped and with ζ = 0.02 in every
+//! mode, in both precisions.
 
-/// Emits every scene four times and lists them.
+/// Emits every scene four times, and lists the scenes.
 macro_rules! scenes {
     ($($orbit:ident struct $name:ident $masses:literal $watched:literal $body:tt $provide:tt)*) => {
-        /// Undamped.
+        /// Undamped scenes.
         pub mod undamped {
             scenes!(@precisions [none]; $(struct $name $body $provide)*);
         }
-        /// ζ = 0.02 in every mode.
+        /// Scenes with ζ = 0.02 in every mode.
         pub mod damped {
             scenes!(@precisions [modal(0.02)]; $(struct $name $body $provide)*);
         }
 
-        /// Hands every scene to `visitor`.
+        /// Passes every scene to `visitor`.
         pub fn visit(visitor: &mut impl Visitor) {
             $(
                 scenes!(@each visitor, undamped, "none", 0.0, $orbit $name $masses $watched $body $provide);
@@ -22,11 +22,11 @@ macro_rules! scenes {
         }
     };
     (@precisions $damping:tt; $(struct $name:ident $body:tt $provide:tt)*) => {
-        /// In double precision.
+        /// Scenes in double precision.
         pub mod double {
             $(scenes!(@emit $name, f64, $damping, $body, $provide);)*
         }
-        /// In single precision.
+        /// Scenes in single precision.
         pub mod single {
             $(scenes!(@emit $name, f32, $damping, $body, $provide);)*
         }
@@ -62,27 +62,27 @@ macro_rules! scenes {
     };
 }
 
-/// What a scene is called, and its text.
+/// Name and description of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Label {
-    /// Contact and number of masses.
+    /// Name: kind of contact and number of masses.
     pub name: &'static str,
-    /// How many masses.
+    /// Number of masses.
     pub masses: usize,
-    /// The mass whose motion is asked for, by its place.
+    /// Index of the observed mass.
     pub watched: usize,
-    /// The damping ratio of every mode.
+    /// Damping ratio of every mode.
     pub zeta: f64,
-    /// The description, in double precision.
+    /// Description, in double precision.
     pub text: &'static str,
 }
 
-/// The steady state's amplitude in the contact, if the scene provides one: (r, β) to |z̄|.
+/// Function from (r, β) to the steady amplitude |z̄| in the contact, `None` if the scene does not provide it.
 pub type Orbit<S> = Option<fn(S, S) -> Option<S>>;
 
-/// Takes the emitted scenes, whose types differ, one by one.
+/// Visitor of the emitted scenes, whose types differ.
 pub trait Visitor {
-    /// One scene, in double and in single precision.
+    /// Receives one scene, in double and in single precision.
     fn scene<D, S>(
         &mut self,
         label: Label,

@@ -1,11 +1,11 @@
-//! The figures as text.
+//! Formats the measurements as text.
 
 use crate::measure::{By, Row};
 use crate::methods::Method;
 use crate::points::Errors;
 use std::fmt::Write;
 
-/// Every row.
+/// Writes every row as CSV.
 pub fn csv(rows: &[Row]) -> Result<String, std::fmt::Error> {
     let mut text = String::from(
         "scene,masses,zeta,by,answer,median ns,least ns,operations,rounding p99,rounding worst,usual error p99,error p99,error worst,points,without answer,table bytes,pieces,comparisons\n",
@@ -39,7 +39,7 @@ pub fn csv(rows: &[Row]) -> Result<String, std::fmt::Error> {
     Ok(text)
 }
 
-/// An error; nothing where none was taken.
+/// Formats an error, or nothing if there is none.
 fn figure(error: f64) -> String {
     if error.is_nan() {
         String::new()
@@ -48,25 +48,25 @@ fn figure(error: f64) -> String {
     }
 }
 
-/// Rows of the same way to the same answer with the same number of masses, taken together.
+/// Rows with the same program, quantity and number of masses, taken together.
 pub struct Pool {
-    /// How many masses.
+    /// Number of masses.
     pub masses: usize,
-    /// Who.
+    /// Program that computes the quantity.
     pub by: By,
-    /// What.
+    /// Quantity.
     pub method: Method,
-    /// The middle one of the scenes' median times, ns.
+    /// Median over the scenes of their median times, ns.
     pub time: f64,
-    /// At usual points, against the exact answer.
+    /// Errors against the exact value at usual points.
     pub usual: Errors,
-    /// At all points, against the exact answer.
+    /// Errors against the exact value at all points.
     pub error: Errors,
-    /// The fewest and the most operations.
+    /// Fewest and most operations.
     pub operations: Option<(usize, usize)>,
 }
 
-/// All pools, in order, without the rows that have times alone.
+/// Returns all pools in order. Rows of the earlier searches are left out, because they have times only.
 pub fn pools(rows: &[Row]) -> Vec<Pool> {
     let key = |row: &Row| (row.label.masses, row.method, row.by);
     let judged = rows.iter().filter(|row| row.by != By::Before);

@@ -1,4 +1,4 @@
-//! How much longer than most the slowest calls of exact limits take.
+//! Slowest calls of exact limits, compared with the median.
 
 use crate::methods::{Fill, Method, Pair};
 use crate::points::logarithmic;
@@ -7,36 +7,36 @@ use frictiongen::{Effort, System};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Frequency ratios from and to.
+/// Range of frequency ratios.
 pub const RANGE: [f64; 2] = [0.02, 10.0];
-/// A point's time is the least of so many calls.
+/// Number of calls at each point. The shortest time counts.
 const CALLS: usize = 3;
-/// The slowest points, timed anew because what interrupted them is no part of them.
+/// Number of slowest points that are timed again with more calls, because an interruption of a call does not count.
 const SLOWEST: usize = 100;
 const CALLS_OF_SLOWEST: usize = 20;
-/// How often at most other points become the slowest by that.
+/// Largest number of rounds of timing the slowest points again. A round may bring other points among the slowest.
 const TIMES_ANEW: usize = 10;
 
-/// Of the times of a scene's points, ns.
+/// Distribution of the times of a scene's points, ns.
 #[derive(Clone, Copy, Debug)]
 pub struct Tail {
-    /// The scene.
+    /// Scene.
     pub label: Label,
-    /// How many points.
+    /// Number of points.
     pub points: usize,
-    /// The middle one.
+    /// Median.
     pub median: f64,
-    /// What 99 of 100 do not exceed.
+    /// Time that 99 of 100 calls do not exceed.
     pub hundredth: f64,
-    /// What 999 of 1000 do not exceed.
+    /// Time that 999 of 1000 calls do not exceed.
     pub thousandth: f64,
-    /// The longest.
+    /// Longest time.
     pub slowest: f64,
-    /// Where that is.
+    /// Frequency ratio of the longest time.
     pub r: f64,
-    /// The most evaluations of a search that came to its end.
+    /// Largest number of evaluations in a search that finished.
     pub evaluations: u32,
-    /// How many searches did not.
+    /// Number of searches that did not finish.
     pub exceeded: usize,
 }
 
@@ -46,7 +46,7 @@ struct Timed {
     anew: bool,
 }
 
-/// The least of so many times around one call each, without the clock's own.
+/// Returns the shortest time of `calls` single calls, without the time of reading the clock.
 fn least(calls: usize, clock: f64, mut call: impl FnMut()) -> f64 {
     let one = |_| {
         let start = Instant::now();
@@ -57,7 +57,7 @@ fn least(calls: usize, clock: f64, mut call: impl FnMut()) -> f64 {
     (least - clock).max(0.0)
 }
 
-/// The median time between two looks at the clock.
+/// Returns the median time between two readings of the clock.
 fn clock() -> f64 {
     let mut times: Vec<f64> = (0..10_001).map(|_| least(1, 0.0, || ())).collect();
     times.sort_by(f64::total_cmp);
@@ -68,7 +68,7 @@ fn sort(timed: &mut [Timed]) {
     timed.sort_by(|a, b| b.time.total_cmp(&a.time));
 }
 
-/// Times exact limits at so many points, each by itself.
+/// Times exact limits at each of `points` points separately.
 pub fn of(label: Label, fill: &Fill<f64>, system: &System, points: usize) -> Tail {
     let clock = clock();
     let time = |r: f64, calls| {

@@ -1,4 +1,4 @@
-//! Steady states side by side, over frequency.
+//! Figure 3.15: coexisting steady states over the frequency ratio.
 
 use crate::{MASS, drawn, joined};
 use frictiongen::study::{SystemAt, SystemOrbit};
@@ -9,17 +9,17 @@ use frictiongen_plot::{Axis, Colour, Figure, Layer, Line, Marker, Markers, Panel
 use std::error::Error;
 
 const RANGE: (f64, f64) = (0.1, 2.5);
-/// The friction ratio of figure 3.15, and between which r it is drawn.
+/// Friction ratio of figure 3.15. `SHOWN` is the range of r in which other states are drawn.
 const BETA: f64 = 1.0;
 const SHOWN: (f64, f64) = (0.8, 1.8);
-/// Places at which other states than that from rest are looked for.
+/// Number of steps in r of the search for steady states that motion from rest does not reach.
 const PLACES: u32 = 200;
-/// Amplitudes that differ by less are of one state.
+/// Two amplitudes that differ by less than this belong to the same state.
 const ALIKE: f64 = 1e-5;
-/// Between two places a branch changes by no more than this.
+/// Largest change of the amplitude of a branch from one r of the search to the next.
 const JOINED: f64 = 0.05;
 
-/// Stops and reversals in a period; they tell one branch from another.
+/// Numbers of stops and reversals in a period and further properties of an orbit, by which branches are distinguished.
 type Kind = (usize, usize, u32, bool);
 
 fn kind(orbit: &SystemOrbit<'_>) -> Kind {
@@ -31,7 +31,8 @@ fn kind(orbit: &SystemOrbit<'_>) -> Kind {
     )
 }
 
-/// Amplitudes of a part in the stable sliding states that motion from rest does not end in.
+/// Finds the stable sliding states that motion from rest does not reach, with their amplitudes of mass or contact
+/// (`part` 0 or 1).
 fn beside_rest(at: &SystemAt<'_>, part: usize) -> Vec<(Kind, f64)> {
     let of = if part == 0 { MASS } else { Of::Contact };
     let rest = at.response(BETA).ok().and_then(|rest| rest.swing(of));
@@ -49,7 +50,7 @@ fn beside_rest(at: &SystemAt<'_>, part: usize) -> Vec<(Kind, f64)> {
     sized.filter(other).collect()
 }
 
-/// The branches of the states that motion from rest does not end in.
+/// Draws the branches of the states that motion from rest does not reach.
 fn others(system: &System, part: usize, colour: Colour) -> Vec<Layer> {
     let step = (SHOWN.1 - SHOWN.0) / f64::from(PLACES);
     let mut branches: Vec<(Kind, Vec<Point>)> = Vec::new();
@@ -84,7 +85,7 @@ fn others(system: &System, part: usize, colour: Colour) -> Vec<Layer> {
         .collect()
 }
 
-/// 3.15: the static friction.
+/// Figure 3.15: influence of static friction.
 pub fn stiction() -> Result<Figure, Box<dyn Error>> {
     let of = [MASS, Of::Contact];
     let systems = [1.0, 1.2, 1.5, 2.0].map(|stiction| (stiction, joined(stiction)));
@@ -108,7 +109,7 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
                 panel.layers.extend(lines);
             }
         }
-        // The stuck line is the same for every μ up to where each of them ends.
+        // The stuck response is the same for every μ. Only the frequency at which it ends differs.
         if let Some(curve) = curves.first().and_then(|(_, first)| first.curves().first()) {
             let curve = only_regimes(curve, true);
             let drawn = Drawn {
@@ -120,7 +121,7 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
                 .layers
                 .extend(desk::lines(&drawn, part, Reading::Amplitude, &scales));
         }
-        // The longest first: of each the end is seen, at β*_lim = r²/μ.
+        // The longest line is drawn first, so that the end of each remains visible, at β*_lim = r²/μ.
         let height = if part == 0 { 1.0 } else { 0.0 };
         for (index, (stiction, _)) in systems.iter().enumerate().skip(1).rev() {
             let points = vec![(1.0, height), ((BETA * stiction).sqrt(), height)];
@@ -132,7 +133,7 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
                 .layers
                 .extend(others(system, part, variant_colour(index)));
         }
-        // Where motion from rest begins to slide at once.
+        // Marks the frequency from which motion from rest slides without ever being stuck.
         for (index, (_, responses)) in curves.iter().enumerate().skip(1) {
             let sliding = responses.curves().iter().flat_map(|curve| &curve.pieces);
             let first = sliding.filter(|piece| piece.regime != Regime::Stuck);

@@ -1,4 +1,4 @@
-//! Chapter 3: one mass on a base that carries the wall.  `cargo run --release --example chapter3`
+//! Chapter 3: one mass on a base that carries the wall. `cargo run --release --example chapter3`
 
 mod amplitudes;
 mod branches;
@@ -15,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 
 const MASS: Of = Of::Mass(0);
 
-/// A mass on a spring rubs on a wall that moves with the base.
+/// A mass on a spring, which rubs on a wall that moves with the base.
 fn joined(stiction: f64) -> System {
     block("base", "base", &format!("stiction: {stiction:?},"))
 }
@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     album.close()
 }
 
-/// 3.6: mass and contact over a cycle.
+/// Figure 3.6: motion of mass and contact over a cycle.
 fn one_cycle() -> Result<Figure, Box<dyn Error>> {
     let system = joined(1.0);
     let times = Times {
@@ -64,7 +64,7 @@ fn one_cycle() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// 3.11: closed form and simulation.
+/// Figure 3.11: closed form compared with the simulation.
 fn half_cycles() -> Result<Figure, Box<dyn Error>> {
     let times = Times {
         span: (0.0, PI),

@@ -1,4 +1,4 @@
-//! Regimes over frequency and friction.
+//! Figures of the regimes over frequency ratio and friction ratio.
 
 use crate::{drawn, joined};
 use frictiongen::System;
@@ -13,11 +13,11 @@ use std::f64::consts::PI;
 
 const TO: f64 = 2.5;
 const TOP: f64 = 4.0;
-/// Poles of S down to which it is drawn, r = 1/31, and those with a grey line.
+/// Number of poles of S within the figure (the last one is r = 1/31), and number of those that get a grey line.
 const POLES: u32 = 15;
 const GUIDES: u32 = 6;
 
-/// 3.3: the function S (2.27), from Z̄ = βS/r² (3.16) on the limit of continuous motion.
+/// Figure 3.3: the function S (2.27), computed from Z̄ = βS/r² (3.16) on the limit of continuous motion.
 pub fn constraint() -> Result<Figure, Box<dyn Error>> {
     let system = joined(1.0);
     let value = |r: f64| -> Option<f64> {
@@ -26,7 +26,7 @@ pub fn constraint() -> Result<Figure, Box<dyn Error>> {
         let amplitude = (*at).clone().closed_form(limit).contact().amplitude();
         Some(r * r * amplitude / limit).filter(|value| value.is_finite())
     };
-    // Poles at the odd sub-harmonics, where U has them.
+    // U has its poles at the odd fractions of the resonance, r = 1/(2i + 1). S is drawn in one piece between two poles.
     let pole = |i: u32| 1.0 / f64::from(2 * i + 1);
     let mut ends: Vec<f64> = (1..=POLES).rev().map(pole).collect();
     ends.push(TO);
@@ -57,14 +57,14 @@ fn panel(title: &str, system: &System) -> Result<Panel, Box<dyn Error>> {
     Ok(desk::regimes(title, &lines, TOP, &Scales::groups(system)))
 }
 
-/// 3.4: regimes.
+/// Figure 3.4: regimes.
 pub fn map() -> Result<Figure, Box<dyn Error>> {
     let system = joined(1.0);
     let lines = system.limit_lines(0.0, 1.0, 1e-4)?;
     let mut inner = desk::regimes("", &lines, 1.0, &Scales::groups(&system));
     (inner.x.label, inner.y.label) = ("".into(), "".into());
     for layer in &mut inner.layers {
-        // The inset lies over one name, and has room for it; the others stand in the outer panel.
+        // The inset covers the name of one regime and has room for it. The outer panel names the other regimes.
         if let Layer::Region(region) = layer
             && region.name.plain() != "stuck"
         {
@@ -85,7 +85,7 @@ pub fn map() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// 3.5: regimes for several μ.
+/// Figure 3.5: regimes for several μ.
 pub fn stiction() -> Result<Figure, Box<dyn Error>> {
     let titles = [
         (1.0, "(a) *μ* = 1"),
@@ -104,7 +104,7 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// The number of stops over a grid, with the limits.
+/// Panel with the number of stops over a grid of r and β, and with the limits.
 fn counted(
     title: &str,
     stiction: f64,
@@ -131,7 +131,7 @@ fn counted(
     Ok(panel)
 }
 
-/// 3.12: the number of stops.
+/// Figure 3.12: number of stops in a cycle.
 pub fn stops() -> Result<Figure, Box<dyn Error>> {
     let of = |title, stiction| counted(title, stiction, (0.0, TO, 125), (TOP, 200));
     let panels = vec![of("(a) *μ* = 1", 1.0)?, of("(b) *μ* = 1.5", 1.5)?];
@@ -144,7 +144,7 @@ pub fn stops() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// 3.13: the same in detail.
+/// Figure 3.13: number of stops in a cycle, in detail.
 pub fn few_stops() -> Result<Figure, Box<dyn Error>> {
     let of = |title, stiction| counted(title, stiction, (0.1, 0.7, 120), (0.3, 120));
     let panels = vec![

@@ -1,4 +1,4 @@
-//! Viscous damping in place of friction.
+//! Figure 3.9: viscous damping in place of friction.
 
 use frictiongen::Of;
 use frictiongen_examples::draw::{block, variant_colour};
@@ -9,13 +9,14 @@ use frictiongen_plot::{
 use std::error::Error;
 use std::f64::consts::SQRT_2;
 
-/// 3.9: transmissibility with dashpots only.
+/// Figure 3.9: displacement transmissibility with dashpots only.
 pub fn dashpots() -> Result<Figure, Box<dyn Error>> {
     let x = Axis::new("frequency ratio *r*", 0.0, 2.5);
     let mut panel = Panel::new("", x, Axis::new("*X̄*", 0.0, 5.5));
     for (index, zeta) in [0.0, 0.1, 0.2, 0.5, 1.0].into_iter().enumerate() {
         let loaded = block("wall", "block", &format!("damping: modal({zeta:?}),"));
-        // The relative motion of a block whose dashpot ends on the moving base is r² times that of a loaded one.
+        // If the dashpot joins the block to the moving base, the relative motion is r² times the motion of a loaded
+        // block.
         let value = |r: f64| -> Option<f64> {
             let x = loaded
                 .at(r)
@@ -29,7 +30,7 @@ pub fn dashpots() -> Result<Figure, Box<dyn Error>> {
         let points = points.map(|r| (r, value(r).unwrap_or(f64::NAN)));
         let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
         for (r, value) in points {
-            // The resonance itself, and what lies far above.
+            // The line is cut at the resonance, and where the response lies far above the figure.
             if value < 50.0 {
                 pieces.last_mut().expect("a piece").push((r, value));
             } else {

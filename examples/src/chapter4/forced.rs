@@ -1,4 +1,4 @@
-//! Transmissibility and phase of the first harmonic: theory, and what recordings say.
+//! Figures of transmissibility and phase of the first harmonic: theory, and values identified from recordings.
 
 use crate::{PLATE, drawn, fixed, joined, on_wall};
 use frictiongen::System;
@@ -13,7 +13,7 @@ const JOINED: [f64; 5] = [0.5, 0.75, 1.0, 1.5, 2.0];
 const SIZE: Reading = Reading::Harmonic(0);
 const PHASE: Reading = Reading::HarmonicPhase(0);
 
-/// What recordings of the rig say at some friction ratios.
+/// Values identified from recordings of the rig, for several friction ratios.
 struct Read(Vec<(f64, Vec<Point>)>);
 
 impl Read {
@@ -32,7 +32,7 @@ impl Read {
         Ok(Self(each.collect::<Result<_, Box<dyn Error>>>()?))
     }
 
-    /// Circles of one number of each point.
+    /// Markers of one quantity of each recording, in the colour of its friction ratio.
     fn circles(&self, of: impl Fn(&Point) -> f64) -> impl Iterator<Item = Markers> {
         self.0.iter().map(move |(beta, points)| {
             let places = points.iter().map(|point| (point.r, of(point)));
@@ -41,7 +41,7 @@ impl Read {
     }
 }
 
-/// Transmissibility and phase by the first harmonic, in all regimes, with what recordings say.
+/// Panels with transmissibility and phase of the first harmonic, in all regimes, with the values from recordings.
 fn harmonics(
     responses: &Responses<'_>,
     (top, phases): (f64, (f64, f64)),
@@ -70,7 +70,7 @@ fn finished(
     caption: &str,
 ) -> Figure {
     let columns = panels.len();
-    // On a fixed wall nothing is stuck at these β.
+    // On a fixed wall the plate is never stuck at these β.
     let mut regimes = desk::keys();
     if on_wall(system) {
         regimes.truncate(2);
@@ -82,7 +82,7 @@ fn finished(
         .with_caption(caption)
 }
 
-/// 4.7: fixed wall.
+/// Figure 4.7: fixed wall.
 pub fn fixed_wall() -> Result<Figure, Box<dyn Error>> {
     let system = fixed(1.0);
     let responses = Responses::new(&system, (0.1, 2.5), &FIXED, &[PLATE])?;
@@ -100,7 +100,7 @@ pub fn fixed_wall() -> Result<Figure, Box<dyn Error>> {
     ))
 }
 
-/// 4.8: the same at low frequencies.
+/// Figure 4.8: fixed wall at low frequencies.
 pub fn fixed_wall_slow() -> Result<Figure, Box<dyn Error>> {
     let system = fixed(1.0);
     let responses = Responses::new(&system, (0.05, 0.7), &FIXED, &[PLATE])?;
@@ -119,7 +119,7 @@ pub fn fixed_wall_slow() -> Result<Figure, Box<dyn Error>> {
     ))
 }
 
-/// 4.9: wall on the base.
+/// Figure 4.9: wall on the base.
 pub fn joined_wall() -> Result<Figure, Box<dyn Error>> {
     let system = joined();
     let responses = Responses::new(&system, (0.1, 2.5), &JOINED, &[PLATE])?;
@@ -137,7 +137,7 @@ pub fn joined_wall() -> Result<Figure, Box<dyn Error>> {
     ))
 }
 
-/// 4.10: where the curves change their order.
+/// Figure 4.10: the frequencies at which the curves change their order.
 pub fn inversion() -> Result<Figure, Box<dyn Error>> {
     let system = joined();
     let responses = Responses::new(&system, (1.3, 1.7), &JOINED, &[PLATE])?;

@@ -1,4 +1,4 @@
-//! Chapter 4 in method: recordings of the one-storey rig, made by simulation with noise, beside its theory.
+//! Chapter 4 in method: theory of the one-storey rig, compared with recordings that are simulated with noise.
 //! `cargo run --release --example chapter4`
 
 mod forced;
@@ -17,12 +17,12 @@ use std::error::Error;
 
 const PLATE: Of = Of::Mass(0);
 
-/// The plate rubs on a disc that stands still.
+/// The one-storey rig with its plate rubbing on a fixed disc.
 fn fixed(stiction: f64) -> System {
     block("wall", "base", &format!("stiction: {stiction:?},"))
 }
 
-/// The disc moves with the base.
+/// The one-storey rig with its disc moving with the base.
 fn joined() -> System {
     block("base", "base", "")
 }

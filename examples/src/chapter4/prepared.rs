@@ -1,4 +1,4 @@
-//! What is measured before the main test: the natural frequency, the friction force, and on what the disc stands.
+//! Figures of what precedes the main test: the natural frequency, the friction force, and the support of the disc.
 
 use crate::{drawn, fixed, joined};
 use frictiongen::measure::{Channel, Measured, Recording, SweepPoint, Unit};
@@ -12,14 +12,14 @@ use std::error::Error;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// The friction ratio of the free decay.
+/// Friction ratio of the free decay.
 const BETA: f64 = 0.4;
-/// The largest amplitude that is drawn.
+/// Largest amplitude that is drawn.
 const TOP: f64 = 10.0;
 
-/// 4.3: the natural frequency, from recordings without friction.
+/// Figure 4.3: the natural frequency, from recordings without friction.
 pub fn frictionless() -> Drawn {
-    // What is fitted begins a tenth too high.
+    // The fit starts from a natural frequency that is a tenth too high.
     let mut scene = one_storey("wall", "")?.scene().clone();
     for spring in &mut scene.springs {
         spring.stiffness *= 1.2;
@@ -92,7 +92,7 @@ pub fn frictionless() -> Drawn {
         )))
 }
 
-/// 4.4: the friction force, from a free decay.
+/// Figure 4.4: the friction force, from a free decay.
 pub fn free_decay() -> Drawn {
     let rate = 1000.0;
     let samples = decay(1e3 * BETA * Y, rate, 4.0, &mut Noise::new(404));
@@ -133,7 +133,7 @@ pub fn free_decay() -> Drawn {
         Marker::Circle,
         marks,
     ));
-    // The base stands still.
+    // The base does not move during the free decay.
     let sketch = Sketch {
         excitation: Excitation::None,
         ..drawn(&fixed(1.0))
@@ -156,13 +156,13 @@ fn configuration(number: &str, title: &str, system: &System, caption: &str) -> F
         .with_caption(caption)
 }
 
-/// 4.5a.
+/// Figure 4.5a: the disc on the fixed wall.
 pub fn disc_on_the_wall() -> Drawn {
     let caption = "The counterweight that presses the disc on the plate is pinned to the external frame, which stands still.";
     Ok(configuration("4.5a", "Fixed wall", &fixed(1.0), caption))
 }
 
-/// 4.5b.
+/// Figure 4.5b: the disc on the moving base.
 pub fn disc_on_the_base() -> Drawn {
     let caption = "The counterweight is pinned to a post on the base: the disc moves with it.";
     Ok(configuration(

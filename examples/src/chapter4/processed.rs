@@ -1,4 +1,4 @@
-//! A recording before and after it is processed.
+//! Figure 4.6: spectra of a recording, with a window, with zero padding, and without them.
 
 use crate::{drawn, fixed};
 use frictiongen::Complex;
@@ -11,24 +11,24 @@ use std::f64::consts::TAU;
 
 const R: f64 = 0.85;
 const BETA: f64 = 0.2;
-/// Few samples, so that a line of the spectrum is wide enough to be seen.
+/// Sampling rate, Hz. The samples are few, so that the width of a spectral line is visible.
 const RATE: f64 = 100.0;
 const SECONDS: f64 = 6.0;
-/// How many times longer zeros make it.
+/// Factor by which zero padding lengthens the recording.
 const PADDED: usize = 4;
-/// The frequencies that are drawn, Hz.
+/// Highest frequency that is drawn, Hz.
 const HIGHEST: f64 = 12.0;
-/// The levels that are drawn, dB.
+/// Range of levels that is drawn, dB.
 const LEVELS: (f64, f64) = (-80.0, 20.0);
 
-/// One way to take a spectrum.
+/// One way to compute a spectrum.
 struct Way {
     titles: [&'static str; 2],
     windowed: bool,
     padding: usize,
 }
 
-/// Samples with their weights: of the Hann window, or 1.
+/// Multiplies samples by the Hann window, or returns them unchanged.
 fn weighed(samples: &[f64], windowed: bool) -> Vec<f64> {
     let count = samples.len() as f64;
     let weight = |t: usize| {
@@ -42,7 +42,8 @@ fn weighed(samples: &[f64], windowed: bool) -> Vec<f64> {
     each.map(|(t, x)| weight(t) * x).collect()
 }
 
-/// The level of a frequency over `unit`, dB: of a tone alone, twice its sum over that of the weights.
+/// Returns the level of a frequency relative to `unit`, dB. The amplitude of a pure tone is twice its sum over the sum
+/// of the weights, `whole`.
 fn level(samples: &[f64], hertz: f64, whole: f64, unit: f64) -> f64 {
     let turn = Complex::from_polar(1.0, -TAU * hertz / RATE);
     let mut power = Complex::new(1.0, 0.0);
@@ -54,7 +55,7 @@ fn level(samples: &[f64], hertz: f64, whole: f64, unit: f64) -> f64 {
     20.0 * (2.0 * sum.norm() / (whole * unit)).log10()
 }
 
-/// 4.6.
+/// Figure 4.6: spectra of a recording.
 pub fn spectra() -> Result<Figure, Box<dyn Error>> {
     let rig = one_storey("wall", "")?;
     let recording = recording(

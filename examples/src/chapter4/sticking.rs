@@ -1,4 +1,4 @@
-//! A plate that sticks at last.
+//! Figure 4.11: a plate that finally sticks.
 
 use crate::{drawn, fixed};
 use frictiongen::measure::{Channel, IdentifyRequest, Measured, Observation, Recording};
@@ -10,13 +10,13 @@ use std::f64::consts::TAU;
 
 const R: f64 = 1.15;
 const BETA: f64 = 0.7;
-/// When friction begins to grow, s, and by how much a second.
+/// Time from which friction grows, in s, and growth of β a second.
 const GROWS: f64 = 50.0;
 const GROWTH: f64 = 0.1;
-/// Cycles from rest before the recording.
+/// Number of cycles from rest before the recording.
 const SKIPPED: f64 = 200.0;
 
-/// 4.11.
+/// Figure 4.11: displacements while the friction grows, until the plate sticks.
 pub fn stuck_at_last() -> Result<Figure, Box<dyn Error>> {
     let rig = one_storey("wall", "")?;
     let (rate, seconds) = LENGTH;
@@ -26,7 +26,7 @@ pub fn stuck_at_last() -> Result<Figure, Box<dyn Error>> {
     let (mut base, mut plate) = (Vec::new(), Vec::new());
     let mut run = rig.simulation(R, BETA)?;
     reach(&mut run, TAU * SKIPPED)?;
-    // Friction changes from cycle to cycle: each begins where the last one ended.
+    // Friction is constant within a cycle. Each cycle starts from the state in which the previous one ended.
     let mut cycle = 0.0;
     let mut index = 0_u32;
     while index < count {
@@ -81,7 +81,7 @@ pub fn stuck_at_last() -> Result<Figure, Box<dyn Error>> {
     )))
 }
 
-/// What was recorded before a time.
+/// Returns the samples of a recording before a time in s.
 fn until(recording: &Recording, end: f64) -> Result<Recording, Box<dyn Error>> {
     let count = (recording.rate() * end) as usize;
     let cut = |channel: &Channel| Channel {
@@ -92,7 +92,7 @@ fn until(recording: &Recording, end: f64) -> Result<Recording, Box<dyn Error>> {
     Ok(Recording::new(recording.rate(), channels)?)
 }
 
-/// Every so many samples of a channel between two times.
+/// Returns every `every`-th sample of a channel between two times in s, as (time, value).
 fn displacements(
     channel: &Channel,
     rate: f64,

@@ -1,4 +1,4 @@
-//! Motions at β = 0.2 in time and by their harmonics: recorded, and theory.
+//! Figures of motions at β = 0.2, over time and by their harmonics: recordings compared with theory.
 
 use crate::{PLATE, drawn, fixed};
 use frictiongen::Complex;
@@ -14,28 +14,28 @@ use std::error::Error;
 use std::f64::consts::TAU;
 
 const BETA: f64 = 0.2;
-/// Letter, r, μ: with μ = 1.2 the plate stops once a cycle at r = 0.5, as the measured one does.
+/// Letter, r and μ of each motion. With μ = 1.2 the plate stops once a cycle at r = 0.5, as the measured plate does.
 const CASES: [(&str, f64, f64); 4] = [
     ("a", 0.12, 1.0),
     ("b", 0.5, 1.2),
     ("c", 0.8, 1.0),
     ("d", 1.25, 1.0),
 ];
-/// Cycles of a short and of a long time.
+/// Cycles of the short and of the long time axis.
 const SHORT: f64 = 2.0;
 const LONG: f64 = 16.0;
-/// Circles of a short cycle, and points of a long one.
+/// Number of circles in a cycle of the short axis, and number of points in a cycle of the long one.
 const CIRCLES: u32 = 24;
 const POINTS: u32 = 48;
-/// Cycles of which a spectrum is taken, and its highest order.
+/// Number of cycles in a spectrum, and its highest order.
 const CYCLES: f64 = 20.0;
 const HIGHEST: f64 = 12.0;
-/// The lowest level that is drawn, dB.
+/// Lowest level that is drawn, dB.
 const LOWEST: f64 = -100.0;
 
-/// A recording of the plate, and what it says.
+/// A recording of the plate, with the values identified from it.
 struct Recorded {
-    /// The plate over the amplitude of the base that was read.
+    /// Displacement of the plate, divided by the amplitude of the base that was identified.
     plate: Vec<f64>,
     measured: Measured,
 }
@@ -55,7 +55,7 @@ impl Recorded {
         })
     }
 
-    /// The angle of the base at a sample: phases count from the middle of the steady part.
+    /// Returns the phase angle of the base at a sample. Identified phases count from the middle of the steady interval.
     fn angle(&self, index: usize) -> f64 {
         let (from, to) = self.measured.steady;
         let middle = 0.5 * (from + to) * self.measured.rate - 0.5;
@@ -64,7 +64,7 @@ impl Recorded {
         turn * (index as f64 - middle) + drive.im.atan2(drive.re)
     }
 
-    /// Samples about so many to a cycle from an angle on, with their angles from there.
+    /// Returns samples from a phase angle on, about `each` of them a cycle, with their angles counted from that angle.
     fn samples(&self, from: f64, cycles: f64, each: u32) -> Vec<(f64, f64)> {
         let per_sample = TAU * self.measured.hertz / self.measured.rate;
         let wait = (from - self.angle(0)).rem_euclid(TAU);
@@ -81,7 +81,7 @@ impl Recorded {
     }
 }
 
-/// 4.12: time responses.
+/// Figure 4.12: motions over time.
 pub fn motions() -> Result<Figure, Box<dyn Error>> {
     let mut panels = Vec::new();
     for (index, (letter, r, stiction)) in CASES.into_iter().enumerate() {
@@ -120,7 +120,7 @@ pub fn motions() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// The theory over two cycles, and the angle of the base at which it begins.
+/// Returns a panel of the theory over two cycles, with the phase angle of the base at which the panel begins.
 fn theory(system: &System, title: &str, r: f64) -> Result<(f64, Panel), Box<dyn Error>> {
     let times = Times {
         span: (0.0, SHORT * TAU),
@@ -137,7 +137,7 @@ fn theory(system: &System, title: &str, r: f64) -> Result<(f64, Panel), Box<dyn 
     Ok((origin, panel))
 }
 
-/// The steady state from rest, from an angle of the base on.
+/// Draws the steady state that motion from rest reaches, from a phase angle of the base on.
 fn with_a_stop(system: &System, r: f64, origin: f64) -> Result<Line, Box<dyn Error>> {
     let count = 480;
     let taus: Vec<f64> = (0..=count)
@@ -155,7 +155,7 @@ fn with_a_stop(system: &System, r: f64, origin: f64) -> Result<Line, Box<dyn Err
     ))
 }
 
-/// 4.13: their harmonics.
+/// Figure 4.13: harmonics of the motions.
 pub fn harmonics() -> Result<Figure, Box<dyn Error>> {
     let mut panels = Vec::new();
     for (index, (letter, r, stiction)) in CASES.into_iter().enumerate() {
@@ -187,7 +187,7 @@ pub fn harmonics() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// The levels in dB of 20 cycles of a recording under a Hann window, by order; none of a shorter recording.
+/// Returns levels in dB by order, from 20 cycles of a recording under a Hann window. A shorter recording gives none.
 fn spectrum(recorded: &Recorded) -> Option<Vec<(f64, f64)>> {
     let per_sample = recorded.measured.hertz / recorded.measured.rate;
     let count = (CYCLES / per_sample).round() as usize;
@@ -196,7 +196,7 @@ fn spectrum(recorded: &Recorded) -> Option<Vec<(f64, f64)>> {
     let windowed: Vec<f64> = samples.map(|(t, x)| weight(t) * x).collect();
     let whole: f64 = (0..count).map(weight).sum();
     let step = 0.5 / CYCLES;
-    // The mean has half of the weight of a line.
+    // The mean has half the weight of a spectral line.
     let orders = (0..).map(|i: u32| f64::from(i) * step);
     let orders = orders.take_while(|order| *order <= HIGHEST);
     let level = |order: f64| {
@@ -214,7 +214,7 @@ fn spectrum(recorded: &Recorded) -> Option<Vec<(f64, f64)>> {
     Some(orders.map(level).collect())
 }
 
-/// The levels in dB of the harmonics of the steady state that is reached from rest, from the mean on.
+/// Returns the levels in dB of the harmonics of the steady state reached from rest. The first one is the mean.
 fn exact(system: &System, r: f64) -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
     let count = 4096;
     let angles: Vec<f64> = (0..count)

@@ -1,4 +1,4 @@
-//! Five equal masses, the lowest one loaded, one of them against a fixed wall.
+//! Figures of five equal masses. The lowest one is loaded, and one of them rubs on a fixed wall.
 
 use super::systems::{FIVE, five, motions};
 use frictiongen::System;
@@ -17,7 +17,7 @@ const LOW: [f64; 5] = [0.0, 0.2, 0.4, 0.6, 0.8];
 const MIDDLE: [f64; 6] = [0.0, 0.2, 0.4, 0.6, 1.0, 2.0];
 const NAMES: [&str; 5] = ["*x̄*_1", "*x̄*_2", "*x̄*_3", "*x̄*_4", "*x̄*_5"];
 
-/// Amplitudes or phases of all masses.
+/// Panels with the amplitudes or phases of all masses.
 fn all(
     system: &System,
     (betas, stuck): (&[f64], bool),
@@ -26,7 +26,7 @@ fn all(
 ) -> Result<Vec<Panel>, Box<dyn Error>> {
     let mut responses = Responses::up_to(1e4, 1e-3, system, (0.2, 2.5), betas, &FIVE)?;
     if phases {
-        // Of what stops, the lag of the maximum says little.
+        // With stops the maximum is a plateau, and its lag says little.
         responses = responses.sliding_or_stuck();
     }
     let panels = (0..FIVE.len()).map(|part| {
@@ -55,7 +55,7 @@ fn all(
     Ok(panels.collect())
 }
 
-/// 6.8a: amplitudes with load and contact on m₁.
+/// Figure 6.8a: amplitudes with load and contact on m₁.
 pub fn low_amplitudes() -> Drawn {
     let system = five(1);
     let panels = all(&system, (&LOW, false), false, (0.01, 200.0))?;
@@ -68,7 +68,7 @@ pub fn low_amplitudes() -> Drawn {
         ))
 }
 
-/// 6.8b: phases of the same.
+/// Figure 6.8b: phases with load and contact on m₁.
 pub fn low_phases() -> Drawn {
     let system = five(1);
     let panels = all(&system, (&LOW, false), true, (0.0, 1.0))?;
@@ -80,7 +80,7 @@ pub fn low_phases() -> Drawn {
         ))
 }
 
-/// 6.15a: amplitudes with the contact on m₃.
+/// Figure 6.15a: amplitudes with the contact on m₃.
 pub fn middle_amplitudes() -> Drawn {
     let system = five(3);
     let panels = all(&system, (&MIDDLE, true), false, (0.0, 5.0))?;
@@ -93,7 +93,7 @@ pub fn middle_amplitudes() -> Drawn {
         ))
 }
 
-/// 6.15b: phases of the same.
+/// Figure 6.15b: phases with the contact on m₃.
 pub fn middle_phases() -> Drawn {
     let system = five(3);
     let panels = all(&system, (&MIDDLE, true), true, (0.0, 1.0))?;
@@ -105,7 +105,7 @@ pub fn middle_phases() -> Drawn {
         ))
 }
 
-/// All masses over half a cycle, and their phases at β = 0.4 with the regimes behind them.
+/// Panels with all masses over half a cycle, and with their phases at β = 0.4 over the shaded regimes.
 fn motion(system: &System, at: (f64, f64), ends: (f64, f64)) -> Result<Vec<Panel>, Box<dyn Error>> {
     let times = Times {
         span: (0.0, PI),
@@ -119,7 +119,7 @@ fn motion(system: &System, at: (f64, f64), ends: (f64, f64)) -> Result<Vec<Panel
     Ok(vec![cycle.ok_or("no motion")?, phases])
 }
 
-/// The phases of all masses at β = 0.4.
+/// Panel with the phases of all masses at β = 0.4.
 fn phases(system: &System, (low, high): (f64, f64)) -> Result<Panel, Box<dyn Error>> {
     let beta = 0.4;
     let responses = Responses::up_to(1e4, 1e-3, system, (0.2, 2.5), &[beta], &FIVE)?.continuous();
@@ -187,7 +187,7 @@ fn phases(system: &System, (low, high): (f64, f64)) -> Result<Panel, Box<dyn Err
     Ok(tidy(panel))
 }
 
-/// The points of a mass's phases, with ascending r.
+/// Returns the points of a mass's phase curve, by ascending r.
 fn phases_of(panel: &Panel, part: usize) -> Vec<(f64, f64)> {
     let lines = panel.layers.iter().filter_map(|layer| match layer {
         Layer::Line(line) if line.colour == part_colour(part) => Some(line),
@@ -202,7 +202,7 @@ fn band(from: f64, to: f64, (low, high): (f64, f64)) -> Vec<(f64, f64)> {
     vec![(from, low), (to, low), (to, high), (from, high)]
 }
 
-/// 6.9: motion and phases with load and contact on m₁.
+/// Figure 6.9: motion and phases with load and contact on m₁.
 pub fn low_motion() -> Drawn {
     let system = five(1);
     let panels = motion(&system, (1.6, 0.6), (-90.0, 270.0))?;
@@ -215,7 +215,7 @@ pub fn low_motion() -> Drawn {
         ))
 }
 
-/// 6.16: motion and phases with the contact on m₃.
+/// Figure 6.16: motion and phases with the contact on m₃.
 pub fn middle_motion() -> Drawn {
     let system = five(3);
     let panels = motion(&system, (0.95, 0.4), (-135.0, 270.0))?;
@@ -229,7 +229,7 @@ pub fn middle_motion() -> Drawn {
         ))
 }
 
-/// 6.10: regimes with load and contact on m₁.
+/// Figure 6.10: regimes with load and contact on m₁.
 pub fn low_regimes() -> Drawn {
     let system = five(1);
     Ok(Figure::new("6.10", "Motion regimes of five masses, load and contact on the lowest", 1, vec![map("", &system, 1.2)?])
@@ -240,7 +240,7 @@ pub fn low_regimes() -> Drawn {
         ))
 }
 
-/// 6.17: regimes with the contact on m₃.
+/// Figure 6.17: regimes with the contact on m₃.
 pub fn middle_regimes() -> Drawn {
     let system = five(3);
     Ok(Figure::new("6.17", "Motion regimes of five masses, load on the lowest, contact on the middle one", 1, vec![map("", &system, 3.0)?])

@@ -1,4 +1,4 @@
-//! Contacts between parts that move.
+//! Figures of contacts between two bodies that both move.
 
 use super::systems::{M1, M2, between, joined};
 use frictiongen::{Of, System};
@@ -8,14 +8,14 @@ use std::error::Error;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// 6.22a: the masses rub on each other.
+/// Figure 6.22a: contact between the two masses.
 pub fn system_between() -> Drawn {
     Ok(Figure::new("6.22a", "Contact between two masses", 1, Vec::new())
         .with_sketch(drawn(&between()))
         .with_caption("The system of figures 6.23 and 6.24. A base that moves by *Y* = *P*/*k*_1 does the same as the load."))
 }
 
-/// 6.22b: the lower mass rubs on the base.
+/// Figure 6.22b: contact between the lower mass and the base.
 pub fn system_joined() -> Drawn {
     Ok(Figure::new(
         "6.22b",
@@ -27,7 +27,7 @@ pub fn system_joined() -> Drawn {
     .with_caption("The system of figures 6.25, 6.26, 6.28 and 6.29: the wall moves with the base."))
 }
 
-/// Amplitudes of both masses, amplitude and phase of the relative motion.
+/// Panels with the amplitudes of both masses, and with amplitude and phase of the relative motion.
 fn panels(system: &System, betas: &[f64], ends: (f64, f64)) -> Result<Vec<Panel>, Box<dyn Error>> {
     let responses = Responses::up_to(1e4, 5e-4, system, (0.1, 2.5), betas, &[M1, M2, Of::Contact])?;
     let row = |part, titles, labels| Row {
@@ -54,7 +54,7 @@ fn panels(system: &System, betas: &[f64], ends: (f64, f64)) -> Result<Vec<Panel>
     ])
 }
 
-/// 6.23: responses with friction between the masses.
+/// Figure 6.23: responses with friction between the masses.
 pub fn between_responses() -> Drawn {
     let system = between();
     let betas = [0.0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8];
@@ -69,7 +69,7 @@ pub fn between_responses() -> Drawn {
         ))
 }
 
-/// 6.24: its regimes.
+/// Figure 6.24: regimes with friction between the masses.
 pub fn between_regimes() -> Drawn {
     let system = between();
     Ok(Figure::new("6.24", "Motion regimes with friction between two masses", 1, vec![map("", &system, 1.2)?])
@@ -80,7 +80,7 @@ pub fn between_regimes() -> Drawn {
         ))
 }
 
-/// 6.25: responses with the wall joined to the base.
+/// Figure 6.25: responses with the wall joined to the base.
 pub fn joined_responses() -> Drawn {
     let system = joined();
     let betas = [0.2, 0.5, 0.8, 1.0, 1.5, 2.0];
@@ -95,7 +95,7 @@ pub fn joined_responses() -> Drawn {
         ))
 }
 
-/// 6.26: its regimes.
+/// Figure 6.26: regimes with the wall joined to the base.
 pub fn joined_regimes() -> Drawn {
     let system = joined();
     Ok(Figure::new("6.26", "Motion regimes with a wall that moves with the base", 1, vec![map("", &system, 4.0)?])

@@ -1,11 +1,12 @@
-//! Places at which an amplitude does not depend on friction.
+//! Invariant points: frequencies at which an amplitude does not depend on friction.
 
 use frictiongen::{Of, System};
 
-/// What friction makes of the estimate (5.50) of an amplitude: above 0 where it grows with β.
+/// Returns the change of the estimated amplitude (5.50) due to friction. A positive value means that the amplitude
+/// grows with β.
 fn gain(system: &System, of: Of, r: f64) -> Option<f64> {
     let at = system.at(r).ok()?;
-    // So little friction that the motion is continuous, and enough to tell.
+    // Half of β_lim keeps the motion continuous, and changes the amplitude by enough for a comparison.
     let beta = 0.5 * at.limits().continuous;
     let estimate = |beta: f64| {
         let motion = at.motion(beta).ok()?;
@@ -17,7 +18,7 @@ fn gain(system: &System, of: Of, r: f64) -> Option<f64> {
     Some((estimate(beta)? - estimate(0.0)?) / beta)
 }
 
-/// The roots of (6.10) between two frequency ratios: the estimated amplitude is the same for every β there.
+/// Finds the roots of (6.10) between two frequency ratios. The estimated amplitude is the same for every β at a root.
 pub fn invariant(system: &System, of: Of, (from, to): (f64, f64)) -> Vec<f64> {
     let steps = 1000;
     let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(steps);
@@ -40,7 +41,7 @@ pub fn invariant(system: &System, of: Of, (from, to): (f64, f64)) -> Vec<f64> {
             }
         }
         let root = 0.5 * (low + high);
-        // At a pole the sign changes too.
+        // The sign also changes at a pole, which is no root.
         if gain(system, of, root).is_some_and(|value| value.abs() < 1e-6) {
             roots.push(root);
         }

@@ -1,4 +1,4 @@
-//! The rig of 6.4 and 6.5.3 with friction: two storeys on a base that moves.
+//! Figures of the rig of sections 6.4 and 6.5.3 with friction: two storeys on a moving base.
 
 use super::systems::{M1, M2, rig};
 use frictiongen::Of;
@@ -8,7 +8,7 @@ use std::error::Error;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// A row of the first harmonic.
+/// Describes a row of panels with amplitude and phase of the first harmonic.
 fn row<'a>(part: usize, titles: [&'a str; 2], labels: [&'a str; 2], ends: (f64, f64)) -> Row<'a> {
     Row {
         part,
@@ -23,7 +23,7 @@ fn row<'a>(part: usize, titles: [&'a str; 2], labels: [&'a str; 2], ends: (f64, 
     }
 }
 
-/// Amplitudes and phases of both masses.
+/// Panels with amplitudes and phases of both masses.
 fn rows(responses: &Responses<'_>, ends: [(f64, f64); 2]) -> Vec<Panel> {
     let lower = row(
         0,
@@ -41,7 +41,7 @@ fn rows(responses: &Responses<'_>, ends: [(f64, f64); 2]) -> Vec<Panel> {
     lower.into_iter().chain(upper).collect()
 }
 
-/// 6.20: contact of the lower mass with a fixed wall.
+/// Figure 6.20: contact of the lower mass with a fixed wall.
 pub fn lower() -> Drawn {
     let system = rig("m1 - wall");
     let responses = Responses::up_to(1e4, 5e-4, &system, (0.1, 2.5), &[0.2, 0.4, 0.6], &[M1, M2])?;
@@ -55,7 +55,7 @@ pub fn lower() -> Drawn {
         ))
 }
 
-/// 6.21: contact of the upper mass with a fixed wall.
+/// Figure 6.21: contact of the upper mass with a fixed wall.
 pub fn upper() -> Drawn {
     let system = rig("m2 - wall");
     let betas = [0.2, 0.5, 1.0, 1.5, 2.0];
@@ -72,7 +72,7 @@ pub fn upper() -> Drawn {
 
 const BETAS: [f64; 4] = [0.5, 0.75, 1.0, 2.0];
 
-/// 6.28: contact of the lower mass with the base.
+/// Figure 6.28: contact of the lower mass with the base.
 pub fn joined() -> Drawn {
     let system = rig("m1 - base");
     let responses = Responses::up_to(1e4, 5e-4, &system, (0.1, 2.5), &BETAS, &[M1, M2])?;
@@ -86,7 +86,7 @@ pub fn joined() -> Drawn {
         ))
 }
 
-/// 6.29: the relative motion in that contact.
+/// Figure 6.29: relative motion in the contact of the lower mass with the base.
 pub fn relative() -> Drawn {
     let system = rig("m1 - base");
     let responses = Responses::up_to(1e4, 5e-4, &system, (0.1, 2.5), &BETAS, &[Of::Contact])?;

@@ -1,4 +1,5 @@
-//! The rig of 6.4: where its disc stands, and what its parameters are found from (6.4.2, appendix A).
+//! Figures of the rig of section 6.4: the support of its disc, and the tests that give its parameters (6.4.2, appendix
+//! A).
 
 use super::systems::{M1, rig};
 use frictiongen::measure::{Measured, SweepFit, SweepPoint};
@@ -16,7 +17,7 @@ type Drawn = Result<Figure, Box<dyn Error>>;
 
 const GAMMA: f64 = STOREYS[0];
 const KAPPA: f64 = STOREYS[1];
-/// r₁ for each Hz.
+/// Frequency ratio r₁ at 1 Hz.
 const SECONDS: f64 = STOREYS[2];
 
 fn configuration(number: &str, title: &str, contact: &str, caption: &str) -> Figure {
@@ -25,7 +26,7 @@ fn configuration(number: &str, title: &str, contact: &str, caption: &str) -> Fig
         .with_caption(caption)
 }
 
-/// 6.18a.
+/// Figure 6.18a: the disc on the lower plate.
 pub fn disc_on_the_lower() -> Drawn {
     let caption = "Two storeys on a base that moves; a counterweight pinned to the external frame presses a disc on the lower plate.";
     Ok(configuration(
@@ -36,7 +37,7 @@ pub fn disc_on_the_lower() -> Drawn {
     ))
 }
 
-/// 6.18b.
+/// Figure 6.18b: the disc on the upper plate.
 pub fn disc_on_the_upper() -> Drawn {
     let caption = "The same with the disc on the upper plate.";
     Ok(configuration(
@@ -47,10 +48,10 @@ pub fn disc_on_the_upper() -> Drawn {
     ))
 }
 
-/// A driving frequency in Hz, X₁/Y there and its deviation.
+/// A driving frequency in Hz, X₁/Y at that frequency, and its standard deviation.
 type Point = (f64, Complex<f64>, f64);
 
-/// What recordings without friction say.
+/// Identifies X₁/Y from recordings without friction.
 fn read() -> Result<Vec<Point>, Box<dyn Error>> {
     let rig = two_storeys()?;
     let mut noise = Noise::new(619);
@@ -64,7 +65,7 @@ fn read() -> Result<Vec<Point>, Box<dyn Error>> {
     Ok(points)
 }
 
-/// The parameters, from the amplitudes of the lower plate and two equal storeys to start from.
+/// Fits the parameters to the amplitudes of the lower plate, starting from two equal storeys.
 fn fitted(points: &[Point]) -> Result<SweepFit, Box<dyn Error>> {
     let guess: System = "struct Storeys {
         masses: { m1: 3.0, m2: 3.0 }, springs: { base - m1: 1000.0, m1 - m2: 1000.0 }, contact: m1 - wall, excitation: base,
@@ -82,7 +83,7 @@ fn fitted(points: &[Point]) -> Result<SweepFit, Box<dyn Error>> {
     Ok(guess.fit_sweep(&sweep, false)?)
 }
 
-/// 6.19.
+/// Figure 6.19: responses without friction, recorded and fitted.
 pub fn without_friction() -> Drawn {
     let points = read()?;
     let found = fitted(&points)?;
@@ -161,7 +162,7 @@ pub fn without_friction() -> Drawn {
         )))
 }
 
-/// An amplitude without friction, between the places where it has none or no end.
+/// Amplitude without friction over r, cut at its zeros and poles (`marks`).
 fn undamped(system: &System, of: Of, marks: &[f64]) -> Vec<Vec<(f64, f64)>> {
     let steps = 800;
     let width = 8.0 * SECONDS;
@@ -170,7 +171,7 @@ fn undamped(system: &System, of: Of, marks: &[f64]) -> Vec<Vec<(f64, f64)>> {
     let mut pieces = Vec::new();
     for pair in ends.windows(2) {
         let &[from, to] = pair else { continue };
-        // Closer and closer to both ends.
+        // The points become denser towards both bounds of an interval.
         let place = |i: u32| {
             let share = f64::from(i) / f64::from(steps);
             from + (to - from) * 0.5 * (1.0 + (6.0 * (2.0 * share - 1.0)).tanh() / 6.0_f64.tanh())

@@ -1,4 +1,4 @@
-//! Three and two masses, one of them against a fixed wall.
+//! Figures of three and of two masses, one of which rubs on a fixed wall.
 
 use super::points::invariant;
 use super::systems::{M1, M2, motions, three, two};
@@ -15,10 +15,10 @@ use std::f64::consts::PI;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// The colour of the points that friction leaves alone; no β has it.
+/// Colour of the invariant points, which no β has.
 const MAGENTA: Colour = Colour::Rgb(0xd1, 0x00, 0xa5);
 
-/// 6.1a: the example of 6.2.
+/// Figure 6.1a: the example of section 6.2.
 pub fn system_of_three() -> Drawn {
     Ok(Figure::new(
         "6.1a",
@@ -32,7 +32,7 @@ pub fn system_of_three() -> Drawn {
     ))
 }
 
-/// 6.1b: what is left of it when the contact is stuck.
+/// Figure 6.1b: the system that remains of 6.1a while the contact is stuck.
 pub fn stuck_three() -> Drawn {
     let spring = |between, label: &str| Spring {
         between,
@@ -54,7 +54,7 @@ pub fn stuck_three() -> Drawn {
         ))
 }
 
-/// 6.2: continuous responses and the points that friction leaves alone.
+/// Figure 6.2: continuous responses and their invariant points.
 pub fn invariant_points() -> Drawn {
     let system = three();
     let betas = [0.0, 0.2, 0.4, 0.6, 1.0, 1.5];
@@ -96,7 +96,7 @@ pub fn invariant_points() -> Drawn {
         )))
 }
 
-/// 6.4: load and contact below.
+/// Figure 6.4: load and contact on the lower mass.
 pub fn lower_system() -> Drawn {
     Ok(Figure::new(
         "6.4",
@@ -108,7 +108,7 @@ pub fn lower_system() -> Drawn {
     .with_caption("The system of figures 6.5 to 6.7; *m*_2 is moved by its spring alone."))
 }
 
-/// 6.11: load below, contact above.
+/// Figure 6.11: load on the lower mass, contact on the upper one.
 pub fn upper_system() -> Drawn {
     Ok(Figure::new(
         "6.11",
@@ -120,7 +120,7 @@ pub fn upper_system() -> Drawn {
     .with_caption("The system of figures 6.12 to 6.14. With *m*_2 stuck, *m*_1 moves on."))
 }
 
-/// Both masses over half a cycle.
+/// Panel with both masses over half a cycle.
 fn half_cycle(title: &str, system: &System, at: (f64, f64)) -> Result<Panel, Box<dyn Error>> {
     let times = Times {
         span: (0.0, PI),
@@ -131,7 +131,7 @@ fn half_cycle(title: &str, system: &System, at: (f64, f64)) -> Result<Panel, Box
     Ok(cycle(title, system, at, &parts, times).ok_or("no motion")?)
 }
 
-/// 6.5: motions with load and contact below.
+/// Figure 6.5: motions with load and contact on the lower mass.
 pub fn lower_cycles() -> Drawn {
     let systems = [two(1, 1.0), two(1, 1.2)];
     let limit = systems[0].at(0.8)?.limits().continuous;
@@ -157,7 +157,7 @@ pub fn lower_cycles() -> Drawn {
         )))
 }
 
-/// 6.12: motions with the contact above.
+/// Figure 6.12: motions with the contact on the upper mass.
 pub fn upper_cycles() -> Drawn {
     let systems = [two(2, 1.0), two(2, 1.2)];
     let panels = vec![
@@ -182,7 +182,7 @@ pub fn upper_cycles() -> Drawn {
         ))
 }
 
-/// Amplitude and phase of both masses.
+/// Panels with amplitude and phase of both masses.
 fn rows(
     stuck: bool,
     responses: &Responses<'_>,
@@ -214,7 +214,7 @@ fn rows(
     lower.into_iter().chain(upper).collect()
 }
 
-/// 6.6: responses with load and contact below.
+/// Figure 6.6: responses with load and contact on the lower mass.
 pub fn lower_responses() -> Drawn {
     let system = two(1, 1.0);
     let betas = [0.0, 0.2, 0.4, 0.6, 0.8];
@@ -235,7 +235,7 @@ pub fn lower_responses() -> Drawn {
         ))
 }
 
-/// 6.13: responses with the contact above.
+/// Figure 6.13: responses with the contact on the upper mass.
 pub fn upper_responses() -> Drawn {
     let system = two(2, 1.0);
     let betas = [0.0, 0.2, 0.4, 0.5, 1.0, 1.5, 2.0, 5.0];
@@ -256,7 +256,7 @@ pub fn upper_responses() -> Drawn {
         ))
 }
 
-/// Three maps, one for each μ, and their limits together.
+/// Three panels of regimes, one for each μ, and a panel with all their limits.
 fn regimes(contact: usize, top: f64) -> Result<Vec<Panel>, Box<dyn Error>> {
     let stictions = [1.0, 1.2, 1.5];
     let mut panels = Vec::new();
@@ -283,7 +283,7 @@ fn regimes(contact: usize, top: f64) -> Result<Vec<Panel>, Box<dyn Error>> {
     Ok(panels)
 }
 
-/// 6.7: regimes with load and contact below.
+/// Figure 6.7: regimes with load and contact on the lower mass.
 pub fn lower_regimes() -> Drawn {
     Ok(Figure::new("6.7", "Motion regimes, load and contact on the lower mass", 2, regimes(1, 1.2)?)
         .with_sketch(drawn(&two(1, 1.0)))
@@ -294,7 +294,7 @@ pub fn lower_regimes() -> Drawn {
         ))
 }
 
-/// 6.14: regimes with the contact above.
+/// Figure 6.14: regimes with the contact on the upper mass.
 pub fn upper_regimes() -> Drawn {
     Ok(Figure::new("6.14", "Motion regimes, load on the lower mass, contact on the upper", 2, regimes(2, 3.0)?)
         .with_sketch(drawn(&two(2, 1.0)))

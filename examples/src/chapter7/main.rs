@@ -1,4 +1,4 @@
-//! Chapter 7: modal damping and friction together.  `cargo run --release --example chapter7`
+//! Chapter 7: modal damping and friction together. `cargo run --release --example chapter7`
 
 mod peaks;
 mod responses;

@@ -1,4 +1,4 @@
-//! Resonant amplitudes of one mass.
+//! Figures of the resonant amplitude of one mass.
 
 use super::responses::{one_mass, with_dashpot};
 use frictiongen::System;
@@ -11,22 +11,22 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// Points of a line.
+/// Number of steps of a line.
 const STEPS: u32 = 400;
 
-/// x̄'s amplitude at the undamped resonance; none where the contact stops.
+/// Returns the amplitude of x̄ at the undamped resonance, or `None` if the contact stops.
 fn at_resonance(system: &System, r: f64, beta: f64) -> Option<f64> {
     Some(system.at(r).ok()?.motion(beta).ok()?.contact().amplitude())
 }
 
-/// β_lim at the undamped resonance.
+/// Returns β_lim at the undamped resonance.
 fn limit(system: &System) -> Option<f64> {
     Some(system.at(1.0).ok()?.limits().continuous)
 }
 
-/// The largest amplitude of the resonance in continuous motion, which lies a little below r = 1.
+/// Finds the largest amplitude of continuous motion near the resonance. Its frequency lies a little below r = 1.
 fn peak(system: &System, beta: f64) -> Option<f64> {
-    // Golden section: over this range the amplitude has one maximum.
+    // Golden section search, because the amplitude has one maximum in this range.
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut low, mut high) = (0.95, 1.005);
     let read = |r: f64| at_resonance(system, r, beta).unwrap_or(0.0);
@@ -41,7 +41,7 @@ fn peak(system: &System, beta: f64) -> Option<f64> {
     at_resonance(system, 0.5 * (low + high), beta)
 }
 
-/// Evenly on a logarithmic axis.
+/// Values between two bounds, evenly spaced on a logarithmic axis.
 fn spread(low: f64, high: f64) -> impl Iterator<Item = f64> {
     (0..=STEPS).map(move |i| low * (high / low).powf(f64::from(i) / f64::from(STEPS)))
 }
@@ -50,7 +50,7 @@ fn line(name: &str, colour: Colour, stroke: Stroke, points: Vec<Point>) -> Line 
     Line::new(name, colour, stroke, vec![points])
 }
 
-/// 7.8: over modal damping.
+/// Figure 7.8: amplitude and limit over the modal damping ratio.
 pub fn over_damping() -> Drawn {
     let (low, high) = (1e-4, 0.1);
     let zeta = || Axis::log("modal damping ratio *ζ*", low, high);
@@ -71,7 +71,7 @@ pub fn over_damping() -> Drawn {
     }
     let least = |zeta: f64| {
         let system = one_mass(zeta);
-        // Just inside: on the limit itself the motion is no longer continuous.
+        // Just below the limit, because on the limit itself the motion is no longer continuous.
         Some((
             zeta,
             at_resonance(&system, 1.0, limit(&system)? * (1.0 - 1e-13))?,
@@ -80,7 +80,7 @@ pub fn over_damping() -> Drawn {
     let points = spread(low, high).filter_map(least).collect();
     panel = panel.with(line("at *β*_lim", Colour::Black, Stroke::Dashed, points));
     let exact = spread(low, high).filter_map(|zeta| Some((zeta, limit(&one_mass(zeta))?)));
-    // (7.62) with (cosh x − 1)/sinh x = tanh(x/2).
+    // (7.62) as printed, where (cosh x − 1)/sinh x = tanh(x/2).
     let printed = |zeta: f64| (zeta, (0.5 * PI * zeta).tanh() / (2.0 * zeta));
     let limits = Panel::new(
         "(b) *β*_lim at *r* = 1",
@@ -109,7 +109,7 @@ pub fn over_damping() -> Drawn {
         ))
 }
 
-/// 7.9: over friction.
+/// Figure 7.9: amplitudes over the friction ratio.
 pub fn over_friction() -> Drawn {
     let beta = || Axis::new("friction ratio *β*", 0.0, 0.8);
     let light = one_mass(0.01);

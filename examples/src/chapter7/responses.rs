@@ -1,4 +1,4 @@
-//! Responses and regimes over frequency.
+//! Figures of responses and regimes over the frequency ratio.
 
 use frictiongen::{Of, System};
 use frictiongen_examples::draw::{
@@ -14,12 +14,12 @@ type Drawn = Result<Figure, Box<dyn Error>>;
 
 const DAMPINGS: [f64; 3] = [0.001, 0.01, 0.1];
 
-/// One mass against a wall.
+/// One mass that rubs on a wall, with modal damping.
 pub fn one_mass(zeta: f64) -> System {
     block("wall", "block", &format!("damping: modal({zeta:?}),"))
 }
 
-/// Two equal masses, load below, contact above, ζ_i = ζ/r_n,i.
+/// Two equal masses. The lower one is loaded, the upper one rubs on a wall, ζ_i = ζ/r_n,i.
 fn two_masses(zeta: f64) -> System {
     let resonances = [1.0, -1.0].map(|sign| 0.5 * (5.0_f64.sqrt() - sign));
     let [first, second] = resonances.map(|resonance| zeta / resonance);
@@ -27,7 +27,7 @@ fn two_masses(zeta: f64) -> System {
     chain(&[1.0; 2], &[1.0; 2], "m2 - wall", "m1", &damping)
 }
 
-/// One mass with a dashpot.
+/// Sketch of one mass with a dashpot.
 pub fn with_dashpot() -> Sketch {
     let mut sketch = drawn(&one_mass(0.1));
     sketch.dashpots.push(Spring {
@@ -37,7 +37,7 @@ pub fn with_dashpot() -> Sketch {
     sketch
 }
 
-/// Amplitudes and phases for three dampings, row by row.
+/// Panels with amplitude and phase for three damping ratios, one row for each.
 fn rows(
     systems: &[(String, System)],
     betas: &[f64],
@@ -69,7 +69,7 @@ fn rows(
     Ok(panels)
 }
 
-/// Whether they have one mass each.
+/// Returns `true` if each system has one mass.
 fn single(systems: &[(String, System)]) -> bool {
     systems
         .iter()
@@ -86,7 +86,7 @@ fn twos() -> Vec<(String, System)> {
     DAMPINGS.map(named).into()
 }
 
-/// 7.3: one mass.
+/// Figure 7.3: responses of one mass.
 pub fn one() -> Drawn {
     let betas = [0.0, 0.2, 0.4, 0.6, 0.8];
     let part = (
@@ -106,7 +106,7 @@ pub fn one() -> Drawn {
 
 const BETAS: [f64; 6] = [0.0, 0.2, 0.5, 1.0, 1.5, 2.0];
 
-/// 7.5: the lower of two masses.
+/// Figure 7.5: responses of the lower of two masses.
 pub fn lower() -> Drawn {
     let part = (
         Of::Mass(0),
@@ -123,7 +123,7 @@ pub fn lower() -> Drawn {
         ))
 }
 
-/// 7.6: the upper one.
+/// Figure 7.6: responses of the upper of two masses.
 pub fn upper() -> Drawn {
     let part = (
         Of::Mass(1),
@@ -141,7 +141,7 @@ pub fn upper() -> Drawn {
         ))
 }
 
-/// The limits for three dampings in one panel; the stuck one once where it is the same for all.
+/// Panel with the limits for three damping ratios. A sliding limit that is the same for all is drawn once.
 fn limits(
     systems: &[(String, System)],
     label: &str,
@@ -187,7 +187,7 @@ fn limit_keys() -> [Key; 2] {
     ]
 }
 
-/// 7.4: regimes of one mass.
+/// Figure 7.4: regimes of one mass.
 pub fn one_regimes() -> Drawn {
     let names = [
         ("continuous", (1.25, 0.3)),
@@ -204,7 +204,7 @@ pub fn one_regimes() -> Drawn {
         ))
 }
 
-/// 7.7: regimes of two masses.
+/// Figure 7.7: regimes of two masses.
 pub fn two_regimes() -> Drawn {
     let names = [
         ("continuous", (1.15, 0.25)),

@@ -1,4 +1,4 @@
-//! Motions over time.
+//! Figures of motions over time.
 
 use super::responses::{one_mass, with_dashpot};
 use frictiongen::{Of, System};
@@ -11,14 +11,14 @@ type Drawn = Result<Figure, Box<dyn Error>>;
 
 const NAMES: [&str; 5] = ["*x̄*_1", "*x̄*_2", "*x̄*_3", "*x̄*_4", "*x̄*_5"];
 
-/// Five equal masses, load on the first, contact of one with a wall.
+/// Five equal masses. The first one is loaded, and one of them rubs on a wall.
 fn five(contact: usize, zeta: f64) -> System {
     let contact = format!("m{contact} - wall");
     let damping = format!("damping: modal({zeta:?}),");
     chain(&[1.0; 5], &[1.0; 5], &contact, "m1", &damping)
 }
 
-/// Half a cycle of all masses for two dampings.
+/// Panels with half a cycle of all masses, for two damping ratios.
 fn cycles(contact: usize) -> Result<Vec<Panel>, Box<dyn Error>> {
     let times = Times {
         span: (0.0, PI),
@@ -35,7 +35,7 @@ fn cycles(contact: usize) -> Result<Vec<Panel>, Box<dyn Error>> {
         let panel = cycle(title, &five(contact, zeta), (0.9, 0.2), &parts, times);
         panels.push(panel.ok_or("no motion")?);
     }
-    // One range for both, so that they can be compared.
+    // Both panels have the same range, so that they can be compared.
     let reach = panels.iter().map(|panel| panel.y.high).fold(0.0, f64::max);
     for panel in &mut panels {
         (panel.y.low, panel.y.high) = (-reach, reach);
@@ -43,7 +43,7 @@ fn cycles(contact: usize) -> Result<Vec<Panel>, Box<dyn Error>> {
     Ok(panels)
 }
 
-/// 7.1: contact on m₁.
+/// Figure 7.1: contact on m₁.
 pub fn low_contact() -> Drawn {
     Ok(Figure::new("7.1", "Five damped masses, load and contact on the lowest", 2, cycles(1)?)
         .with_sketch(drawn(&five(1, 0.01)))
@@ -54,7 +54,7 @@ pub fn low_contact() -> Drawn {
         ))
 }
 
-/// 7.2: contact on m₃.
+/// Figure 7.2: contact on m₃.
 pub fn middle_contact() -> Drawn {
     Ok(Figure::new("7.2", "Five damped masses, load on the lowest, contact on the middle one", 2, cycles(3)?)
         .with_sketch(drawn(&five(3, 0.01)))
@@ -65,7 +65,7 @@ pub fn middle_contact() -> Drawn {
         ))
 }
 
-/// 7.10: slow motion with stops.
+/// Figure 7.10: slow motion with stops.
 pub fn slow() -> Drawn {
     let times = Times {
         span: (0.0, TAU),

@@ -1,4 +1,4 @@
-//! Chains of masses m₁, m₂, …: their description, and amplitude and phase of a mass side by side.
+//! Chains of masses m₁, m₂, …: their description, and panels with amplitude and phase of a mass.
 
 use super::colours::beta_colour;
 use super::responses::Responses;
@@ -8,13 +8,13 @@ use frictiongen::System;
 use frictiongen_plot::desk::{self, Reading, Scales, sketch};
 use frictiongen_plot::{Colour, Key, Layer, Marker, Panel, Scale, Sketch, Stroke};
 
-/// What stands along the axis of frequency where a system has several masses.
+/// Label of the frequency axis for a system of several masses.
 pub const RATIO: &str = "frequency ratio *r*_1";
 
-/// The range of phases before it is fitted.
+/// Range of phases in degrees before it is fitted to the curves.
 const WIDE: (f64, f64) = (-180.0, 900.0);
 
-/// A chain of masses m1, m2, … that begins at the base; its masses and springs as multiples of the first.
+/// Builds a chain of masses m1, m2, … that begins at the base. Masses and springs are multiples of the first.
 #[must_use]
 pub fn chain(
     masses: &[f64],
@@ -40,60 +40,60 @@ pub fn chain(
     ))
 }
 
-/// A system as a sketch, with the thesis's names.
+/// Sketches a system with the symbols of the thesis.
 #[must_use]
 pub fn drawn(system: &System) -> Sketch {
     sketch(system.scene(), false)
 }
 
-/// A panel over r₁.
+/// Labels the frequency axis of a panel r₁.
 #[must_use]
 pub fn over_r1(mut panel: Panel) -> Panel {
     panel.x.label = RATIO.into();
     panel
 }
 
-/// Regimes over r₁ and β.
+/// Draws the regimes over r₁ and β.
 ///
 /// # Errors
-/// Where the limits cannot be asked for.
+/// Fails if the limits cannot be computed.
 pub fn map(title: &str, system: &System, top: f64) -> Result<Panel, Box<dyn std::error::Error>> {
     let lines = system.limit_lines(0.0, 2.5, 1e-4)?;
     let panel = desk::regimes(title, &lines, top, &Scales::groups(system));
     Ok(tidy(over_r1(panel)))
 }
 
-/// What a row of two panels shows: amplitude and phase of one part.
+/// Content of a row of two panels: amplitude and phase of one mass or of the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a> {
-    /// Which of the parts asked for.
+    /// Index of the motion within those that the responses contain.
     pub part: usize,
-    /// What stands over each panel.
+    /// Title of each panel.
     pub titles: [&'a str; 2],
-    /// What stands along each panel.
+    /// Label of each vertical axis.
     pub labels: [&'a str; 2],
-    /// Between which amplitudes are drawn; from above 0 on, the axis is logarithmic.
+    /// Range of amplitudes. The axis is logarithmic if the lower bound is above 0.
     pub sizes: (f64, f64),
-    /// Between which degrees phases are drawn; as far as they reach if both are the same.
+    /// Range of phases in degrees. Equal bounds mean that the range is fitted to the curves.
     pub ends: (f64, f64),
-    /// Whether the response with the contact stuck is drawn.
+    /// `true` if the response with the contact stuck is drawn.
     pub stuck: bool,
-    /// From which r on the response at the limit is drawn.
+    /// Lowest r at which the response at the limit of continuous motion is drawn.
     pub limit_from: f64,
-    /// How far apart the circles of the simulation are in r; 0 for none.
+    /// Distance in r between the circles of the simulation, 0 for no circles.
     pub circles: f64,
-    /// Whether the first harmonic is drawn in place of the motion.
+    /// `true` if the first harmonic is drawn in place of the amplitude and lag of the motion.
     pub harmonic: bool,
 }
 
 impl Row<'_> {
-    /// Both panels.
+    /// Returns the panels of amplitude and phase.
     #[must_use]
     pub fn panels(&self, responses: &Responses<'_>) -> [Panel; 2] {
         [self.amplitude(responses), self.phase(responses)]
     }
 
-    /// The amplitude.
+    /// Returns the panel of the amplitude.
     #[must_use]
     pub fn amplitude(&self, responses: &Responses<'_>) -> Panel {
         let reading = if self.harmonic {
@@ -113,7 +113,7 @@ impl Row<'_> {
         tidy(panel)
     }
 
-    /// The phase.
+    /// Returns the panel of the phase.
     #[must_use]
     pub fn phase(&self, responses: &Responses<'_>) -> Panel {
         let reading = if self.harmonic {
@@ -127,7 +127,7 @@ impl Row<'_> {
         let mut panel = self.panel(responses, self.titles[1], reading, y);
         panel.y = panel.y.degrees();
         if 0.0 < self.circles {
-            // Where the contact stops, the largest sample of a plateau lies anywhere on it (3.6.1).
+            // During a stop the maximum is a plateau, and its largest sample may lie anywhere on it (3.6.1).
             let continuous = responses.clone().continuous();
             let circles = continuous.simulation(self.circles, self.part, reading);
             panel.layers.extend(circles);
@@ -156,7 +156,7 @@ impl Row<'_> {
             piece.retain(|point| self.limit_from <= point.0);
         }
         if self.stuck {
-            // As far as it goes, not only where one of the β reaches it.
+            // The stuck response is drawn over its whole range, not only where one of the β reaches it.
             let some =
                 |layer: &Layer| matches!(layer, Layer::Line(line) if line.stroke == Stroke::Dotted);
             panel.layers.retain(|layer| !some(layer));
@@ -166,7 +166,7 @@ impl Row<'_> {
     }
 }
 
-/// Between which multiples of 90 degrees the lines of a panel lie, and a little more.
+/// Returns the multiples of 90 degrees between which the lines of a panel lie, with a small margin.
 fn reached(panel: &Panel) -> (f64, f64) {
     let lines = panel.layers.iter().filter_map(|layer| match layer {
         Layer::Line(line) => Some(line),
@@ -180,7 +180,7 @@ fn reached(panel: &Panel) -> (f64, f64) {
     (low - 50.0, high + 50.0)
 }
 
-/// What strokes mean, and circles; the last of the strokes only where something is stuck.
+/// Legend of strokes and circles. The stroke of the stuck response is left out unless `stuck` is set.
 #[must_use]
 pub fn strokes(stuck: bool, circles: bool) -> Vec<Key> {
     let mut keys = desk::keys();

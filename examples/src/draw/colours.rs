@@ -1,8 +1,8 @@
-//! One colour for each β in all chapters; deeper ones for masses and for variants of a system.
+//! One colour for each β in all chapters, and darker colours for masses and for variants of a system.
 
 use frictiongen_plot::Colour;
 
-/// The colours of the friction ratios that the thesis draws.  Two that share one are never in one figure.
+/// Colours of the friction ratios that the thesis draws. Two ratios with the same colour are never in one figure.
 const TABLE: [(f64, Colour); 15] = [
     (0.0, Colour::Rgb(0x60, 0x60, 0x60)),
     (0.1, Colour::Series(7)),
@@ -29,7 +29,7 @@ const DEEP: [Colour; 5] = [
     Colour::Rgb(0x6a, 0x3d, 0x8f),
 ];
 
-/// The colour of a friction ratio; of one that is not in the table, by its tenths.
+/// Returns the colour of a friction ratio. A ratio outside the table gets its colour by its tenths.
 #[must_use]
 pub fn beta_colour(beta: f64) -> Colour {
     let known = TABLE.iter().find(|(known, _)| (known - beta).abs() < 1e-9);
@@ -38,13 +38,13 @@ pub fn beta_colour(beta: f64) -> Colour {
     })
 }
 
-/// The colour of a mass, by its place; no β has it.
+/// Returns the colour of a mass by its index. No β has this colour.
 #[must_use]
 pub fn part_colour(index: usize) -> Colour {
     DEEP[index % DEEP.len()]
 }
 
-/// The colour of one of several systems at the same β, such as of one μ.
+/// Returns the colour of one of several systems at the same β, for example of one μ.
 #[must_use]
 pub fn variant_colour(index: usize) -> Colour {
     part_colour(index)

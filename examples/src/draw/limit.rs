@@ -1,4 +1,4 @@
-//! What moves at the limit of continuous motion.
+//! The response at the limit of continuous motion.
 
 use frictiongen::study::units::polar;
 use frictiongen::{Of, System};
@@ -6,12 +6,14 @@ use frictiongen_plot::desk::Reading;
 use frictiongen_plot::{Colour, Line, Point, Stroke};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Neighbours whose lags differ by more, rad, are not joined.
+/// Largest difference in lag, rad, between neighbouring points that a line joins.
 const TURN: f64 = 0.6;
-/// β_lim vanishes at single places, which say nothing of those beside them.
+/// Points with β_lim below this are skipped. β_lim vanishes at single frequencies, which say nothing about their
+/// neighbourhood.
 const VANISHING: f64 = 1e-6;
 
-/// Where the limits bend: frequency ratios with both limits there.
+/// Returns the points of the lines of the limits, which are densest where a limit bends: frequency ratios with both
+/// limits.
 #[must_use]
 pub fn places(system: &System, (from, to): (f64, f64)) -> Vec<(f64, frictiongen::Limits<f64>)> {
     system
@@ -20,7 +22,7 @@ pub fn places(system: &System, (from, to): (f64, f64)) -> Vec<(f64, frictiongen:
         .unwrap_or_default()
 }
 
-/// The response at β_lim over r, where that is met before the contact sticks.
+/// Returns the response at β_lim over r, where β_lim is reached before the contact sticks.
 #[must_use]
 pub fn at_limit(system: &System, range: (f64, f64), of: Of, reading: Reading) -> Line {
     let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
@@ -57,7 +59,7 @@ pub fn at_limit(system: &System, range: (f64, f64), of: Of, reading: Reading) ->
 }
 
 fn read(system: &System, r: f64, limit: f64, of: Of, reading: Reading) -> Option<(f64, f64)> {
-    // Just inside: on the limit itself the motion is no longer continuous.
+    // Just below the limit, because on the limit itself the motion is no longer continuous.
     let response = system.at(r).ok()?.response(limit * (1.0 - 1e-13)).ok()?;
     match reading {
         Reading::Amplitude | Reading::Phase => {

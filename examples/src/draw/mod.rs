@@ -1,4 +1,5 @@
-//! What the chapters draw with: systems from their descriptions, responses over frequency, motions over a cycle, sheets.
+//! Drawing tools of the chapters: systems from their descriptions, responses over frequency, motions over a cycle,
+//! files of figures.
 
 mod chains;
 mod colours;

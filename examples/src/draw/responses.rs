@@ -10,10 +10,10 @@ use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
 use frictiongen_plot::{Colour, Layer, Line, Marker, Markers, Panel, Point};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// The lowest r at which the response at β_lim is drawn: below, its lobes crowd.
+/// Lowest r at which the response at β_lim is drawn. Its lobes crowd at lower r.
 const LOWEST_LIMIT: f64 = 0.2;
 
-/// Amplitudes beyond this are left out, those towards an infinite resonance.
+/// Largest amplitude that is computed by default. Larger amplitudes occur only near an infinite resonance.
 const LARGEST: f64 = 200.0;
 
 /// Responses of one system over r for several β.
@@ -27,10 +27,10 @@ pub struct Responses<'a> {
 }
 
 impl<'a> Responses<'a> {
-    /// Of some parts in all regimes.
+    /// Computes the responses of masses or the contact in all regimes.
     ///
     /// # Errors
-    /// Where the curves cannot be asked for.
+    /// Fails if the curves cannot be computed.
     pub fn new(
         system: &'a System,
         range: (f64, f64),
@@ -40,10 +40,10 @@ impl<'a> Responses<'a> {
         Self::up_to(LARGEST, 2e-4, system, range, betas, of)
     }
 
-    /// The same with amplitudes up to `largest`, each curve as close as `accuracy` asks for.
+    /// Computes the responses with amplitudes up to `largest`, each curve to the given `accuracy`.
     ///
     /// # Errors
-    /// Where the curves cannot be asked for.
+    /// Fails if the curves cannot be computed.
     pub fn up_to(
         largest: f64,
         accuracy: f64,
@@ -82,7 +82,7 @@ impl<'a> Responses<'a> {
         })
     }
 
-    /// Only what is continuous motion.
+    /// Keeps the points of continuous motion only.
     #[must_use]
     pub fn continuous(mut self) -> Self {
         for curve in &mut self.curves {
@@ -93,7 +93,7 @@ impl<'a> Responses<'a> {
         self
     }
 
-    /// Without motions that stop.
+    /// Removes the points of stick-slip motion.
     #[must_use]
     pub fn sliding_or_stuck(mut self) -> Self {
         for curve in &mut self.curves {
@@ -104,20 +104,21 @@ impl<'a> Responses<'a> {
         self
     }
 
-    /// The response with the contact stuck, over the same range.
+    /// Returns the response with the contact stuck, over the same range of r.
     #[must_use]
     pub fn stuck(&self, part: usize, reading: Reading) -> Line {
         let of = self.of.get(part).copied().unwrap_or(Of::Contact);
         stuck(self.system, self.range, of, reading)
     }
 
-    /// The curves, in the order of the β.
+    /// Returns the curves, in the order of the β.
     #[must_use]
     pub fn curves(&self) -> &[Curve] {
         &self.curves
     }
 
-    /// A reading of a part over r, from r = 0 on if the curves begin near it; the range of y is fitted unless it is given.
+    /// Draws a reading of one motion over r, from r = 0 if the curves begin near 0. The range of y is fitted unless it
+    /// is given.
     #[must_use]
     pub fn panel(
         &self,
@@ -127,7 +128,7 @@ impl<'a> Responses<'a> {
         y: (&str, Option<(f64, f64)>),
     ) -> Panel {
         let scales = Scales::groups(self.system);
-        // What is stuck does not depend on β: once, in black.
+        // The stuck response does not depend on β, so it is drawn once, in black.
         let sliding: Vec<Curve> = self
             .curves
             .iter()
@@ -166,13 +167,13 @@ impl<'a> Responses<'a> {
         panel
     }
 
-    /// An amplitude over r.
+    /// Draws an amplitude over r.
     #[must_use]
     pub fn amplitude(&self, title: &str, part: usize, label: &str, top: f64) -> Panel {
         self.panel(title, part, Reading::Amplitude, (label, Some((0.0, top))))
     }
 
-    /// A phase over r in degrees.
+    /// Draws a phase over r in degrees.
     #[must_use]
     pub fn phase(&self, title: &str, part: usize, label: &str, ends: (f64, f64)) -> Panel {
         let panel = self.panel(title, part, Reading::Phase, (label, Some(ends)));
@@ -182,7 +183,7 @@ impl<'a> Responses<'a> {
         }
     }
 
-    /// The response at the limit of continuous motion.
+    /// Returns the response at the limit of continuous motion.
     #[must_use]
     pub fn limit(&self, part: usize, reading: Reading) -> Line {
         let range = (self.range.0.max(LOWEST_LIMIT), self.range.1);
@@ -190,16 +191,16 @@ impl<'a> Responses<'a> {
         at_limit(self.system, range, of, reading)
     }
 
-    /// Open circles of the simulation from rest, so far apart in r.
+    /// Returns open circles of the simulation from rest, at distances `step` in r.
     #[must_use]
     pub fn simulation(&self, step: f64, part: usize, reading: Reading) -> Vec<Layer> {
         let of = self.of.get(part).copied().unwrap_or(Of::Contact);
         let count = ((self.range.1 - self.range.0) / step).floor() as usize;
-        // Without friction nothing settles.
+        // Without friction the simulation does not settle.
         let rubbing = self.curves.iter().filter(|curve| 0.0 < curve.beta);
         rubbing
             .map(|curve| {
-                // Between round numbers, so that no marker sits on a resonance.
+                // The frequencies are not round numbers, so that no marker lies on a resonance.
                 let place = |i: usize| self.range.0 + (i as f64 + 0.37) * step;
                 let points = (0..count).filter_map(|i| self.marker(place(i), curve, of, reading));
                 let colour = beta_colour(curve.beta);
@@ -226,7 +227,8 @@ impl<'a> Responses<'a> {
     }
 }
 
-/// A stuck contact stays where motion from rest has brought it.  The thesis draws the motion about its own middle.
+/// Centres a stuck motion. A stuck contact remains where motion from rest has brought it, but the thesis draws the
+/// motion about its own middle.
 fn centre(piece: &mut Piece) {
     let movements = piece
         .points
@@ -237,7 +239,7 @@ fn centre(piece: &mut Piece) {
     }
 }
 
-/// The parts of a piece that are steady states.  What a motion does that has not settled is not drawn.
+/// Splits a piece into runs of steady states. Motions that have not settled are not drawn.
 fn settled(piece: &Piece) -> Vec<Piece> {
     let runs = piece.points.split(|point| !point.settled);
     let runs: Vec<_> = runs.filter(|run| !run.is_empty()).collect();
@@ -259,7 +261,7 @@ fn settled(piece: &Piece) -> Vec<Piece> {
     runs.iter().enumerate().map(part).collect()
 }
 
-/// A curve's pieces that are stuck, or those that are not.
+/// Returns the stuck pieces of a curve, or those that are not stuck.
 #[must_use]
 pub fn only_regimes(curve: &Curve, stuck: bool) -> Curve {
     let pieces = curve.pieces.iter();
@@ -282,7 +284,7 @@ mod tests {
 
     #[test]
     fn a_pole_parts_a_curve_once_and_turns_the_phase() {
-        // A place of the first grid lies on the resonance.
+        // One frequency of the first grid lies on the resonance.
         let system = block("wall", "block", "");
         let responses =
             Responses::new(&system, (0.1, 2.5), &[0.0], &[Of::Mass(0)]).expect("a range");

@@ -1,4 +1,4 @@
-//! A figure as a file, with all of its data.
+//! A figure as a picture file and a data file.
 
 use crate::album::Album;
 use crate::gallery::Entry;
@@ -6,10 +6,10 @@ use frictiongen_plot::{Cells, Colour, Figure, Label, Layer, Line, Panel, Point, 
 use std::error::Error;
 use std::fmt::Write as _;
 
-/// Hands a figure to an album: its picture, and all of its data.
+/// Adds a figure to an album: its picture, and all of its data.
 ///
 /// # Errors
-/// Where writing fails.
+/// Fails if a file cannot be written.
 pub fn save(figure: &Figure, album: &mut Album) -> Result<(), Box<dyn Error>> {
     album.enter(Entry {
         number: figure.number.clone(),
@@ -29,10 +29,10 @@ pub fn save(figure: &Figure, album: &mut Album) -> Result<(), Box<dyn Error>> {
     album.add(&figure.number, &figure.svg(), &csv(figure)?)
 }
 
-/// Every point of a figure's lines, markers and maps, to nine digits.
+/// Writes every point of a figure's lines, markers and maps with nine digits.
 ///
 /// # Errors
-/// None, in fact: text takes what is written.
+/// Never fails in practice, because writing to a string always succeeds.
 pub fn csv(figure: &Figure) -> Result<String, std::fmt::Error> {
     let mut text = String::from("panel,curve,drawn,piece,x,y\n");
     for (index, panel) in figure.panels.iter().enumerate() {
@@ -44,7 +44,7 @@ pub fn csv(figure: &Figure) -> Result<String, std::fmt::Error> {
         write_panel(&mut text, &title, panel)?;
         for inset in &panel.insets {
             let mut within = inset.panel.clone();
-            // What the panel has already is not said twice.
+            // Layers that the outer panel already has are not written twice.
             within.layers.retain(|layer| !panel.layers.contains(layer));
             write_panel(&mut text, &format!("{title}, inset"), &within)?;
         }
@@ -53,7 +53,7 @@ pub fn csv(figure: &Figure) -> Result<String, std::fmt::Error> {
 }
 
 fn write_panel(text: &mut String, title: &str, panel: &Panel) -> std::fmt::Result {
-    // What has no name of its own belongs to the curve of its colour.
+    // A layer without a name belongs to the curve of the same colour.
     let mut known: Vec<(Colour, String)> = Vec::new();
     let mut name = |name: &Option<Label>, colour: Colour| match name {
         Some(label) => {
@@ -112,7 +112,7 @@ fn write_points(
     Ok(())
 }
 
-/// The lower and the upper end of every run of like cells in a column.
+/// Writes the lower and the upper bound of every run of equal cells in a column.
 fn write_cells(text: &mut String, title: &str, raster: &Raster) -> std::fmt::Result {
     let Cells::Classes { classes, cells } = &raster.cells else {
         return Ok(());
@@ -137,7 +137,7 @@ fn write_cells(text: &mut String, title: &str, raster: &Raster) -> std::fmt::Res
     Ok(())
 }
 
-/// Nine digits, without needless noughts.
+/// Formats a number with nine digits, without trailing zeros.
 fn digits(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return if value == 0.0 {
@@ -147,7 +147,7 @@ fn digits(value: f64) -> String {
         };
     }
     let text = format!("{value:.8e}");
-    // Rounded to nine digits, then as short as that number is written.
+    // The value is rounded to nine digits, then written as shortly as that number allows.
     text.parse::<f64>()
         .map_or(text, |rounded| rounded.to_string())
 }

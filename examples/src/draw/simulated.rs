@@ -4,22 +4,23 @@ use frictiongen::{Of, System};
 use frictiongen_plot::desk::Reading;
 use std::f64::consts::TAU;
 
-/// Cycles from rest before a simulated motion counts as steady.  The thesis takes 200 (3.6.1); five masses with little
-/// friction need more.
+/// Number of cycles from rest before a simulated motion counts as steady. The thesis takes 200 (3.6.1), but five masses
+/// with little friction need more.
 pub const CYCLES: usize = 1000;
-/// Instants of a cycle at which a simulated motion is read.
+/// Number of instants of a cycle at which a simulated motion is sampled.
 const INSTANTS: usize = 720;
 
 /// An amplitude, and a lag behind the excitation in rad.
 #[derive(Clone, Copy, Debug)]
 pub struct Polar {
-    /// |x̄|.
+    /// Amplitude |x̄|.
     pub amplitude: f64,
-    /// In rad.
+    /// Lag behind the excitation, in rad.
     pub lag: f64,
 }
 
-/// The motions of a run from rest after [`CYCLES`] cycles, at each rising angle of the excitation: one list for each part.
+/// Returns the motions of a run from rest after [`CYCLES`] cycles, at ascending phase angles of the excitation: one
+/// list for each motion.
 #[must_use]
 pub fn from_rest(
     system: &System,
@@ -34,7 +35,7 @@ pub fn from_rest(
     for angle in angles {
         while passed < settled + angle {
             let segment = run.advance(settled + angle - passed).ok()?;
-            // The last piece may be lost in the rounding of what has passed.
+            // The last interval may vanish by rounding of the elapsed phase.
             if segment.length <= 1e-9 && segment.event.is_none() {
                 break;
             }
@@ -50,7 +51,7 @@ pub fn from_rest(
     Some(motions)
 }
 
-/// Amplitude and lag of a run from rest, of each part.
+/// Returns amplitude and lag of each motion, in a run from rest.
 #[must_use]
 pub fn simulated(
     system: &System,

@@ -1,4 +1,4 @@
-//! What still moves when the contact is stuck.
+//! The response of the masses while the contact is stuck.
 
 use frictiongen::study::units::polar;
 use frictiongen::{Of, System};
@@ -6,14 +6,15 @@ use frictiongen_plot::desk::Reading;
 use frictiongen_plot::{Colour, Line, Point, Stroke};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Places of a line; more than a picture shows.
+/// Number of steps of a line, more than a picture resolves.
 const STEPS: u32 = 10_000;
-/// Less than this is rest.
+/// Smallest amplitude that is drawn. A motion below it counts as rest.
 const REST: f64 = 1e-9;
-/// Neighbours whose lags differ by more, rad, are not joined.
+/// Largest difference in lag, rad, between neighbouring points that a line joins.
 const TURN: f64 = 0.6;
 
-/// The response with the contact stuck over a range of r, whatever the friction; no line for what rests then.
+/// Returns the response with the contact stuck over a range of r, which does not depend on friction. A mass that then
+/// rests has no line.
 #[must_use]
 pub fn stuck(system: &System, (from, to): (f64, f64), of: Of, reading: Reading) -> Line {
     let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
@@ -26,7 +27,7 @@ pub fn stuck(system: &System, (from, to): (f64, f64), of: Of, reading: Reading) 
         };
         let near = lag - ((lag - last.unwrap_or(FRAC_PI_2)) / TAU).round() * TAU;
         let jumps = last.is_some_and(|last| TURN < (near - last).abs());
-        // Undamped, the lag jumps where the amplitude has a pole or vanishes.
+        // Without damping the lag jumps where the amplitude has a pole or a zero.
         if jumps {
             pieces.push(Vec::new());
         }

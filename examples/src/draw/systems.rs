@@ -1,11 +1,11 @@
-//! Systems from their descriptions.
+//! Systems built from their descriptions.
 
 use frictiongen::System;
 
-/// A system from its description, as `friction_system!` takes it.
+/// Builds a system from its description, in the syntax of `friction_system!`.
 ///
 /// # Panics
-/// Where the description is wrong: the programs' own are not.
+/// Panics if the description is wrong. The descriptions of the programs are right.
 #[must_use]
 pub fn system(text: &str) -> System {
     match text.parse() {
@@ -14,7 +14,8 @@ pub fn system(text: &str) -> System {
     }
 }
 
-/// One block on one spring: what it rubs on, what is moved, and what else its description says.
+/// One block on one spring. The arguments are the body that it rubs on, the excitation, and further lines of the
+/// description.
 #[must_use]
 pub fn block(contact: &str, excitation: &str, more: &str) -> System {
     system(&format!(

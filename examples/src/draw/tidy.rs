@@ -1,15 +1,15 @@
-//! What a panel over frequency does not need: points on straight lines, turns of a phase, motions that do not settle.
+//! Clean-up of a panel over frequency: redundant points, whole turns of a phase, motions that do not settle.
 
 use frictiongen_plot::{Axis, Colour, Layer, Line, Marker, Markers, Panel, Point, Scale, Stroke};
 
-/// How far a left-out point may lie off its line, as a share of the axis: a hundredth of a pixel.
+/// Largest distance of a removed point from its line, as a fraction of the axis: a hundredth of a pixel.
 const STRAY: f64 = 3e-5;
-/// What lies further beyond an axis than its own length is left out.
+/// Points further beyond an axis than this multiple of its length are removed.
 const BEYOND: f64 = 1.0;
-/// A run of phases shorter than this share of the axis is a speck.
+/// A run of phases shorter than this fraction of the axis is a speck, which is removed.
 const SPECK: f64 = 2e-3;
 
-/// Leaves out the points of lines that a straight line shows as well, and dots of motions that do not settle.
+/// Removes points that lie on a straight line between others, and dots of motions that do not settle.
 #[must_use]
 pub fn tidy(mut panel: Panel) -> Panel {
     let scattered = |layer: &Layer| {
@@ -34,7 +34,7 @@ pub fn tidy(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Where a value lies on an axis, 0 to 1.
+/// Returns the position of a value on an axis, 0 to 1.
 fn share(axis: &Axis, value: f64) -> f64 {
     match axis.scale {
         Scale::Linear => (value - axis.low) / (axis.high - axis.low),
@@ -45,14 +45,14 @@ fn share(axis: &Axis, value: f64) -> f64 {
     }
 }
 
-/// The parts of a piece that are not far beyond the axis, each with a point beyond it at either end.
+/// Cuts a piece into the runs that lie within or near the axis. Each run keeps one point beyond the axis at both ends.
 fn seen(piece: &[Point], y: &Axis) -> Vec<Vec<Point>> {
     let far = |point: &Point| !(-BEYOND..=1.0 + BEYOND).contains(&share(y, point.1));
     let mut parts: Vec<Vec<Point>> = vec![Vec::new()];
     let mut last: Option<Point> = None;
     for point in piece {
         if far(point) {
-            // The last point beyond, not the first: it may be the end of a jump.
+            // The last point beyond the axis is kept, not the first, because it may be the end of a jump.
             if last.is_some_and(|last| !far(&last)) {
                 parts
                     .last_mut()
@@ -71,7 +71,7 @@ fn seen(piece: &[Point], y: &Axis) -> Vec<Vec<Point>> {
     parts
 }
 
-/// A piece with the fewest points that show it.
+/// Returns the points of a piece that are needed to draw it.
 fn thin(piece: &[Point], x: &Axis, y: &Axis) -> Vec<Point> {
     let places: Vec<Point> = piece
         .iter()
@@ -100,7 +100,7 @@ fn thin(piece: &[Point], x: &Axis, y: &Axis) -> Vec<Point> {
     shown.map(|(point, _)| *point).collect()
 }
 
-/// From a point to the segment between two others.
+/// Returns the distance of a point from the segment between two others.
 fn distance(point: Point, a: Point, b: Point) -> f64 {
     let along = (b.0 - a.0, b.1 - a.1);
     let from = (point.0 - a.0, point.1 - a.1);
@@ -113,7 +113,7 @@ fn distance(point: Point, a: Point, b: Point) -> f64 {
     (from.0 - share * along.0).hypot(from.1 - share * along.1)
 }
 
-/// Without runs of phases that are too short to be seen as lines, beside an amplitude that vanishes.
+/// Removes runs of phases that are too short to be seen as lines. They occur next to an amplitude that vanishes.
 #[must_use]
 pub fn without_specks(mut panel: Panel) -> Panel {
     let least = SPECK * (panel.x.high - panel.x.low);
@@ -129,8 +129,9 @@ pub fn without_specks(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Phases of several curves in degrees, all on the turn of the first that rubs: a run is moved by whole turns to where the
-/// runs before it are at its frequencies; what meets none, to the middle of the axis.
+/// Shifts the phases of several curves, in degrees, to the turn of the first curve with friction. Each run is shifted
+/// by whole turns to the runs before it at the same frequencies. A run without such neighbours is shifted to the middle
+/// of the axis.
 #[must_use]
 pub fn aligned(mut panel: Panel, first: Colour) -> Panel {
     let middle = 0.5 * (panel.y.low + panel.y.high);
@@ -145,7 +146,7 @@ pub fn aligned(mut panel: Panel, first: Colour) -> Panel {
             _ => {}
         }
     }
-    // The first curve stays as it is; the one without friction, with its two values, comes last.
+    // The first curve is not shifted. The frictionless curve has two possible values and is aligned last.
     let order = |line: &&mut Line| match line.stroke {
         _ if is_first(line) => 0,
         Stroke::Solid | Stroke::DashDot => 1,
@@ -175,7 +176,8 @@ pub fn aligned(mut panel: Panel, first: Colour) -> Panel {
     panel
 }
 
-/// Every run of phases, and every circle, that lies beyond the axis on the turn nearest to its middle.
+/// Shifts every run of phases and every circle beyond the axis by whole turns, to the value nearest to the middle of
+/// the axis.
 #[must_use]
 pub fn turned(mut panel: Panel) -> Panel {
     let (low, high) = (panel.y.low, panel.y.high);
@@ -205,10 +207,10 @@ pub fn turned(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Whole turns, in degrees, that bring a run next to what is known at its frequencies, in ascending order.
+/// Returns the whole turns in degrees that bring a run next to the known points, which are in ascending order of r.
 #[must_use]
 pub fn turns(piece: &[Point], known: &[Point], middle: f64) -> f64 {
-    /// As far away, in r, a neighbour still tells.
+    /// Largest distance in r of a known point that is used for the comparison.
     const REACH: f64 = 0.02;
     let mut votes: Vec<f64> = Vec::new();
     for (x, y) in piece {

@@ -1,4 +1,4 @@
-//! Motions over time.
+//! Panels of motions over time.
 
 use super::simulated::from_rest;
 use frictiongen::study::SystemResponse;
@@ -8,28 +8,28 @@ use frictiongen_plot::{
 };
 use std::f64::consts::TAU;
 
-/// Points of a line in a whole turn.
+/// Number of points of a line in a whole turn.
 const POINTS: f64 = 240.0;
 
-/// What is drawn of a motion over time.
+/// Settings of a panel over time.
 #[derive(Clone, Copy, Debug)]
 pub struct Times {
-    /// From where to where, in τ.
+    /// Range of τ.
     pub span: (f64, f64),
-    /// How far apart the circles of the simulation are, in τ; 0 for none.
+    /// Distance in τ between the circles of the simulation, 0 for no circles.
     pub circles: f64,
-    /// Whether the excitation is drawn.
+    /// `true` if the excitation is drawn.
     pub excitation: bool,
 }
 
-/// What the circles and the shaded times mean.
+/// Legend of the circles.
 #[must_use]
 pub fn keys() -> [Key; 1] {
     [Key::marker("simulation from rest", Marker::Circle)]
 }
 
-/// Motions from a maximum of the relative motion in the contact: exact lines, circles of the simulation, the times at
-/// which the contact is stuck.
+/// Draws motions from a maximum of the relative motion in the contact: exact lines, circles of the simulation, and the
+/// times at which the contact is stuck.
 #[must_use]
 pub fn cycle(
     title: &str,
@@ -112,7 +112,7 @@ fn displacement(response: &SystemResponse<'_>, of: Of, tau: f64) -> Option<f64> 
     }
 }
 
-/// Shaded times, in as many cycles as are seen.
+/// Returns the shaded times in all cycles that are seen.
 fn stuck(
     sticking: &[(f64, f64)],
     origin: f64,

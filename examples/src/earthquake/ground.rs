@@ -1,30 +1,30 @@
-//! A synthetic ground motion after Kanai, Tajimi, Clough and Penzien: white noise through the ground's own resonance, less what is slower
-//! than an earthquake, under an envelope.
+//! A synthetic ground motion after Kanai, Tajimi, Clough and Penzien. White noise passes through the resonance of the
+//! ground, then through a filter that removes motions slower than an earthquake, and is shaped by an envelope.
 
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
 
-/// Steps a second.
+/// Sampling rate of the ground motion, in steps a second.
 pub const RATE: f64 = 200.0;
-/// How long it lasts, in seconds.
+/// Duration of the ground motion, in s.
 pub const LENGTH: f64 = 30.0;
-/// The seed of the noise.
+/// Seed of the noise.
 const SEED: u64 = 1940;
 
-/// The ground at one instant.
+/// Motion of the ground at one instant.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Ground {
-    /// In s.
+    /// Time, in s.
     pub time: f64,
-    /// In m.
+    /// Displacement, in m.
     pub displacement: f64,
-    /// In m/s.
+    /// Velocity, in m/s.
     pub velocity: f64,
-    /// In m/s².
+    /// Acceleration, in m/s².
     pub acceleration: f64,
 }
 
-/// An oscillator that the noise goes through: ω in rad/s, ζ, and its state.
+/// An oscillator that filters the noise: ω in rad/s, ζ, and the state.
 struct Filter {
     omega: f64,
     zeta: f64,
@@ -42,7 +42,7 @@ impl Filter {
         }
     }
 
-    /// Its acceleration under a load, after a step of the symplectic Euler method.
+    /// Advances the oscillator by a step of the symplectic Euler method, and returns its acceleration under a load.
     fn driven(&mut self, load: f64, step: f64) -> f64 {
         let pull = 2.0 * self.zeta * self.omega * self.speed + self.omega * self.omega * self.place;
         let acceleration = load - pull;
@@ -52,9 +52,9 @@ impl Filter {
     }
 }
 
-/// The whole motion, from rest, with this peak acceleration in m/s².
+/// Computes the whole motion from rest, with a given peak acceleration in m/s².
 pub fn ground(peak: f64) -> Vec<Ground> {
-    // The filters need steps shorter than those of the recording.
+    // The filters need shorter steps than the recording.
     let fine = 20;
     let step = 1.0 / (RATE * f64::from(fine));
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
@@ -89,7 +89,7 @@ pub fn ground(peak: f64) -> Vec<Ground> {
     motion
 }
 
-/// Rises in two seconds, holds, and dies away from ten seconds on.
+/// Envelope of the motion: rises for two seconds, stays at 1, and decays after ten seconds.
 fn envelope(time: f64) -> f64 {
     if time < 2.0 {
         (time / 2.0) * (time / 2.0)
@@ -100,7 +100,7 @@ fn envelope(time: f64) -> f64 {
     }
 }
 
-/// Between −1 and 1.
+/// Draws a number, uniform between −1 and 1.
 fn uniform(random: &mut ChaCha8Rng) -> f64 {
     let bits = u32::try_from(random.next_u64() >> 32).unwrap_or(u32::MAX);
     f64::from(bits) / f64::from(1_u32 << 31) - 1.0

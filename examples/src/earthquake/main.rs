@@ -1,4 +1,4 @@
-//! The two-storey frame of the tour under a synthetic earthquake, with a friction damper and without.
+//! The two-storey frame of the tour under a synthetic earthquake, with and without a friction damper.
 //!
 //! `cargo run --release --example earthquake [FOLDER]` writes the picture and the data.
 
@@ -25,12 +25,13 @@ friction_system! {
     }
 }
 
-/// The peak acceleration of the ground, in m/s².
+/// Peak acceleration of the ground, in m/s².
 const PEAK: f64 = 3.0;
-/// The friction force of the damper, in N.
+/// Friction force of the damper, in N.
 const FRICTION: f64 = 4.0;
 
-/// What is kept of a run: for each step displacement of the upper floor relative to the ground, in mm, and the damper's force.
+/// Result of a run: for each step the displacement of the upper floor relative to the ground in mm, and the force of
+/// the damper.
 struct Run {
     drift: Vec<(f64, f64)>,
     force: Vec<(f64, f64)>,

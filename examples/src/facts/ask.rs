@@ -1,7 +1,7 @@
-//! Scenes of the table, short questions to them, and searches for places.
+//! Scenes of the table, short queries to them, and searches for frequencies.
 //!
-//! A question that a scene does not answer gives NaN, with which no comparison holds: the row then
-//! has no verdict, and its test fails.
+//! A query that a scene cannot answer returns NaN. No comparison with NaN is true, so the row then does not agree and
+//! its test fails.
 
 pub use crate::draw::chain;
 use frictiongen::study::{Features, Measured, RegimeRange, System, SystemMotion, SystemOrbit};
@@ -13,38 +13,38 @@ pub fn unit(n: usize, contact: &str, excitation: &str) -> System {
     chain(&vec![1.0; n], &vec![1.0; n], contact, excitation, "")
 }
 
-/// One mass against a fixed wall.
+/// One mass that rubs on a fixed wall.
 #[must_use]
 pub fn wall(rest: &str) -> System {
     chain(&[1.0], &[1.0], "m1 - wall", "m1", rest)
 }
 
-/// One mass, the wall on its moving base.
+/// One mass that rubs on a wall on its moving base.
 #[must_use]
 pub fn base(mu: f64) -> System {
     let rest = format!("stiction: {mu:?}");
     chain(&[1.0], &[1.0], "m1 - base", "base", &rest)
 }
 
-/// β_lim.
+/// Returns β_lim.
 #[must_use]
 pub fn limit(system: &System, r: f64) -> f64 {
     system.at(r).map_or(f64::NAN, |at| at.continuous_limit())
 }
 
-/// β*_lim.
+/// Returns β*_lim.
 #[must_use]
 pub fn sliding_limit(system: &System, r: f64) -> f64 {
     system.at(r).map_or(f64::NAN, |at| at.sliding_limit())
 }
 
-/// A question to the continuous motion at r and β.
+/// Evaluates a function of the continuous motion at r and β.
 pub fn ask(system: &System, r: f64, beta: f64, question: impl Fn(&SystemMotion) -> f64) -> f64 {
     let motion = system.at(r).ok().and_then(|at| at.motion(beta).ok());
     motion.as_ref().map_or(f64::NAN, question)
 }
 
-/// The monoharmonic estimate (5.50) of a mass's amplitude.
+/// Returns the monoharmonic estimate (5.50) of a mass's amplitude.
 #[must_use]
 pub fn estimate(system: &System, mass: &str, r: f64, beta: f64) -> f64 {
     ask(system, r, beta, |motion| {
@@ -53,7 +53,7 @@ pub fn estimate(system: &System, mass: &str, r: f64, beta: f64) -> f64 {
     })
 }
 
-/// The exact amplitude of a mass in continuous motion.
+/// Returns the exact amplitude of a mass in continuous motion.
 #[must_use]
 pub fn amplitude(system: &System, mass: &str, r: f64, beta: f64) -> f64 {
     ask(system, r, beta, |motion| {
@@ -62,7 +62,7 @@ pub fn amplitude(system: &System, mass: &str, r: f64, beta: f64) -> f64 {
     })
 }
 
-/// The fundamental of a mass's motion.
+/// Returns the amplitude of the fundamental of a mass's motion.
 #[must_use]
 pub fn fundamental(system: &System, mass: &str, r: f64, beta: f64) -> f64 {
     ask(system, r, beta, |motion| {
@@ -71,7 +71,7 @@ pub fn fundamental(system: &System, mass: &str, r: f64, beta: f64) -> f64 {
     })
 }
 
-/// The amplitude of a mass while the contact is stuck.
+/// Returns the amplitude of a mass while the contact is stuck.
 #[must_use]
 pub fn stuck(system: &System, mass: &str, r: f64) -> f64 {
     let stuck = system.at(r).ok().and_then(|at| at.stuck().ok());
@@ -80,25 +80,25 @@ pub fn stuck(system: &System, mass: &str, r: f64) -> f64 {
         .map_or(f64::NAN, |x| x.norm())
 }
 
-/// The steady state in any regime.
+/// Returns the steady state in any regime.
 #[must_use]
 pub fn orbit(system: &System, r: f64, beta: f64) -> Option<SystemOrbit<'_>> {
     system.at(r).ok()?.orbit(beta).ok()
 }
 
-/// max|x̄| of a mass in a steady state.
+/// Returns max|x̄| of a mass in a steady state.
 #[must_use]
 pub fn orbit_amplitude(orbit: &SystemOrbit<'_>, mass: &str) -> f64 {
     let mass = orbit.mass(mass);
     mass.map_or(f64::NAN, |mass| mass.amplitude())
 }
 
-/// The features of a system, in groups: no load, so that none can be refused.
+/// Returns the features of a system in non-dimensional groups. They need no load, so none can be refused.
 fn features(system: &System) -> Option<Features<'_>> {
     system.features(None).ok()
 }
 
-/// The invariant points of a motion between two r, by their conditions (6.9), (6.10) or of the fundamental component.
+/// Finds the invariant points of a motion between two r, by condition (6.9), (6.10) or that of the fundamental.
 #[must_use]
 pub fn invariant_points(system: &System, of: Of, measured: Measured, range: [f64; 2]) -> Vec<f64> {
     let found = features(system).and_then(|all| all.invariant_points(of, measured, range).ok());
@@ -106,7 +106,7 @@ pub fn invariant_points(system: &System, of: Of, measured: Measured, range: [f64
     found.into_iter().map(|point| point.r).collect()
 }
 
-/// The ends of the ranges between two r in which friction enlarges a motion.
+/// Finds the bounds of the ranges between two r in which friction enlarges a motion.
 #[must_use]
 pub fn inversions(system: &System, of: Of, measured: Measured, range: [f64; 2]) -> Vec<f64> {
     let found = features(system).and_then(|all| all.inversions(of, measured, range).ok());
@@ -114,7 +114,7 @@ pub fn inversions(system: &System, of: Of, measured: Measured, range: [f64; 2]) 
     found.flat_map(|found| [found.from, found.to]).collect()
 }
 
-/// Where the exact amplitudes of two frictions cross, and how large they are.
+/// Finds the r at which the exact amplitudes for two friction ratios are equal, with those amplitudes.
 #[must_use]
 pub fn crossings(system: &System, of: Of, frictions: [f64; 2], range: [f64; 2]) -> Vec<(f64, f64)> {
     let found = features(system).and_then(|all| all.crossings(of, frictions, range).ok());
@@ -122,7 +122,7 @@ pub fn crossings(system: &System, of: Of, frictions: [f64; 2], range: [f64; 2]) 
     found.map(|found| (found.r, found.amplitude)).collect()
 }
 
-/// Where a motion vanishes without friction.
+/// Finds the r at which a motion vanishes without friction.
 #[must_use]
 pub fn antiresonances(system: &System, of: Of, range: [f64; 2]) -> Vec<f64> {
     let found = features(system).and_then(|all| all.antiresonances(of, range).ok());
@@ -130,7 +130,7 @@ pub fn antiresonances(system: &System, of: Of, range: [f64; 2]) -> Vec<f64> {
     found.into_iter().map(|zero| zero.r).collect()
 }
 
-/// The ends of the ranges in which the contact slides at β.
+/// Finds the bounds of the ranges of r in which the contact slides at β.
 #[must_use]
 pub fn sliding_ranges(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     let found = features(system).and_then(|all| all.sliding_ranges(beta, range).ok());
@@ -138,14 +138,14 @@ pub fn sliding_ranges(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     found.flat_map(|found| [found.from, found.to]).collect()
 }
 
-/// The regimes between two r at β.
+/// Finds the regimes between two r at β.
 #[must_use]
 pub fn regimes(system: &System, beta: f64, range: [f64; 2]) -> Vec<RegimeRange> {
     let found = features(system).and_then(|all| all.regimes(beta, range).ok());
     found.map_or_else(Vec::new, |(found, _)| found)
 }
 
-/// The ends of the ranges of continuous motion between two r at β.
+/// Finds the bounds of the ranges of continuous motion between two r at β.
 #[must_use]
 pub fn continuous(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     let found = regimes(system, beta, range).into_iter();
@@ -153,7 +153,7 @@ pub fn continuous(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     found.flat_map(|found| [found.from, found.to]).collect()
 }
 
-/// One of so many places; NaN if there are more or fewer.
+/// Returns one of the values if there are exactly `count`, otherwise NaN.
 #[must_use]
 pub fn one_of(places: &[f64], count: usize, index: usize) -> f64 {
     if places.len() == count {
@@ -163,7 +163,7 @@ pub fn one_of(places: &[f64], count: usize, index: usize) -> f64 {
     }
 }
 
-/// The place where f changes sign, to the last bits; NaN where it does not.
+/// Finds the sign change of f to the last bits, or returns NaN if there is none.
 pub fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let sign = f(low).signum();
     let opposite = sign * f(high) < 0.0;
@@ -181,8 +181,8 @@ pub fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// The place of the largest value of a function with one peak in [low, high].  Where it is flat,
-/// rounding leaves √ε ≈ 1e-8 of the place undecided.
+/// Finds the maximum of a function with one peak in [low, high]. A smooth peak is flat, so rounding leaves its abscissa
+/// uncertain by √ε ≈ 1e-8.
 pub fn peak(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     for _ in 0..60 {
         let third = (high - low) / 3.0;
@@ -195,8 +195,8 @@ pub fn peak(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Where the contact's motion does not depend on β (6.9): its phase is there 0 or π for every β,
-/// and changes sign.  β is this share of β_lim.
+/// Finds the r at which the contact's motion does not depend on β (6.9). The phase there is 0 or π for every β, and its
+/// sine changes sign. `share` is β/β_lim.
 #[must_use]
 pub fn contact_invariant(system: &System, share: f64, low: f64, high: f64) -> f64 {
     let sine = |r| {
@@ -206,13 +206,12 @@ pub fn contact_invariant(system: &System, share: f64, low: f64, high: f64) -> f6
     root(sine, low, high)
 }
 
-/// Where a quantity of the continuous motion at r and β does not depend on β: that of two shares of
-/// β_lim is compared.
+/// Finds the r at which a quantity of the continuous motion does not depend on β, by comparing two values of β/β_lim.
 pub fn invariant(system: &System, of: impl Fn(f64, f64) -> f64, low: f64, high: f64) -> f64 {
     root(|r| growth(system, &of, r), low, high)
 }
 
-/// What a quantity gains from 0.45 to 0.9 times β_lim.
+/// Returns the increase of a quantity from 0.45 to 0.9 times β_lim.
 pub fn growth(system: &System, of: impl Fn(f64, f64) -> f64, r: f64) -> f64 {
     let beta = 0.9 * limit(system, r);
     of(r, beta) - of(r, 0.5 * beta)

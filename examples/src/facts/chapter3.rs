@@ -1,4 +1,4 @@
-//! One mass, the wall on its moving base: F04 to F10 without F07.
+//! One mass that rubs on a wall on its moving base: F04 to F10 without F07.
 
 use super::ask::{
     base, crossings, limit, orbit, orbit_amplitude, peak, regimes, root, sliding_limit,
@@ -41,7 +41,7 @@ fn sticking() -> Row {
     }
 }
 
-/// How much stick-slip there is between the limits.
+/// Returns the width in β of the stick-slip region between the limits.
 fn width(system: &System, r: f64) -> f64 {
     sliding_limit(system, r) - limit(system, r)
 }
@@ -64,7 +64,7 @@ fn widths() -> Row {
     }
 }
 
-/// The smallest width of the stick-slip region away from the corner at r = 0, from which it opens.
+/// Finds the smallest width of the stick-slip region. The corner at r = 0, where the width is zero, is left out.
 fn smallest_width(mu: f64) -> f64 {
     let system = base(mu);
     let width = |r: f64| width(&system, r);
@@ -111,7 +111,7 @@ fn inversion() -> Row {
                 "beyond about 1.4",
                 first,
                 4,
-                // Of all 28 pairs.
+                // Each of the 28 pairs of curves crosses exactly once.
                 first > 1.4 && count == 28,
             ),
             claim("last", "before about 1.55", last, 4, last < 1.55),
@@ -127,8 +127,8 @@ fn inversion() -> Row {
     }
 }
 
-/// The largest transmissibility of any sliding state of the mass on its base: its peak beyond the
-/// drop below 1 where it begins to slide.
+/// Finds the largest transmissibility of a sliding state of the mass on its base. Where sliding begins, the
+/// transmissibility drops below 1. The peak lies beyond that drop.
 #[must_use]
 pub fn largest_sliding(system: &System, beta: f64) -> f64 {
     let at = |r: f64| orbit(system, r, beta).map_or(0.0, |orbit| orbit_amplitude(&orbit, "m1"));
@@ -138,7 +138,8 @@ pub fn largest_sliding(system: &System, beta: f64) -> f64 {
     at(peak_coarse(at, begin.max(near - 0.02), near + 0.02))
 }
 
-/// As [`peak`], to 1e-5: an orbit is dear, and a flat peak is 1e-9 of its height beside it.
+/// Finds a maximum as [`peak`] does, but to 1e-5 in r. An orbit is expensive, and within 1e-5 a flat peak loses only
+/// about 1e-9 of its height.
 fn peak_coarse(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     while high - low > 1e-5 {
         let third = (high - low) / 3.0;
@@ -181,11 +182,11 @@ fn direct() -> Row {
     };
     let begin = regimes(&system, 1.0, [1.0, 1.4]);
     let beside = begin.first().map_or(f64::NAN, |stuck| stuck.to);
-    // A stuck state exists up to the end of the second.
+    // A stuck state exists up to the end of the second range.
     let begin = begin.get(1).map_or(f64::NAN, |bistable| bistable.to);
     let direct =
         along(&system, [1.0, 1.4]) == [Regime::Stuck, Regime::Bistable, Regime::Continuous];
-    // With μ = 1 there is stick-slip between.
+    // With μ = 1 a range of stick-slip lies between the two.
     let between = along(&base(1.0), [0.9, 1.4]).starts_with(&[Regime::Stuck, Regime::StickSlip]);
     Row {
         id: "F10",

@@ -54,12 +54,12 @@ fn fixed() -> Row {
     }
 }
 
-/// The one-storey rig's natural frequency, Hz, as printed: fitted to a test, so that only what
-/// follows from it can be computed.
+/// Natural frequency of the one-storey rig as printed, Hz. It was fitted to a test, so only its consequences can be
+/// computed.
 pub const ONE_STOREY: f64 = 3.086;
 
 fn storey() -> Row {
-    // Any mass will do.
+    // The result does not depend on the mass.
     let (mass, omega) = (3.25, TAU * ONE_STOREY);
     let system = chain(&[mass], &[mass * omega * omega], "m1 - wall", "base", "");
     let frequency = system.natural_frequencies()[0] / TAU;

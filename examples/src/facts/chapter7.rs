@@ -52,7 +52,7 @@ fn resonance() -> Row {
     }
 }
 
-/// A printed formula, as far as four digits show it.
+/// Compares a value with a printed formula, to four digits.
 fn by_formula(what: &str, (equation, printed): (&str, f64), value: f64) -> Entry {
     let shown = format!("{printed:.4}");
     Entry {
@@ -69,8 +69,8 @@ const FIVE: [Of; 5] = [
     Of::Mass(4),
 ];
 
-/// The largest difference of closed form and simulation over a cycle of all masses, and the largest
-/// departure of a mass from being in phase or in opposition with the contact, degrees.
+/// Returns two largest deviations over a cycle and all masses: the difference of closed form and simulation, and the
+/// departure of a phase in degrees from being in phase or in opposition with the contact.
 #[must_use]
 pub fn differences(system: &System, r: f64, beta: f64) -> Option<(f64, f64)> {
     let angles: Vec<f64> = (0..24).map(|i| TAU * f64::from(i) / 24.0).collect();
@@ -92,7 +92,7 @@ pub fn differences(system: &System, r: f64, beta: f64) -> Option<(f64, f64)> {
 }
 
 fn responses() -> Row {
-    // What is printed about phases, with the bounds in degrees between which it is taken to hold.
+    // Printed statement about phases, with the bounds in degrees within which it is taken to be true.
     type Phases = Option<(&'static str, f64, f64)>;
     let (nearly, lost) = (("nearly so", 0.0, 10.0), ("lost", 30.0, 90.0));
     let scenes: [(&str, &str, f64, Phases); 4] = [
@@ -111,7 +111,7 @@ fn responses() -> Row {
         let found = differences(&system, 0.9, 0.2);
         let (apart, turned) = found.unwrap_or((f64::NAN, f64::NAN));
         let amplitude = amplitude(&system, mass, 0.9, 0.2);
-        // 1000 cycles: what is left of the start is below rounding, which a thousand cycles gather.
+        // After 1000 cycles the transient is below the rounding error that accumulates over them.
         let same = apart < 1e-9;
         let said = if same {
             "less than 1e-9 apart"

@@ -1,4 +1,4 @@
-//! What the thesis prints and what comes out, as Markdown.  `cargo run --release --example facts`
+//! Prints the numbers of the thesis and the computed ones as Markdown. `cargo run --release --example facts`
 
 use frictiongen_examples::facts::{page::page, rows};
 

@@ -1,7 +1,7 @@
-//! The numbers that the thesis prints, beside what they come out as.
+//! Numbers that the thesis prints, compared with computed ones.
 //!
-//! Everything is computed from descriptions of scenes by the library; a printed number is held to
-//! half a unit of its last digit.
+//! The library computes everything from descriptions of scenes. A computed number agrees with a printed one if the
+//! difference is at most half a unit of the last printed digit.
 
 pub mod ask;
 pub mod chapter2;
@@ -16,7 +16,7 @@ pub mod walls;
 
 use row::Row;
 
-/// F01 to the last, in order.
+/// Returns all rows, from F01 to the last one.
 #[must_use]
 pub fn rows() -> Vec<Row> {
     let mut rows = chapter2::rows();

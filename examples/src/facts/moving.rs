@@ -1,4 +1,4 @@
-//! Contacts between parts that move, and the two-storey rig: F27, F28, F30, F32.
+//! Contacts between moving bodies, and the two-storey rig: F27, F28, F30, F32.
 
 use super::ask::{antiresonances, ask, chain, crossings, invariant_points, one_of};
 use super::chapter4::ONE_STOREY;
@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 pub const GAMMA: f64 = STOREYS[0];
 /// κ = k₂/k₁ of the rig, as printed.
 pub const KAPPA: f64 = STOREYS[1];
-/// Printed as r₁ = (0.3419 s)ω.
+/// Coefficient that is printed in r₁ = (0.3419 s)ω. It is r₁ at 1 Hz, so it belongs to the frequency in Hz (F30).
 pub const RATIO: f64 = STOREYS[2];
 
 pub(super) fn rows() -> Vec<Row> {
@@ -41,13 +41,13 @@ fn invariants(system: &System) -> Row {
         number("estimate, first", "0.778", one_of(&points, 2, 0), 6),
         number("second", "1.213", one_of(&points, 2, 1), 6),
     ];
-    // Of the pairs of figure 6.23 that slide all the time.
+    // Only those pairs of figure 6.23 count whose motions both slide all the time.
     let betas = [0.0, 0.1, 0.2, 0.3, 0.4, 0.6];
     for (name, printed, low, high) in [("first", 0.770, 0.74, 0.8), ("second", 1.226, 1.2, 1.24)] {
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
         for (i, one) in betas.iter().enumerate() {
             for other in &betas[..i] {
-                // None where the larger β does not slide all the time.
+                // `crossings` finds none where the larger β does not slide all the time.
                 for (crossing, _) in crossings(system, Of::Mass(0), [*one, *other], [low, high]) {
                     (least, most) = (least.min(crossing), most.max(crossing));
                 }
@@ -68,7 +68,7 @@ fn invariants(system: &System) -> Row {
     }
 }
 
-/// The two-storey rig, scaled by √(k₁/m₁) = `omega`.
+/// The two-storey rig with √(k₁/m₁) = `omega`.
 #[must_use]
 pub fn rig_with(omega: f64) -> System {
     let mass = 3.27;
@@ -86,7 +86,7 @@ fn rig() -> Row {
     let system = rig_with(TAU / RATIO);
     let natural = system.natural_frequencies();
     let product = natural[0] * natural[1];
-    // ω₀, where m₁ stands still without friction, and ω_z0, where it moves with the base.
+    // Antiresonances: at ω₀ mass m₁ does not move without friction, at ω_z0 it moves with the base.
     let to_omega = TAU / RATIO;
     let range = [0.1, 4.0];
     let antiresonance = to_omega * one_of(&antiresonances(&system, Of::Mass(0), range), 1, 0);
@@ -95,7 +95,7 @@ fn rig() -> Row {
     let kappa = gamma * (antiresonance.powi(2) / product).powi(2);
     let ratio = antiresonance / product;
     let [hertz, radians] = [1.0 / RATIO, 1.0 / (TAU * RATIO)];
-    // The storey of F31 has the same plates and bars.
+    // The one-storey rig of F31 has the same plates and bars.
     let near = |frequency: f64| (frequency / ONE_STOREY - 1.0).abs() < 0.1;
     Row {
         id: "F30",

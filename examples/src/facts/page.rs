@@ -1,4 +1,4 @@
-//! The table as Markdown.
+//! Formats the table as Markdown.
 
 use super::row::{Entry, Row, Verdict};
 
@@ -13,7 +13,7 @@ that are misprinted.
 |---|---|---|---|---|---|
 ";
 
-/// Says the verdict in words.
+/// Describes the verdict in words.
 #[must_use]
 pub fn verdict(verdict: Verdict) -> String {
     match verdict {
@@ -31,7 +31,7 @@ fn printed(entry: &Entry) -> String {
     }
 }
 
-/// The rows as a table, a line of a cell for each number.
+/// Formats the rows as a table. Each number has its own line in a cell.
 #[must_use]
 pub fn page(rows: &[Row]) -> String {
     let lines = |row: &Row, cell: fn(&Entry) -> String| {

@@ -1,48 +1,49 @@
-//! A row of the table: what the thesis prints, what comes out, and whether they agree.
+//! A row of the table: the printed numbers, the computed ones, and the verdict.
 
-/// One printed statement beside the number that it is about.
+/// One printed statement, with the computed number that it is compared with.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// Which of the row's numbers it is.
+    /// Name of the number within its row.
     pub what: String,
-    /// What the thesis prints; empty where it prints nothing.
+    /// Printed text, empty if the thesis prints nothing.
     pub printed: String,
-    /// The computed number; none for a statement in words.
+    /// Computed number, `None` for a statement in words.
     pub value: Option<f64>,
-    /// What comes out.
+    /// Computed result as text.
     pub computed: String,
-    /// Whether the printed holds; true where nothing is printed.
+    /// `true` if the printed statement is right, or if nothing is printed.
     pub agrees: bool,
 }
 
-/// What becomes of a printed row.
+/// Result of comparing a row with the thesis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Every printed number is the computed one to its own digits.
+    /// Every printed number equals the computed one to its printed digits.
     Agrees,
-    /// At least one is not, for this reason.
+    /// At least one printed number differs, for this reason.
     Corrected(&'static str),
-    /// At least one is not, and nobody has said why.
+    /// At least one printed number differs, and no reason is given.
     Unexplained,
 }
 
 /// A row of the table.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// F01, ….
+    /// Identifier: F01, ….
     pub id: &'static str,
     /// Scene and quantity.
     pub claim: &'static str,
     /// Section, equation or figure of the thesis.
     pub place: &'static str,
-    /// The row's numbers.
+    /// Numbers of the row.
     pub entries: Vec<Entry>,
-    /// Why a printed number is off; empty where none is.
+    /// Reason why a printed number is wrong, empty if none is wrong.
     pub reason: &'static str,
 }
 
 impl Row {
-    /// Decided by comparing the numbers; a reason alone corrects nothing.
+    /// Decides the verdict by comparing the numbers. A row whose numbers all agree is not corrected, even if a reason
+    /// is given.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         if self.entries.iter().all(|entry| entry.agrees) {
@@ -54,7 +55,7 @@ impl Row {
         }
     }
 
-    /// The computed numbers, in the order of the entries.
+    /// Returns the computed numbers, in the order of the entries.
     #[must_use]
     pub fn values(&self) -> Vec<f64> {
         self.entries
@@ -64,10 +65,11 @@ impl Row {
     }
 }
 
-/// Closed forms are rounded a few times in double precision; next to a pole some digits are lost.
+/// Relative tolerance for closed forms in double precision, which are rounded a few times and lose some digits next to
+/// a pole.
 pub const ROUNDING: f64 = 1e-12;
 
-/// Half a unit of the last digit of a printed decimal number, and its value.
+/// Parses a printed decimal number: its value, and half a unit of its last digit.
 #[must_use]
 pub fn printed_number(text: &str) -> Option<(f64, f64)> {
     let number = text.trim_start_matches("about ");
@@ -76,11 +78,11 @@ pub fn printed_number(text: &str) -> Option<(f64, f64)> {
     Some((value, 0.5 * 10_f64.powi(-i32::try_from(decimals).ok()?)))
 }
 
-/// A number printed as a decimal, "about" before it or not: it agrees if the computed one rounds to
-/// it.
+/// Compares a number with a printed decimal, which may begin with "about". They agree if the computed number rounds to
+/// the printed one.
 #[must_use]
 pub fn number(what: &str, printed: &str, value: f64, decimals: usize) -> Entry {
-    // A tie is decided by rounding noise: both neighbours are right.
+    // At a tie rounding noise would decide, so both neighbours count as right.
     let agrees = printed_number(printed)
         .is_some_and(|(want, half)| (value - want).abs() <= half * (1.0 + 1e-9));
     Entry {
@@ -92,7 +94,7 @@ pub fn number(what: &str, printed: &str, value: f64, decimals: usize) -> Entry {
     }
 }
 
-/// A number printed as a formula: it agrees if it is the computed one to `tolerance`, relative.
+/// Compares a number with a printed formula. They agree within the relative `tolerance`.
 #[must_use]
 pub fn formula(
     what: &str,
@@ -110,7 +112,7 @@ pub fn formula(
     }
 }
 
-/// A formula held at many points, `(printed, computed)` each; the first one is shown.
+/// Compares a formula at many points, each `(printed, computed)`. The entry shows the first point.
 #[must_use]
 pub fn formula_at(
     what: &str,
@@ -130,7 +132,7 @@ pub fn formula_at(
     }
 }
 
-/// A printed statement about a number, such as a bound, that holds or not.
+/// A printed statement about a number, such as a bound, with its truth value.
 #[must_use]
 pub fn claim(what: &str, printed: &str, value: f64, decimals: usize, agrees: bool) -> Entry {
     Entry {
@@ -142,7 +144,7 @@ pub fn claim(what: &str, printed: &str, value: f64, decimals: usize, agrees: boo
     }
 }
 
-/// A printed statement in words.
+/// A printed statement in words, with its truth value.
 #[must_use]
 pub fn words(what: &str, printed: &str, computed: String, agrees: bool) -> Entry {
     Entry {
@@ -154,7 +156,7 @@ pub fn words(what: &str, printed: &str, computed: String, agrees: bool) -> Entry
     }
 }
 
-/// A number of which nothing is printed.
+/// A computed number that the thesis does not print.
 #[must_use]
 pub fn added(what: &str, value: f64, decimals: usize) -> Entry {
     Entry {

@@ -1,27 +1,27 @@
-//! Stops a cycle of one mass on its base: F33.
+//! Number of stops in a cycle of one mass on its base: F33.
 
 use super::ask::{base, orbit, sliding_limit};
 use super::row::{Entry, ROUNDING, Row, added, words};
 use frictiongen::Regime;
 
-/// How many steady states of a grid stop how often in a cycle.
+/// Numbers of steady states of a grid, by the number of stops in a cycle.
 #[derive(Debug, Default)]
 pub struct Stops {
     /// States with at least one stop.
     pub stopping: u32,
-    /// With one.
+    /// States with one stop.
     pub one: u32,
-    /// With two.
+    /// States with two stops.
     pub two: u32,
-    /// With more.
+    /// States with more than two stops.
     pub more: u32,
-    /// Where the states with one stop lie: smallest and largest r.
+    /// Smallest and largest r of the states with one stop.
     pub ends: Option<(f64, f64)>,
     /// Stick-slip points without a stable motion of the excitation's own period.
     pub without: u32,
 }
 
-/// Counts over the figures' grid, r = 0:0.02:2.5 and β = 0:0.01:4.
+/// Counts over the grid of the figures, r = 0:0.02:2.5 and β = 0:0.01:4.
 #[must_use]
 pub fn count(mu: f64) -> Stops {
     let system = base(mu);
@@ -31,12 +31,12 @@ pub fn count(mu: f64) -> Stops {
         for j in 1..=400_u32 {
             let beta = 0.01 * f64::from(j);
             let regime = system.at(r).ok().and_then(|at| at.regime(beta).ok());
-            // On the grid β is often β*_lim as decimal numbers go: stuck, whichever way it rounds.
+            // Many grid values of β equal β*_lim as decimals. Such a point counts as stuck, however it rounds.
             let on_limit = (beta - sliding_limit(&system, r)).abs() < ROUNDING;
             if regime != Some(Regime::StickSlip) || on_limit {
                 continue;
             }
-            // The thesis counts stops a cycle: of motions that repeat after one.
+            // The thesis counts stops in a cycle, so only motions that repeat after one cycle count.
             let orbit = orbit(&system, r, beta).filter(|orbit| orbit.period() == 1);
             let Some(orbit) = orbit else {
                 found.without += 1;

@@ -20,7 +20,7 @@ pub(super) fn rows() -> Vec<Row> {
     rows
 }
 
-/// β_n,i beside what is printed.
+/// Compares the thresholds β_n,i with the printed ones.
 pub(super) fn thresholds(system: &System, printed: &[&str]) -> Vec<Entry> {
     (1..)
         .zip(system.resonance_thresholds())
@@ -43,7 +43,7 @@ fn three() -> Vec<Row> {
     };
     let resting = [0.9_f64, 0.3, 1.3, 1.5, 2.0, 3.0];
     let resting = resting.map(|r| (1.0 / (2.0 - r * r).abs(), stuck(&system, "m1", r)));
-    // From just above r = 0.
+    // The range begins just above r = 0.
     let edge = |end: usize, sign: f64| -> Vec<(f64, f64)> {
         let of = |beta: f64| {
             let ends = sliding_ranges(&system, beta, [0.01, 4.0]);
@@ -163,7 +163,7 @@ fn lower() -> Vec<Row> {
     ]
 }
 
-/// Where H = 0: the contact does not answer to a harmonic force in it.
+/// Finds the r at which H = 0, where the contact does not respond to a harmonic force in it.
 fn receptance(system: &System) -> Vec<f64> {
     let features = system.features(None).ok();
     let points = features.and_then(|all| {
@@ -184,7 +184,7 @@ fn upper() -> Vec<Row> {
     let of_m1 = invariant_points(&system, Of::Mass(0), Measured::Amplitude, [0.65, 4.0]);
     let meet = |beta: f64, low: f64, high: f64| {
         let difference = |r| amplitude(&system, "m2", r, beta) - amplitude(&system, "m2", r, 0.0);
-        // They touch there rather than cross: friction lowers the contact's amplitude on both sides.
+        // The curves touch there rather than cross, because friction lowers the contact's amplitude on both sides.
         peak(difference, low, high)
     };
     let of_m2 = |r, beta| fundamental(&system, "m2", r, beta);
@@ -264,7 +264,7 @@ fn upper() -> Vec<Row> {
     ]
 }
 
-/// The maxima above 0.7 of a limit, place and height, from r = 1/4 to 3.
+/// Finds the maxima of a limit above 0.7 from r = 1/4 to 3, as (r, height).
 pub fn maxima(limit: &dyn Fn(f64) -> f64) -> Vec<(f64, f64)> {
     let step = 5e-4;
     let mut found = Vec::new();
@@ -298,7 +298,7 @@ fn five() -> Row {
     for (r, beta) in &exact {
         entries.push(number(&format!("at r = {r:.4}"), "about 0.83", *beta, 4));
     }
-    // Either side of a smooth maximum, the limit falls with the square of the distance.
+    // On both sides of a smooth maximum the limit falls with the square of the distance. A linear fall means a kink.
     let kinks = exact.iter().filter(|(r, beta)| {
         let fall = |h: f64| beta - limit(&system, r + h);
         let near = 1e-5;

@@ -1,5 +1,5 @@
-//! Chapters 4 and 6 measured: recordings made by simulation with noise of 40 dB.
-//! `cargo run --release --example measured` writes docs/measure: the recordings of the page.
+//! Chapters 4 and 6 with measurements: recordings that are simulated with noise of 40 dB.
+//! `cargo run --release --example measured` writes the recordings of the page to docs/measure.
 
 mod recordings;
 

@@ -1,4 +1,4 @@
-//! The recordings of the page.
+//! Recordings of the page `docs/measure.md`.
 
 use frictiongen::measure::{Channel, Recording, Unit};
 use frictiongen_examples::rig::{NATURAL, Noise, STOREYS, Y, decay, one_storey, recording};
@@ -6,11 +6,11 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// β of the recordings of the page.
+/// Friction ratio β of the recordings.
 const BETA: f64 = 0.4;
-/// Samples a second.
+/// Sampling rate, in samples a second.
 const RATE: f64 = 100.0;
-/// (6.15) of the two-storey rig, in Hz, with its roots by (A.2) and (A.5).
+/// Evaluates (6.15) for the two-storey rig at a frequency in Hz, with the roots by (A.2) and (A.5).
 fn two_storeys(hertz: f64) -> f64 {
     let [gamma, kappa, seconds] = STOREYS;
     let k1 = seconds.powi(-2);
@@ -22,7 +22,7 @@ fn two_storeys(hertz: f64) -> f64 {
     w1 * w2 / w0 * (w0 - f) / ((w1 - f) * (w2 - f))
 }
 
-/// A sweep of amplitudes with errors of one in a thousand.
+/// Writes a sweep of amplitudes with a relative error of one in a thousand.
 fn sweep(mass: &str, frequencies: &[f64], of: impl Fn(f64) -> f64, noise: &mut Noise) -> String {
     let mut text = format!("frequency_Hz,{mass}.transmissibility,{mass}.deviation\n");
     for hertz in frequencies {
@@ -34,7 +34,7 @@ fn sweep(mass: &str, frequencies: &[f64], of: impl Fn(f64) -> f64, noise: &mut N
     text
 }
 
-/// A CSV with six decimals.
+/// Formats a recording as CSV with six decimals.
 fn csv(recording: &Recording) -> String {
     let mut text = "time_s".to_owned();
     for channel in recording.channels() {
@@ -49,7 +49,7 @@ fn csv(recording: &Recording) -> String {
     text + "\n"
 }
 
-/// All recordings of the page.
+/// Writes all recordings of the page to a folder.
 pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
     let system = one_storey("wall", "")?;
     let mut noise = Noise::new(2026);

@@ -1,6 +1,5 @@
-//! Plain time integration of the tour's frame: fourth-order Runge-Kutta from rest, with the
-//! reversals of the contact located by bisection.  It knows the frame's masses, springs and modal
-//! damping, and nothing of the closed forms.
+//! Plain time integration of the tour's frame: fourth-order Runge-Kutta from rest, with bisection for the reversals of
+//! the contact. It uses the masses, springs and modal damping of the frame, and none of the closed forms.
 
 use std::f64::consts::TAU;
 
@@ -22,7 +21,7 @@ struct Equations {
 }
 
 impl Equations {
-    /// In units with k₁Y = P = 1 and base motion Y = 1/k₁.
+    /// Sets up the equations in units with k₁Y = P = 1 and base motion Y = 1/k₁.
     fn new(r: f64, beta: f64) -> Self {
         let [m1, m2] = MASS;
         let [k1, k2] = SPRING;
@@ -86,7 +85,7 @@ impl Equations {
     }
 }
 
-/// Largest |x̄| of both floors over the last of many cycles.
+/// Returns the largest |x̄| of both floors in the last of many cycles.
 pub fn amplitudes(r: f64, beta: f64) -> [f64; 2] {
     let equations = Equations::new(r, beta);
     let h = TAU / equations.omega / STEPS as f64;
@@ -97,7 +96,8 @@ pub fn amplitudes(r: f64, beta: f64) -> [f64; 2] {
         let time = step as f64 * h;
         let mut next = equations.step(time, state, h, direction);
         if next[3] * direction < 0.0 {
-            // The contact reverses within the step: go there, and on with friction reversed.
+            // The contact reverses within the step. The integration goes to the reversal, then continues with friction
+            // reversed.
             let (mut before, mut after) = (0.0, h);
             for _ in 0..60 {
                 let middle = 0.5 * (before + after);
@@ -110,7 +110,7 @@ pub fn amplitudes(r: f64, beta: f64) -> [f64; 2] {
             let reversal = equations.step(time, state, after, direction);
             direction = -direction;
             next = equations.step(time + after, reversal, h - after, direction);
-            // The contact stands still here, so its displacement is an extreme.
+            // The contact has no velocity at this instant, so its displacement is an extreme.
             if step >= STEPS * (CYCLES - 1) {
                 largest[1] = largest[1].max(reversal[1].abs());
             }
@@ -123,7 +123,7 @@ pub fn amplitudes(r: f64, beta: f64) -> [f64; 2] {
     largest.map(|value| value * SPRING[0])
 }
 
-/// Largest |x| over a step, from the cubic through its ends.
+/// Returns the largest |x| over a step, from the cubic through its end points.
 fn extreme(x0: f64, v0: f64, x1: f64, v1: f64, h: f64) -> f64 {
     let ends = x0.abs().max(x1.abs());
     if v0 * v1 >= 0.0 {

@@ -1,15 +1,15 @@
-//! A free vibration.
+//! A free vibration with friction.
 
 use super::{NATURAL, Noise};
 use std::f64::consts::PI;
 
-/// A free vibration from 20 mm, in mm: about ±F/k in turn (4.2).
+/// Samples of a free vibration from 20 mm, in mm, about ±F/k in turn (4.2). `length` is F/k.
 #[must_use]
 pub fn decay(length: f64, rate: f64, seconds: f64, noise: &mut Noise) -> Vec<f64> {
     let half = 0.5 / NATURAL;
     let mut samples = Vec::new();
     for index in 0..(rate * seconds) as u32 {
-        // Held for half a second, then let go.
+        // The block is held for half a second, then released.
         let since = (f64::from(index) / rate - 0.5).max(0.0);
         let (mut swing, mut extreme) = (0.0, 20.0_f64);
         while swing + 1.0 <= since / half && length < extreme.abs() {

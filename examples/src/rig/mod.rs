@@ -1,4 +1,4 @@
-//! The rigs of chapters 4 and 6, and synthetic recordings of them: simulation sampled, with seeded noise.
+//! The rigs of chapters 4 and 6, and synthetic recordings of them: sampled simulations with seeded noise.
 
 mod decay;
 mod read;
@@ -15,40 +15,40 @@ use rand_distr::{Distribution, StandardNormal};
 use std::error::Error;
 use std::f64::consts::TAU;
 
-/// The natural frequency of the one-storey rig, Hz (4.3.1).
+/// Natural frequency of the one-storey rig, Hz (4.3.1).
 pub const NATURAL: f64 = 3.086;
-/// The amplitude of its base, m.
+/// Amplitude of the base of the one-storey rig, m.
 pub const Y: f64 = 1.75e-3;
-/// Samples a second, and the seconds of a recording (4.3.3).
+/// Sampling rate in samples a second, and length of a recording in s (4.3.3).
 pub const LENGTH: (f64, f64) = (2000.0, 60.0);
-/// Noise over signal: 40 dB.
+/// Ratio of noise to signal: 40 dB.
 const NOISE: f64 = 0.01;
-/// γ, κ and r₁ for each Hz of the two-storey rig (6.4.2).
+/// γ, κ, and r₁ at 1 Hz, of the two-storey rig (6.4.2).
 pub const STOREYS: [f64; 3] = [0.9772, 1.1119, 0.3419];
-/// Cycles from rest before a recording begins, as in 3.6.1.
+/// Number of cycles from rest before a recording begins, as in 3.6.1.
 const SKIPPED: f64 = 200.0;
 
-/// Noise that is the same in every run.
+/// Normally distributed noise, the same in every run.
 #[derive(Debug)]
 pub struct Noise(ChaCha8Rng);
 
 impl Noise {
-    /// The noise of a seed.
+    /// Creates the noise of a seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(ChaCha8Rng::seed_from_u64(seed))
     }
 
-    /// The next number, of mean 0 and deviation 1.
+    /// Draws the next number, with mean 0 and standard deviation 1.
     pub fn draw(&mut self) -> f64 {
         StandardNormal.sample(&mut self.0)
     }
 }
 
-/// The one-storey rig, its disc on the `wall` or on the `base`, and what else its description says.
+/// The one-storey rig. Its disc is on the `wall` or on the `base`, and `more` is added to its description.
 ///
 /// # Errors
-/// What is wrong with the description.
+/// Returns the error in the description.
 pub fn one_storey(disc: &str, more: &str) -> Result<System, Box<dyn Error>> {
     let omega = TAU * NATURAL;
     let text = format!(
@@ -61,7 +61,7 @@ pub fn one_storey(disc: &str, more: &str) -> Result<System, Box<dyn Error>> {
 /// The two-storey rig.
 ///
 /// # Errors
-/// None: its description is right.
+/// Never fails, because its description is right.
 pub fn two_storeys() -> Result<System, Box<dyn Error>> {
     let [gamma, kappa, seconds] = STOREYS;
     let (mass, spring) = (3.0, 3.0 * (TAU / seconds).powi(2));
@@ -73,10 +73,10 @@ pub fn two_storeys() -> Result<System, Box<dyn Error>> {
     Ok(text.parse()?)
 }
 
-/// Moves a run on to a τ.
+/// Advances a run to the phase τ = `target`.
 ///
 /// # Errors
-/// None, in fact: the run is not asked to go back.
+/// Never fails in practice, because the run does not go back.
 pub fn reach(run: &mut SystemSimulation<'_>, target: f64) -> Result<(), Box<dyn Error>> {
     loop {
         let left = target - (TAU * run.cycles() as f64 + run.phase());
@@ -87,10 +87,10 @@ pub fn reach(run: &mut SystemSimulation<'_>, target: f64) -> Result<(), Box<dyn 
     }
 }
 
-/// Base and first mass over Y, `count` samples of a run from a cycle on.
+/// Returns base and first mass divided by Y: `count` samples of a run, from cycle `from` on.
 ///
 /// # Errors
-/// None, in fact: the run is not asked to go back.
+/// Never fails in practice, because the run does not go back.
 pub fn followed(
     run: &mut SystemSimulation<'_>,
     from: f64,
@@ -107,10 +107,11 @@ pub fn followed(
     Ok([base, mass])
 }
 
-/// A recording in mm of motions over Y, the base first and then the masses, each with noise of 40 dB.
+/// Makes a recording in mm from motions divided by Y, the base first and then the masses. Each channel gets noise of 40
+/// dB.
 ///
 /// # Errors
-/// What a recording must not be.
+/// Fails if the samples do not form a valid recording.
 pub fn noisy(
     system: &System,
     motions: &[Vec<f64>],
@@ -135,10 +136,10 @@ pub fn noisy(
     Ok(Recording::new(rate, channels.collect())?)
 }
 
-/// Base and plate with friction, after 200 cycles from rest.
+/// Records base and plate with friction, after 200 cycles from rest.
 ///
 /// # Errors
-/// A frequency or a friction that there cannot be.
+/// Fails for an invalid frequency or friction ratio.
 pub fn recording(
     system: &System,
     (hertz, beta): (f64, f64),
@@ -150,10 +151,11 @@ pub fn recording(
     noisy(system, &motions, rate, noise)
 }
 
-/// Base and all masses without friction, steady: no simulation from rest comes to that, as nothing damps it.
+/// Records base and all masses in the steady state without friction. A simulation from rest does not reach this state,
+/// because nothing damps the transient.
 ///
 /// # Errors
-/// A frequency that there cannot be.
+/// Fails for an invalid frequency.
 pub fn without_friction(
     system: &System,
     hertz: f64,
@@ -168,7 +170,7 @@ pub fn without_friction(
         .collect();
     let mut motions = Vec::new();
     for mass in 0..system.scene().masses.len() {
-        // In phase with the base, or against it.
+        // Without damping a mass moves in phase with the base or in opposition to it, so the harmonic is real.
         let size = response
             .harmonic(Of::Mass(mass), 1)
             .ok_or("no such mass")?

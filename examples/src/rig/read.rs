@@ -1,22 +1,22 @@
-//! What recordings say at many frequencies.
+//! Values identified from recordings at many frequencies.
 
 use super::{LENGTH, NATURAL, Noise, recording};
 use frictiongen::System;
 use frictiongen::measure::{Measured, Transmissibility};
 use std::error::Error;
 
-/// The lag about which lags are taken, rad, and a turn.
+/// Middle of the range of lags, rad, and a whole turn.
 const MIDDLE: f64 = std::f64::consts::FRAC_PI_2;
 const TURN: f64 = std::f64::consts::TAU;
 
-/// What a recording says of the plate.
+/// Response of the plate, identified from a recording.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
-    /// The frequency ratio, of the driving frequency that was found.
+    /// Frequency ratio, from the driving frequency that was identified.
     pub r: f64,
-    /// X̄_fft (4.4).
+    /// Amplitude X̄_fft (4.4).
     pub amplitude: f64,
-    /// φ_fft (4.5) in degrees, between −90 and 270.
+    /// Lag φ_fft (4.5) in degrees, between −90 and 270.
     pub lag: f64,
 }
 
@@ -31,7 +31,7 @@ impl Point {
     }
 }
 
-/// Frequency ratios so far apart, between round numbers, so that none is a resonance.
+/// Returns frequency ratios at distances `step`. They are not round numbers, so that none is a resonance.
 #[must_use]
 pub fn frequencies((from, to): (f64, f64), step: f64) -> Vec<f64> {
     let count = ((to - from) / step).round() as u32;
@@ -40,11 +40,11 @@ pub fn frequencies((from, to): (f64, f64), step: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Recordings of the one-storey rig at a friction ratio, read: 60 s at 2 kHz with noise of 40 dB.  At frequencies at which the
-/// plate would be stuck there is none.
+/// Simulates recordings of the one-storey rig at a friction ratio and identifies the response: 60 s at 2 kHz with noise
+/// of 40 dB. Frequencies at which the plate would be stuck give no point.
 ///
 /// # Errors
-/// A recording that tells nothing.
+/// Fails if a recording does not determine the response.
 pub fn points(
     system: &System,
     beta: f64,

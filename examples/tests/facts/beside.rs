@@ -1,4 +1,4 @@
-//! What stands beside the table: the same numbers in another way, and what surrounds them.
+//! Further checks of the table: the same numbers computed in another way, and their neighbourhood.
 
 use crate::close;
 use frictiongen::study::System;
@@ -11,7 +11,7 @@ use frictiongen_examples::facts::moving::{GAMMA, KAPPA, RATIO, rig_with};
 use frictiongen_examples::facts::walls::maxima;
 use std::f64::consts::{FRAC_PI_4, PI, SQRT_2, TAU};
 
-/// β_lim has a finite slope at r = 1: 1e-7 beside it, it differs by about as much.
+/// β_lim has a finite slope at r = 1. At a distance of 1e-7 it differs by about 1e-7.
 #[test]
 fn f01_beside_the_resonance() {
     for r in [1.0 - 1e-7, 1.0 + 1e-7] {
@@ -20,7 +20,7 @@ fn f01_beside_the_resonance() {
     assert_eq!(wall("").resonance_thresholds().len(), 1);
 }
 
-/// β_lim approaches its limit as 1/r², and (6.28) is the closed form of it.
+/// β_lim approaches its limit for r → ∞ as 1/r², and (6.28) is the closed form of that limit.
 #[test]
 fn f02_approached() {
     for mu in [1.0, 1.5] {
@@ -32,7 +32,7 @@ fn f02_approached() {
     }
 }
 
-/// Below r = 1/2 the velocity constraint is more than its limit for τ → 0.
+/// Below r = 1/2 the velocity constraint is larger than its limit for τ → 0.
 #[test]
 fn f03_below_half() {
     for r in [0.35, 0.4, 0.45] {
@@ -47,7 +47,7 @@ fn printed_width(mu: f64, r: f64) -> f64 {
     r * r / mu - ((v - 1.0).powi(2) / (u * u + break_away * break_away)).sqrt()
 }
 
-/// The places of the extremes, and the widths there.
+/// The extremes of the printed width are at the stated r and have the stated widths.
 #[test]
 fn f05_by_the_printed_limits() {
     let width = |r| printed_width(1.0, r);
@@ -57,7 +57,7 @@ fn f05_by_the_printed_limits() {
     close(width(0.7927), 0.1167, 5e-5);
 }
 
-/// They touch at the stated μ.
+/// The two printed limits touch at the stated μ.
 #[test]
 fn f06_by_the_printed_limits() {
     let narrowest = |mu: f64| {
@@ -68,7 +68,7 @@ fn f06_by_the_printed_limits() {
     assert!(narrowest(1.2310) > 0.0 && narrowest(1.2314) < 0.0);
 }
 
-/// The fundamentals of every pair of frictions cross at the one point.
+/// The fundamentals of every pair of friction ratios cross at the same r.
 #[test]
 fn f07_by_pairs() {
     let system = base(1.0);
@@ -78,7 +78,7 @@ fn f07_by_pairs() {
     }
 }
 
-/// At the stated β the highest motion that slides all the time comes up to the base's own.
+/// At the stated β, the highest amplitude of continuous motion equals the amplitude of the base.
 #[test]
 fn f09_by_the_closed_form() {
     let system = base(1.0);
@@ -89,7 +89,7 @@ fn f09_by_the_closed_form() {
     assert!(highest(1.0569) > 1.0 && highest(1.0571) < 1.0);
 }
 
-/// Outside its region the fundamental falls with β: up to the pole of U at 1/3, and beyond the end.
+/// Outside its region the fundamental falls with β: below the pole of U at 1/3, and above the upper bound.
 #[test]
 fn f13_outside() {
     let system = wall("");
@@ -98,7 +98,7 @@ fn f13_outside() {
     assert!(growth(0.605258 - 1e-6) > 0.0 && growth(0.605258 + 1e-6) < 0.0);
 }
 
-/// A threshold is what β_lim is at the resonance; from β = 1/2 on there is no quasi-static start.
+/// A threshold equals β_lim at the resonance. For β ≥ 1/2 there is no quasi-static start.
 #[test]
 fn f14_to_f16_at_the_ends() {
     let system = unit(3, "m2 - wall", "m1");
@@ -116,7 +116,7 @@ fn f14_to_f16_at_the_ends() {
     }
 }
 
-/// Invariant means: for every β.
+/// At an invariant point the condition is met for every β.
 #[test]
 fn f17_f22_f24_for_every_friction() {
     let lower = unit(2, "m1 - wall", "m1");
@@ -137,7 +137,7 @@ fn f17_f22_f24_for_every_friction() {
     }
 }
 
-/// At r = 1 mass m₁ has its antiresonance: V₁ changes sign, and with it the estimate's growth.
+/// At r = 1 mass m₁ has its antiresonance. V₁ changes sign there, and with it the growth of the estimate with β.
 #[test]
 fn f18_either_side_of_one() {
     let system = unit(2, "m1 - wall", "m1");
@@ -145,7 +145,7 @@ fn f18_either_side_of_one() {
     assert!(growth(1.0 - 1e-4) < 0.0 && growth(1.0 + 1e-4) > 0.0);
 }
 
-/// The resonances are close above the maxima; there β_lim is π/4, as contact and force share a mass.
+/// The resonances lie just above the maxima. β_lim there is π/4, because contact and force act on the same mass.
 #[test]
 fn f26_resonances() {
     let system = unit(5, "m1 - wall", "m1");
@@ -161,7 +161,7 @@ fn between() -> System {
     chain(&[1.0, 0.5], &[1.0, 0.5], "m1 - m2", "m1", "")
 }
 
-/// Far above the resonances the limits differ from their ends by some 1/r².
+/// Far above the resonances the limits differ from their values at r → ∞ by a term of order 1/r².
 #[test]
 fn f27_approached() {
     let (continuous, sliding) = between().high_frequency_limits();
@@ -169,7 +169,7 @@ fn f27_approached() {
     close(sliding_limit(&between(), 1e4), sliding, 1e-7);
 }
 
-/// The estimates of every pair of β cross in one point; the exact amplitudes do not.
+/// The estimates of every pair of β cross at one r. The exact amplitudes do not.
 #[test]
 fn f28_for_another_pair() {
     let system = between();
@@ -190,7 +190,7 @@ fn f28_for_another_pair() {
     }
 }
 
-/// The pair that makes the lower end of the first region, by the steady states.
+/// The pair of β that gives the lower bound of the first region, by the steady states.
 #[test]
 fn f28_by_the_orbits() {
     let system = between();
@@ -204,7 +204,7 @@ fn f28_by_the_orbits() {
     assert!(gain(0.769548 - 1e-6) * gain(0.769548 + 1e-6) < 0.0);
 }
 
-/// (7.61) typed in; what it leaves out is of the order ζ.
+/// (7.61) as typed here. Its neglected terms are of the order ζ.
 #[test]
 fn f29_estimate() {
     for zeta in [0.01, 0.1] {
@@ -217,8 +217,8 @@ fn f29_estimate() {
     }
 }
 
-/// ω₀ and ω_z0 as (6.20) and its neighbours define them: without friction m₁ stands still at the one
-/// and moves with the base at the other.
+/// ω₀ and ω_z0 as (6.20) and its neighbours define them. Without friction m₁ does not move at ω₀, and moves with the
+/// base at ω_z0.
 #[test]
 fn f30_antiresonances() {
     let omega = TAU / RATIO;
@@ -232,7 +232,7 @@ fn f30_antiresonances() {
     close(slip, 0.0, 1e-12);
 }
 
-/// m₂ swings freely there and lets m₁ have no fundamental at all, whatever the friction.
+/// At this r mass m₂ acts as an absorber, and m₁ has no fundamental at any friction.
 #[test]
 fn f32_for_every_friction() {
     let system = chain(&[1.0, GAMMA], &[1.0, KAPPA], "m1 - base", "base", "");
@@ -246,7 +246,7 @@ fn f32_for_every_friction() {
     }
 }
 
-/// One stop a cycle, near r = 1/2 for μ > 1.
+/// There is one stop a cycle near r = 1/2 for μ > 1.
 #[test]
 fn f33_one_stop() {
     for (r, beta) in [(0.52, 0.08), (0.56, 0.12)] {

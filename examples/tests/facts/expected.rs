@@ -1,18 +1,22 @@
-//! What each row comes out as, to the digits stated, and which of its printed numbers do not hold.
+//! Expected numbers of each row, to the digits stated, and the printed numbers that are wrong.
 //!
-//! Most are from the governing equations in extended precision.  This library gave these first: the
-//! widths of F05, F06, F08, F09, the regions of F28, the peaks of F29, the shares of F33, F34.  The widths, F06 and
-//! F09 have another way in `beside`; F08, F28 and F29 come out of the closed forms typed in and searched by brute
-//! force in `typed`; F34 is held to the simulation in its own row.  The shares of F33 are recorded, no more: counts
-//! over ten thousand steady states, of which other tests hold some to other programs.
+//! Most numbers are from the governing equations in extended precision. The following ones were first computed by this
+//! library: the widths of F05, F06, F08 and F09, the regions of F28, the peaks of F29, and the fractions of F33 and
+//! F34.
+//!
+//! * `beside` computes the widths, F06 and F09 in another way.
+//! * `typed` computes F08, F28 and F29 by brute force from the closed forms.
+//! * F34 is compared with the simulation in its own row.
+//! * The fractions of F33 are recorded only: counts over ten thousand steady states, of which other tests compare some
+//!   with other programs.
 
-/// A row's expected numbers.
+/// Expected numbers of a row.
 pub struct Expected {
-    /// F01, ….
+    /// Identifier: F01, ….
     pub id: &'static str,
-    /// Which of the row's entries the thesis has wrong, by their places.
+    /// Indices of the row's entries that are wrong in the thesis.
     pub wrong: &'static [usize],
-    /// The computed numbers in order, each held to half a unit of its last digit.
+    /// Computed numbers in order, each correct to half a unit of its last digit.
     pub values: &'static [&'static str],
 }
 
@@ -24,7 +28,7 @@ const fn row(
     Expected { id, wrong, values }
 }
 
-/// In order.
+/// Expected numbers of all rows, in order.
 pub const ROWS: &[Expected] = &[
     row("F01", &[], &["0.785398", "0.785398"]),
     row("F02", &[1], &["0.537029", "0.460414"]),

@@ -1,12 +1,12 @@
-//! The rows whose numbers this library gave first, once more: the closed forms typed in as they stand
-//! (V, U, G, then the lag φ, then x(τ)), their largest value
-//! by brute force.  Nothing here is the library's but the regime, which says which pairs of β count.
+//! A second computation of the rows whose numbers this library gave first. The closed forms are typed in as printed (V,
+//! U, G, then the lag φ, then x(τ)), and their largest value is found by brute force. Only the regime is taken from the
+//! library. It decides which pairs of β count.
 
 use crate::close;
 use frictiongen_examples::facts::ask::{base, chain, limit, peak, root};
 use std::f64::consts::PI;
 
-/// √λ, ζ, and the residues: load → mass, load → contact, contact → mass, contact → contact (all over λ).
+/// A mode: √λ, ζ, and the residues load → mass, load → contact, contact → mass, contact → contact (all over λ).
 struct Mode {
     root: f64,
     zeta: f64,
@@ -38,7 +38,7 @@ impl Complex {
 }
 
 impl Mode {
-    /// 1/(1 − R² + 2iζR).
+    /// Returns 1/(1 − R² + 2iζR).
     fn v(&self, r: f64) -> Complex {
         let ratio = r / self.root;
         let (re, im) = (1.0 - ratio * ratio, 2.0 * self.zeta * ratio);
@@ -46,7 +46,7 @@ impl Mode {
         Complex(re / square, -im / square)
     }
 
-    /// u and g, (7.11) and (7.12).
+    /// Returns u and g, (7.11) and (7.12).
     fn functions(&self, r: f64) -> (f64, f64) {
         let (ratio, zeta) = (r / self.root, self.zeta);
         let q = (1.0 - zeta * zeta).sqrt();
@@ -59,7 +59,7 @@ impl Mode {
         )
     }
 
-    /// The response to the friction force, 1 − (1 + g)d − uRq̃.
+    /// Returns the response to the friction force, 1 − (1 + g)d − uRq̃.
     fn h(&self, r: f64, tau: f64) -> f64 {
         let (ratio, zeta) = (r / self.root, self.zeta);
         let q = (1.0 - zeta * zeta).sqrt();
@@ -71,7 +71,7 @@ impl Mode {
 }
 
 impl Typed {
-    /// The largest |x̄| of the mass over a half period: 400 instants, then beside the best of them.
+    /// Finds the largest |x̄| of the mass over a half period: 400 instants, then a search next to the best one.
     fn amplitude(&self, r: f64, beta: f64) -> f64 {
         let mut mass = Complex(0.0, 0.0);
         let mut contact = Complex(-self.of_base, 0.0);
@@ -113,7 +113,7 @@ impl Typed {
     }
 }
 
-/// One mass: every residue is 1.
+/// The scene of one mass, in which every residue is 1.
 fn single(zeta: f64, of_base: f64) -> Typed {
     let (root, load_mass, load_contact, contact_mass, contact) = (1.0, 1.0, 1.0, 1.0, 1.0);
     let mode = Mode {
@@ -130,8 +130,8 @@ fn single(zeta: f64, of_base: f64) -> Typed {
     }
 }
 
-/// γ = κ = 1/2, contact between both, force on m₁: λ = 1/2 with φ = (1, 2)/√3 and λ = 2 with (1, −1)/√1.5, so
-/// that φᵀw = φ₂ − φ₁ is 1/√3 and −2/√1.5.
+/// The scene with contact between two masses, γ = κ = 1/2, force on m₁. The modes are λ = 1/2 with φ = (1, 2)/√3 and λ
+/// = 2 with (1, −1)/√1.5. So φᵀw = φ₂ − φ₁ is 1/√3 and −2/√1.5.
 fn between() -> Typed {
     let mode = |lambda: f64, first: f64, across: f64, square: f64| Mode {
         root: lambda.sqrt(),
@@ -186,7 +186,7 @@ fn f28_once_more() {
         let (mut pairs, mut skipped) = (0, 0);
         for (i, one) in betas.iter().enumerate() {
             for other in &betas[..i] {
-                // Where the larger β does not slide all the time there is no such motion.
+                // Continuous motion does not exist where the larger β exceeds its limit.
                 if limit(&system, low).min(limit(&system, high)) <= *one {
                     skipped += 1;
                     continue;
@@ -210,7 +210,7 @@ fn f29_once_more() {
         let place = peak(|r| typed.amplitude(r, 0.3), 0.9, 1.05);
         close(typed.amplitude(place, 0.3), highest, 5e-5);
         close(typed.amplitude(1.0, 0.3), at_one, 5e-5);
-        // The threshold: at r = 1 with μ = 1 the largest of what S is, τ in steps of π/10⁵, over sin τ.
+        // The threshold is β_lim at r = 1 with μ = 1. It needs the maximum S over τ, here in steps of π/10⁵.
         let mode = &typed.modes[0];
         let (u, g) = mode.functions(1.0);
         let q = (1.0 - zeta * zeta).sqrt();

@@ -1,4 +1,4 @@
-//! What both programs measure with.
+//! Measuring tools of both programs.
 #![no_std]
 
 pub mod stack;

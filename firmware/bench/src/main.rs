@@ -1,4 +1,4 @@
-//! Every call on the emulated processor: its values, its instructions, its stack.
+//! Every call on the emulated processor: its values, its instructions and its stack.
 #![no_std]
 #![no_main]
 
@@ -29,7 +29,7 @@ fn ticks<S: Copy>(timer: &mut SYST, call: &Call<S>, input: &Input<S>, times: u64
     })
 }
 
-/// Instructions a call, the loop about it included.
+/// Returns the instructions of a call, including those of the loop around it.
 fn instructions<S: Copy>(timer: &mut SYST, call: &Call<S>, input: &Input<S>) -> u64 {
     let few = ticks(timer, call, input, FEW);
     let many = ticks(timer, call, input, MANY);
@@ -77,7 +77,7 @@ fn main() -> ! {
     }
 }
 
-/// The largest figures over all inputs.
+/// Prints the largest instruction count and stack over all inputs.
 fn cost<S: Copy>(timer: &mut SYST, call: &Call<S>, inputs: &[Input<S>]) {
     let (mut slowest, mut deepest) = (0, 0);
     for input in inputs {
@@ -95,7 +95,7 @@ fn cost<S: Copy>(timer: &mut SYST, call: &Call<S>, inputs: &[Input<S>]) {
     );
 }
 
-/// What the others are asked in: a call that does nothing.
+/// A call that does nothing, for the overhead of the measurement.
 const NOTHING: Call<f32> = Call {
     scene: "none",
     question: "a call that returns what it is given",
@@ -107,14 +107,15 @@ fn nothing(input: &Input<f32>) -> [f32; 2] {
     [input.r, input.beta]
 }
 
-/// How many frequencies a sweep has.
+/// Number of frequencies in a sweep.
 const FREQUENCIES: u32 = 1000;
-/// Of exact limits: from r = 0.05 to 5, each so many times the one before.
+/// Sweep of exact limits, from r = 0.05 to 5: the first r, and the ratio of each r to the previous one.
 const EXACT: (f32, f32) = (0.05, 1.004_615_8);
-/// Of tables: from r = 0.2 to 2.5, just within.
+/// Sweep of tables, from r = 0.2 to 2.5, just inside their range: the first r, and the ratio of each r to the previous
+/// one.
 const TABLED: (f32, f32) = (0.2001, 1.002_53);
 
-/// The least and the largest figures over a sweep; at each r, β is what `beta` says.
+/// Returns the smallest and the largest instruction count and stack over a sweep. `beta` gives β at each r.
 fn swept(
     timer: &mut SYST,
     call: &Call<f32>,
@@ -152,13 +153,14 @@ fn print_swept(call: &Call<f32>, which: &str, (count, depth): (u64, usize)) {
     );
 }
 
-/// Beside sub-harmonics and resonances a search takes longer than elsewhere.
+/// Sweeps exact limits, because a search takes longer next to resonances and their subharmonics than elsewhere.
 fn sweep(timer: &mut SYST, call: &Call<f32>) {
     let [_, most] = swept(timer, call, EXACT, |_| 0.0);
     print_swept(call, "worst", most);
 }
 
-/// A table takes as long everywhere.  β is half the smaller limit of the five masses, to whose motion it belongs.
+/// Sweeps tables, which take equally long everywhere. β is half the smaller limit of the five masses, whose motion is
+/// called.
 fn sweep_tabled(timer: &mut SYST, call: &Call<f32>) {
     let [least, most] = swept(timer, call, TABLED, |input| {
         let [continuous, sliding] = tabled_five_limits(input);

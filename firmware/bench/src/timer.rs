@@ -1,18 +1,19 @@
-//! Instructions, from a timer that counts emulated time.
+//! Number of instructions, from a timer that counts emulated time.
 
 use core::sync::atomic::{AtomicU32, Ordering};
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_rt::exception;
 
-/// The timer counts 25 MHz while the emulator runs an instruction in 64 ns: eight ticks for five.
+/// Ticks in [`INSTRUCTIONS`] instructions. The timer counts at 25 MHz and the emulator takes 64 ns for an instruction,
+/// so eight ticks are five instructions.
 pub const TICKS: u64 = 8;
-/// See [`TICKS`].
+/// Instructions in [`TICKS`] ticks.
 pub const INSTRUCTIONS: u64 = 5;
-/// The timer's 24 bits.
+/// Number of values of the 24-bit timer.
 const RANGE: u64 = 1 << 24;
 
-/// How often the timer has run through.
+/// Number of overflows of the timer.
 static TURNS: AtomicU32 = AtomicU32::new(0);
 
 #[exception]
@@ -20,7 +21,7 @@ fn SysTick() {
     TURNS.store(TURNS.load(Ordering::Relaxed) + 1, Ordering::Relaxed);
 }
 
-/// Starts it.
+/// Starts the timer.
 pub fn set_up(timer: &mut SYST) {
     timer.set_clock_source(SystClkSource::Core);
     timer.set_reload(0x00ff_ffff);
@@ -28,10 +29,10 @@ pub fn set_up(timer: &mut SYST) {
     timer.enable_counter();
 }
 
-/// How many ticks this takes.
+/// Returns the ticks that a call takes.
 #[inline(always)]
 pub fn ticks(timer: &mut SYST, run: impl FnOnce()) -> u64 {
-    // A write reloads the counter without an interrupt.
+    // Writing to the counter reloads it without an interrupt.
     timer.clear_current();
     TURNS.store(0, Ordering::Relaxed);
     let start = u64::from(SYST::get_current());

@@ -1,4 +1,4 @@
-//! Every call on the host: what the targets' values are compared with, bit for bit.
+//! Every call on the host. The values of the targets are compared with these values bit for bit.
 #![forbid(unsafe_code)]
 
 use scenes::calls::{DOUBLE, INPUTS, INPUTS_SINGLE, SINGLE};
@@ -6,7 +6,7 @@ use scenes::steps::Machine;
 use scenes::steps::machines::{Visitor, visit};
 use scenes::steps::script::{Tone, played};
 
-/// Where the steppers end.
+/// Prints the final states of the steppers.
 struct Ends;
 
 impl Visitor for Ends {

@@ -1,8 +1,8 @@
-//! An image with nothing but some calls: what they weigh, and what they link.
+//! Images that contain only a few calls, to measure their size and what they link.
 #![no_std]
 
-/// A program that runs these calls.  Its panic handler does not link: an image exists only if no
-/// panic can be reached.
+/// A program that runs the given calls. Its panic handler calls a function that does not exist. The image therefore
+/// links only if no panic can be reached.
 #[macro_export]
 macro_rules! image {
     ($($call:ident $inputs:ident),*) => {
@@ -11,7 +11,7 @@ macro_rules! image {
             unsafe extern "C" {
                 fn a_panic_can_be_reached() -> !;
             }
-            // SAFETY: never linked.
+            // SAFETY: the call is never linked.
             unsafe { a_panic_can_be_reached() }
         }
 
@@ -26,7 +26,8 @@ macro_rules! image {
     };
 }
 
-/// The same that steps a machine: from rest, under what it is given.
+/// A program that steps a machine from rest under the given input. It links only if no panic can be reached, as
+/// `image!` does.
 #[macro_export]
 macro_rules! stepping {
     ($machine:ident) => {
@@ -35,7 +36,7 @@ macro_rules! stepping {
             unsafe extern "C" {
                 fn a_panic_can_be_reached() -> !;
             }
-            // SAFETY: never linked.
+            // SAFETY: the call is never linked.
             unsafe { a_panic_can_be_reached() }
         }
 

@@ -1,5 +1,5 @@
-//! An observer: fed with what a sensor recorded of the base, it tells where the upper floor is and how large the force in
-//! the damper, which is compared with what other sensors recorded of them.
+//! An observer. It gets what a sensor recorded of the base, and returns the position of the upper floor and the force
+//! in the damper. Both are compared with the recordings of other sensors.
 #![no_std]
 #![no_main]
 
@@ -32,14 +32,15 @@ fn panic(_: &PanicInfo) -> ! {
     }
 }
 
-/// Four 16-bit counts a sample, at 1 kHz: the base's displacement and velocity, the upper floor's displacement, the
-/// force in the damper.
+/// Recording at 1 kHz with four 16-bit counts a sample: displacement and velocity of the base, displacement of the
+/// upper floor, force in the damper.
 static RECORDING: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/recording.bin"));
-/// What a count is worth: m, m/s, m, N.
+/// Values of one count: m, m/s, m, N.
 const COUNTS: [f32; 4] = [1e-6, 1e-5, 1e-6, 1e-3];
-/// Standard deviations of the sensors at the upper floor and in the damper.  A tenth more is left for the input's noise.
+/// Standard deviations of the sensors at the upper floor and in the damper. The check allows a tenth more, for the
+/// noise of the input.
 const NOISE: [f32; 2] = [1e-5, 0.02];
-/// The damper's friction force, N.
+/// Friction force of the damper, N.
 const FRICTION: f32 = 3.5;
 
 fn samples() -> impl Iterator<Item = [f32; 4]> {
@@ -55,16 +56,16 @@ fn samples() -> impl Iterator<Item = [f32; 4]> {
     })
 }
 
-/// What came out.
+/// Results of a run.
 #[derive(Default)]
 struct Found {
     steps: u32,
     sticking: u32,
     events: u32,
-    /// The largest deviation, and the sum of squares.
+    /// Deviation of the displacement, and below it of the force: the largest one, and the sum of squares.
     place: [f32; 2],
     force: [f32; 2],
-    /// In how many samples the force is another by more than a tenth of F.
+    /// Number of samples in which the force deviates by more than a tenth of F.
     off: u32,
     least: u64,
     most: u64,
@@ -126,7 +127,7 @@ fn main() -> ! {
     }
 }
 
-/// Prints it; whether the deviations are no more than the sensors' noise.
+/// Prints the results, and returns `true` if the deviations are within the noise of the sensors.
 fn print(found: &Found) -> bool {
     let steps = found.steps as f32;
     let [place, force] = [found.place[1], found.force[1]].map(|sum| root_of(sum / steps));
@@ -157,7 +158,7 @@ fn print(found: &Found) -> bool {
     place < 1.1 * of_place && force < 1.1 * of_force
 }
 
-/// A square root by Newton's method: the standard library's is not here.
+/// Returns a square root by Newton's method, because the standard library's is not available here.
 fn root_of(value: f32) -> f32 {
     let mut root = if value > 1.0 { value } else { 1.0 };
     for _ in 0..60 {

@@ -1,4 +1,4 @@
-//! Links only if no call can panic.
+//! A program that links only if no call can panic.
 
 use scenes::calls::{DOUBLE, INPUTS, INPUTS_SINGLE, SINGLE};
 use scenes::steps::Machine;
@@ -6,7 +6,7 @@ use scenes::steps::machines::{Visitor, visit};
 use scenes::steps::script::Tone;
 use std::hint::black_box;
 
-/// Starts and steps.
+/// Starts and steps every machine.
 struct Steps(usize);
 
 impl Visitor for Steps {

@@ -1,39 +1,39 @@
-//! What is called, measured and compared: one list for each scalar.
+//! The calls that are measured and compared: one list for each scalar.
 
 use crate::{Five, Pair, PairDouble, Sdof, least, stopping, tabled};
 use frictiongen::kernel::Scalar;
 use frictiongen::watch::{Watch, friction_ratio, transmissibility};
 use frictiongen::{Complex, Error};
 
-/// Where a call is made: frequency ratio, friction ratio, τ.
+/// Arguments of a call: frequency ratio, friction ratio, τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Input<S> {
-    /// r.
+    /// Frequency ratio r.
     pub r: S,
-    /// β.
+    /// Friction ratio β.
     pub beta: S,
-    /// τ.
+    /// Phase τ.
     pub tau: S,
 }
 
-/// A call that is measured: two numbers, or which error it is.
+/// A call that is measured. It returns two numbers. Both are −1 if the solver returned an error.
 pub struct Call<S> {
-    /// The scene.
+    /// Name of the scene.
     pub scene: &'static str,
-    /// What is asked.
+    /// Name of the quantity that the call computes.
     pub question: &'static str,
-    /// The call.
+    /// Function that makes the call.
     pub run: fn(&Input<S>) -> [S; 2],
 }
 
 impl<S> Call<S> {
-    /// Whether tables answer.
+    /// Returns `true` if the scene answers from tables.
     pub fn is_tabled(&self) -> bool {
         self.scene.ends_with("to 1e-4")
     }
 }
 
-/// The inputs of every call: continuous motion below, between and above the resonances.
+/// Inputs of every call: continuous motion below, between and above the resonances.
 pub const INPUTS: [Input<f64>; 4] = [
     Input {
         r: 0.9,
@@ -57,7 +57,7 @@ pub const INPUTS: [Input<f64>; 4] = [
     },
 ];
 
-/// The same in single precision.
+/// The inputs of [`INPUTS`] in single precision.
 pub const INPUTS_SINGLE: [Input<f32>; 4] = {
     let mut inputs = [Input {
         r: 0.0,
@@ -77,7 +77,7 @@ pub const INPUTS_SINGLE: [Input<f32>; 4] = {
     inputs
 };
 
-/// Calls as functions of their own, so that each can be proved and linked alone.
+/// Defines each call as a function of its own, so that each can be proved and linked alone.
 macro_rules! calls {
     ($scalar:ident $list:ident $count:literal: $($name:ident $scene:literal $question:literal
         |$input:ident| $body:expr;)*) => {
@@ -86,22 +86,22 @@ macro_rules! calls {
             #[inline(never)]
             #[cfg_attr(feature = "prove", no_panic::no_panic)]
             pub fn $name($input: &Input<$scalar>) -> [$scalar; 2] {
-                // A closure of its own, for `?`.
+                // The closure allows `?`.
                 let call = || -> Result<[$scalar; 2], Error> { Ok($body) };
                 call().unwrap_or([-1.0, -1.0])
             }
         )*
-        /// Every call in this scalar.
+        /// All calls in this scalar.
         pub const $list: [Call<$scalar>; $count] = [
             $(Call { scene: $scene, question: $question, run: $name },)*
         ];
     };
 }
 
-/// No motion.
+/// Zero amplitude.
 const NOTHING: Complex<f32> = Complex { re: 0.0, im: 0.0 };
 
-/// Ten times the friction of the continuous motions: the contact stops.
+/// Factor on the friction of the continuous motions that makes the contact stop.
 const STOPPING: f32 = 10.0;
 
 calls! { f32 SINGLE 35:
@@ -265,7 +265,7 @@ calls! { f32 SINGLE 35:
         };
         let moves = fundamental(at.beta)?;
         for index in 0..64_u8 {
-            // Three cycles in 64 samples, as sensors have them.
+            // The 64 samples cover three cycles, as samples of a sensor would.
             let (sin, cos) = Scalar::sin_cos_pi(f32::from(index) * (6.0 / 64.0));
             base.push(cos);
             mass.push(moves.re * cos - moves.im * sin);

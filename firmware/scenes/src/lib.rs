@@ -1,18 +1,18 @@
-//! The scenes that are measured on bare metal, and what is called of them.
+//! Scenes that are measured on bare metal, and the calls to them.
 #![no_std]
-// no-panic's own expansion is not safe code.
+// The expansion of no-panic contains unsafe code.
 #![cfg_attr(not(feature = "prove"), forbid(unsafe_code))]
 
 pub mod calls;
 pub mod steps;
 pub mod tabled;
 
-/// Each scene with the least that a question needs: what is not provided is not in the image.
+/// Scenes that each provide only what one call needs. An item that is not provided is not in the image.
 pub mod least {
-    /// Limits only.
+    /// A scene with limits only.
     pub mod limits {
         frictiongen::friction_system! {
-            /// Two masses, the upper rubbing on a wall.
+            /// Two masses of which the upper one rubs on a wall.
             pub struct Pair {
                 masses: { lower: 3.27, upper: 3.25 },
                 springs: { base - lower: 1190.0, lower - upper: 1323.0 },
@@ -23,10 +23,10 @@ pub mod least {
             }
         }
     }
-    /// Limits and the motion of one mass.
+    /// A scene with limits and the motion of one mass.
     pub mod motion {
         frictiongen::friction_system! {
-            /// Two masses, the upper rubbing on a wall.
+            /// Two masses of which the upper one rubs on a wall.
             pub struct Pair {
                 masses: { lower: 3.27, upper: 3.25 },
                 springs: { base - lower: 1190.0, lower - upper: 1323.0 },
@@ -39,10 +39,10 @@ pub mod least {
     }
 }
 
-/// Scenes whose contact stops: the steady state with its stops.
+/// Scenes with the steady state including its stops.
 pub mod stopping {
     frictiongen::friction_system! {
-        /// One mass on a wall, the classic.
+        /// One mass that rubs on a wall.
         pub struct Sdof {
             masses: { mass_1: 1.0 },
             springs: { base - mass_1: 1.0 },
@@ -54,7 +54,7 @@ pub mod stopping {
     }
 
     frictiongen::friction_system! {
-        /// Five damped masses, the third rubbing on the moving base.
+        /// Five damped masses of which the third one rubs on the moving base.
         pub struct Five {
             masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, upper: 0.5 },
             springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - upper: 1.0 },
@@ -68,7 +68,7 @@ pub mod stopping {
 }
 
 frictiongen::friction_system! {
-    /// One mass on a wall, the classic.
+    /// One mass that rubs on a wall.
     pub struct Sdof {
         masses: { mass_1: 1.0 },
         springs: { base - mass_1: 1.0 },
@@ -80,7 +80,7 @@ frictiongen::friction_system! {
 }
 
 frictiongen::friction_system! {
-    /// Two masses, the upper rubbing on a wall.
+    /// Two masses of which the upper one rubs on a wall.
     pub struct Pair {
         masses: { lower: 3.27, upper: 3.25 },
         springs: { base - lower: 1190.0, lower - upper: 1323.0 },
@@ -92,7 +92,7 @@ frictiongen::friction_system! {
 }
 
 frictiongen::friction_system! {
-    /// The same in double precision.
+    /// Two masses of which the upper one rubs on a wall, in double precision.
     pub struct PairDouble {
         masses: { lower: 3.27, upper: 3.25 },
         springs: { base - lower: 1190.0, lower - upper: 1323.0 },
@@ -103,7 +103,7 @@ frictiongen::friction_system! {
 }
 
 frictiongen::friction_system! {
-    /// Five damped masses, the third rubbing on the moving base.
+    /// Five damped masses of which the third one rubs on the moving base.
     pub struct Five {
         masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, upper: 0.5 },
         springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - upper: 1.0 },

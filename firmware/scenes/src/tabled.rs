@@ -1,6 +1,6 @@
 //! Scenes of a declared accuracy: limits, the contact's motion and stuck responses from tables.
 
-/// The same two scenes, each with what is asked of them.
+/// Defines the same two scenes with different `provide` lists.
 macro_rules! scenes {
     ($($provide:ident),*) => {
         frictiongen::friction_system! {
@@ -33,20 +33,20 @@ macro_rules! scenes {
     };
 }
 
-/// Limits only.
+/// Scenes with limits only.
 pub mod limits {
     scenes!(limits);
 }
-/// Limits and the contact's motion.
+/// Scenes with limits and the motion of the contact.
 pub mod motion {
     scenes!(limits, motion);
 }
-/// The response while the contact is stuck.
+/// Scenes with the response while the contact is stuck.
 pub mod stuck {
     scenes!(stuck);
 }
 
-/// The typical scenes of `docs/tables.md`: equal masses and springs, limits only.
+/// Typical scenes of `docs/tables.md`: equal masses and springs, limits only.
 pub mod typical {
     frictiongen::friction_system! {
         /// One damped mass on a wall.

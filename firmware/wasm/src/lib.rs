@@ -1,4 +1,4 @@
-//! Every call for a wasm host, by number: 32 or 64 bits of one of its two values.
+//! Calls for a wasm host, by index. Each returns the 32 or 64 bits of one of the call's two values.
 #![no_std]
 
 use scenes::calls::{DOUBLE, INPUTS, INPUTS_SINGLE, SINGLE};
@@ -8,25 +8,25 @@ fn panic(_: &core::panic::PanicInfo) -> ! {
     core::arch::wasm32::unreachable()
 }
 
-/// How many calls there are in single precision.
+/// Returns the number of calls in single precision.
 #[unsafe(no_mangle)]
 pub extern "C" fn single_count() -> usize {
     SINGLE.len()
 }
 
-/// How many calls there are in double precision.
+/// Returns the number of calls in double precision.
 #[unsafe(no_mangle)]
 pub extern "C" fn double_count() -> usize {
     DOUBLE.len()
 }
 
-/// How many inputs each call has.
+/// Returns the number of inputs of each call.
 #[unsafe(no_mangle)]
 pub extern "C" fn input_count() -> usize {
     INPUTS.len()
 }
 
-/// The bits of value `which` of a call in single precision.
+/// Returns the bits of value `which` of a call in single precision.
 #[unsafe(no_mangle)]
 pub extern "C" fn single(call: usize, input: usize, which: usize) -> u32 {
     let (Some(call), Some(input)) = (SINGLE.get(call), INPUTS_SINGLE.get(input)) else {
@@ -36,7 +36,7 @@ pub extern "C" fn single(call: usize, input: usize, which: usize) -> u32 {
     values.get(which).map_or(0, |value| value.to_bits())
 }
 
-/// The bits of value `which` of a call in double precision.
+/// Returns the bits of value `which` of a call in double precision.
 #[unsafe(no_mangle)]
 pub extern "C" fn double(call: usize, input: usize, which: usize) -> u64 {
     let (Some(call), Some(input)) = (DOUBLE.get(call), INPUTS.get(input)) else {

@@ -1,4 +1,4 @@
-//! Every bad input gets a clear line and the exit status 2.
+//! Tests that every bad input gets a clear line and exit status 2.
 
 use crate::common::{BLOCK, FRAME, failure, run_with};
 use std::process::{Command, Stdio};
@@ -186,7 +186,7 @@ fn a_full_disk_is_one() {
     }
 }
 
-/// Every command of the exact response refuses a kinetic level that depends on the speed; `expand` takes it.
+/// Every command of the exact response refuses a kinetic friction level that depends on the speed. `expand` accepts it.
 #[test]
 fn a_friction_law_without_a_constant_level() {
     let stribeck = BLOCK.replace(

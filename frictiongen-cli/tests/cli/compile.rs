@@ -1,4 +1,4 @@
-//! `frictiongen compile`.
+//! Tests of `frictiongen compile`.
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may fail")]
 
 use crate::common::{BLOCK, FRAME, failure, json, output, run_with};
@@ -46,7 +46,7 @@ fn the_figures() {
     );
 }
 
-/// Which regimes the declared friction ratios reach.
+/// `compile` prints the regimes that the declared friction ratios reach.
 #[test]
 fn regimes() {
     let with = |beta: &str| {
@@ -81,7 +81,7 @@ fn regimes() {
     assert_eq!(told(&with("0.4")), slides);
 }
 
-/// What the description declares holds where no option says otherwise.
+/// The declarations of the description apply if no option overrides them.
 #[test]
 fn a_description_that_declares() {
     let declared = BLOCK.replace(
@@ -98,7 +98,7 @@ fn a_description_that_declares() {
         text.contains("r from 0.5 to 2\naccuracy        1e-6\n"),
         "{text}"
     );
-    // Of β_lim nothing is proven to 1e-9, whatever a macro is asked for.
+    // β_lim cannot be proven to 1e-9, whatever proof the description requests from the macro.
     let proven = declared.replace("0.5..2 }", "0.5..2 }, proof: whole");
     let text = output(&proven, &["compile", "--accuracy", "1e-9"]);
     assert!(
@@ -134,7 +134,7 @@ fn the_data() {
         data["functions"],
         serde_json::json!(["beta_lim", "a", "g", "arg_V", "abs_V"])
     );
-    // A lookup by hand.
+    // Look up a value in the pieces by hand.
     let r = 0.9;
     let pieces = data["pieces"].as_array().unwrap();
     let piece = pieces
@@ -150,7 +150,7 @@ fn the_data() {
     let exact = json(&output("", &["limits", FRAME, "--r", "0.9", "--json"]));
     let exact = exact["points"][0]["continuous_limit"].as_f64().unwrap();
     assert!((limit / exact - 1.0).abs() < 1e-3, "{limit} for {exact}");
-    // Two damped masses are proven whole.
+    // The table of two damped masses is proven over its whole range.
     let proof = &data["proof"];
     assert_eq!(proof["evidence"], "proven", "{proof}");
     assert_eq!(proof["open"], serde_json::json!([]));
@@ -169,7 +169,7 @@ const FIVE: &str = "struct Five {
     budget: 2000, range: { r: 1.5..2.5 },
 }";
 
-/// Stuck responses are told and written where the description provides them; the force holds |V/H| = μβ*_lim.
+/// Stuck responses are reported and written if the description provides them. The force is |V/H| = μβ*_lim.
 #[test]
 fn stuck_responses() {
     let scene = fs::read_to_string(FRAME).unwrap();
@@ -223,7 +223,8 @@ fn stuck_responses() {
     assert!(
         code.contains("enum frame_status frame_stuck_lower(double r, double *re, double *im);")
     );
-    // Where they take more than a quarter of the bytes, code without the library has none.
+    // The form of these stuck responses needs more than a quarter of the bytes, so code without the library does not
+    // contain it.
     let told = failure(FIVE, &["compile", "--format", "c"]);
     assert_eq!(
         told,
@@ -231,7 +232,7 @@ fn stuck_responses() {
             "frictiongen: the stuck responses have no form of their own here: their zeros cannot be told apart, their roundings are more than half the accuracy, or they take more than a quarter of the bytes; leave `stuck` out of `provide`, or use the macro or the library"
         ]
     );
-    // Not asked for.
+    // The description does not provide stuck responses, so the data have none.
     let without = json(&output(
         "",
         &[
@@ -291,7 +292,7 @@ fn code_in_files() {
     assert!(rust.contains("pub fn contact(r: f64, beta: f64)"));
 }
 
-/// A name for the functions of C, for programs with two tables of one scene.
+/// A name for the C functions lets a program use two tables of one scene.
 #[test]
 fn a_name() {
     let declared = BLOCK.replace(
@@ -334,7 +335,7 @@ fn a_name() {
     }
 }
 
-/// `compile` lists on standard error what `provide` asks for and no table holds.
+/// `compile` lists on standard error the items of `provide` that no table contains.
 #[test]
 fn what_is_left_out() {
     let with = |provide: &str| {

@@ -1,4 +1,4 @@
-//! `frictiongen drive`.
+//! Tests of `frictiongen drive`.
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 
 use crate::common::{FRAME, failure, output};
@@ -6,7 +6,7 @@ use frictiongen::System;
 use frictiongen::study::SystemInput;
 use std::{fs, process};
 
-/// A recording of this test alone, and the command over it.
+/// Writes a recording of this test, and returns its path.
 fn recording(name: &str, text: &str) -> String {
     let name = format!("frictiongen-drive-{}-{name}.csv", process::id());
     let path = std::env::temp_dir().join(name);
@@ -14,7 +14,7 @@ fn recording(name: &str, text: &str) -> String {
     path.to_str().unwrap().to_owned()
 }
 
-/// Two samples of the base's acceleration a hundredth apart, then rest.
+/// A recording of the base's acceleration with samples at intervals of 0.01 s: a motion, then rest.
 fn shaken() -> String {
     let mut text = String::from("time_s,base_m_s2\n");
     for sample in 0..200_u32 {
@@ -57,7 +57,7 @@ fn gives_what_the_stepper_gives() {
             } else {
                 0.0
             };
-            // Twice the integral of a straight line.
+            // The acceleration is linear between samples, and is integrated twice.
             place += 0.01 * velocity + 0.01 * 0.01 * (last / 3.0 + now / 6.0);
             velocity += 0.01 * 0.5 * (last + now);
             last = now;
@@ -66,7 +66,7 @@ fn gives_what_the_stepper_gives() {
         }
         let found: f64 = cells[upper].parse().unwrap();
         let expected = step.mass("upper").unwrap().displacement();
-        // The integral's rounding, and that of a mean step of the times.
+        // The tolerance covers the rounding of the integral, and of the mean step of the times.
         assert!(
             (found - expected).abs() < 1e-12,
             "{sample}: {found} {expected}"
@@ -97,19 +97,19 @@ fn tells_work_and_writes_pictures() {
         fs::remove_file(file).unwrap();
     }
     assert!(drawn.contains("friction force (N)"), "{drawn}");
-    // The base moves as recorded, and each spring has its own stiffness.
+    // The picture shows a base that moves as recorded, and springs with their own stiffnesses.
     let words = text_of(&drawn);
     assert!(words.contains("y(t)") && !words.contains("cos"), "{words}");
     assert!(words.contains("k1") && words.contains("k2"), "{words}");
 }
 
-/// The visible text of a picture.
+/// Returns the visible text of a picture.
 fn text_of(picture: &str) -> String {
     let pieces = picture.split('<').filter_map(|tag| tag.split_once('>'));
     pieces.map(|(_, text)| text).collect()
 }
 
-/// The recording of `drive` is any input: nothing says that it has one driving frequency.
+/// The recording of `drive` is an arbitrary input, so the help does not require a driving frequency.
 #[test]
 fn help_asks_for_no_driving_frequency() {
     let help = output("", &["drive", "--help"]);

@@ -1,10 +1,10 @@
-//! `frictiongen expand`.
+//! Tests of `frictiongen expand`.
 
 use crate::common::{BLOCK, FRAME, failure, output};
 use std::path::PathBuf;
 use std::{fs, process};
 
-/// A file of this test alone.
+/// Path of a file of this test.
 fn temporary(name: &str) -> PathBuf {
     std::env::temp_dir().join(format!("frictiongen-cli-{}-{name}", process::id()))
 }

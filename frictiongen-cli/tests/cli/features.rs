@@ -1,4 +1,4 @@
-//! `frictiongen features`: what it prints, and what is refused.
+//! Tests of `frictiongen features`: its output, and requests that it refuses.
 
 #![allow(
     clippy::expect_used,
@@ -16,7 +16,7 @@ fn split(line: &str) -> Vec<&str> {
     line.split(' ').collect()
 }
 
-/// The rows of a CSV as maps from names to cells.
+/// Parses the rows of a CSV as maps from column names to cells.
 fn rows(csv: &str) -> Vec<std::collections::HashMap<String, String>> {
     let cells = cells(csv);
     let each = cells[1..].iter().map(|row| {
@@ -29,7 +29,7 @@ fn rows(csv: &str) -> Vec<std::collections::HashMap<String, String>> {
     each.collect()
 }
 
-/// Three formats say the same; Hz, N and m are the groups times their units.
+/// The three formats agree. Hz, N and m are the groups times their units.
 #[test]
 fn in_units_and_in_three_formats() {
     let groups = rows(&output(
@@ -86,7 +86,7 @@ fn in_units_and_in_three_formats() {
     assert!(table.contains("resonance if stuck") && table.contains("1 % of"));
 }
 
-/// Printed in the thesis: 6.3.3.
+/// The features equal those printed in section 6.3.3 of the thesis.
 #[test]
 fn of_the_thesis() {
     let rows = rows(&output("", &["features", UPPER, "--r", "0.62:4", "--csv"]));

@@ -1,4 +1,4 @@
-//! What users met in their first hour, each as a test.
+//! Tests of problems that users met in their first hour.
 
 #![allow(
     clippy::expect_used,
@@ -10,7 +10,7 @@
 
 use crate::common::{BLOCK, FRAME, cells, failure, json, output, run_with};
 
-/// The values of a column.
+/// Returns the values of a column.
 fn column<'a>(cells: &[Vec<&'a str>], name: &str) -> Vec<&'a str> {
     let place = cells[0].iter().position(|cell| *cell == name).unwrap();
     cells[1..].iter().map(|row| row[place]).collect()
@@ -45,7 +45,7 @@ fn a_decimal_grid_has_the_decimal_numbers() {
     assert_eq!((compared, ratios.len()), (20, 100));
 }
 
-/// The same point has one regime, whichever command is asked.
+/// A point has the same regime in the output of every command.
 #[test]
 fn a_point_has_one_regime() {
     let absorber = "struct A { masses: { a: 1, b: 1 }, springs: { base - a: 1, a - b: 1 },
@@ -77,7 +77,7 @@ fn a_point_has_one_regime() {
     assert!(compared == 2 * 18 * 16 && unbounded > 10);
 }
 
-/// Every cell of a point that has a steady state is filled, and says where it is from.
+/// Every cell of a point with a steady state has a value, and the row names its origin.
 #[test]
 fn a_curve_in_one_command() {
     let grids = ["--r", "0.1:0.05:2.5", "--beta", "0.4", "--csv"];
@@ -119,7 +119,7 @@ fn a_curve_in_one_command() {
     assert!(counts[0] > 5 && counts[2] > 20 && counts.iter().sum::<i32>() == 49);
 }
 
-/// Two cycles of a subharmonic state, and the last 64 of a motion that does not settle.
+/// A subharmonic state is read over its two cycles, and a motion that does not settle over its last 64 cycles.
 #[test]
 fn beyond_one_cycle() {
     let rubbing = |stiction: &str| {
@@ -194,7 +194,7 @@ fn at_infinity_nothing_moves() {
             assert_eq!(point["masses"][0]["amplitude"], 0.0);
         }
     }
-    // Where the base shakes under it, the contact moves by as much.
+    // At r = ∞ the mass does not move, so the relative motion in the contact is the motion of the base.
     let shaken = "struct S { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - base, excitation: base }";
     let text = output(
         shaken,
@@ -221,7 +221,7 @@ fn no_advice_that_is_refused() {
     assert!(!help.contains("may be 0 and inf") && help.contains("above 0 and below infinity"));
 }
 
-/// What is said by halves is refused by every command, and nothing goes to standard output.
+/// Every command refuses an incomplete declaration, and prints nothing on standard output.
 #[test]
 fn what_is_said_by_halves_is_refused() {
     for (field, told) in [

@@ -1,10 +1,10 @@
-//! `frictiongen new`, `check`, `completions` and `man`: the first commands that a user types.
+//! Tests of `frictiongen new`, `check`, `completions` and `man`, the first commands that a user types.
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 
 use crate::common::{failure, output};
 use std::{fs, process};
 
-/// A file of this test alone.
+/// Path of a file of this test.
 fn temporary(name: &str) -> std::path::PathBuf {
     std::env::temp_dir().join(format!("frictiongen-steps-{}-{name}", process::id()))
 }
@@ -45,7 +45,7 @@ fn check_marks_each_error() {
     ] {
         assert!(text.contains(marked), "{text}");
     }
-    // An error at the end of the text, and a text without lines.
+    // An error at the end of the text, and an empty text.
     assert!(!failure("pub struct A {", &["check"]).is_empty());
     assert!(!failure("", &["check"]).is_empty());
 }

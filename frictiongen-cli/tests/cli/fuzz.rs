@@ -1,4 +1,4 @@
-//! Command lines and files of every kind: an answer, or a reason; never a panic.  The long form is
+//! Fuzzing of command lines and files. Each input must give a result or a reason, never a panic. The long form is
 //! `scripts/fuzz`.
 #![allow(clippy::expect_used, reason = "a test may fail")]
 
@@ -62,7 +62,7 @@ const WORDS: &[&str] = &[
 /// An input: the words of a command line, and the bytes of its file.
 type Input = (String, Vec<u8>);
 
-/// A reader that has enough after some output, as a long grid would take hours.
+/// A writer that closes its pipe after some output, because a long grid would take hours.
 struct Patience {
     left: usize,
     said: Vec<u8>,
@@ -82,13 +82,13 @@ impl Write for Patience {
     }
 }
 
-/// What is wrong with how an input was taken.
+/// Runs an input, and returns an error if the command did not handle it properly.
 fn taken(input: &Input, file: &Path) -> Result<(), String> {
     let (line, bytes) = input;
     std::fs::write(file, bytes).map_err(|error| error.to_string())?;
     let words: Vec<&str> = line.split_whitespace().collect();
-    // Neither standard input nor a file that a mutated word may name is read or written, and grids are
-    // short: the output's buffer would otherwise fill for minutes before anybody could have enough.
+    // The test must not read standard input, or read or write a file that a mutated word names. It also skips dense
+    // grids, which would compute for minutes before the buffered output reaches the writer.
     let dense = |word: &str| word.contains(':') || word.matches(',').count() > 8;
     if !words.contains(&"FILE")
         || words
@@ -100,7 +100,7 @@ fn taken(input: &Input, file: &Path) -> Result<(), String> {
     if words.iter().any(|word| dense(word)) && words.first() != Some(&"limits") {
         return Ok(());
     }
-    // As long is a run of many cycles.
+    // A run of many cycles would also take long.
     let many = |word: &&str| word.bytes().filter(u8::is_ascii_digit).count() > 4;
     if words.first() == Some(&"time") && words.iter().any(many) {
         return Ok(());
@@ -160,7 +160,7 @@ fn fuzz(count: u64, seed: u64) {
         "command lines and files: {} inputs, nothing found",
         outcome.count
     );
-    // A grid of ten million points is 80 MB.
+    // A grid of ten million points takes 80 MB.
     if let Some(most) = fuzzing::most_memory() {
         assert!(most < 1 << 30, "{most} bytes were held");
     }

@@ -1,4 +1,4 @@
-//! `frictiongen limits`.
+//! Tests of `frictiongen limits`.
 
 use crate::common::{BLOCK, FRAME, cells, json, output};
 use std::f64::consts::FRAC_PI_4;

@@ -1,4 +1,4 @@
-//! The command as its users call it: each test runs the program.
+//! Tests of the command line. Each test runs the program as a user would.
 
 mod bad_input;
 mod common;

@@ -1,10 +1,10 @@
-//! Pictures of maps: what their colours leave out stands in the legend.
+//! Tests of pictures of maps. The legend states which values lie beyond the colour scale.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use crate::common::{FRAME, output};
 use std::path::PathBuf;
 
-/// The text of a drawn map, and the amplitudes of `lower` in mm from the CSV of the same map.
+/// Returns the text of a drawn map, and the amplitudes of `lower` in mm from the CSV of the same map.
 fn drawn(hz: &str, shade: &str) -> (String, Vec<f64>) {
     let grid = [
         "--hz",
@@ -33,7 +33,7 @@ fn drawn(hz: &str, shade: &str) -> (String, Vec<f64>) {
     (std::fs::read_to_string(path).unwrap(), sizes)
 }
 
-/// The number that stands after a word in a picture, its tags left out.
+/// Returns the number after a word in a picture without its tags.
 fn after(picture: &str, word: &str) -> Option<f64> {
     let (_, rest) = picture.split_once(word)?;
     let digits = |letter: char| letter.is_ascii_digit() || letter == '.';
@@ -45,14 +45,15 @@ fn after(picture: &str, word: &str) -> Option<f64> {
     text.parse().ok()
 }
 
-/// Beside a resonance the colours end below the largest amplitude: their end and that amplitude stand at the scale.
+/// Next to a resonance the colours end below the largest amplitude. The scale states the last colour's value and the
+/// largest amplitude.
 #[test]
 fn a_clipped_scale_says_so() {
     let (picture, sizes) = drawn("1:0.05:4", "amplitude");
     let most = sizes.iter().copied().fold(0.0, f64::max);
     let end = after(&picture, "top colour ≥").unwrap();
     let largest = after(&picture, "largest").unwrap();
-    // Four digits.
+    // The legend has four digits.
     assert!((largest / most - 1.0).abs() < 1e-3, "{largest} for {most}");
     assert!(end < 0.7 * most, "{end} of {most}: nothing is clipped");
     let beyond = sizes.iter().filter(|size| end < **size).count();
@@ -63,7 +64,7 @@ fn a_clipped_scale_says_so() {
     );
 }
 
-/// Without a resonance nothing is clipped, and nothing is said.
+/// Without a resonance the scale covers all values, and the legend says nothing about it.
 #[test]
 fn a_whole_scale_says_nothing() {
     for (hz, shade) in [("4.6:0.1:5", "amplitude"), ("1:0.05:4", "stuck")] {

@@ -1,6 +1,6 @@
-//! The commands of `docs/measure.md` print what stands there, and what they say is true.
+//! Tests that the commands of `docs/measure.md` print the text of the page, and that their results are right.
 //!
-//! `UPDATE_DOCS=1 cargo test -p frictiongen-cli --test cli measure_page::` writes it anew.
+//! `UPDATE_DOCS=1 cargo test -p frictiongen-cli --test cli measure_page::` rewrites the page.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use std::path::Path;
@@ -62,7 +62,7 @@ fn the_page_has_what_its_commands_print() {
     );
 }
 
-/// A line of the CSV: value, from, to.
+/// Parses a line of the CSV: value, lower bound, upper bound.
 fn line(csv: &str, name: &str) -> [f64; 3] {
     let line = csv
         .lines()
@@ -79,7 +79,7 @@ fn line(csv: &str, name: &str) -> [f64; 3] {
 
 #[test]
 fn what_the_commands_say_is_true() {
-    // F = βkY, with what the recordings were made of.
+    // F = βkY, with the values from which the recordings were made.
     let truth = 0.4 * 2.0 * (std::f64::consts::TAU * 3.086_f64).powi(2) * 1.75e-3;
     for arguments in [
         "below.csv above.csv fast.csv",
@@ -95,7 +95,7 @@ fn what_the_commands_say_is_true() {
             (value / truth - 1.0).abs() < 0.02,
             "{arguments}: {value} for {truth}"
         );
-        // The description's stiffness is 751.9 in place of 751.937, 5e-5 of the force.
+        // The description has stiffness 751.9 instead of 751.937, which changes the force by 5e-5.
         assert!(
             from * 0.9999 <= truth && truth <= to * 1.0001,
             "{arguments}: {csv}"

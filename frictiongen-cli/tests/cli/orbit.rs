@@ -1,4 +1,4 @@
-//! `frictiongen orbit`.
+//! Tests of `frictiongen orbit`.
 
 use crate::common::{BLOCK, FRAME, cells, failure, json, output};
 
@@ -30,11 +30,11 @@ fn stops_and_reversals_are_counted() {
         let place = cells[0].iter().position(|cell| *cell == name);
         cells[line][place.unwrap()]
     };
-    // r = 1/5, β = 0.005: no stop, though beyond β_lim.
+    // At r = 1/5, β = 0.005 the motion has no stop, although β exceeds β_lim.
     assert_eq!((value(1, "stops"), value(1, "reversals")), ("0", "6"));
     let amplitude: f64 = value(1, "block.amplitude").parse().unwrap();
     assert!((amplitude - 0.993_884_883).abs() < 1e-9);
-    // r = 0.3, β = 0.4.
+    // At r = 0.3, β = 0.4 the motion has two stops.
     assert_eq!((value(4, "stops"), value(4, "reversals")), ("2", "0"));
     let amplitude: f64 = value(4, "block.amplitude").parse().unwrap();
     assert!((amplitude - 0.856_729_778_057_8).abs() < 1e-12);
@@ -128,7 +128,8 @@ fn r_must_be_positive_and_finite() {
 const STUBBORN: &str = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
     contact: block - base, excitation: base, stiction: 2 }";
 
-/// The closed form and the stuck block, one from rest and the other not; without --states one of them.
+/// `--states` returns the closed form and the stuck state, one of which motion from rest reaches. Without `--states`
+/// only one of them is returned.
 #[test]
 fn states_beside_each_other() {
     let asked = ["orbit", "--r", "1.1", "--beta", "0.65", "--json"];
@@ -160,10 +161,11 @@ fn states_beside_each_other() {
     assert_eq!(alone["points"][0], points[0]);
 }
 
-/// z̄₀² = V² − β²U² at r = 1.1, β = 0.65, with the load r²Y.
+/// Value of the closed form, z̄₀² = V² − β²U² at r = 1.1, β = 0.65, with the load r²Y.
 const CLOSED_FORM: f64 = 4.038_387_375_443_518;
 
-/// A contact with the moving base starts at z̄ = −Y and sticks there: the block moves by 2Y at most, by Y about its middle.
+/// A contact with the moving base starts at z̄ = −Y and sticks there. The block moves by at most 2Y, and by Y about its
+/// middle.
 #[test]
 fn a_contact_stuck_off_its_centre() {
     let point = &json(&output(

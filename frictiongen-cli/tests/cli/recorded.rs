@@ -1,4 +1,4 @@
-//! `transmissibility`, `identify` and `fit`: files, columns, forms, and what is refused.
+//! Tests of `transmissibility`, `identify` and `fit`: files, columns, formats, and inputs that they refuse.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use crate::common::{cells, failure, json, output};
@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A file with this text, in a folder of its own: tests run side by side.
+/// Writes a file in a folder of its own, because tests run in parallel.
 fn file(name: &str, text: &str) -> String {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     let folder = format!("recorded-{}", COUNT.fetch_add(1, Ordering::Relaxed));
@@ -24,13 +24,14 @@ fn plate() -> String {
     )
 }
 
-/// 10 s at 100 Hz of 4 Hz: base of 1.75 mm, plate of 2 mm that lags by 2.6 rad, through a change.
+/// A recording of 10 s at 100 Hz, driven at 4 Hz: a base of 1.75 mm and a plate of 2 mm with a lag of 2.6 rad. `change`
+/// formats each value.
 fn recording(head: &str, change: impl Fn(usize, f64) -> String) -> String {
     let mut text = format!("{head}\n");
     for i in 0..1000 {
         let t = f64::from(i) / 100.0;
         let turn = std::f64::consts::TAU * 4.0 * t;
-        // A little that is not of this frequency, as noise is.
+        // A small component of other frequencies, as noise has.
         let rest = 1e-3 * (f64::from(i * i % 997) - 498.0) / 288.0;
         let (base, plate) = (1.75 * turn.cos() + rest, 2.0 * (turn - 2.6).cos() - rest);
         let _ = writeln!(text, "{t:.2},{},{}", change(0, base), change(1, plate));
@@ -74,7 +75,7 @@ fn forms_and_columns() {
     };
     let (first, second) = (numbers(&rows[1]), numbers(&cells(&other)[1]));
     for (a, b) in first.iter().zip(&second) {
-        // A rate given and one of a column agree to its rounding.
+        // A given rate agrees with that of a column up to the rounding of the column.
         assert!((a - b).abs() <= 1e-9 * a.abs().max(1e-3), "{own}\n{other}");
     }
     assert!(
@@ -116,7 +117,7 @@ fn friction_as_table_and_json() {
     assert!(drawn.contains("<svg") && drawn.contains("residual over deviation"));
 }
 
-/// One clear error each, on one line, with the file's name.
+/// Each bad recording gives one clear error on one line, with the name of the file.
 #[test]
 fn bad_recordings() {
     let plate = plate();
@@ -211,7 +212,7 @@ fn a_drive_that_drifts() {
     );
 }
 
-/// A recording of the plate with μ = 1 and F = 0.4 k Y, steady, made from the library's own answer, with noise.
+/// A steady recording of the plate with μ = 1 and F = 0.4 k Y, made from the library's response with noise.
 fn made(scene: &str, hertz: f64, late: f64) -> String {
     let system: frictiongen::System = scene.parse().unwrap();
     let load = frictiongen::study::Load::Base(1.75e-3);
@@ -245,7 +246,7 @@ fn made(scene: &str, hertz: f64, late: f64) -> String {
     text
 }
 
-/// A misfit that noise does not explain is the first thing told, in words and in JSON.
+/// If noise does not explain the misfit, the output says so first, in text and in JSON.
 #[test]
 fn a_late_channel_is_not_explained() {
     let scene = std::fs::read_to_string(plate()).unwrap();
@@ -274,7 +275,7 @@ fn a_late_channel_is_not_explained() {
     assert_eq!(json["points"][0]["value"], "not explained");
 }
 
-/// μ without a stop: named, and the force is as narrow as without it.
+/// Without a stop μ is reported as not determined, and the interval of the force is as narrow as without μ.
 #[test]
 fn stiction_without_a_stop_is_not_determined() {
     let scene = std::fs::read_to_string(plate()).unwrap();
@@ -295,7 +296,7 @@ fn stiction_without_a_stop_is_not_determined() {
         with["not determined"].as_str().unwrap().starts_with("mu: "),
         "{with}"
     );
-    // Another fit, by steps in place of sections: the same to a hundredth of the interval.
+    // This fit takes steps instead of sections. Its results agree to a hundredth of the interval.
     for (a, b) in alone.iter().zip(force(&with)) {
         assert!(
             (a - b).abs() < 0.01 * (alone[2] - alone[1]),

@@ -1,4 +1,5 @@
-//! The page of `frictiongen report`: well-formed, with nothing executed from a name, and with the library's numbers.
+//! Tests of the page of `frictiongen report`: it is well-formed, executes nothing that is part of a name, and shows the
+//! library's numbers.
 #![allow(
     clippy::unwrap_used,
     clippy::indexing_slicing,
@@ -11,10 +12,10 @@ use frictiongen::study::{FrequencyBand, OptimumRequest};
 use frictiongen::{Of, Regime};
 use serde_json::Value;
 
-/// Elements without an end.
+/// HTML elements without an end tag.
 const VOID: [&str; 3] = ["meta", "br", "input"];
 
-/// A page, with its elements balanced, its attributes quoted and its data read.
+/// Creates a page, and checks its elements, its quoted attributes and its data.
 fn page(input: &str, arguments: &[&str]) -> (String, Value) {
     let arguments = [&["report"], arguments].concat();
     let page = output(input, &arguments);
@@ -46,7 +47,7 @@ fn page(input: &str, arguments: &[&str]) -> (String, Value) {
             rest = &rest[close + name.len() + 3..];
             continue;
         }
-        // Only the page's own handlers run, and it has none in attributes.
+        // Only the handlers of the page run, and none of them is in an attribute.
         assert!(!tag.contains(" on"), "<{tag}>");
         open.push(name.to_owned());
     }
@@ -59,7 +60,7 @@ fn page(input: &str, arguments: &[&str]) -> (String, Value) {
     (page, data)
 }
 
-/// Where a tag ends: not within quotes.
+/// Finds the end of a tag, which does not lie within quotes.
 fn tag_end(text: &str) -> usize {
     let mut quoted = false;
     text.find(|c| {
@@ -99,7 +100,7 @@ fn the_numbers_are_the_librarys() {
             }
         }
     }
-    // What a picture shows is a line within a thousandth.
+    // The lines of a picture must be correct to a thousandth.
     let plot = |id: &str| {
         let plots = data["plots"].as_array().unwrap();
         plots.iter().find(|plot| plot["id"] == id).unwrap()["panels"][0].clone()
@@ -117,7 +118,8 @@ fn the_numbers_are_the_librarys() {
                     continue;
                 };
                 let exact = response.swing(Of::Mass(0)).unwrap().amplitude;
-                // Beside a pole or an edge the sixth digit of r moves the amplitude by more.
+                // Next to a pole or a bound the amplitude changes by more than that in the sixth digit of r, so such
+                // points are left out.
                 if !(0.99..=1.01).contains(&r) && 0.05 < exact {
                     assert!((y - exact).abs() <= 2e-3 * exact, "{beta} {r}: {y} {exact}");
                     compared += 1;
@@ -141,7 +143,7 @@ fn the_numbers_are_the_librarys() {
     println!("{compared} numbers compared");
 }
 
-/// The lines of `frictiongen features --json`, without their derivatives.
+/// The features are the lines of `frictiongen features --json` without their derivatives.
 #[test]
 fn features_are_those_of_the_command() {
     let undamped = [
@@ -198,7 +200,7 @@ fn features_are_those_of_the_command() {
         for words in told {
             assert!(text.contains(words), "{file}: {words}");
         }
-        // Marked among the curves.
+        // The features are marked in the pictures of the curves.
         let mark = if file == two {
             "invariant point"
         } else {
@@ -210,7 +212,7 @@ fn features_are_those_of_the_command() {
     assert!(300 < compared, "{compared}");
 }
 
-/// The chain of six masses whose last one rubs.
+/// A chain of `count` masses whose last one rubs.
 fn chain(count: usize) -> String {
     let masses: Vec<String> = (1..=count).map(|i| format!("m{i}: 1")).collect();
     let springs: Vec<String> = (2..=count)
@@ -224,7 +226,7 @@ fn chain(count: usize) -> String {
     )
 }
 
-/// The best friction of a longer chain is that of the library's search too, with its bracket.
+/// The best friction of a longer chain also equals that of the library's search, with its bracket.
 #[test]
 fn the_best_friction_is_the_optimum() {
     let (text, data) = page(&chain(6), &["--r", "0.15:1.2", "--of", "m3"]);
@@ -242,7 +244,7 @@ fn the_best_friction_is_the_optimum() {
     assert_eq!(best["amplitude"], optimum.amplitude);
     assert_eq!(best["bracket"]["from"]["beta"], optimum.bracket[0]);
     assert_eq!(best["stuck_from"]["beta"], optimum.locked);
-    // One number for the friction that holds the contact over the whole range.
+    // The page has one number for the friction at which the contact sticks over the whole range.
     assert_eq!(data["limits"]["stuck_from"], best["stuck_from"]);
     assert_eq!(
         data["limits"]["nothing_sticks_up_to"],
@@ -271,7 +273,8 @@ fn nothing_runs_from_a_name_or_a_comment() {
             .unwrap()
             .ends_with("a<b>&\"onclick=.friction")
     );
-    // A name in a description is a word of letters: the longest chain with such names, and one with markup for a name.
+    // Names in a description consist of letters. The longest chain has such names, and one scene has markup in its
+    // description.
     let masses: Vec<String> = (1..=64).map(|i| format!("größe_ß{i}: 1")).collect();
     let springs: Vec<String> = (1..=64).map(|i| format!("größe_ß{i} - base: 1")).collect();
     let scene = format!(
@@ -307,7 +310,7 @@ fn scenes_without_an_answer_say_so() {
     let (text, _) = page(rubs_on_base, &["--r", "0.8:1.3", "--beta", "0"]);
     assert!(text.contains("without bound"));
     let long = chain(64);
-    // More friction than any limit: 64 masses that stop and slide take long.
+    // The friction exceeds every limit, because 64 masses with stick-slip would take long.
     let (text, data) = page(&long, &["--r", "0.01:0.02", "--beta", "1000", "--of", "m1"]);
     assert!(text.contains("A chain of 64 masses is not drawn"));
     assert_eq!(data["modes"].as_array().unwrap().len(), 64);

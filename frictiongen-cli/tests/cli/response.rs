@@ -1,9 +1,9 @@
-//! `frictiongen response`.
+//! Tests of `frictiongen response`.
 
 use crate::common::{BLOCK, FRAME, cells, json, output};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Two masses in a row, the first of which rubs.
+/// Two masses in a row. The first one rubs.
 const PAIR: &str = "struct Pair {
     masses: { a: 1, b: 1 },
     springs: { base - a: 1, a - b: 1 },
@@ -65,7 +65,7 @@ fn one_mass_follows_the_closed_form() {
         let place = cells[0].iter().position(|cell| *cell == name);
         cells[1][place.unwrap()].parse().unwrap()
     };
-    // Z² = V² − (βU)² with V = 1/(1 − r²), U = tan(π/2r)/r.
+    // Closed form: Z² = V² − (βU)² with V = 1/(1 − r²), U = tan(π/2r)/r.
     let (v, u) = (-1.0 / 3.0_f64, 0.2 * 0.5);
     let amplitude = (v * v - u * u).sqrt();
     let phase = (-u).atan2(amplitude) + PI;
@@ -98,7 +98,7 @@ block.X1.amplitude,block.X1.phase";
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines[0], expected);
     assert_eq!(lines[1], "0.0,0.2,stick-slip,inf,no cycle,,,,,,,,,,,,,,,,,");
-    // What does not move has no phase.
+    // A mass that does not move has no phase.
     assert_eq!(
         lines[2],
         "0.0,4.0,stuck,inf,closed form,0.0,true,true,,,,,,,,0.0,0.0,,,,,"
@@ -144,7 +144,7 @@ fn json_has_harmonics_that_sum_to_the_motion() {
     let phase = lower["phase"].as_f64().unwrap();
     let harmonics = lower["harmonics"].as_array().unwrap();
     assert_eq!(harmonics.len(), 500);
-    // Re Σ X_n e^{inτ} where the motion is largest.
+    // The series Re Σ X_n e^{inτ} at the phase of the largest displacement.
     let mut sum = 0.0;
     for harmonic in harmonics {
         let field = |name: &str| harmonic[name].as_f64().unwrap();
@@ -168,7 +168,7 @@ fn stuck_masses_have_an_amplitude_and_a_lag() {
     ];
     let text = output(PAIR, &arguments);
     let cells = cells(&text);
-    // With a stuck, b alone: 1/(1 − r²); at its resonance r = 1 no friction holds a.
+    // If a sticks, b moves alone with amplitude 1/(1 − r²). At its resonance r = 1 no friction keeps a stuck.
     assert_eq!(cells[2][2], "stuck");
     let value = |column: usize| -> f64 { cells[2][column].parse().unwrap() };
     assert!((value(13) - 1.0 / 3.0).abs() < 1e-15, "{text}");

@@ -1,4 +1,4 @@
-//! `frictiongen sensitivity`: a line for each parameter, in three formats, and what is refused.
+//! Tests of `frictiongen sensitivity`: a line for each parameter, three formats, and requests that it refuses.
 
 #![allow(
     clippy::expect_used,
@@ -23,7 +23,7 @@ fn run(line: &str, format: &[&str]) -> String {
     )
 }
 
-/// Derivatives with respect to friction and frequency are differences of what `response` says.
+/// Derivatives with respect to friction, load and frequency equal difference quotients of `response`.
 #[test]
 fn as_the_response_moves() {
     let csv = run(STOPS, &["--csv"]);
@@ -81,14 +81,15 @@ fn as_the_response_moves() {
             (amplitudes[place], (above.0 - below.0) / (h + h)),
             (phases[place], (above.1 - below.1) / (h + h)),
         ] {
-            // Of second order in a step of 5e-5 of the value, some hundred times what bends.
+            // The error of the difference is of second order in a relative step of about 5e-5, times a curvature of
+            // some hundreds.
             assert!(
                 (derivative / difference - 1.0).abs() < 1e-6,
                 "{place}: {derivative} {difference}"
             );
         }
     }
-    // p/X·dX/dp, and p·dφ/dp.
+    // Relative derivatives: p/X·dX/dp for the amplitude, and p·dφ/dp for the phase.
     let (values, own) = (column(&csv, "value"), column(&csv, "amplitude_m"));
     let relative = column(&csv, "amplitude_m.relative");
     let of_phase = column(&csv, "phase_deg.relative");
@@ -100,7 +101,7 @@ fn as_the_response_moves() {
     }
 }
 
-/// The table and the JSON say the same as the CSV.
+/// The table and the JSON have the content of the CSV.
 #[test]
 fn in_three_formats() {
     let csv = run(STOPS, &["--csv"]);
@@ -131,7 +132,8 @@ fn in_three_formats() {
     );
 }
 
-/// At constant r and β where no load is given; the contact's own motion; every regime.
+/// Without a load the derivatives are those at constant r and β. They exist for the contact's own motion, and in every
+/// regime.
 #[test]
 fn in_groups_and_in_every_regime() {
     for (line, regime) in [
@@ -149,17 +151,17 @@ fn in_groups_and_in_every_regime() {
         );
         let parameters: Vec<&str> = rows[1..].iter().map(|row| row[4]).collect();
         assert_eq!(parameters[7..], ["beta", "r"]);
-        // A stuck chain does not see what friction there is.
+        // The motion of a stuck chain does not depend on friction.
         let friction = column(&csv, "amplitude.derivative")[7];
         assert_eq!(friction == 0.0, regime == "stuck", "{csv}");
     }
-    // The held contact does not move, and has no phase.
+    // A stuck contact does not move, and has no phase.
     let csv = run("--r 0.4 --beta 2 --of contact", &["--csv"]);
     assert!(column(&csv, "amplitude").iter().all(|value| *value == 0.0));
     assert!(column(&csv, "phase").iter().all(|value| value.is_nan()));
 }
 
-/// Where there is no derivative the line says why.
+/// If a derivative does not exist, the line gives the reason.
 #[test]
 fn where_there_is_none() {
     let line = "sensitivity --r 1,0.3 --beta 0.1 --of block --csv";
@@ -220,7 +222,7 @@ fn what_is_wrong_is_named() {
             "{line}"
         );
     }
-    // Which motion is not said: clap's message, with the usage.
+    // The motion is not given, so clap reports it with the usage.
     let lines = failure(BLOCK, &split("sensitivity --r 1 --beta 1"));
     assert!(
         lines[0].contains("required") && lines[1].contains("--of"),

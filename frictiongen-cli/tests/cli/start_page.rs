@@ -1,7 +1,7 @@
-//! The commands of docs/start.md print what stands there, and what the page says of it is true; docs/which.md names what there
-//! is; the commands of docs/desk.md that draw nothing run.
+//! Tests of three pages. The commands of docs/start.md print the text of the page, and its statements are right.
+//! docs/which.md names existing items. The commands of docs/desk.md without a picture run.
 //!
-//! `UPDATE_DOCS=1 cargo test -p frictiongen-cli --test cli start_page::` writes what they print anew.
+//! `UPDATE_DOCS=1 cargo test -p frictiongen-cli --test cli start_page::` rewrites the output on docs/start.md.
 #![allow(
     clippy::expect_used,
     clippy::unwrap_used,
@@ -20,7 +20,7 @@ fn page(name: &str) -> String {
     std::fs::read_to_string(format!("{ROOT}/docs/{name}")).unwrap()
 }
 
-/// A folder of this test alone.
+/// Creates a folder of this test.
 fn folder(name: &str) -> PathBuf {
     let id = std::process::id();
     let folder = std::env::temp_dir().join(format!("frictiongen-docs-{id}-{name}"));
@@ -29,7 +29,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// What a line of the page prints.
+/// Returns the output of a command line of the page.
 fn printed(line: &str, folder: &Path) -> String {
     let words: Vec<&str> = line.split_whitespace().skip(1).collect();
     let run = Command::new(env!("CARGO_BIN_EXE_frictiongen"))
@@ -87,7 +87,8 @@ fn start_has_what_its_commands_print() {
     );
 }
 
-/// The numbers of docs/start.md in words, from what its commands for the best friction print: of one load, and of twice that.
+/// Checks the numbers in the text of docs/start.md against the output of its commands for the best friction: with a
+/// load, and with twice that load.
 fn what_start_says_is_true(text: &str, printed: &[String]) {
     let value = |printed: &str, name: &str| -> f64 {
         let mut lines = printed.lines().filter_map(|line| line.strip_prefix(name));
@@ -124,12 +125,12 @@ fn what_start_says_is_true(text: &str, printed: &[String]) {
     }
     for name in ["friction ", "largest amplitude of lower"] {
         let ratio = value(two, name) / value(one, name);
-        // Printed to six decimals.
+        // The values are printed to six decimals.
         assert!((ratio - 2.0).abs() < 1e-5, "{name}: {ratio}");
     }
 }
 
-/// The commands of docs/desk.md without a picture; scripts/desk runs the others.
+/// The commands of docs/desk.md without a picture run. `scripts/desk` runs the others.
 #[test]
 fn commands_of_desk_run() {
     let page = page("desk.md");
@@ -137,7 +138,7 @@ fn commands_of_desk_run() {
     std::fs::copy(FRAME, folder.join("frame.friction")).unwrap();
     let lines = page.lines().filter(|line| line.starts_with("frictiongen "));
     let mut run = 0;
-    // What varies takes minutes without optimisation: below.
+    // Commands with `--vary` take minutes without optimisation. The test `the_tuned_frame_of_desk` runs them.
     for line in lines.filter(|line| !line.contains(".svg") && !line.contains("--vary")) {
         let text = printed(line, &folder);
         assert!(!text.is_empty() || line.contains(" -o "), "{line}");
@@ -148,7 +149,7 @@ fn commands_of_desk_run() {
     assert_eq!(run, 8);
 }
 
-/// The numbers that docs/desk.md tells of its tuned frame.
+/// The numbers of the tuned frame on docs/desk.md are right.
 #[test]
 #[ignore = "minutes without optimisation"]
 fn the_tuned_frame_of_desk() {
@@ -174,7 +175,7 @@ fn the_tuned_frame_of_desk() {
     assert!(page.contains(&told), "{told}");
 }
 
-/// The words in code marks of a cell, each up to its first mark that is none of a name.
+/// Returns the names in code marks of a cell, each cut at the first character that is not part of a name.
 fn names(cell: &str) -> Vec<&str> {
     let quoted = cell.split('`').skip(1).step_by(2);
     quoted
@@ -232,7 +233,7 @@ fn which_names_what_there_is() {
         counts[0] >= 16 && counts[1] >= 10 && counts[2] >= 25,
         "{counts:?}"
     );
-    // Files that the pages name are there.
+    // Files that the pages link to exist.
     let mut links = 0;
     for name in ["start.md", "which.md", "desk.md"] {
         let text = self::page(name);
@@ -251,7 +252,7 @@ fn which_names_what_there_is() {
     assert!(links > 20, "{links}");
 }
 
-/// All texts below a folder.
+/// Returns the text of all files below a folder.
 fn sources(folder: &Path) -> String {
     let entries = std::fs::read_dir(folder).unwrap().map(Result::unwrap);
     let texts = entries.map(|entry| {

@@ -1,4 +1,4 @@
-//! The numbers of docs/stick-slip.md, recomputed by the commands that the page prints.
+//! Tests the numbers of docs/stick-slip.md by running the commands of the page.
 
 #![allow(
     clippy::expect_used,
@@ -17,7 +17,7 @@ fn page() -> String {
     text.expect("the page")
 }
 
-/// The only point of `frictiongen orbit`, its values by name.
+/// Returns the only point of `frictiongen orbit` as a function from names to values.
 fn point(file: &str, r: &str, beta: &str) -> impl Fn(&str) -> String + use<> {
     let file = format!("{ROOT}/{file}");
     let csv = output("", &["orbit", &file, "--r", r, "--beta", beta, "--csv"]);
@@ -32,14 +32,14 @@ fn point(file: &str, r: &str, beta: &str) -> impl Fn(&str) -> String + use<> {
     }
 }
 
-/// As many decimals as are printed must be right.
+/// Compares a printed number with a value, to the printed decimals.
 fn same(printed: &str, value: &str, what: &str) {
     let decimals = printed.split_once('.').map_or(0, |(_, tail)| tail.len());
     let value: f64 = value.parse().unwrap();
     assert_eq!(printed, format!("{value:.decimals$}"), "{what}");
 }
 
-/// The cells of a line of a table.
+/// Splits a line of a table into its cells.
 fn row(line: &str) -> Vec<&str> {
     line.trim_matches('|').split('|').map(str::trim).collect()
 }
@@ -56,7 +56,7 @@ fn cases() {
         if !line.starts_with("| frictiongen |") {
             continue;
         }
-        // Each table stands under a command of its own.
+        // Each table follows a command of its own.
         let command = command.take().expect("a command above the table");
         let [_, _, file, "--r", r, "--beta", beta] = command.as_slice() else {
             panic!("{command:?}");
@@ -93,7 +93,7 @@ fn multipliers_of_the_thesis_examples() {
         assert_eq!(value("state"), "stable", "{line}");
         same(stops, &value("stops"), line);
         same(multiplier, &value("largest_multiplier"), line);
-        // ln 10/−ln m, to two digits.
+        // The number of cycles is ln 10/−ln m, to two digits.
         let largest: f64 = value("largest_multiplier").parse().unwrap();
         let tenth = std::f64::consts::LN_10 / -largest.ln();
         let printed: f64 = cycles.parse().unwrap();
@@ -103,7 +103,7 @@ fn multipliers_of_the_thesis_examples() {
     assert_eq!(seen, 30);
 }
 
-/// The states that exist side by side, in any order.
+/// The coexisting states, in any order.
 #[test]
 fn several_states() {
     let page = page();

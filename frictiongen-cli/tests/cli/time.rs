@@ -1,4 +1,4 @@
-//! `frictiongen time`.
+//! Tests of `frictiongen time`.
 
 #![allow(
     clippy::expect_used,
@@ -15,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 use std::path::PathBuf;
 
-/// A command line without spaces within its words.
+/// Splits a command line at its spaces.
 fn words(line: &str) -> Vec<&str> {
     line.split(' ').collect()
 }
@@ -31,7 +31,7 @@ fn temporary(name: &str) -> PathBuf {
     folder
 }
 
-/// The samples are the library's, to the last bit.
+/// The samples equal those of the library to the last bit.
 #[test]
 fn samples_are_those_of_the_library() {
     let line = "time FILE --r 0.9 --beta 0.6 --cycles 4 --skip 3 --samples 50 --csv";
@@ -61,7 +61,7 @@ fn samples_are_those_of_the_library() {
     for state in ["stuck", "forward", "backward"] {
         assert!(states.contains(&state), "{state}");
     }
-    // The events within them.
+    // The events equal those of the library.
     let csv = output("", &words(&format!("{arguments} --events --of lower")));
     let header = "tau,event,contact.state,lower.displacement";
     assert_eq!(csv.lines().next().unwrap(), header);
@@ -71,7 +71,7 @@ fn samples_are_those_of_the_library() {
     assert!(events.contains(&"stop") && events.contains(&"break-away"));
 }
 
-/// Every physical column is the column of groups in other units.
+/// Every physical column is a column of groups in other units.
 #[test]
 fn columns_beside_those_of_the_groups() {
     let system = frame();
@@ -125,8 +125,8 @@ fn columns_beside_those_of_the_groups() {
     assert!(compared > 10_000);
 }
 
-/// r and β refer to the first mass and the first spring listed, a contact of two masses to the order of those. What is
-/// physical does not.
+/// r and β refer to the first listed mass and spring, and the relative motion of two masses to their order. Physical
+/// quantities do not depend on that order.
 #[test]
 fn no_order_of_a_description_changes_a_physical_answer() {
     let masses = ["lower: 3.27", "upper: 3.25"];
@@ -175,7 +175,7 @@ fn no_order_of_a_description_changes_a_physical_answer() {
                     for (place, (value, expected)) in pairs.enumerate() {
                         let mut apart = (value - expected).abs();
                         if name.ends_with("_deg") {
-                            // The phase of what is not there says nothing.
+                            // The mean and the even harmonics are zero, so their phases are only rounding.
                             if place.is_multiple_of(2) {
                                 continue;
                             }
@@ -272,14 +272,14 @@ motion                       from rest, cycles 0 to 1, 2 samples a cycle
     );
 }
 
-/// The state is in the units of the load.
+/// The initial state is in the units of the load.
 #[test]
 fn from_a_state() {
     let line = "time - --r 0.7 --beta 0.2 --cycles 2 --samples 10 --csv";
     let groups = output(BLOCK, &words(&format!("{line} --from -0.5;1.25")));
     assert_eq!(column(&groups, "block.displacement")[0], -0.5);
     assert_eq!(column(&groups, "block.velocity")[0], 1.25);
-    // P/k₁ = 4 m, ω = 0.7 rad/s.
+    // The units are P/k₁ = 4 m and ω = 0.7 rad/s.
     let physical = output(BLOCK, &words(&format!("{line} --force 4 --from -2;3.5")));
     assert_eq!(column(&physical, "time_s")[10], TAU / 0.7);
     let pairs = column(&physical, "block.displacement_m").into_iter();
@@ -288,7 +288,7 @@ fn from_a_state() {
     }
 }
 
-/// A file has what standard output would, and nothing is left beside it.
+/// A file has the content of standard output, and no other file remains next to it.
 #[test]
 fn files_are_whole() {
     let folder = temporary("whole");
@@ -302,7 +302,7 @@ fn files_are_whole() {
         let expected = output("", &words(&format!("{line} --{ending}")));
         assert_eq!(fs::read_to_string(&path).unwrap(), expected);
     }
-    // What fails leaves everything as it was.
+    // A command that fails leaves an existing file unchanged.
     let path = folder.join("motion.csv");
     let before = fs::read_to_string(&path).unwrap();
     let shown = path.to_str().unwrap();

@@ -1,10 +1,10 @@
-//! What `frictiongen time` cannot be asked.
+//! Tests of requests that `frictiongen time` refuses.
 
 #![allow(clippy::indexing_slicing, reason = "a test may fail")]
 
 use crate::common::{FRAME, failure};
 
-/// A command line without spaces within its words.
+/// Splits a command line at its spaces.
 fn words(line: &str) -> Vec<&str> {
     line.split(' ').collect()
 }
@@ -129,7 +129,7 @@ fn what_cannot_be_asked() {
         let arguments = [&["time", FRAME], &words(&line)[..]].concat();
         assert_eq!(failure("", &arguments)[0], message);
     }
-    // What has no steady state.
+    // A motion without steady state.
     let restless = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
         contact: block - base, excitation: base, stiction: 3 }";
     let lines = failure(

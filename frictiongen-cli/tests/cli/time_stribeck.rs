@@ -1,4 +1,4 @@
-//! `frictiongen time` of a kinetic level that changes with the speed.
+//! Tests of `frictiongen time` with a kinetic friction level that depends on the speed.
 
 #![allow(
     clippy::unwrap_used,
@@ -11,7 +11,7 @@ use crate::common::{cells, column, failure, output};
 use frictiongen::study::HistoryRequest;
 use frictiongen::{Of, System};
 
-/// A frame, with this friction.
+/// Returns the description of a frame with a given friction law.
 fn frame(friction: &str) -> String {
     format!(
         "struct Frame {{
@@ -33,7 +33,7 @@ fn words(line: &str) -> Vec<&str> {
     line.split(' ').collect()
 }
 
-/// Samples and events are those of the library, in metres, metres a second and newtons.
+/// Samples and events equal those of the library, in metres, metres a second and newtons.
 #[test]
 fn samples_and_events_are_those_of_the_library() {
     let text = frame(STRIBECK);
@@ -57,7 +57,7 @@ fn samples_and_events_are_those_of_the_library() {
     let close = |found: Vec<f64>, want: Vec<f64>| {
         assert_eq!(found.len(), want.len());
         for (found, want) in found.iter().zip(&want) {
-            // The products are rounded in another order.
+            // The products are rounded in a different order.
             assert!(
                 (found - want).abs() <= 1e-14 * want.abs(),
                 "{found}, {want}"
@@ -79,7 +79,7 @@ fn samples_and_events_are_those_of_the_library() {
         .collect();
     compared += close(column(&csv, "contact.friction_N"), force.clone());
     assert_eq!(compared, 7 * 401);
-    // Sliding, the force takes many values between the law's levels.
+    // While the contact slides, the force takes many values between the levels of the law.
     let within = force
         .iter()
         .filter(|force| (0.67..1.19).contains(&force.abs()));
@@ -90,7 +90,7 @@ fn samples_and_events_are_those_of_the_library() {
     assert!(events.len() > 7);
 }
 
-/// A level that does not change is Coulomb's, and the spectrum of a run is that of its samples.
+/// A constant level gives the results of Coulomb's law, and the spectrum of a run is that of its samples.
 #[test]
 fn a_level_that_does_not_change() {
     for rest in ["", " --spectrum", " --from 0.001,0.002;0,0.01"] {
@@ -108,7 +108,8 @@ fn a_level_that_does_not_change() {
                     assert_eq!(found, want);
                     continue;
                 };
-                // Largest of all: 1.2 N, and lags in degrees of lines that are zero but for rounding.
+                // The largest value is 1.2 N. The lags, in degrees, of spectral lines that are zero up to rounding are
+                // not compared.
                 let lag = rest.contains("spectrum");
                 assert!((a - b).abs() < 1e-11 || lag, "{a}, {b}");
                 compared += 1;

@@ -1,4 +1,4 @@
-//! Hz, N, m and degrees in place of the groups.
+//! Tests of Hz, N, m and degrees in place of the groups.
 
 #![allow(
     clippy::expect_used,
@@ -11,7 +11,7 @@
 use crate::common::{FRAME, cells, column_with_gaps as column, json, output};
 use std::f64::consts::{PI, TAU};
 
-/// One undamped mass: 2 kg on 50 N/m.
+/// One undamped mass of 2 kg on a spring of 50 N/m.
 const BLOCK: &str = "struct Block { masses: { block: 2 }, springs: { base - block: 50 },
     contact: block - wall, excitation: block }";
 
@@ -22,7 +22,7 @@ fn close(value: f64, expected: f64) {
     );
 }
 
-/// P = 10 N, F = 2 N, 1.5 Hz, by hand in newtons and metres.
+/// Computes P = 10 N, F = 2 N, 1.5 Hz by hand in newtons and metres.
 #[test]
 fn one_mass_by_hand() {
     let (mass, stiffness, force, friction, hz) = (2.0_f64, 50.0_f64, 10.0, 2.0, 1.5);
@@ -49,7 +49,7 @@ fn one_mass_by_hand() {
         close(column(&text, "beta")[0], friction / force);
         let limits = [&["limits"][..], &frequency, &rest[2..]].concat();
         let limits = output(BLOCK, &limits);
-        // Undamped, without stiction: the block slides under any friction below P.
+        // Without damping and with μ = 1 the block slides under any friction below P.
         close(column(&limits, "sliding_limit_N")[0], force);
         close(column(&limits, "sliding_limit")[0], 1.0);
         let header = limits.lines().next().unwrap();
@@ -57,7 +57,7 @@ fn one_mass_by_hand() {
     }
 }
 
-/// With the upper floor held, the lower one is a mass on both springs; the base moves it by k1 Y.
+/// If the upper floor sticks, the lower one is a mass on both springs, and the base drives it by k1 Y.
 #[test]
 fn the_frame_by_hand() {
     let scene = "struct Frame { masses: { lower: 3.27, upper: 3.25 },
@@ -77,7 +77,7 @@ fn the_frame_by_hand() {
     close(column(&text, "beta")[0], 50.0 / (1190.0 * 0.002));
 }
 
-/// Every physical column is the column of groups in other units, in every regime.
+/// Every physical column is a column of groups in other units, in every regime.
 #[test]
 fn columns_beside_those_of_the_groups() {
     let mut compared = 0;
@@ -95,7 +95,7 @@ fn columns_beside_those_of_the_groups() {
             let (plain, unit) = match name.as_str() {
                 "friction_N" => ("beta", 0.002 * 1190.0),
                 "frequency_Hz" => ("r", (1190.0_f64 / 3.27).sqrt() / TAU),
-                // In groups there are no seconds: `stops_in_seconds`.
+                // The groups have no seconds. The test `stops_in_seconds` covers them.
                 "regime" | "answer" | "state" | "symmetry" | "longest_stop_s" => continue,
                 name => match (name.strip_suffix("_m"), name.strip_suffix("_deg")) {
                     (Some(plain), _) => (plain, 0.002),
@@ -121,7 +121,7 @@ fn columns_beside_those_of_the_groups() {
     assert!(compared > 500);
 }
 
-/// Sticking intervals in seconds, beside those in the angle of the excitation.
+/// Sticking intervals are given in seconds, in addition to the phase of the excitation.
 #[test]
 fn stops_in_seconds() {
     let arguments = "orbit - --r 0.3 --beta 0.4 --force 10";
@@ -235,7 +235,7 @@ fn json_names_hold_units() {
     }
 }
 
-/// r and beta refer to the first mass and the first spring listed. What is physical does not.
+/// r and beta refer to the first listed mass and spring. Physical quantities do not depend on that order.
 #[test]
 fn no_order_of_a_description_changes_a_physical_answer() {
     let masses = ["lower: 3.27", "upper: 3.25"];
@@ -275,7 +275,7 @@ fn no_order_of_a_description_changes_a_physical_answer() {
                         .iter()
                         .any(|unit| name.ends_with(unit))
                 }) {
-                    // The phase of what does not move says nothing.
+                    // The phase of a motion that vanishes says nothing.
                     let size = name
                         .replace("fundamental_phase_deg", "amplitude_m")
                         .replace("phase_deg", "amplitude_m");
@@ -294,7 +294,7 @@ fn no_order_of_a_description_changes_a_physical_answer() {
                         };
                         let difference = (value - expected).abs();
                         let difference = difference.min((turn - difference).abs());
-                        // A small harmonic is as exact as the motion that it is part of.
+                        // The error of a small harmonic is relative to the motion that contains it.
                         let scale = match name.rsplit('_').next() {
                             Some("deg") => 180.0 * (0.001 / size).max(1.0),
                             Some("m") => expected.abs().max(0.001),

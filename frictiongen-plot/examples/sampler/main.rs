@@ -1,7 +1,8 @@
-//! A sheet with everything that a figure can hold, in the folder of the first argument: `cargo run --example sampler`.
-//! It is written for a page and for a telephone, as SVG and, with the feature `png`, as PNG.
+//! Samples of everything that a figure can contain, written to the folder of the first argument:
+//! `cargo run --example sampler`. Each figure is written for a page and for a telephone, as SVG and, with the feature
+//! `png`, as PNG.
 //!
-//! A file for each kind of figure: `responses`, `maps`, `times`, `systems` with the sketches of the others.
+//! One file for each kind of figure: `responses`, `maps`, `times`, and `systems`, which has the sketches of the others.
 
 mod maps;
 mod responses;
@@ -43,7 +44,7 @@ fn write(folder: &Path, name: &str, figure: &Figure) -> Result<(), Box<dyn Error
     Ok(())
 }
 
-/// Points of a curve.
+/// Returns the points of a curve.
 fn curve(from: f64, to: f64, count: u32, function: impl Fn(f64) -> f64) -> Vec<Point> {
     (0..=count)
         .map(|i| from + (to - from) * f64::from(i) / f64::from(count))
@@ -51,7 +52,7 @@ fn curve(from: f64, to: f64, count: u32, function: impl Fn(f64) -> f64) -> Vec<P
         .collect()
 }
 
-/// The amplitude and the lag of a damped mass.
+/// Returns amplitude and lag of a damped mass.
 fn damped(r: f64, zeta: f64) -> (f64, f64) {
     let (real, imaginary) = (1.0 - r * r, 2.0 * zeta * r);
     (

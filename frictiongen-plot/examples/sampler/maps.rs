@@ -1,4 +1,4 @@
-//! Regions and maps.
+//! Figures of regions and maps.
 
 use crate::{curve, damped};
 use frictiongen_plot::{
@@ -6,10 +6,10 @@ use frictiongen_plot::{
     Stroke,
 };
 
-/// The names of the classes of a map.
+/// Names of the classes of a map.
 const STOPS: [&str; 5] = ["no stop", "1 stop", "2 stops", "3 stops", "4 stops"];
 
-/// Regions and maps.
+/// Figure of regions and maps.
 pub fn maps() -> Figure {
     let x = || Axis::new("frequency ratio *r*", 0.0, 2.0);
     let lower = |r: f64| 0.8 * r * r / (0.3 + r * r);

@@ -1,8 +1,8 @@
-//! Sketches of chains.
+//! Figures with sketches of chains.
 
 use frictiongen_plot::{Contact, End, Excitation, Figure, Sketch, Spring};
 
-/// Sketches of all kinds.
+/// Figure with sketches of all kinds of contact and excitation.
 pub fn systems() -> Figure {
     let mut sketch = two_masses();
     sketch.masses = (1..=6).map(|i| format!("*m*_{i}").into()).collect();

@@ -1,14 +1,14 @@
-//! Motions over time.
+//! Figures of motions over time.
 
 use crate::curve;
 use crate::systems::base_driven;
 use frictiongen_plot::{Axis, Colour, Figure, Fill, Key, Line, Panel, Stroke};
 use std::f64::consts::PI;
 
-/// Multiples of π, jumps, values that are not finite.
+/// Figure with multiples of π, jumps, and values that are not finite.
 pub fn times() -> Figure {
     let stuck = |tau: f64| (1.4 * tau.cos()).clamp(-1.0, 1.0);
-    // A pole is not a line: a value that is not finite breaks it.
+    // A value that is not finite interrupts a line, so no line is drawn across a pole.
     let mut wild = curve(0.0, 0.5 * PI, 600, |tau| 0.4 * tau.tan());
     wild.push((0.5 * PI, f64::NAN));
     wild.extend(curve(0.501 * PI, 1.499 * PI, 600, |tau| 0.4 * tau.tan()));

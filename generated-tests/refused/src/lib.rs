@@ -1,2 +1,2 @@
-//! Compile-failure tests of `friction_system!`: the messages of faulty descriptions, and of methods that a scene does not
+//! Compile-failure tests of `friction_system!`: messages for faulty descriptions, and for methods that a scene does not
 //! provide.

@@ -1,6 +1,6 @@
-//! The compiler reports each faulty description on its token, with the recorded text.
+//! Tests that the compiler reports each faulty description at its token, with the recorded text.
 //!
-//! `messages/*.rs` come from the cases of generated-tests/tests/messages.  After a change:
+//! `messages/*.rs` are generated from the cases in generated-tests/tests/messages. After a change run
 //! `TRYBUILD=overwrite cargo test -p refused-scenes --test messages`.
 
 #[test]

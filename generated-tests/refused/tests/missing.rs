@@ -1,5 +1,5 @@
-//! A method that the scene does not provide is told with the field that it is short of, and no error of its
-//! own follows.  After a change: `TRYBUILD=overwrite cargo test -p refused-scenes --test missing`.
+//! Tests the message for a method that the scene does not provide. It names the item to add to `provide`, and no
+//! further error follows. After a change run `TRYBUILD=overwrite cargo test -p refused-scenes --test missing`.
 
 #[test]
 fn what_is_not_provided_says_where_to_add_it() {
@@ -18,7 +18,7 @@ fn what_is_not_provided_says_where_to_add_it() {
     for name in ["AddStuckToProvide", "AddMassToMotion"] {
         assert!(told.contains(name), "{name}");
     }
-    // One error for each call, and none of its own after it.
+    // Each call gives one error, and no further error follows.
     let errors = told.lines().filter(|line| line.starts_with("error"));
     assert_eq!(errors.count(), 10, "{told}");
 }

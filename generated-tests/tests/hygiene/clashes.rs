@@ -1,8 +1,8 @@
-//! Names that clash with emitted ones.
+//! Scenes among names that clash with emitted ones.
 #![deny(warnings)]
 #![no_std]
 
-/// Values in the way: no local variable of emitted code may be taken for one of them.
+/// Constants with the names of local variables in emitted code, which must not refer to them.
 pub mod values {
     #![allow(non_upper_case_globals, dead_code)]
 
@@ -17,7 +17,7 @@ pub mod values {
     }
 
     friction::friction_system! {
-        /// In straight lines.
+        /// A scene that is emitted as straight-line code.
         pub struct Frame {
             crate: ::friction,
             masses: { lower: 3.27, upper: 3.25 },
@@ -30,7 +30,7 @@ pub mod values {
     }
 
     friction::friction_system! {
-        /// In passes.
+        /// A scene that is emitted as loops over the modes ("passes").
         pub struct Five {
             crate: ::friction,
             masses: { a: 1.0, b: 1.0, c: 1.0, d: 1.0, e: 1.0 },
@@ -43,7 +43,7 @@ pub mod values {
     }
 }
 
-/// The same as statics and unit structs.
+/// Statics and unit structs with the names of local variables in emitted code.
 pub mod more_values {
     #![allow(non_upper_case_globals, non_camel_case_types, dead_code)]
 
@@ -57,7 +57,7 @@ pub mod more_values {
     pub struct modes;
 
     ::friction::friction_system! {
-        /// In straight lines.
+        /// A scene that is emitted as straight-line code.
         pub struct Frame {
             crate: ::friction,
             masses: { lower: 3.27, upper: 3.25 },
@@ -69,14 +69,14 @@ pub mod more_values {
     }
 }
 
-/// A type called like a number.
+/// A type with the name of a number type.
 pub mod types {
     #![allow(non_camel_case_types)]
 
     pub struct f64;
 
     friction::friction_system! {
-        /// In straight lines.
+        /// A scene that is emitted as straight-line code.
         pub struct Frame {
             crate: ::friction,
             masses: { lower: 3.27, upper: 3.25 },
@@ -91,7 +91,7 @@ pub mod types {
 macro_rules! scenes {
     ($($module:ident $name:ident)*) => {
         $(
-            /// A scene called like a type that emitted code uses.
+            /// A scene with the name of a type that emitted code uses.
             pub mod $module {
                 friction::friction_system! {
                     /// A scene.
@@ -117,7 +117,7 @@ scenes! {
     iterator Iterator  self_ Scene  system System  of Of  steady Steady
 }
 
-/// A deprecated scene: its own code does not complain of it.
+/// A deprecated scene. Its own code must not cause a warning.
 pub mod deprecated {
     friction::friction_system! {
         /// A scene.
@@ -133,7 +133,7 @@ pub mod deprecated {
     }
 }
 
-/// Masses as in a textbook, and a name in lower case that is allowed once for all.
+/// Masses with capitals as in a textbook, and a scene in lower case whose lint is allowed.
 pub mod spelling {
     friction::friction_system! {
         /// A scene.

@@ -1,15 +1,16 @@
-//! Crates made for a test: with lints and an edition of their own.
+//! Crates that are created for a test, with their own lints and edition.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Editions in which users may write.
+/// Editions that users may have.
 const EDITIONS: [&str; 3] = ["2018", "2021", "2024"];
 
-/// Crates that compile and run in one workspace, so that what they depend on is built once.
+/// Crates that compile and run in one workspace, so that their dependencies are built once.
 ///
-/// For each edition, one without the standard library, with the facade renamed and every item documented.  And one with
-/// constants, statics, unit structs and types with the names of what is emitted, a scene with the name of a type that
+/// * For each edition a crate without the standard library, with the facade renamed and every item documented.
+/// * A crate with constants, statics, unit structs and types that have the names of emitted items, a scene with the
+///   name of a type that emitted code uses, `#[deprecated]`, and masses with capitals.
 /// emitted code uses, `#[deprecated]`, and masses with capitals.
 #[test]
 fn every_edition_and_names_that_clash() {
@@ -29,7 +30,7 @@ fn every_edition_and_names_that_clash() {
     check("crates", &members);
 }
 
-/// A crate with one of the sources beside this file.
+/// A crate with one of the sources in this folder.
 struct Member<'a> {
     name: String,
     edition: &'a str,
@@ -44,7 +45,7 @@ fn check(workspace: &str, members: &[Member<'_>]) {
     let write = |path: PathBuf, text: &str| {
         let parent = path.parent().expect("a folder");
         std::fs::create_dir_all(parent).expect("the folder can be made");
-        // Cargo looks at the time: what has not changed is not written again.
+        // Cargo compares modification times, so an unchanged file is not written again.
         if std::fs::read_to_string(&path).ok().as_deref() != Some(text) {
             std::fs::write(path, text).expect("the file can be written");
         }
@@ -71,7 +72,7 @@ fn check(workspace: &str, members: &[Member<'_>]) {
         );
         write(folder.join(name).join("Cargo.toml"), &manifest);
     }
-    // The versions of this workspace, so that nothing has to be downloaded.
+    // The lock file of this workspace, so that nothing has to be downloaded.
     let lock = std::fs::read_to_string(root.join("Cargo.lock")).expect("a lock file");
     if !folder.join("Cargo.lock").exists() {
         write(folder.join("Cargo.lock"), &lock);

@@ -1,4 +1,4 @@
-//! A user's crate: every edition reads this file.
+//! A user's crate, which is compiled with every edition.
 #![no_std]
 #![deny(
     warnings,
@@ -22,7 +22,7 @@
 #![forbid(unsafe_code)]
 
 friction::friction_system! {
-    /// Straight lines, damped.
+    /// A damped scene that is emitted as straight-line code.
     pub struct Frame {
         crate: ::friction,
         masses: { lower: 3.27, upper: 3.25 },
@@ -36,7 +36,7 @@ friction::friction_system! {
 }
 
 friction::friction_system! {
-    /// Passes, in single precision.
+    /// A scene in single precision that is emitted as loops over the modes ("passes").
     pub struct Five {
         crate: ::friction,
         masses: { a: 1.0, b: 1.0, c: 1.0, d: 1.0, e: 1.0 },
@@ -48,7 +48,7 @@ friction::friction_system! {
     }
 }
 
-/// One mass rubbing on the moving base, without a doc comment of its own.
+/// One mass that rubs on the moving base, without a doc comment of its own.
 pub mod block {
     friction::friction_system! {
         pub struct Block {
@@ -61,10 +61,10 @@ pub mod block {
     }
 }
 
-/// The largest motion of the upper floor.
+/// Returns the largest displacement of the upper floor.
 ///
 /// # Errors
-/// Where the contact stops.
+/// Fails if the contact stops.
 pub fn upper_floor(r: f64, beta: f64) -> Result<f64, friction::Error> {
     Ok(Frame::at(r)?.motion(beta)?.upper().amplitude())
 }

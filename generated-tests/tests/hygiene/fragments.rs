@@ -1,8 +1,8 @@
-//! Scenes made of the fragments of macros.
+//! Scenes that are assembled from macro fragments.
 
 use frictiongen::friction_system;
 
-/// A scene made of the fragments of a macro.
+/// Defines a scene from the fragments of a macro.
 macro_rules! scene {
     ($visibility:vis $name:ident { $lower:ident: $mass:expr, $upper:ident: $number:literal } $spring:tt $facade:path) => {
         friction_system! {
@@ -20,7 +20,7 @@ macro_rules! scene {
     };
 }
 
-/// A scene with everything but its name from within a macro.
+/// Defines a scene whose tokens, except its name, come from within a macro.
 macro_rules! frame {
     ($name:ident) => {
         friction_system! {
@@ -36,7 +36,7 @@ macro_rules! frame {
     };
 }
 
-/// A whole description handed on.
+/// Passes a whole description to `friction_system!`.
 macro_rules! handed_on {
     ($($tokens:tt)*) => { friction_system! { $($tokens)* } };
 }

@@ -1,7 +1,7 @@
-//! Emitted code among user code that makes life hard for it: names, lints, editions, fragments.
+//! Tests of emitted code within difficult user code: names, lints, editions, fragments.
 //!
-//! `names` has what user code may call like something of ours, `places` where a scene may stand and who may see it,
-//! `fragments` scenes that come out of macros, `crates` crates of their own.
+//! `names` has user items with the names of emitted ones. `places` has scenes in different modules and with different
+//! visibilities. `fragments` has scenes that macros produce, and `crates` has separate crates.
 #![deny(warnings, unused, nonstandard_style, rust_2018_idioms)]
 #![deny(
     unreachable_pub,

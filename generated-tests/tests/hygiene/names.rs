@@ -1,4 +1,4 @@
-//! Names that emitted code uses, taken by the code around it.
+//! Scenes in modules that define the names that emitted code uses.
 
 mod facade {
     pub(crate) use ::frictiongen as renamed;
@@ -6,7 +6,7 @@ mod facade {
 
 mod with_a_renamed_facade {
     crate::names::facade::renamed::friction_system! {
-        /// The facade under another path.
+        /// A scene whose facade has another path.
         pub(super) struct Frame {
             crate: crate::names::facade::renamed,
             masses: { lower: 3.27, upper: 3.25 },
@@ -28,7 +28,7 @@ mod without_a_prelude {
     #![no_implicit_prelude]
 
     ::frictiongen::friction_system! {
-        /// Nothing is in scope.
+        /// A scene in a module without prelude and imports.
         pub(super) struct Frame {
             masses: { lower: 3.27, upper: 3.25 },
             springs: { base - lower: 1190.0, lower - upper: 1323.0 },
@@ -40,7 +40,7 @@ mod without_a_prelude {
     }
 
     ::frictiongen::friction_system! {
-        /// Emitted in passes.
+        /// A scene that is emitted as loops over the modes ("passes").
         pub(super) struct Five {
             masses: { a: 1.0, b: 1.0, c: 1.0, d: 1.0, e: 1.0 },
             springs: { base - a: 1.0, a - b: 1.0, b - c: 1.0, c - d: 1.0, d - e: 1.0 },
@@ -64,7 +64,7 @@ fn nothing_is_in_scope() {
 mod among_types_of_the_same_names {
     #![allow(dead_code, non_camel_case_types, reason = "they only stand in the way")]
 
-    /// A type in the way.
+    /// Defines types with names that emitted code uses.
     macro_rules! in_the_way {
         ($($name:ident)*) => { $(#[derive(Clone, Copy, Debug)] pub(super) struct $name {})* };
     }
@@ -76,7 +76,7 @@ mod among_types_of_the_same_names {
         Iterator IntoIterator Steady LimitsAt FrictionSystem Of f32 usize str bool u8
     }
 
-    /// Modules in the way.
+    /// Modules with names that emitted code uses.
     pub(super) mod core {}
     pub(super) mod std {}
     pub(super) mod kernel {}
@@ -87,7 +87,7 @@ mod among_types_of_the_same_names {
     pub(super) mod frictiongen {}
 
     ::frictiongen::friction_system! {
-        /// Each name that it uses is taken.
+        /// A scene in a module that defines every name which its code uses.
         pub(super) struct Frame {
             masses: { lower: 3.27, upper: 3.25 },
             springs: { base - lower: 1190.0, lower - upper: 1323.0 },
@@ -131,7 +131,7 @@ fn macros_have_the_names_that_emitted_code_uses() {
 
 mod with_masses_called_like_variables {
     frictiongen::friction_system! {
-        /// In straight lines.
+        /// A scene that is emitted as straight-line code.
         pub(super) struct Frame {
             masses: { x: 3.27, r: 3.25 },
             springs: { base - x: 1190.0, x - r: 1323.0 },
@@ -143,7 +143,7 @@ mod with_masses_called_like_variables {
     }
 
     frictiongen::friction_system! {
-        /// In straight lines.
+        /// A scene that is emitted as straight-line code.
         pub(super) struct Four {
             masses: { mode_1: 1.0, inverse_r: 1.0, limit: 1.0, friction: 1.0 },
             springs: {
@@ -157,7 +157,7 @@ mod with_masses_called_like_variables {
     }
 
     frictiongen::friction_system! {
-        /// In passes.
+        /// A scene that is emitted as loops over the modes ("passes").
         pub(super) struct Many {
             masses: {
                 u: 1.0, beta: 1.0, modes: 1.0, fundamental: 1.0, scale: 1.0, mode: 1.0, response: 1.0,

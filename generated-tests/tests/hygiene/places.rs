@@ -1,8 +1,9 @@
-//! Scenes that are hardly used, side by side, in functions and seen from some modules alone; what stands before `struct`.
+//! Scenes that are hardly used, several in one module, in functions, and with restricted visibility. It also tests what
+//! precedes `struct`.
 
 use frictiongen::friction_system;
 
-/// Nothing but the limits is used: no method is dead code.
+/// A scene of which only the limits are used. None of its methods may be reported as dead code.
 mod hardly_used {
     frictiongen::friction_system! {
         struct Private {
@@ -19,7 +20,7 @@ mod hardly_used {
     }
 }
 
-/// Not used at all.
+/// A scene that is not used at all.
 mod unused {
     frictiongen::friction_system! {
         struct Unused {
@@ -36,7 +37,7 @@ fn what_is_not_used_is_no_warning() {
     assert!(hardly_used::limit().expect("in the domain") > 0.0);
 }
 
-/// Several scenes in one module, with the same masses, and in a function.
+/// Several scenes with the same masses in one module, and a scene in a function.
 #[test]
 fn scenes_side_by_side_and_inside_functions() {
     friction_system! {
@@ -105,7 +106,7 @@ fn visibility_holds_for_every_type() {
     seen_from::check();
 }
 
-/// What the user wrote before `struct` stands before the type.
+/// Doc comments and attributes before `struct` precede the emitted type.
 #[test]
 fn documentation_and_lint_levels_are_carried_through() {
     use frictiongen_codegen::{Limits, parse_text, pretty};

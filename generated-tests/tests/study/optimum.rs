@@ -1,4 +1,4 @@
-//! The friction that keeps the largest amplitude over a band smallest, against maps by brute force.
+//! Tests of the friction that minimises the largest amplitude over a band, against maps by brute force.
 //!
 //! ```sh
 //! cargo test --release -p generated-tests --test study optimum:: -- --ignored --nocapture
@@ -11,7 +11,7 @@ use frictiongen::study::{
 use std::f64::consts::FRAC_PI_4;
 use std::time::Instant;
 
-/// The tour's frame.
+/// Frame of the tour.
 const FRAME: &str = "struct Frame { masses: { lower: 3.27, upper: 3.25 },
     springs: { base - lower: 1190.0, lower - upper: 1323.0 }, contact: upper - wall, excitation: base,
     damping: modal[0.010, 0.012], stiction: 1.2 }";
@@ -19,7 +19,7 @@ const FRAME: &str = "struct Frame { masses: { lower: 3.27, upper: 3.25 },
 const WALL: &str =
     "struct Wall { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall,
     excitation: block }";
-/// A mass that rubs on the main one, on resonances that nothing else damps.
+/// A mass that rubs on the main mass. Nothing else damps the resonances.
 const ABSORBER: &str = "struct Absorber { masses: { a: 1.0, b: 0.1 },
     springs: { base - a: 1.0, a - b: 0.085 }, contact: a - b, excitation: a }";
 /// One mass that rubs on the moving base.
@@ -45,7 +45,8 @@ fn amplitude(system: &System, of: Of, r: f64, beta: f64, count: &mut usize) -> f
     })
 }
 
-/// The largest over a band by samples alone: a grid, and every cell that may hold the largest cut into finer ones.
+/// Returns the largest amplitude over a band by samples only: a grid, in which every cell that may contain the maximum
+/// is refined.
 fn largest(system: &System, of: Of, [from, to]: [f64; 2], beta: f64, count: &mut usize) -> f64 {
     const GRID: usize = 600;
     let grid = |a: f64, b: f64, cells: usize| -> Vec<f64> {
@@ -81,7 +82,7 @@ fn largest(system: &System, of: Of, [from, to]: [f64; 2], beta: f64, count: &mut
     best
 }
 
-/// The least of it: 40 friction ratios, then 40 about the best of them, and so on.
+/// Returns the smallest of these largest amplitudes: 40 friction ratios, then 40 near the best one, and so on.
 fn by_map(
     system: &System,
     of: Of,
@@ -90,7 +91,7 @@ fn by_map(
 ) -> (f64, f64, usize) {
     let mut count = 0;
     let (mut best, mut least) = (f64::NAN, f64::INFINITY);
-    // At a crossing the amplitude is as near as friction is.
+    // Where two peaks cross, the relative error of the amplitude is that of the friction.
     while high - low > 2e-9 * high {
         let cell = (high - low) / 40.0;
         for place in 0..=40 {
@@ -111,7 +112,8 @@ fn optimum(system: &System, request: &OptimumRequest) -> (Optimum, f64) {
     (optimum, start.elapsed().as_secs_f64())
 }
 
-/// At a crossing both peaks are equal to rounding, one falls and one rises; a little beside it all is worse.
+/// At the optimum two peaks cross. They are equal to rounding, one falls and one rises with friction, and any other
+/// friction is worse.
 #[test]
 fn two_equal_peaks() {
     let (system, request) = asked(ABSORBER, "a", 0.75, 1.25);
@@ -133,7 +135,7 @@ fn two_equal_peaks() {
         );
         assert!(optimum.amplitude < beside, "{share}: {beside}");
     }
-    // Undamped: without friction unbounded, and so with the contact stuck.
+    // Without damping the amplitude is unbounded without friction, and also with the contact stuck.
     assert!(optimum.without_friction.is_infinite() && optimum.with_contact_locked.is_infinite());
     assert!(optimum.locked.is_infinite());
     println!(
@@ -142,8 +144,8 @@ fn two_equal_peaks() {
     );
 }
 
-/// The frame up to below its second resonance: the largest is no more than at friction ratios near by, where steady states
-/// with stops come and go.
+/// The frame up to just below its second resonance. The largest amplitude is not above that at neighbouring friction
+/// ratios, where steady states with stops appear and disappear.
 #[test]
 fn where_steady_states_jump() {
     let (system, request) = asked(FRAME, "lower", 0.33, 1.3);
@@ -160,15 +162,15 @@ fn where_steady_states_jump() {
     }
 }
 
-/// A mass on a moving base, from rest: more friction holds it off the base's centre, farther at low frequencies, less lets it
-/// resonate.  A little more or less is worse.
+/// One mass on a moving base, from rest. With more friction it sticks off the centre of the base, farther at low
+/// frequencies. With less friction it resonates. A little more or less friction than the best is worse.
 #[test]
 fn one_mass_between_its_resonance_and_its_offset() {
     let (system, request) = asked(BLOCK, "a", 0.3, 2.0);
     let (optimum, _) = optimum(&system, &request);
     assert_eq!(optimum.kind, OptimumKind::EqualPeaks);
     assert_eq!(optimum.end, OptimumEnd::Converged);
-    // Held from the start, where the base is at its maximum, the mass moves between 0 and −2 Y.
+    // If the mass sticks from the start, when the base is at its maximum, it moves between 0 and −2 Y.
     assert!((optimum.with_contact_locked - 2.0).abs() < 1e-12);
     let mut count = 0;
     for share in [0.5, 0.99, 1.01, 2.0] {
@@ -183,8 +185,8 @@ fn one_mass_between_its_resonance_and_its_offset() {
     }
 }
 
-/// One undamped mass that rubs on a wall: below π/4 its resonance is unbounded, above it is not, and from 1 on it is at rest;
-/// the motions just below 1, too small to settle, are not looked into.
+/// One undamped mass that rubs on a wall. Below π/4 its resonance is unbounded, above π/4 it is bounded, and from 1 on
+/// the mass is at rest. Just below 1 the motions are too small to settle and are not searched.
 #[test]
 fn an_undamped_mass_is_held() {
     let (system, request) = asked(WALL, "block", 0.5, 1.5);
@@ -200,8 +202,9 @@ fn an_undamped_mass_is_held() {
     assert!(at(FRAC_PI_4 * (1.0 + 1e-9)).is_finite());
 }
 
-/// One mass between a wall and its base, on which it rubs: the friction that helps is a 250th of the one that holds it. The
-/// least lies between two steps of a scan of which the upper is a flat top, so that their tangents do not meet between.
+/// One mass between a wall and its base, on which it rubs. The best friction is a 250th of that which makes the contact
+/// stick. The minimum lies between two steps of a scan. At the upper step the maximum is flat, so the tangents at the
+/// two steps do not cross between them.
 #[test]
 fn a_least_that_a_scan_hides() {
     let text =
@@ -220,7 +223,7 @@ fn a_least_that_a_scan_hides() {
     );
 }
 
-/// Three masses of which the middle one rubs, which the second mode does not move if both halves are alike.
+/// Three masses of which the middle one rubs. If both halves are equal, the second mode does not move the contact.
 fn chain(last: f64) -> String {
     format!(
         "struct Chain {{ masses: {{ a: 1, b: 1, c: 1 }}, contact: b - wall, excitation: a,
@@ -228,7 +231,7 @@ fn chain(last: f64) -> String {
     )
 }
 
-/// A mode that nothing damps and the contact does not touch is unbounded at every friction, wherever the band is.
+/// A mode that neither damping nor the contact dissipates is unbounded at every friction, wherever the band lies.
 #[test]
 fn a_mode_that_the_contact_does_not_touch() {
     for [from, to] in [[1.2, 1.6], [0.3, 0.5]] {
@@ -238,7 +241,7 @@ fn a_mode_that_the_contact_does_not_touch() {
     }
 }
 
-/// One that the contact barely touches: hundreds of motions do not settle, and the search answers with the best so far.
+/// The contact hardly moves this mode. Hundreds of motions do not settle, and the search returns the best so far.
 #[test]
 #[ignore = "all the work that is allowed: some seconds"]
 fn a_search_whose_work_is_bounded_keeps_the_best() {
@@ -250,7 +253,7 @@ fn a_search_whose_work_is_bounded_keeps_the_best() {
     assert!(found.amplitude.is_finite() && found.bracket[0] <= found.beta);
 }
 
-/// The tour's frame and the absorber by maps.
+/// The frame of the tour and the absorber, compared with maps.
 #[test]
 #[ignore = "maps of a million responses: some minutes"]
 fn as_by_brute_force() {

@@ -1,4 +1,4 @@
-//! The best friction against maps near by, and what its answer counts.
+//! Tests of the best friction against maps near it, and of the counts in its result.
 
 use frictiongen::Of;
 use frictiongen::study::{
@@ -17,7 +17,7 @@ fn optimum(text: &str, name: &str, band: [f64; 2]) -> (System, Of, Optimum) {
     (system, of, optimum)
 }
 
-/// The largest amplitude at 2001 frequencies of a band, each top made sharp by golden sections.
+/// Returns the largest amplitude at 2001 frequencies of a band, with each maximum refined by golden section search.
 fn largest(system: &System, of: Of, band: [f64; 2], beta: f64) -> f64 {
     largest_of::<2000>(system, of, band, beta)
 }
@@ -49,8 +49,8 @@ fn largest_of<const CELLS: u32>(system: &System, of: Of, [from, to]: [f64; 2], b
     best
 }
 
-/// A mass that rubs on the main one: friction a little more or less makes the largest amplitude larger, by as much as the tangents
-/// of both peaks say, and from half to twice the friction nothing is better.
+/// A mass that rubs on the main mass. A little more or less friction raises the largest amplitude, as the tangents of
+/// both peaks predict. Between half and twice the friction nothing is better.
 #[test]
 fn absorber_as_by_a_map() {
     let text = "struct Absorber { masses: { a: 1.0, b: 0.1 },
@@ -58,7 +58,7 @@ fn absorber_as_by_a_map() {
     let band = [0.75, 1.25];
     let (system, of, optimum) = optimum(text, "a", band);
     let there = largest(&system, of, band, optimum.beta);
-    // Golden sections leave 1e-9 of a flat top, and nothing of its height.
+    // Golden section search leaves an error of 1e-9 in the abscissa of a flat maximum, and none in its height.
     assert!((there / optimum.amplitude - 1.0).abs() < 1e-12, "{there}");
     for step in 1..=8 {
         for share in [
@@ -74,7 +74,7 @@ fn absorber_as_by_a_map() {
         let by = (share - 1.0) * optimum.beta;
         let slopes = optimum.peaks.iter().filter_map(|peak| peak.slope);
         let expected = slopes.map(|slope| slope * by).fold(0.0, f64::max);
-        // Curvature adds 1e-5 of it.
+        // Curvature adds 1e-5 of the difference.
         let found = other - optimum.amplitude;
         assert!(
             (found / expected - 1.0).abs() < 1e-3,
@@ -83,7 +83,7 @@ fn absorber_as_by_a_map() {
     }
 }
 
-/// A resonance below the band does not make the band's amplitudes unbounded.
+/// A resonance below the band does not make the amplitudes in the band unbounded.
 #[test]
 fn a_resonance_below_the_band() {
     let text = "struct Pair { masses: { a: 1, b: 1 }, springs: { base - a: 1, a - b: 1 },
@@ -96,7 +96,7 @@ fn a_resonance_below_the_band() {
     assert_eq!(Some(found.unbounded_to), thresholds[1]);
 }
 
-/// At both ends of a tolerance the largest amplitude is as much above the best as it says.
+/// At both bounds of a tolerance the largest amplitude exceeds the best by the stated percentage.
 #[test]
 fn tolerances_end_at_their_excess() {
     let text = "struct Absorber { masses: { a: 1.0, b: 0.1 },
@@ -109,14 +109,15 @@ fn tolerances_end_at_their_excess() {
         let level = optimum.amplitude * (1.0 + tolerance.excess);
         assert!(tolerance.from < optimum.beta && optimum.beta < tolerance.to);
         for end in [tolerance.from, tolerance.to] {
-            // An end is known to 1e-8 of β, and the amplitude changes by a few times as much.
+            // A bound is known to 1e-8 of β, and the amplitude changes by a few times that.
             let there = largest_of::<200>(&system, of, band, end);
             assert!((there / level - 1.0).abs() < 1e-6, "{tolerance:?}: {there}");
         }
     }
 }
 
-/// The derivative of the height of two equal peaks, which friction follows, is that of the optimum of another absorber.
+/// The derivative of the height of two equal peaks includes the change of the best friction. It equals the difference
+/// quotient of the optima of other absorbers.
 #[test]
 fn sensitivities_of_two_equal_peaks() {
     let solved = |mass: f64| {
@@ -140,17 +141,18 @@ fn sensitivities_of_two_equal_peaks() {
     let mut all = here.sensitivities.iter();
     let found = all.find(|(of, _)| *of == parameter);
     let (_, found) = found.expect("a derivative");
-    // The step times a bend of some ten.
+    // The error is the step times a curvature of about ten.
     assert!((found - expected).abs() < 1e-4, "{found} for {expected}");
 }
 
-/// With μ > 1 the stuck state begins below the end of the closed form: it is that which a mass on a moving base sticks from.
+/// With μ > 1 the stuck state begins below the limit of the closed form. A mass on a moving base sticks from that lower
+/// limit on.
 #[test]
 fn nothing_sticks_below_the_lower_limit() {
     let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
         contact: block - base, excitation: base, stiction: 2 }";
     let (_, _, found) = optimum(text, "block", [1.1, 1.5]);
-    // β*_lim = r²/μ.
+    // The expected value is β*_lim = r²/μ.
     let expected = 1.1 * 1.1 / 2.0;
     assert!(
         (found.free_of_sticking - expected).abs() < 1e-12,

@@ -1,1 +1,1 @@
-//! Natural frequencies and mode shapes against nalgebra and faer: `tests/eigensolvers.rs`.
+//! Natural frequencies and mode shapes compared with nalgebra and faer: `tests/eigensolvers.rs`.

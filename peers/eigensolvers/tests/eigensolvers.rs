@@ -1,13 +1,13 @@
-//! Natural frequencies and mode shapes against two general eigensolvers.
+//! Natural frequencies and mode shapes, compared with two general eigensolvers.
 //!
-//! nalgebra and faer get Γ^−½ K̄ Γ^−½, built here from the same numbers with which the scene's text
-//! is formatted.  The coefficients stay within two decades: beyond that it is the general solvers
-//! that lose the slow modes, not the project.
+//! nalgebra and faer get the matrix Γ^−½ K̄ Γ^−½. It is built here from the numbers that also form the text of the
+//! scene. The coefficients lie within two decades. With a wider range the general solvers, not the project, lose the
+//! slow modes.
 
 use frictiongen::study::System;
 use std::fmt::Write as _;
 
-/// A node that is no mass.
+/// Node numbers that are no masses.
 const BASE: usize = usize::MAX;
 const WALL: usize = usize::MAX - 1;
 
@@ -16,19 +16,19 @@ struct Case {
     springs: &'static [(usize, usize, f64)],
 }
 
-/// Chains, trees and loops, held at one, two or many places.
+/// Chains, trees and loops with one, two or many supports.
 const CASES: [Case; 7] = [
     // A shear frame.
     Case {
         masses: &[3.27, 3.25],
         springs: &[(BASE, 0, 1190.0), (0, 1, 1323.0)],
     },
-    // Held at both ends; the first mass and spring are neither the largest nor 1.
+    // Supported at both ends. The first mass and spring are neither the largest nor 1.
     Case {
         masses: &[0.4, 7.5, 2.2],
         springs: &[(BASE, 0, 35.0), (0, 1, 410.0), (1, 2, 96.0), (2, WALL, 8.5)],
     },
-    // A ring of four, one of them on the wall.
+    // A ring of four masses, one of which is also joined to the wall.
     Case {
         masses: &[1.1, 2.3, 0.9, 4.7],
         springs: &[
@@ -39,7 +39,7 @@ const CASES: [Case; 7] = [
             (0, 3, 19.0),
         ],
     },
-    // A star about the middle mass, every arm also on a support.
+    // A star about the middle mass. Every arm also has a support.
     Case {
         masses: &[5.0, 1.3, 2.9, 0.7, 3.1],
         springs: &[
@@ -53,7 +53,7 @@ const CASES: [Case; 7] = [
             (4, WALL, 0.9),
         ],
     },
-    // A long chain, free at its end, whose reference spring is not its first link.
+    // A long chain with a free end, whose reference spring is not its first link.
     Case {
         masses: &[2.0, 1.5, 6.0, 1.0, 3.7, 4.0, 0.8],
         springs: &[
@@ -66,7 +66,7 @@ const CASES: [Case; 7] = [
             (5, 6, 46.0),
         ],
     },
-    // All four joined with each other, one of them held: a full K̄.
+    // All four masses joined with each other, and one of them supported: a full K̄.
     Case {
         masses: &[1.0, 1.7, 0.6, 2.4],
         springs: &[
@@ -79,7 +79,7 @@ const CASES: [Case; 7] = [
             (2, 3, 5.1),
         ],
     },
-    // A ladder of ten, held at one corner by the base and at the other by the wall.
+    // A ladder of ten masses, supported by the base at one corner and by the wall at the other.
     Case {
         masses: &[1.0, 1.3, 0.7, 2.1, 5.2, 0.3, 1.9, 8.8, 3.4, 0.9],
         springs: &[
@@ -122,7 +122,7 @@ impl Case {
             .unwrap_or_else(|error| panic!("{error}\n{text}"))
     }
 
-    /// K̄, row by row.
+    /// Returns K̄, row by row.
     fn stiffness(&self) -> Vec<Vec<f64>> {
         let n = self.masses.len();
         let mut k = vec![vec![0.0; n]; n];
@@ -159,7 +159,7 @@ impl Case {
     }
 }
 
-/// Eigenvalues ascending, with their unit vectors.
+/// Eigenvalues in ascending order, with their unit vectors.
 type Pairs = Vec<(f64, Vec<f64>)>;
 
 fn sorted(mut pairs: Pairs) -> Pairs {
@@ -186,7 +186,7 @@ fn by_faer(a: &[Vec<f64>]) -> Pairs {
     )
 }
 
-/// Every frequency and every component of every shape; returns how many were compared.
+/// Compares every frequency and every component of every shape, and returns the number of comparisons.
 fn compare(case: &Case, label: &str, pairs: &Pairs) -> usize {
     let system = case.system();
     let gamma = case.gamma();
@@ -198,8 +198,8 @@ fn compare(case: &Case, label: &str, pairs: &Pairs) -> usize {
     assert_eq!(pairs.len(), n);
     let mut compared = 0;
     for (i, (lambda, vector)) in pairs.iter().enumerate() {
-        // A backward stable solver moves every eigenvalue by a few units of ε‖A‖: half of that,
-        // over λ, in the frequency.  1e-12 holds for all cases whose λ spread over < 10³.
+        // A backward stable solver shifts every eigenvalue by a few units of ε‖A‖. The frequency shifts by half of
+        // that, over λ. 1e-12 is enough for all cases, whose λ spread over less than 10³.
         let backward = 4.0 * n as f64 * f64::EPSILON * largest;
         let tolerance = (0.5 * backward / lambda).max(1e-13);
         assert!(
@@ -218,7 +218,7 @@ fn compare(case: &Case, label: &str, pairs: &Pairs) -> usize {
             "{label}: frequency {i} off by {error:e}"
         );
 
-        // A vector turns by the same backward error over its gap: 1e-10 has two digits to spare.
+        // A vector turns by the same backward error over the gap of its eigenvalue. 1e-10 leaves two digits of margin.
         let gap = pairs
             .iter()
             .enumerate()
@@ -246,9 +246,9 @@ fn compare(case: &Case, label: &str, pairs: &Pairs) -> usize {
     compared
 }
 
-/// Components of all shapes, Σ N².
+/// Number of components of all shapes, Σ N².
 const COMPONENTS: usize = 2 * 2 + 3 * 3 + 4 * 4 + 5 * 5 + 7 * 7 + 4 * 4 + 10 * 10;
-/// And 35 frequencies, as ratios and in rad/s.
+/// Number of comparisons: the components, and 35 frequencies as ratios and in rad/s.
 const COMPARED: usize = 2 * 35 + COMPONENTS;
 
 fn agrees(with: &str, solve: fn(&[Vec<f64>]) -> Pairs) {
@@ -270,7 +270,7 @@ fn faer_agrees() {
     agrees("faer", by_faer);
 }
 
-/// What no other solver's rounding blurs: K̄φ = λΓφ and φᵀΓφ = 1, to a few roundings.
+/// K̄φ = λΓφ and φᵀΓφ = 1 are satisfied to a few roundings. This check involves no rounding of another solver.
 #[test]
 fn modes_satisfy_their_equation() {
     let (mut residuals, mut products) = (0, 0);
@@ -288,7 +288,7 @@ fn modes_satisfy_their_equation() {
                 let size: f64 = row.iter().zip(shape).map(|(k, phi)| (k * phi).abs()).sum();
                 let residual: f64 =
                     row.iter().zip(shape).map(|(k, phi)| k * phi).sum::<f64>() - lambda * gamma;
-                // K̄'s own entries are rounded here, once per spring.
+                // The entries of K̄ are rounded here, once per spring.
                 let tolerance = 16.0 * f64::EPSILON * (size + lambda * gamma.abs());
                 assert!(
                     residual.abs() <= tolerance,

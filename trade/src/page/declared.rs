@@ -1,4 +1,5 @@
-//! Tables of a declared accuracy beside the exact answers, before and now, and beside limits without search.
+//! Section on tables of a declared accuracy, compared with exact results (now and by the earlier searches) and with
+//! limits without search.
 
 use super::table::{Table, Tally, cell, verdict};
 use super::{of, shown};
@@ -7,11 +8,11 @@ use crate::methods::Method;
 use crate::tabled::{Refused, USUAL};
 use std::fmt::{Result as Written, Write};
 
-/// What both limits from tables are to be faster by than the searches before, and than limits without search.
+/// Aims for both limits from tables: how much faster than by the earlier searches, and than limits without search.
 const LIMITS: [f64; 2] = [100.0, 3.0];
-/// What the contact's amplitude of five damped masses is to be faster by than before.
+/// Aim for the contact's amplitude of five damped masses: how much faster than before.
 const CONTACT: f64 = 50.0;
-/// Scenes to choose by, with the exponents that they are shown with.
+/// Typical scenes by name and modal damping ratio.
 const TYPICAL: [(&str, f64); 4] = [
     ("Wall1", 0.02),
     ("Base2", 0.0),
@@ -20,7 +21,7 @@ const TYPICAL: [(&str, f64); 4] = [
 ];
 const CHOICES: [u8; 5] = [2, 3, 4, 6, 9];
 
-/// The whole section.
+/// Writes the whole section.
 pub fn declared(measure: &Measure, text: &mut String) -> Written {
     let rows = &measure.rows;
     text.push_str("## Against declared accuracies\n\nThe same scenes with `accuracy` and `range: { r: 0.2..2.5 }`: piecewise polynomials in place of the formulas.  `table` is both limits, or the contact's amplitude, from r on.  Bytes are those of pieces, buckets, zeros and poles; comparisons those that find a piece.  The error is the largest at the clock's points and the usual ones, against double-double.\n\n");
@@ -38,13 +39,13 @@ fn exponent(row: &Row) -> Option<u8> {
     }
 }
 
-/// Rows of tables, with their exponents.
+/// Rows of tables, with the exponents of their accuracies.
 fn tables(rows: &[Row], method: Method) -> impl Iterator<Item = (&Row, u8)> {
     let of_method = rows.iter().filter(move |row| row.method == method);
     of_method.filter_map(|row| Some((row, exponent(row)?)))
 }
 
-/// Largest error, and whether it is within the accuracy.
+/// Formats the largest error, and marks one that is beyond the accuracy.
 fn error(row: &Row, exponent: u8) -> String {
     let worst = row.error.worst();
     let within = worst <= 10_f64.powi(-i32::from(exponent));
@@ -58,13 +59,13 @@ fn size(row: &Row) -> String {
     figures.unwrap_or_else(|| " |  | ".to_owned())
 }
 
-/// Another's median time over a row's.
+/// Returns the median time of another program, and its ratio to the time of a row.
 fn over(rows: &[Row], row: &Row, by: By, method: Method) -> Option<(f64, f64)> {
     let other = of(rows, row, by, method)?;
     Some((other.time.median, other.time.median / row.time.median))
 }
 
-/// Time and ratio as two columns.
+/// Formats time and ratio as two columns.
 fn columns(compared: Option<(f64, f64)>) -> String {
     compared.map_or_else(
         || " | ".to_owned(),

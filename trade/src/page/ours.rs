@@ -1,5 +1,5 @@
-//! Ours against ours: the searches before, the slowest calls, the run-time `System`, and what a call
-//! must cost at least.
+//! Sections that compare this library with itself: the earlier searches, the slowest calls, the run-time `System`, and
+//! the least possible cost of a call.
 
 use super::table::{Table, Tally, cell, verdict};
 use super::{of, shown};
@@ -8,12 +8,12 @@ use crate::methods::Method;
 use crate::tails::{RANGE, Tail};
 use std::fmt::{Result as Written, Write};
 
-/// What a run-time system's time may be of the emitted scene's.
+/// Largest allowed time of a run-time system over that of the emitted scene.
 const RUN_TIME: f64 = 1.2;
-/// What all but a thousandth of the calls, and what all may take of the median.
+/// Largest allowed times over the median: for all but a thousandth of the calls, and for all calls.
 const TAILS: [f64; 2] = [10.0, 40.0];
 
-/// By what exact limits are to be faster than before, by the number of masses.
+/// Returns the aim for exact limits: how much faster than before, by the number of masses.
 fn aim_against_before(masses: usize, method: Method) -> Option<f64> {
     match (method, masses) {
         (Method::Limits, 1) => Some(4.0),
@@ -23,7 +23,7 @@ fn aim_against_before(masses: usize, method: Method) -> Option<f64> {
     }
 }
 
-/// The searches before over those of now.
+/// Writes the section on the times of the earlier searches over those of the present ones.
 pub fn before(rows: &[Row], text: &mut String) -> Written {
     text.push_str("## Against the searches before\n\n");
     if !rows.iter().any(|row| row.by == By::Before) {
@@ -55,7 +55,7 @@ pub fn before(rows: &[Row], text: &mut String) -> Written {
     writeln!(text, "{aims} ratios are missed.\n\n{table}")
 }
 
-/// The run-time `System` over emitted scenes.
+/// Writes the section on the times of the run-time `System` over those of emitted scenes.
 pub fn run_time(rows: &[Row], text: &mut String) -> Written {
     let mut aims = Tally::default();
     let mut table = Table::of_scenes(
@@ -91,7 +91,7 @@ pub fn run_time(rows: &[Row], text: &mut String) -> Written {
     )
 }
 
-/// How long the slowest calls of exact limits take.
+/// Writes the section on the slowest calls of exact limits.
 pub fn tails(tails: &[Tail], text: &mut String) -> Written {
     let points = tails.first().map_or(0, |tail| tail.points);
     let [low, high] = RANGE;
@@ -124,7 +124,7 @@ pub fn tails(tails: &[Tail], text: &mut String) -> Written {
     writeln!(text, "{table}")
 }
 
-/// What limits without search cost, and the operations that they cannot do without.
+/// Writes the section on the cost of limits without search, and the operations that they need at least.
 pub fn floor(rows: &[Row], text: &mut String) -> Written {
     let mut table =
         Table::of_scenes("a call | C | operations | ÷ | √ | sin and cos | exp and its like");

@@ -3,28 +3,28 @@
 use crate::scenes::Label;
 use std::fmt::{self, Display};
 
-/// A table.
+/// A Markdown table.
 pub struct Table(String);
 
 impl Table {
-    /// A table without rows; bars stand between the names of its columns.
+    /// Creates a table without rows. Bars separate the names of the columns.
     pub fn new(columns: &str) -> Self {
         let rule = "|---".repeat(1 + columns.matches('|').count());
         Self(format!("| {columns} |\n{rule}|\n"))
     }
 
-    /// A table whose rows begin with a scene's name and damping.
+    /// Creates a table whose rows begin with the name and the damping of a scene.
     pub fn of_scenes(columns: &str) -> Self {
         Self::new(&format!("scene | ζ | {columns}"))
     }
 
-    /// Adds a row; a bar within parts a cell in two.
+    /// Adds a row. A bar within a cell splits it into two.
     pub fn row(&mut self, cells: &[&dyn Display]) {
         self.0.extend(cells.iter().map(|cell| format!("| {cell} ")));
         self.0.push_str("|\n");
     }
 
-    /// Adds a row of a scene.
+    /// Adds the row of a scene.
     pub fn scene(&mut self, label: &Label, cells: &[&dyn Display]) {
         let scene: [&dyn Display; 2] = [&label.name, &label.zeta];
         self.row(&[&scene, cells].concat());
@@ -37,7 +37,7 @@ impl Display for Table {
     }
 }
 
-/// How many were held to an aim, and how many of them missed it.
+/// Number of results that have an aim, and number of those that missed it.
 #[derive(Default)]
 pub struct Tally {
     all: usize,
@@ -45,7 +45,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Counts one, and says whether the aim is reached.
+    /// Counts a result, and returns the text of its verdict.
     pub fn judge(&mut self, reached: bool) -> &'static str {
         self.all += 1;
         self.missed += usize::from(!reached);
@@ -59,12 +59,12 @@ impl Display for Tally {
     }
 }
 
-/// Whether an aim is reached, as the tables say it.
+/// Returns the text that tells if an aim is reached.
 pub fn verdict(reached: bool) -> &'static str {
     if reached { "yes" } else { "**missed**" }
 }
 
-/// A number, or an empty cell.
+/// Formats a number, or an empty cell for `None`.
 pub fn cell(value: Option<impl Display>) -> String {
     value.map_or(String::new(), |value| value.to_string())
 }

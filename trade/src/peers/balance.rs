@@ -1,6 +1,5 @@
-//! Harmonic balance: the friction force −β·ż/√(ż² + ε²) in odd harmonics up to an order, its
-//! coefficients by sampling half a cycle, Newton's method with the exact derivative, from the
-//! response without friction.
+//! Harmonic balance. The friction force −β·ż/√(ż² + ε²) is expanded in odd harmonics up to an order. Its coefficients
+//! are sampled over half a cycle. Newton's method with the exact derivative starts from the response without friction.
 
 use super::Modal;
 use crate::methods::{Fill, Method};
@@ -8,16 +7,16 @@ use nalgebra::{DMatrix, DVector};
 use num_complex::Complex;
 use std::f64::consts::PI;
 
-/// Up to which harmonic.
+/// Highest harmonics.
 pub const ORDERS: [usize; 4] = [1, 3, 9, 25];
-/// ε over the velocity without friction.
+/// Ratio of ε to the velocity without friction.
 const WIDTH: f64 = 0.02;
 const MOST_STEPS: usize = 60;
 const REPEATS: f64 = 1e-10;
-/// What a step may be shortened to.
+/// Shortest fraction of a Newton step.
 const SHORTEST: f64 = 1.0 / 64.0;
 
-/// The amplitude of the mass looked at, balanced up to `order`.
+/// Computes the amplitude of the observed mass with harmonics up to `order`.
 pub fn filler(modal: Modal, order: usize) -> Fill<f64> {
     let half = Half::new(order);
     Box::new(move |method, points, out| {
@@ -30,7 +29,7 @@ pub fn filler(modal: Modal, order: usize) -> Fill<f64> {
     })
 }
 
-/// Σ of a mode's shares over 1 − (nR)² + 2iζnR.
+/// Sums a mode's contributions over 1 − (nR)² + 2iζnR.
 fn response(modal: &Modal, shares: &[f64], r: f64) -> Complex<f64> {
     let terms = shares.iter().zip(&modal.root).map(|(share, root)| {
         let ratio = r / root;
@@ -39,7 +38,7 @@ fn response(modal: &Modal, shares: &[f64], r: f64) -> Complex<f64> {
     terms.sum()
 }
 
-/// The sampled half cycle: e^{int} by sample and harmonic.
+/// Samples of half a cycle: e^{int} by sample and harmonic.
 struct Half {
     orders: Vec<usize>,
     waves: Vec<Vec<Complex<f64>>>,
@@ -57,7 +56,7 @@ impl Half {
         }
     }
 
-    /// The largest |Σ X_n e^{int}| at the samples.
+    /// Returns the largest |Σ X_n e^{int}| at the samples.
     fn largest(&self, harmonics: &[Complex<f64>]) -> f64 {
         let value = |waves: &Vec<Complex<f64>>| -> f64 {
             waves.iter().zip(harmonics).map(|(w, x)| (w * x).re).sum()
@@ -104,7 +103,7 @@ fn amplitude(modal: &Modal, half: &Half, r: f64, beta: f64) -> Option<f64> {
     None
 }
 
-/// The friction force's coefficients over β.
+/// Returns the friction force over β and its slope, at the samples.
 fn force(half: &Half, width: f64, z: &[Complex<f64>]) -> Vec<(f64, f64)> {
     let velocity = |waves: &Vec<Complex<f64>>| -> f64 {
         let terms = waves.iter().zip(z).zip(&half.orders);
@@ -113,7 +112,7 @@ fn force(half: &Half, width: f64, z: &[Complex<f64>]) -> Vec<(f64, f64)> {
     let values = half.waves.iter().map(|waves| {
         let v = velocity(waves);
         let size = v.hypot(width);
-        // The force and its slope.
+        // The force and its slope by the velocity.
         (v / size, width * width / (size * size * size))
     });
     values.collect()
@@ -128,7 +127,7 @@ fn coefficient(half: &Half, force: &[(f64, f64)], index: usize) -> Complex<f64> 
     terms.sum::<Complex<f64>>() * (2.0 / half.waves.len() as f64)
 }
 
-/// What is out of balance, and its derivative.
+/// Returns the residual of the balance and its derivative.
 fn balanced(
     half: &Half,
     receptances: &[Complex<f64>],

@@ -1,4 +1,4 @@
-//! The thesis's formulas in C by hand, `c/thesis.c`.
+//! Formulas of the thesis in C, written by hand: `c/thesis.c`.
 
 use super::Modal;
 use crate::methods::{Fill, Method, Pair};
@@ -43,12 +43,12 @@ functions! {
        limits_without_search_damped_10 amplitude_undamped_10 amplitude_damped_10;
 }
 
-/// What it answers.
+/// Quantities that the C program computes.
 pub const METHODS: [Method; 3] = [Method::Limits, Method::WithoutSearch, Method::Amplitude];
 
-/// The answers of the C.
+/// Creates the function that computes the quantities in C.
 pub fn filler(modal: &Modal) -> Fill<f64> {
-    // The members of `Thesis`, one after the other.
+    // The members of `Thesis` in order.
     let mut data = Vec::new();
     for part in [
         &modal.root,

@@ -1,4 +1,4 @@
-//! The other ways.
+//! Other programs that compute the same quantities.
 
 pub mod balance;
 #[cfg(with_c)]
@@ -10,30 +10,30 @@ pub mod textbook;
 use crate::scenes::Label;
 use frictiongen::System;
 
-/// A scene's modal data, as the peers take them.
+/// Modal data of a scene, in the form that the peers take.
 #[derive(Clone, Debug)]
 pub struct Modal {
-    /// √λ.
+    /// Natural frequency ratios √λ.
     pub root: Vec<f64>,
-    /// Load to the relative motion in the contact.
+    /// Residues from the load to the relative motion in the contact.
     pub load: Vec<f64>,
-    /// Friction to the relative motion in the contact.
+    /// Residues from friction to the relative motion in the contact.
     pub friction: Vec<f64>,
-    /// Load to the mass looked at.
+    /// Residues from the load to the observed mass.
     pub far_load: Vec<f64>,
-    /// Friction to the mass looked at.
+    /// Residues from friction to the observed mass.
     pub far_friction: Vec<f64>,
-    /// (φᵀw)².
+    /// Squares (φᵀw)².
     pub share: Vec<f64>,
-    /// What a moving base takes off the relative motion.
+    /// Coefficient of the base motion in the relative motion.
     pub base: f64,
-    /// wᵀΓ⁻¹w.
+    /// Inverse effective mass of the contact, wᵀΓ⁻¹w.
     pub inverse_mass: f64,
-    /// Of every mode.
+    /// Damping ratio of every mode.
     pub zeta: f64,
 }
 
-/// The mass that the load acts on, and the direction of the contact.
+/// Returns the load vector, the direction vector of the contact, and the coefficient of the base motion.
 pub fn vectors(label: &Label) -> (Vec<f64>, Vec<f64>, f64) {
     let n = label.masses;
     let unit = |i: usize| -> Vec<f64> { (0..n).map(|k| f64::from(u8::from(k == i))).collect() };
@@ -54,7 +54,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 impl Modal {
-    /// Of a scene.
+    /// Computes the modal data of a scene.
     pub fn of(label: &Label, system: &System) -> Self {
         let (load, contact, base) = vectors(label);
         let root = system.resonances().to_vec();

@@ -1,21 +1,21 @@
-//! The plain exact event stepper in C, `peers/stepper.c`, as a program: it has its own clock.
+//! The plain exact event stepper in C, `peers/stepper.c`, run as a program with its own clock.
 
 use crate::clock::Time;
 use crate::scenes::Label;
 use std::process::Command;
 
-/// An undamped transient dies out by friction alone, in thousands of cycles.
+/// Largest number of cycles. Friction alone damps an undamped transient, which takes thousands of cycles.
 const MOST_CYCLES: &str = "2000";
 
-/// One run: how long it took, and the amplitude in the contact.
+/// Result of a run.
 pub struct Run {
-    /// ns.
+    /// Time in ns.
     pub time: f64,
-    /// |z̄| in the last cycle.
+    /// Amplitude |z̄| in the contact in the last cycle.
     pub amplitude: f64,
 }
 
-/// Runs it; none for a contact that it does not know.
+/// Runs the stepper, or returns `None` for a contact that it does not support.
 pub fn run(label: &Label, [r, beta]: [f64; 2]) -> Option<Run> {
     let (contact, excited) = match &label.name[..4] {
         "Wall" => (label.masses, 1),
@@ -40,7 +40,7 @@ pub fn run(label: &Label, [r, beta]: [f64; 2]) -> Option<Run> {
     })
 }
 
-/// Of all runs.
+/// Returns the times over all runs.
 pub fn time(runs: &[Run]) -> Time {
     let mut times: Vec<f64> = runs.iter().map(|run| run.time).collect();
     times.sort_by(f64::total_cmp);

@@ -1,5 +1,4 @@
-//! The textbook way: the eigenproblem anew at each r (the thesis's mode shapes carry r), then the
-//! printed sums.
+//! The textbook method: a new eigenproblem at each r (the thesis's mode shapes contain r), then the printed sums.
 
 use super::{dot, vectors};
 use crate::methods::{Fill, Method};
@@ -8,10 +7,10 @@ use nalgebra::DMatrix;
 use num_complex::Complex;
 use std::f64::consts::PI;
 
-/// What it answers.
+/// Quantities that the textbook method computes.
 pub const METHODS: [Method; 1] = [Method::WithoutSearch];
 
-/// Both limits without search; with equal masses Γ is the identity.
+/// Computes both limits without search. With equal masses Γ is the identity.
 pub fn filler(label: Label) -> Fill<f64> {
     let n = label.masses;
     let stiffness = DMatrix::from_fn(n, n, |i, k| match i.abs_diff(k) {

@@ -8,44 +8,44 @@ use frictiongen::System;
 use frictiongen::study::scene::Side;
 use frictiongen::study::table::{Request, TableError, Tables};
 
-/// The frequency ratios of the tables.
+/// Range of frequency ratios of the tables.
 const RANGE: (f64, f64) = (0.2, 2.5);
-/// The exponent of the accuracy that not every scene can have; its tables are built at run time.
+/// Exponent of the finest accuracy, which not every scene can reach. Its tables are built at run time.
 pub const FINEST: u8 = 12;
-/// The exponent of the accuracy that is spoken of most.
+/// Exponent of the accuracy that the page uses most.
 pub const USUAL: u8 = 4;
 
-/// What a table takes.
+/// Size of a table, and the work of a look-up.
 #[derive(Clone, Copy, Debug)]
 pub struct Figures {
-    /// Pieces, buckets, zeros and poles.
+    /// Bytes of pieces, buckets, zeros and poles.
     pub bytes: usize,
-    /// How many pieces.
+    /// Number of pieces.
     pub pieces: usize,
-    /// How many comparisons find a piece.
+    /// Number of comparisons that find a piece.
     pub comparisons: u32,
 }
 
 /// One table of a scene.
 pub struct Tabled {
-    /// The accuracy is 10 to the minus this.
+    /// Exponent of the accuracy, which is 10 to the minus this.
     pub exponent: u8,
-    /// What is asked of it.
+    /// Quantity that the table contains.
     pub method: Method,
-    /// Its answers.
+    /// Function that evaluates the table.
     pub fill: Fill<f64>,
-    /// What it takes.
+    /// Size of the table, and the work of a look-up.
     pub figures: Figures,
 }
 
-/// Why the finest accuracy cannot be had in a scene.
+/// Reason why a scene has no tables of the finest accuracy.
 #[derive(Clone, Copy, Debug)]
 pub struct Refused {
-    /// The scene.
+    /// Scene.
     pub label: Label,
-    /// Where it fails.
+    /// Frequency ratio at which the accuracy is missed.
     pub at: f64,
-    /// The finest that can be met.
+    /// Finest accuracy that can be reached.
     pub reached: Option<f64>,
 }
 
@@ -67,7 +67,8 @@ fn figures(tables: &Tables<f64>) -> Figures {
     }
 }
 
-/// The tables of a scene, emitted but for the finest, and why that cannot be had.
+/// Returns the tables of a scene, and the reason if the finest accuracy is refused. All but the finest tables are
+/// emitted.
 pub fn of(label: &Label, system: &System) -> (Vec<Tabled>, Option<Refused>) {
     let (limits, contact) = scenes::emitted(label.name, label.zeta > 0.0).expect("a scene");
     let figures_of = |exponent, motion| {
@@ -89,7 +90,7 @@ pub fn of(label: &Label, system: &System) -> (Vec<Tabled>, Option<Refused>) {
         fill: contact,
         figures: figures_of(USUAL, true),
     });
-    // For as long as the program runs: jobs own what they call.
+    // The leak lets jobs own the functions that they call. The system lives until the program ends.
     let system: &'static System = Box::leak(Box::new(system.clone()));
     let refused = match system.compile_for(request(FINEST, false)) {
         Ok(built) => {
@@ -106,7 +107,7 @@ pub fn of(label: &Label, system: &System) -> (Vec<Tabled>, Option<Refused>) {
             at,
             reached,
         }),
-        // A request that makes sense has no other error.
+        // A valid request has no other error.
         Err(_) => None,
     };
     (all, refused)

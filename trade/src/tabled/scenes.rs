@@ -1,9 +1,9 @@
-//! The chains once more, emitted with tables over r = 0.2 to 2.5, in double precision.
+//! The chains, emitted with tables over r = 0.2 to 2.5, in double precision.
 
 use crate::methods::{Fill, each, limits};
 use frictiongen::{FrictionSystem, LimitsAt};
 
-/// Emits every chain with each accuracy and lists them.
+/// Emits every chain with each accuracy, and lists the chains.
 macro_rules! tabled {
     ($($orbit:ident struct $name:ident $masses:literal $watched:literal $body:tt $provide:tt)*) => {
         mod undamped {
@@ -13,8 +13,8 @@ macro_rules! tabled {
             tabled!(@accuracies [modal(0.02)]; $($name $body)*);
         }
 
-        /// The emitted tables of a scene, by its name: those of limits with the exponents of their accuracies, and the
-        /// contact's amplitude to 1e-4.
+        /// Returns the emitted tables of a scene by name: those of limits with the exponents of their accuracies, and
+        /// that of the contact's amplitude to 1e-4.
         pub fn emitted(name: &str, damped: bool) -> Option<(Vec<(u8, Fill<f64>)>, Fill<f64>)> {
             $(
                 if name == stringify!($name) {
@@ -75,7 +75,7 @@ macro_rules! tabled {
 
 chains!(tabled);
 
-/// Both limits of a system.
+/// Computes both limits of a system.
 pub fn both<F>(system: F) -> Fill<f64>
 where
     F: FrictionSystem<Scalar = f64> + 'static,
@@ -83,7 +83,7 @@ where
     Box::new(move |_, points, out| limits(&system, points, out, |at| at.continuous_limit()))
 }
 
-/// The contact's amplitude at r and β.
+/// Computes the contact's amplitude at r and β.
 fn contact(amplitude: impl Fn(f64, f64) -> Option<f64> + 'static) -> Fill<f64> {
     Box::new(move |_, points, out| {
         each(points, out, |[r, beta]| Some([amplitude(r, beta)?; 2]));

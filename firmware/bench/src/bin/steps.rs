@@ -1,4 +1,4 @@
-//! Steppers on the emulated processor: where they end, and the instructions and the stack of their steps.
+//! Steppers on the emulated processor: their final states, and the instructions and the stack of their steps.
 #![no_std]
 #![no_main]
 
@@ -19,10 +19,10 @@ fn panic(_: &PanicInfo) -> ! {
     }
 }
 
-/// No step needs more stack.
+/// Bytes of stack that are painted, more than any step needs.
 const STACK: usize = 8192;
 
-/// What some steps needed: the least and the most instructions, and the most stack.
+/// Instructions and stack of a group of steps: fewest and most instructions, most bytes of stack.
 #[derive(Clone, Copy)]
 struct Needs {
     least: u64,
@@ -44,7 +44,7 @@ impl Needs {
     }
 }
 
-/// Steps by what happened in them.
+/// Costs of steps, grouped by what happened in the step.
 struct Kinds {
     sliding: Needs,
     sticking: Needs,
@@ -55,7 +55,7 @@ struct Kinds {
     exceeded: u32,
 }
 
-/// All steps of a song or of a storm.
+/// Measures all steps of a song or of a storm.
 fn measured<M: Machine>(timer: &mut SYST, storm: bool) -> Option<Kinds>
 where
     M::Scalar: Tone,
@@ -183,7 +183,7 @@ fn main() -> ! {
     }
 }
 
-/// Where the machines end.
+/// Prints the final states of the machines.
 struct Ends;
 
 impl Visitor for Ends {

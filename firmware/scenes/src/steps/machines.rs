@@ -1,4 +1,4 @@
-//! The scenes that step: chains of equal masses, the last one rubbing.
+//! Scenes with a stepper: chains of equal masses. The last mass rubs.
 
 use super::{Machine, Outcome};
 use frictiongen::kernel::simulation::Contact;
@@ -22,24 +22,24 @@ macro_rules! machine {
                 }
             }
 
-            /// The stepper.
+            /// The stepper of the chain.
             pub struct Run(ChainStepper);
 
-            /// At rest.
+            /// Creates a stepper at rest.
             #[inline(never)]
             #[cfg_attr(feature = "prove", no_panic::no_panic)]
             pub fn start() -> Option<Run> {
                 Chain::stepper(Chain::STEP).ok().map(Run)
             }
 
-            /// The time since the start, in s.
+            /// Returns the time since the start, in s.
             #[inline(never)]
             #[cfg_attr(feature = "prove", no_panic::no_panic)]
             pub fn time(run: &Run) -> $scalar {
                 run.0.time()
             }
 
-            /// A step.
+            /// Advances the stepper by one step.
             #[inline(never)]
             #[cfg_attr(feature = "prove", no_panic::no_panic)]
             pub fn advance(run: &mut Run, $load: [$scalar; 2], $friction: $scalar) -> Option<Outcome> {
@@ -192,15 +192,15 @@ machine! {
     input: linear,
 }
 
-/// Does something with every machine.
+/// A function that is applied to every machine.
 pub trait Visitor {
-    /// With this one.
+    /// Receives one machine.
     fn visit<M: Machine>(&mut self)
     where
         M::Scalar: super::script::Tone;
 }
 
-/// All machines, one after the other.
+/// Applies a visitor to all machines in turn.
 pub fn visit(visitor: &mut impl Visitor) {
     visitor.visit::<one_force::Run>();
     visitor.visit::<one_base::Run>();

@@ -1,39 +1,40 @@
-//! The real-time stepper: scenes, what is played to them, and what a step is called as.
+//! The real-time stepper: scenes, their loads, and a common interface of their steps.
 
 pub mod machines;
 pub mod script;
 
 pub use frictiongen::kernel::stepper::Cost;
 
-/// What a step has led to.
+/// Result of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// Whether the contact sticks at its end.
+    /// `true` if the contact sticks at the end of the step.
     pub sticks: bool,
-    /// How many events there were.
+    /// Number of events in the step.
     pub events: u32,
-    /// Whether there were more than are followed.
+    /// `true` if the step had more events than the stepper follows.
     pub exceeded: bool,
 }
 
-/// A stepper of some scene, in the scene's scalar.
+/// A stepper of a scene, in the scene's scalar.
 pub trait Machine: Sized {
-    /// The scalar.
+    /// Scalar of the scene.
     type Scalar: Copy;
-    /// What the tables of figures call it.
+    /// Name in the tables of figures.
     const NAME: &'static str;
-    /// Whether the load is the base's motion.
+    /// `true` if the load is a motion of the base.
     const ON_BASE: bool;
-    /// Whether a processor without double precision has no instruction for its sums.
+    /// `true` if a processor without double precision computes the scalar's sums in software.
     const SOFTWARE: bool = core::mem::size_of::<Self::Scalar>() == 8;
-    /// At rest.
+    /// Creates a stepper at rest.
     fn start() -> Option<Self>;
-    /// A step: under a force, or to a displacement and a velocity of the base; and the friction force.
+    /// Advances by one step with a load and a friction force. The load is a force, or displacement and velocity of the
+    /// base.
     fn advance(&mut self, load: [Self::Scalar; 2], friction: Self::Scalar) -> Option<Outcome>;
-    /// What a step costs at most.
+    /// Returns the upper bound on the cost of a step.
     fn cost(&self) -> Cost;
-    /// Its size in memory, its tables included, in bytes.
+    /// Size in memory in bytes, including the tables.
     const SIZE: usize = core::mem::size_of::<Self>();
-    /// The bits of displacement and velocity of the last mass, and of the load's work.
+    /// Returns the bits of displacement and velocity of the last mass, and of the work of the load.
     fn bits(&self) -> [u64; 3];
 }

@@ -1,23 +1,23 @@
-//! What is played to a stepper: the same bits on every processor, by sums and products alone.
+//! Loads of a stepper. They consist of sums and products only, so that they have the same bits on every processor.
 
 use super::Machine;
 
-/// So many steps are played.
+/// Number of steps in a load.
 pub const STEPS: usize = 4000;
 
 /// Friction force, N.
 pub const FRICTION: f64 = 3.0;
 
-/// A rotation by so much a step: its cosine, its sine.
+/// Rotation in one step: cosine and sine of its angle.
 type Turn = [f64; 2];
 
-/// By 2.3 Hz and 7.1 Hz at a step of a millisecond.
+/// Rotations at 2.3 Hz and 7.1 Hz with a step of one millisecond.
 const SLOW: Turn = [0.999_895_581_402_694_3, 0.014_450_823_207_274_255];
 const FAST: Turn = [0.999_005_111_495_252_4, 0.044_595_820_503_260_594];
-/// Angular frequencies, rad/s.
+/// Angular frequencies of the two rotations, rad/s.
 const RATES: [f64; 2] = [14.451_326_206_513_047, 44.610_615_680_975_06];
 
-/// A load with two frequencies.
+/// A load with two frequencies, the "song", or with random values, the "storm".
 #[derive(Clone, Copy, Debug)]
 pub struct Song<S> {
     slow: [S; 2],
@@ -25,7 +25,7 @@ pub struct Song<S> {
     seed: u32,
 }
 
-/// What a song needs of a scalar.
+/// Operations of a scalar that a song needs.
 pub trait Tone:
     Copy
     + core::ops::Add<Output = Self>
@@ -33,7 +33,7 @@ pub trait Tone:
     + core::ops::Mul<Output = Self>
     + From<i8>
 {
-    /// The nearest to a constant.
+    /// Returns the scalar nearest to a constant.
     fn of(value: f64) -> Self;
 }
 
@@ -52,7 +52,7 @@ impl Tone for f64 {
 }
 
 impl<S: Tone> Song<S> {
-    /// From zero.
+    /// Starts a song at zero.
     pub fn new() -> Self {
         let start = [S::of(1.0), S::of(0.0)];
         Self {
@@ -62,7 +62,8 @@ impl<S: Tone> Song<S> {
         }
     }
 
-    /// The next sample: of the base in metres and metres a second, or of a force, N, and nothing.
+    /// Returns the next sample. For a base it is displacement in m and velocity in m/s, otherwise a force in N and
+    /// zero.
     pub fn next(&mut self, on_base: bool, storm: bool) -> [S; 2] {
         if storm {
             return self.storm(on_base);
@@ -85,7 +86,7 @@ impl<S: Tone> Song<S> {
         }
     }
 
-    /// 10⁴ times the friction force, this way or that from step to step.
+    /// Returns a random load of up to 10⁴ times the friction force, whose sign and size change from step to step.
     fn storm(&mut self, on_base: bool) -> [S; 2] {
         let (first, second) = (self.draw(), self.draw());
         if on_base {
@@ -95,7 +96,7 @@ impl<S: Tone> Song<S> {
         }
     }
 
-    /// A whole number from −128 to 127.
+    /// Draws a whole number from −128 to 127.
     fn draw(&mut self) -> S {
         self.seed = self
             .seed
@@ -111,7 +112,7 @@ impl<S: Tone> Default for Song<S> {
     }
 }
 
-/// The bits of where a machine is after all steps of a song or of a storm; none if it came to an error.
+/// Returns the bits of the final state of a machine after a song or a storm, or `None` after an error.
 pub fn played<M: Machine>(storm: bool) -> Option<[u64; 3]>
 where
     M::Scalar: Tone,

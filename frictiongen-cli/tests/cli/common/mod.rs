@@ -1,14 +1,14 @@
-//! Runs the command line.
+//! Functions that run the command line.
 #![allow(dead_code, reason = "each test uses its own part")]
 #![allow(clippy::expect_used, reason = "a test may fail")]
 
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
 
-/// The two-storey frame.
+/// Path of the two-storey frame's description.
 pub const FRAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/frame.friction");
 
-/// One mass rubbing on a wall, undamped.
+/// One mass that rubs on a wall, undamped.
 pub const BLOCK: &str = "struct Block {
     masses: { block: 1 },
     springs: { base - block: 1 },
@@ -16,14 +16,14 @@ pub const BLOCK: &str = "struct Block {
     excitation: block,
 }";
 
-/// What a run printed.
+/// Output of a run.
 #[derive(Debug)]
 pub struct Run {
-    /// On standard output.
+    /// Text on standard output.
     pub out: String,
-    /// On standard error.
+    /// Text on standard error.
     pub err: String,
-    /// The exit status.
+    /// Exit status.
     pub status: Option<i32>,
 }
 
@@ -37,7 +37,7 @@ pub fn run_with(input: impl AsRef<[u8]>, arguments: &[&str]) -> Run {
         .spawn()
         .expect("the binary starts");
     let mut stdin = child.stdin.take().expect("its standard input");
-    // A run that fails before it reads closes the pipe.
+    // A run that fails before it reads closes the pipe, so writing may fail.
     let _ = stdin.write_all(input.as_ref());
     drop(stdin);
     let Output {
@@ -52,7 +52,7 @@ pub fn run_with(input: impl AsRef<[u8]>, arguments: &[&str]) -> Run {
     }
 }
 
-/// What a successful run prints.
+/// Returns the standard output of a run that must succeed.
 pub fn output(input: &str, arguments: &[&str]) -> String {
     let run = run_with(input, arguments);
     assert_eq!(
@@ -60,13 +60,13 @@ pub fn output(input: &str, arguments: &[&str]) -> String {
         (Some(0), ""),
         "{arguments:?}"
     );
-    // Emitted code may well speak of NaN.
+    // Emitted code may contain the word NaN.
     let numbers = arguments.first() != Some(&"expand");
     assert!(!(numbers && run.out.contains("NaN")), "{}", run.out);
     run.out
 }
 
-/// The lines that a failing run leaves on standard error, with nothing on standard output.
+/// Returns the lines on standard error of a run that must fail, with nothing on standard output.
 pub fn failure(input: impl AsRef<[u8]>, arguments: &[&str]) -> Vec<String> {
     let run = run_with(input, arguments);
     assert_eq!(
@@ -77,12 +77,12 @@ pub fn failure(input: impl AsRef<[u8]>, arguments: &[&str]) -> Vec<String> {
     run.err.lines().map(str::to_owned).collect()
 }
 
-/// The cells of a CSV, by line.
+/// Splits a CSV into its cells, line by line.
 pub fn cells(csv: &str) -> Vec<Vec<&str>> {
     csv.lines().map(|line| line.split(',').collect()).collect()
 }
 
-/// What stands in a column of a CSV.
+/// Returns the texts of a column of a CSV.
 pub fn texts<'a>(csv: &'a str, name: &str) -> Vec<&'a str> {
     let cells = cells(csv);
     let (head, rows) = cells.split_first().expect("a head");
@@ -93,7 +93,7 @@ pub fn texts<'a>(csv: &'a str, name: &str) -> Vec<&'a str> {
     rows.iter().map(cell).collect()
 }
 
-/// The numbers of a column in which every cell has one.
+/// Returns the numbers of a column. Every cell must contain one.
 pub fn column(csv: &str, name: &str) -> Vec<f64> {
     let numbers = texts(csv, name).into_iter();
     numbers
@@ -101,7 +101,7 @@ pub fn column(csv: &str, name: &str) -> Vec<f64> {
         .collect()
 }
 
-/// The numbers of a column, NaN where there is none.
+/// Returns the numbers of a column, NaN for a cell without a number.
 pub fn column_with_gaps(csv: &str, name: &str) -> Vec<f64> {
     let numbers = texts(csv, name).into_iter();
     numbers
@@ -109,7 +109,7 @@ pub fn column_with_gaps(csv: &str, name: &str) -> Vec<f64> {
         .collect()
 }
 
-/// A JSON text.
+/// Parses a JSON text.
 pub fn json(text: &str) -> serde_json::Value {
     serde_json::from_str(text).expect("JSON")
 }

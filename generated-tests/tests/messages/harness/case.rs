@@ -1,34 +1,34 @@
-//! A case: a faulty description and what is told of it.
+//! A case: a faulty description and its messages.
 
 use std::path::Path;
 
-/// Through which doors a case can go.
+/// Ways in which a description can be given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Door {
-    /// Text and macro.
+    /// As text, and to the macro.
     Every,
-    /// Text alone: the compiler refuses such tokens itself.
+    /// As text only, because the compiler refuses such tokens itself.
     Text,
-    /// The macro alone, from the tokens that it is given.
+    /// To the macro only, because the case concerns its tokens.
     Macro,
-    /// The path of a file.
+    /// As the path of a file.
     File,
-    /// A scene put together in code.
+    /// As a scene built in code.
     Code,
 }
 
 impl Door {
-    /// Whether a text is told what the case says.
+    /// Returns `true` if the parser of texts gives the messages of the case.
     pub fn takes_text(self) -> bool {
         matches!(self, Self::Every | Self::Text)
     }
 
-    /// Whether the compiler is to read the case.
+    /// Returns `true` if the compiler reads the case.
     pub fn takes_tokens(self) -> bool {
         matches!(self, Self::Every | Self::Macro)
     }
 
-    /// Whether there is a description at all.
+    /// Returns `true` if the case has a description.
     pub fn is_description(self) -> bool {
         !matches!(self, Self::File | Self::Code)
     }
@@ -36,24 +36,24 @@ impl Door {
 
 /// A file of `tests/messages/`.
 pub struct Case {
-    /// The file's name, without its ending.
+    /// Name of the file without its extension.
     pub name: String,
-    /// Why the message comes, in a sentence.
+    /// Cause of the message, in a sentence.
     pub cause: String,
-    /// Where it comes.
+    /// Way in which the description is given.
     pub door: Door,
-    /// The faulty description.
+    /// Faulty description.
     pub faulty: String,
-    /// `line:column: message`, in the order of the text; a message alone where there is no text.
+    /// Messages as `line:column: message`, in the order of the text. Without a text they have no position.
     pub told: Vec<String>,
-    /// The same as the compiler tells it, where the places differ; line 0 is that of the call.
+    /// Messages of the compiler, if their positions differ. Line 0 is that of the call.
     pub told_by_rustc: Option<Vec<String>>,
-    /// The description as it should be.
+    /// Corrected description.
     pub cured: String,
 }
 
 impl Case {
-    /// The message of a line without its place.
+    /// Returns the message of a line without its position.
     pub fn message<'t>(&self, line: &'t str) -> &'t str {
         if self.door.is_description() {
             let mut parts = line.splitn(3, ':');
@@ -64,7 +64,7 @@ impl Case {
     }
 }
 
-/// All cases in the order of their numbers.
+/// Returns all cases in the order of their numbers.
 pub fn cases() -> Vec<Case> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/messages");
     let mut cases: Vec<_> = std::fs::read_dir(folder)

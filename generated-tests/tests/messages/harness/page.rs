@@ -1,4 +1,4 @@
-//! `docs/messages.md`, from the cases.
+//! Writes `docs/messages.md` from the cases.
 
 use super::case::{Case, Door};
 use super::{groups, write_or_compare};
@@ -17,7 +17,7 @@ This page is made from the cases in `generated-tests/tests/messages/` by
 `UPDATE_DOCS=1 cargo test -p generated-tests --test messages`.
 ";
 
-/// Writes the page where that is asked for, and fails where it is out of date.
+/// Writes the page if that is requested, and otherwise fails if it is out of date.
 pub fn write_or_check(cases: &[Case]) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/messages.md");
     write_or_compare(&path, &page(cases));
@@ -49,10 +49,10 @@ fn show(case: &Case, page: &mut String) {
     let _ = write!(page, "```diff\n{changes}```\n");
 }
 
-/// The lines that differ.
+/// Returns the lines that differ.
 fn changes(faulty: &str, cured: &str) -> String {
     let (faulty, cured): (Vec<_>, Vec<_>) = (faulty.lines().collect(), cured.lines().collect());
-    // kept[i][j] is how many lines the rests from i and from j have in common.
+    // kept[i][j] is the number of lines that the remainders from i and from j have in common.
     let mut kept = vec![vec![0; cured.len() + 1]; faulty.len() + 1];
     for i in (0..faulty.len()).rev() {
         for j in (0..cured.len()).rev() {
@@ -63,7 +63,7 @@ fn changes(faulty: &str, cured: &str) -> String {
             };
         }
     }
-    // A page should show what no editor does.
+    // The page shows characters that are invisible in an editor.
     let shown = |line: &str| line.replace('\u{200b}', "\\u{200b}");
     let mut text = String::new();
     let (mut i, mut j) = (0, 0);

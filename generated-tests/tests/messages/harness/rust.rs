@@ -1,4 +1,4 @@
-//! The cases as Rust: a file for each group, a module for each case.
+//! Writes the cases as Rust: a file for each part of a group, and a module for each case.
 
 use super::case::Case;
 use super::{groups, write_or_compare};
@@ -9,10 +9,10 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("refused/tests/messages")
 }
 
-/// A Rust file, its text, and the cases in it with their lines.
+/// A Rust file: its path, its text, and its cases with their lines.
 type RustFile<'a> = (PathBuf, String, Vec<(usize, &'a Case)>);
 
-/// The files that the compiler is to read, each with the line where each case's call stands.
+/// Returns the files that the compiler reads, each with the line of each case's call.
 fn files(cases: &[Case]) -> Vec<RustFile<'_>> {
     let mut files = Vec::new();
     let parts = groups(cases).flat_map(|(group, cases)| group.of_files(&cases));
@@ -41,14 +41,14 @@ fn files(cases: &[Case]) -> Vec<RustFile<'_>> {
     files
 }
 
-/// Writes the files where that is asked for, and fails where they are out of date.
+/// Writes the files if that is requested, and otherwise fails if they are out of date.
 pub fn write_or_check(cases: &[Case]) {
     for (path, text, _) in files(cases) {
         write_or_compare(&path, &text);
     }
 }
 
-/// Compares what the compiler was seen to tell with what the cases say.
+/// Compares the recorded output of the compiler with the cases.
 pub fn check_places(cases: &[Case]) {
     for (path, _, calls) in files(cases) {
         let mut expected: Vec<_> = calls
@@ -65,7 +65,7 @@ pub fn check_places(cases: &[Case]) {
     }
 }
 
-/// Line, column and message of everything that a case is told.
+/// Returns line, column and message of each message of a case.
 fn expected(call: usize, case: &Case) -> Vec<(usize, usize, String)> {
     let told = case.told_by_rustc.as_ref().unwrap_or(&case.told);
     told.iter()
@@ -81,7 +81,7 @@ fn expected(call: usize, case: &Case) -> Vec<(usize, usize, String)> {
         .collect()
 }
 
-/// The same from the output of the compiler.
+/// Returns line, column and message of each error in the output of the compiler.
 fn found(output: &str) -> Vec<(usize, usize, String)> {
     let mut found = Vec::new();
     let mut message = None;

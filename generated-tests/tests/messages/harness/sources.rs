@@ -1,21 +1,21 @@
-//! The texts in the sources that messages are made of.
+//! Texts in the sources of which messages consist.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::path::{Path, PathBuf};
 
-/// What no description, whatever is in it, is told: with the reason.
+/// Texts that no description can cause, with the reason.
 const NEVER_TOLD: [(&str, &str); 1] = [(
     "this is not a scene",
     "stands in for a list of errors, were it empty",
 )];
 
-/// A string literal that is, or is part of, a message.
+/// A string literal that is a message or part of one.
 pub struct Text {
-    /// The file that it stands in.
+    /// File that contains the literal.
     pub file: String,
-    /// As it is written there.
+    /// Text of the literal.
     pub text: String,
-    /// What is left of it between its `{…}`; both readings, as a format and as plain text.
+    /// Pieces between its `{…}`, read as a format string and as plain text.
     readings: [Vec<String>; 2],
 }
 
@@ -28,14 +28,14 @@ impl Text {
         }
     }
 
-    /// Whether a message contains the text.
+    /// Returns `true` if a message contains the text.
     pub fn is_part_of(&self, told: &str) -> bool {
         self.readings
             .iter()
             .any(|pieces| rest_after(pieces, told).is_some())
     }
 
-    /// Whether the text is a message by itself.
+    /// Returns `true` if the text is a whole message.
     pub fn is_whole(&self, told: &str) -> bool {
         self.readings.iter().any(|pieces| {
             let [first, between @ ..] = pieces.as_slice() else {
@@ -54,14 +54,14 @@ impl Text {
     }
 }
 
-/// What follows the pieces, found one behind the other.
+/// Returns the text after the pieces, which are searched in order.
 fn rest_after<'t>(pieces: &[String], told: &'t str) -> Option<&'t str> {
     pieces.iter().try_fold(told, |rest, piece| {
         rest.split_once(piece.as_str()).map(|(_, rest)| rest)
     })
 }
 
-/// A format string without its `{…}`.
+/// Splits a format string at its `{…}`.
 fn pieces(text: &str) -> Vec<String> {
     let mut pieces = vec![String::new()];
     let mut signs = text.chars().peekable();
@@ -86,7 +86,7 @@ fn pieces(text: &str) -> Vec<String> {
     pieces
 }
 
-/// Every such text.
+/// Returns every text in the sources that is part of a message.
 pub fn texts() -> Vec<Text> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut texts: Vec<Text> = Vec::new();
@@ -111,7 +111,7 @@ pub fn texts() -> Vec<Text> {
     texts
 }
 
-/// A message is made of words.  What is emitted, and written as C or as Rust, is documentation.
+/// Returns `true` for a text that consists of words. Texts of emitted code and of written C or Rust are documentation.
 fn is_message(file: &str, text: &str) -> bool {
     let words = text.contains(' ')
         && pieces(text)
@@ -134,8 +134,8 @@ fn sources(folder: &Path, files: &mut Vec<PathBuf>) {
     files.sort();
 }
 
-/// Each string literal outside attributes (other than `#[error(…)]`), with the name of the macro
-/// or function in whose parentheses it is the first.
+/// Visits each string literal outside attributes, and those in `#[error(…)]`. It passes the name of the macro or
+/// function whose first argument the literal is.
 pub fn each_string(tokens: TokenStream, visit: &mut impl FnMut(&str, String)) {
     strings(tokens, "", visit);
 }

@@ -1,25 +1,25 @@
-//! Random frames of one to six masses with μ from 1 to 2, in all contacts, kinds of damping and excitations.
+//! Random frames of one to six masses with μ from 1 to 2, and with all kinds of contact, damping and excitation.
 
 use frictiongen::study::{FrequencyBand, OptimumRequest, System};
 use fuzzing::Random;
 
-/// A random frame, the same for the same seed.
+/// A random frame, reproducible from its seed.
 #[derive(Clone, Debug)]
 pub struct Frame {
-    /// What to look for in what a failed test tells.
+    /// Name of the frame, which a failed test prints.
     pub name: String,
-    /// The description.
+    /// Description of the frame.
     pub text: String,
-    /// The scene.
+    /// System of the frame.
     pub system: System,
-    /// The mass whose amplitude is asked for.
+    /// Index of the mass whose amplitude is optimised.
     pub mass: usize,
-    /// From 0.3 of the lowest resonance to 1.5 of the highest, in r: as the report chooses it.
+    /// Range of r from 0.3 times the lowest resonance to 1.5 times the highest, as `report` chooses it.
     pub band: [f64; 2],
 }
 
 impl Frame {
-    /// The optimum that is asked for.
+    /// Returns the request for the optimum.
     pub fn request(&self) -> OptimumRequest {
         OptimumRequest {
             of: frictiongen::Of::Mass(self.mass),
@@ -29,7 +29,8 @@ impl Frame {
     }
 }
 
-/// Frame `index` of those with `masses` masses: contact, damping and excitation go round, everything else is random.
+/// Returns frame `index` of those with `masses` masses. Contact, damping and excitation alternate, everything else is
+/// random.
 pub fn frame(masses: usize, index: usize) -> Frame {
     let mut random = Random((masses * 100_003 + index * 7919 + 17) as u64);
     for _ in 0..8 {
@@ -89,7 +90,7 @@ pub fn frame(masses: usize, index: usize) -> Frame {
         .unwrap_or_else(|error| panic!("{text}: {error}"));
     let resonances = system.resonances();
     let mut mass = random.below(masses);
-    // A mass that rubs on a wall is best held at rest.
+    // For a mass that rubs on a wall the optimum is trivial: the contact sticks. Another mass is taken.
     if contact == format!("m{mass} - wall") {
         mass = (mass + 1) % masses;
     }

@@ -1,24 +1,24 @@
-//! The least of the largest amplitude by a map over frequency and friction, refined about the least: nothing of the
-//! optimiser but the response itself.
+//! The smallest largest amplitude by a map over frequency and friction, refined near the best friction. Of the
+//! optimiser's code it uses only the response itself.
 
 use super::frames::Frame;
 use frictiongen::{Error, NoOrbit, NotContinuous, Of};
 
-/// Frequencies evenly over the band.
+/// Number of steps of an even grid over the band.
 const EVEN: usize = 90;
-/// Frequencies about each resonance, as shares of it.
+/// Relative distances from each resonance at which frequencies are added.
 const BESIDE: [f64; 13] = [
     -0.04, -0.02, -0.008, -0.003, -0.001, -0.0003, 0.0, 0.0003, 0.001, 0.003, 0.008, 0.02, 0.04,
 ];
-/// Frictions of the first round, and of each later one.
+/// Numbers of friction ratios in the first round and in each later one, and number of later rounds.
 const FRICTIONS: usize = 28;
 const FINER: usize = 8;
 const ROUNDS: usize = 3;
-/// Frequencies to each side of a local maximum, and how often it is cut finer.
+/// Number of frequencies on each side of a local maximum, and number of refinements.
 const CELLS: usize = 5;
 const CUTS: usize = 4;
 
-/// The amplitude; infinite on a resonance that nothing bounds, 0 where there is no answer.
+/// Returns the amplitude: infinite on a resonance that nothing bounds, 0 where there is no result.
 pub fn amplitude(frame: &Frame, r: f64, beta: f64) -> f64 {
     let at = frame.system.at(r).expect("in the domain");
     match at.response(beta) {
@@ -35,7 +35,7 @@ pub fn amplitude(frame: &Frame, r: f64, beta: f64) -> f64 {
     }
 }
 
-/// Where the map looks.
+/// Returns the frequencies of the map.
 pub fn frequencies(frame: &Frame) -> Vec<f64> {
     let [from, to] = frame.band;
     let even = (0..=EVEN).map(|i| from + (to - from) * i as f64 / EVEN as f64);
@@ -47,11 +47,12 @@ pub fn frequencies(frame: &Frame) -> Vec<f64> {
     all
 }
 
-/// The largest amplitude at a friction by samples, every cell that may hold it cut finer; no more once it exceeds `enough`.
+/// Returns the largest amplitude at a friction ratio by samples. Every cell that may contain it is refined. The search
+/// stops once the amplitude exceeds `enough`.
 pub fn largest(frame: &Frame, places: &[f64], beta: f64, enough: f64) -> f64 {
     let mut values = vec![0.0; places.len()];
     let mut most = 0.0_f64;
-    // Every ninth first: what is too much is seen soon.
+    // Every ninth frequency is sampled first, so that an excessive amplitude is found early.
     for offset in 0..9 {
         for place in (offset..places.len()).step_by(9) {
             values[place] = amplitude(frame, places[place], beta);
@@ -89,7 +90,7 @@ pub fn largest(frame: &Frame, places: &[f64], beta: f64, enough: f64) -> f64 {
     best
 }
 
-/// β and the largest amplitude, where that is least.
+/// Returns the β with the smallest largest amplitude, and that amplitude.
 pub fn least(frame: &Frame) -> (f64, f64) {
     let places = frequencies(frame);
     let limit = |r: &f64| frame.system.at(*r).expect("in the domain").sliding_limit();
@@ -103,7 +104,7 @@ pub fn least(frame: &Frame) -> (f64, f64) {
     ];
     let (mut best, mut least) = (0.0, largest(frame, &places, 0.0, f64::INFINITY));
     let mut tried = vec![0.0];
-    // The middle first.
+    // The values closest to the middle come first.
     let mut wanted: Vec<f64> = (0..=FRICTIONS)
         .map(|i| low * (high / low).powf(i as f64 / FRICTIONS as f64))
         .collect();

@@ -1,5 +1,5 @@
-//! Optima and curves of random frames, in which motions from rest stick, jump and do not settle: they answer within a bounded
-//! work, and are no worse than a map refined about the least.
+//! Tests optima and curves of random frames, in which motions from rest stick, jump and do not settle. They must finish
+//! within bounded work, and an optimum must be no worse than that of a refined map.
 //!
 //! ```sh
 //! RAYON_NUM_THREADS=1 cargo test --release -p generated-tests --test study answers:: -- --ignored --nocapture --test-threads 1
@@ -16,27 +16,27 @@ use frictiongen::study::{
 };
 use std::time::Instant;
 
-/// How far above the least of a map the answer of a converged search may be: a map of some hundred thousand samples finds a
-/// narrow valley that a scan of some 70 frictions passes over.
+/// Largest relative excess of a converged search over the best of a map. A map of some hundred thousand samples finds a
+/// narrow valley that a scan of some 70 friction ratios may miss.
 const ABOVE: f64 = 0.02;
 
-/// The same where the bound on work ended the search: the best so far.
+/// Largest relative excess if the bound on work ended the search, which then returns the best so far.
 const ABOVE_IF_SPENT: f64 = 0.1;
 
-/// The work of a search in every run of the tests, a few seconds unoptimised.
+/// Bound on the work of a search in the regular tests, which takes a few seconds without optimisation.
 const WORK: usize = 150_000;
 
-/// What came of one frame.
+/// Result for one frame.
 struct Outcome {
     seconds: f64,
-    /// The amplitude over the least of a map, less 1.
+    /// Ratio of the amplitude to the best of a map, minus 1.
     above: f64,
-    /// The amplitude by samples at the friction that was found, over the one that was told, less 1.
+    /// Ratio of the sampled amplitude at the returned friction to the returned amplitude, minus 1.
     higher: f64,
     end: OptimumEnd,
 }
 
-/// `work` is that of the search; none for as much as it takes by itself.
+/// Searches the optimum of a frame with a bound on its work, `None` for the default bound, and compares it with a map.
 fn outcome(frame: &Frame, work: Option<usize>) -> Option<Outcome> {
     let start = Instant::now();
     let found = match work {
@@ -84,7 +84,7 @@ fn outcome(frame: &Frame, work: Option<usize>) -> Option<Outcome> {
     Some(outcome)
 }
 
-/// A few frames in every run.
+/// Tests a few frames in every run.
 #[test]
 fn optima_of_some_frames() {
     let mut compared = 0;
@@ -105,20 +105,19 @@ fn optima_of_some_frames() {
     assert!(compared >= 3, "{compared}");
 }
 
-/// A contact that holds the mass next to the base leaves the others at rest: no resonance of the held chain is driven, although
-/// nothing damps it.
+/// If the contact sticks, the mass next to the base does not move, and neither do the others. The load then drives no
+/// resonance of the stuck chain, although nothing damps it.
 #[test]
 fn a_resonance_that_nothing_drives_bounds_nothing() {
     let frame = frame(6, 0);
     let found = frame.system.optimum(&frame.request()).expect("an optimum");
     assert_eq!((found.amplitude, found.kind), (0.0, OptimumKind::Stuck));
-    // The base's spring alone pulls at the contact, with k₁Y.
+    // Only the spring to the base loads the contact, with k₁Y.
     let stuck = 1.0 / frame.system.scene().stiction;
     assert!((found.beta / stuck - 1.0).abs() < 1e-3, "{}", found.beta);
 }
 
-/// The frame of two masses on which the search once gave up after 250000 amplitudes, keeping nothing: a map finds 13.8 mm near
-/// 75 N.
+/// A frame of two masses whose optimum is hard to find. A map finds 13.8 mm near 75 N.
 #[test]
 fn a_frame_on_which_the_search_gave_up() {
     let text = "struct Two { masses: { a: 12, b: 5 }, springs: { wall - a: 3.2e4, a - b: 1.1e4 }, contact: a - b,
@@ -142,13 +141,14 @@ fn a_frame_on_which_the_search_gave_up() {
     assert!(from <= found.beta && found.beta <= to);
 }
 
-/// 200 frames of one to six masses.  It prints every frame, the slowest, and how many are above the map by more than 2 %.
+/// Tests 200 frames of one to six masses. It prints every frame, the slowest one, and the number of frames more than 2
+/// % above the map.
 #[test]
 #[ignore = "200 optima, each with a map: some minutes"]
 fn optima_of_two_hundred_frames() {
     let (mut slowest, mut above, mut spent) = ((0.0, String::new()), 0, 0);
     let mut compared = 0_usize;
-    // FRAMES=120..200 for a part of them.
+    // The environment selects some of the frames, for example FRAMES=120..200.
     let part = std::env::var("FRAMES").unwrap_or_else(|_| "0..200".to_owned());
     let ends: Vec<usize> = part
         .split("..")
@@ -177,7 +177,7 @@ fn optima_of_two_hundred_frames() {
     assert!(above * 20 < compared, "{above} of {compared}");
 }
 
-/// Curves of frames of five masses at three frictions, nearly all within 5 s of one core.
+/// Curves of frames of five masses at three friction ratios. Nearly all take at most 5 s on one core.
 #[test]
 #[ignore = "36 curves: a minute or two"]
 fn curves_of_five_masses() {
@@ -212,12 +212,13 @@ fn curves_of_five_masses() {
         "{above} above 5 s; slowest {:.2} s: {}",
         slowest.0, slowest.1
     );
-    // The chain whose contact hardly touches its slowest mode: 340 places whose motions do not settle.
+    // The slowest chain is one whose contact hardly moves its slowest mode. At 340 of its frequencies the motion does
+    // not settle.
     assert!(slowest.0 < 10.0 && above * 10 < 36, "{above} above 5 s");
 }
 
-/// A response is from rest only where the motion from rest has a steady state: without damping, and with μ > 1, the closed
-/// form and the stuck state stand in for one that does not settle, and say so.
+/// A response is reported as from rest only if motion from rest has a steady state. Without damping and with μ > 1 it
+/// may not settle. The closed form or the stuck state then replaces it, and the response says so.
 #[test]
 fn another_state_is_not_called_one_from_rest() {
     let (mut from_rest, mut others) = (0, [0; 3]);
@@ -254,7 +255,7 @@ fn another_state_is_not_called_one_from_rest() {
     );
 }
 
-/// A curve whose refinement may take no work says so, and one that may take enough is as accurate as asked.
+/// A curve whose refinement may do no work says so. With enough work it reaches the requested accuracy.
 #[test]
 fn a_bound_on_the_work_of_a_curve_is_told() {
     let system = frame(2, 4).system;

@@ -1,26 +1,26 @@
-//! Curves: between their points, at their cuts, against dense sampling.
+//! Tests of curves, between their points and at their cuts, against dense sampling.
 
 use crate::desk::{SCENES, system};
 use frictiongen::study::{CurveError, CurveRequest, Damping, End};
 use frictiongen::{Of, Regime};
 use std::f64::consts::TAU;
 
-/// The friction ratios, or the last of them: five masses take a minute each where their motions do not settle.  With
-/// `CURVES=all` in the environment all of them.
+/// Returns the friction ratios of a scene. With five masses a curve whose motions do not settle takes long, so only the
+/// last friction ratio is returned. `CURVES=all` in the environment returns all.
 fn frictions<'a>(name: &str, all: &'a [f64]) -> &'a [f64] {
     let short = name.starts_with("five") && std::env::var_os("CURVES").is_none();
     if short { &all[all.len() - 1..] } else { all }
 }
 
-/// An angle in (−π, π].
+/// Reduces an angle to (−π, π].
 fn turn(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// A straight line between neighbours passes the response at places that the refinement did not see.  Refinement compares
-/// at the middle of an interval; elsewhere, and where a curve bends more on one side, a few times as much is allowed.  Where
-/// several steady states exist a motion from rest ends in one or another, however near its neighbours are: with five masses
-/// and μ > 1 some places stray from the line.
+/// Between neighbouring points a straight line is close to the response, at frequencies that the refinement did not
+/// use. Refinement compares at the middle of an interval. Elsewhere, and where a curve bends more on one side, a few
+/// times its tolerance is allowed. If several steady states exist, motions from rest at neighbouring frequencies may
+/// end in different ones. With five masses and μ > 1 some points therefore stray from the line.
 #[test]
 fn lines_between_points_pass_the_response() {
     let (mut checked, mut beyond, mut turned, mut far) = (0_u32, 0_u32, 0_u32, 0_u32);
@@ -53,12 +53,13 @@ fn lines_between_points_pass_the_response() {
                         let line = low + 0.37 * (high - low);
                         let exact = response.swing(*of).unwrap().amplitude;
                         if piece.regime == Regime::Stuck && !(unique && damped) {
-                            // With μ > 1 the offset jumps by a slip from place to place, and without damping slips go on
-                            // as long as the motion is followed.
+                            // With μ > 1 the offset jumps by a slip from frequency to frequency. Without damping slips
+                            // continue as long as the motion is followed.
                             continue;
                         }
                         let stray = (line - exact).abs() / exact.max(1e-2);
-                        // With μ > 1 motion from rest ends in one state or another: a jump may pass between points.
+                        // With μ > 1 motion from rest ends in one state or another, so a jump may lie between two
+                        // points.
                         let alone = piece.regime != Regime::StickSlip
                             || (unique && !name.starts_with("five"));
                         assert!(
@@ -67,8 +68,9 @@ fn lines_between_points_pass_the_response() {
                         );
                         checked += 1;
                         beyond += u32::from(unique && 4.0 * request.accuracy < stray);
-                        // What is small has no phase that counts.  With stops the largest displacement may go from one
-                        // instant to another at once, whatever the amplitude does: that place is found.
+                        // The phase of a small amplitude is not compared. With stops the largest displacement may pass
+                        // from one instant to another at once, whatever the amplitude does. The curve finds that
+                        // frequency.
                         if exact < 0.05 || !alone || b.r - a.r < 1e-5 * r {
                             continue;
                         }
@@ -103,12 +105,12 @@ fn lines_between_points_pass_the_response() {
     assert!(turned > 500 && far * 200 < turned, "{far} of {turned}");
 }
 
-/// Where the regime changes, a limit equals β to rounding; and no change of a dense scan is missing.
+/// Where the regime changes, a limit equals β to rounding, and the curve misses no change of a dense scan.
 #[test]
 fn regimes_change_at_limits_and_nowhere_else() {
     for (name, text) in SCENES {
         let system = system(text);
-        // With μ > 1 motion from rest decides, and limits say only what exists.
+        // With μ > 1 motion from rest decides the regime. The limits only tell which states exist.
         let unique = system.scene().stiction == 1.0;
         let (from, to) = (0.3, 2.4);
         let mut request = CurveRequest::new(from, to, &[Of::Mass(0)]);
@@ -120,7 +122,7 @@ fn regimes_change_at_limits_and_nowhere_else() {
                 if !unique || last.regime == first.regime || pair[0].end != End::Boundary {
                     continue;
                 }
-                // Beside a limit there may be no answer: a motion takes for ever to settle.
+                // Next to a limit there may be no result, because a motion settles ever more slowly.
                 if curve
                     .gaps
                     .iter()
@@ -142,7 +144,7 @@ fn regimes_change_at_limits_and_nowhere_else() {
                     first.r
                 );
             }
-            // Each place of a scan lies in a piece of its regime, or in a cut.
+            // Each frequency of a scan lies in a piece of its regime, or in a cut.
             for i in 0..if unique { 2000 } else { 0 } {
                 let r = from + (to - from) * (f64::from(i) + 0.31) / 2000.0;
                 let regime = system.at(r).unwrap().limits().regime(beta).unwrap();
@@ -158,7 +160,7 @@ fn regimes_change_at_limits_and_nowhere_else() {
     }
 }
 
-/// Steep but unbroken: the response of two masses beside r = 0.615 falls by a third within 2e-4 (figure 6.6).
+/// The response of two masses near r = 0.615 is steep but continuous: it falls by a third within 2e-4 (figure 6.6).
 #[test]
 fn what_is_steep_is_not_a_jump() {
     let system = system(
@@ -185,7 +187,7 @@ fn what_is_steep_is_not_a_jump() {
     );
 }
 
-/// At an undamped resonance with too little friction a curve ends on both sides; with enough it goes on.
+/// At an undamped resonance with too little friction a curve is cut. With enough friction it continues.
 #[test]
 fn poles_are_cut() {
     let system = system(SCENES[0].1);
@@ -206,7 +208,7 @@ fn poles_are_cut() {
                 .count(),
         )
     };
-    // The threshold is π/4.
+    // The threshold of the friction ratio is π/4.
     assert_eq!(poles(0.7), (1, 1));
     assert_eq!(poles(0.8), (0, 0));
     let largest = |beta: f64| {

@@ -1,4 +1,4 @@
-//! Maps: their points, their boundaries, what is left of a cancelled one.
+//! Tests of maps: their points, their boundaries, and the content of a cancelled map.
 
 use crate::desk::{SCENES, system};
 use frictiongen::study::{MapRequest, Pattern};
@@ -13,7 +13,7 @@ fn request() -> MapRequest {
     }
 }
 
-/// Points in parallel are those one by one, in their order.
+/// Points that are computed in parallel equal those computed one by one, in the same order.
 #[test]
 fn points_are_responses() {
     for (name, text) in SCENES {
@@ -71,7 +71,7 @@ fn what_does_not_settle() {
     );
 }
 
-/// On both sides of a traced boundary the contact does what it says; the limits of the regimes are exact.
+/// On each side of a traced boundary the contact moves as the boundary says. The limits of the regimes are exact.
 #[test]
 fn boundaries_have_their_two_sides() {
     let (mut inner, mut exact) = (0, 0);
@@ -95,7 +95,7 @@ fn boundaries_have_their_two_sides() {
                 "{what}: {}",
                 boundary.width
             );
-            // A motion that takes many cycles to repeat scatters: within a rounding of β it may do another thing.
+            // A motion that repeats only after many cycles is sensitive. Within a rounding of β its pattern may differ.
             let scatters = |pattern: &Result<Pattern, _>| {
                 pattern.as_ref().is_ok_and(|pattern| pattern.period != 1)
             };
@@ -120,8 +120,8 @@ fn boundaries_have_their_two_sides() {
     assert!(exact > 100 && inner > 30, "{exact} limits, {inner} traced");
 }
 
-/// Where a map's steps hide boundaries, those are found that a map of sixteen times as many frictions tells apart by a
-/// quarter of a step, in the same order.
+/// If several boundaries lie between two friction ratios of a map, the map finds them in order. The reference is a map
+/// with sixteen times as many friction ratios. Regions narrower than a quarter of a step may be missed.
 #[test]
 fn several_boundaries_between_two_frictions() {
     const FINER: usize = 16;
@@ -157,7 +157,7 @@ fn several_boundaries_between_two_frictions() {
                 .iter()
                 .filter(|one| one.r == column.r && ends[0] < one.beta && one.beta <= ends[1])
                 .collect();
-            // Each leads to the next, from one end to the other.
+            // Each boundary leads to the next one, from one friction ratio to the other.
             let outer = [step * FINER, (step + 1) * FINER].map(kind);
             let mut last = outer[0];
             for one in &here {
@@ -169,7 +169,7 @@ fn several_boundaries_between_two_frictions() {
                 last = one.above;
             }
             assert_eq!(last, outer[1], "r = {}, {ends:?}", column.r);
-            // Of regions a quarter wide none is missed.
+            // No region that is at least a quarter of a step wide is missed.
             let inner = step * FINER..(step + 1) * FINER;
             let mut start = inner.start;
             for place in inner {
@@ -211,7 +211,7 @@ fn a_cancelled_map_keeps_whole_columns() {
         })
         .unwrap();
     let done = map.columns.len();
-    // Columns that other threads are in the middle of are dropped; those that they had finished stay.
+    // Unfinished columns of other threads are dropped, and finished ones are kept.
     assert!(
         (5..30).contains(&done) && told.load(Ordering::Relaxed) >= 5,
         "{done}"
@@ -274,7 +274,7 @@ fn bad_requests() {
     }
 }
 
-/// Lines of limits pass the limits between their points, and touch 0 at the odd sub-harmonics (3.17).
+/// Between their points the lines of limits are close to the limits. They reach 0 at the odd subharmonics (3.17).
 #[test]
 fn limit_lines_pass_the_limits() {
     let share = |beta: f64| 1.0 - 1.0 / (1.0 + beta);
@@ -306,7 +306,8 @@ fn limit_lines_pass_the_limits() {
     );
 }
 
-/// Without a constant kinetic level no column has an answer: that is an error, and not a map without columns.
+/// If the kinetic friction depends on the speed, no column has a result. The map returns an error instead of no
+/// columns.
 #[test]
 fn a_law_that_falls_with_speed_is_refused() {
     let system = system(
@@ -317,7 +318,7 @@ fn a_law_that_falls_with_speed_is_refused() {
     assert_eq!(error.argument, "stribeck");
 }
 
-/// A mass that is not there is called that, not a number.
+/// A mass index that does not exist is reported as a missing mass, not as an invalid number.
 #[test]
 fn a_mass_that_is_not_there() {
     let request = MapRequest {
@@ -333,7 +334,7 @@ fn a_mass_that_is_not_there() {
     );
 }
 
-/// Every frequency that is asked for has its column, the smallest and the largest numbers too.
+/// Every requested frequency has its column, including the smallest and the largest numbers.
 #[test]
 fn no_column_is_lost() {
     for (name, text) in SCENES {

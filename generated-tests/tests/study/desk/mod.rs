@@ -1,4 +1,4 @@
-//! Responses in any regime, curves and maps.
+//! Tests of responses in any regime, curves, maps, states and sweeps.
 
 mod curves;
 mod maps;
@@ -8,7 +8,7 @@ mod sweeps;
 
 use frictiongen::System;
 
-/// Chains of every contact, undamped and damped, with more static than kinetic friction too.
+/// Chains with every contact, undamped and damped, some of them with μ > 1.
 const SCENES: [(&str, &str); 7] = [
     (
         "one mass, wall",

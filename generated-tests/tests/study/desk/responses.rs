@@ -1,4 +1,4 @@
-//! What a response says beyond amplitude and phase, against energy and against its own displacements.
+//! Tests of energy, rates and forces of a response, against the work of the load and against its own displacements.
 
 use crate::desk::{SCENES, system};
 use frictiongen::study::scene::{Damping, Excitation, Node};
@@ -6,7 +6,7 @@ use frictiongen::study::{Size, SystemResponse};
 use frictiongen::{Of, System};
 use std::f64::consts::{PI, TAU};
 
-/// Where responses are asked: off every resonance of the chains.
+/// Points (r, β) at which responses are tested, away from every resonance of the chains.
 const PLACES: [(f64, f64); 8] = [
     (0.31, 0.05),
     (0.31, 0.4),
@@ -18,14 +18,14 @@ const PLACES: [(f64, f64); 8] = [
     (2.1, 0.15),
 ];
 
-/// The work that the load does in a cycle, over P²/k₁, from the fundamental components.
+/// Returns the work of the load in a cycle over P²/k₁, from the fundamental components.
 fn input_work(system: &System, response: &SystemResponse<'_>) -> f64 {
     let scene = system.scene();
     let imaginary = |mass: usize| response.harmonic(Of::Mass(mass), 1).unwrap().im;
     match scene.excitation {
-        // ∮ cos τ dx̄ with x̄ = Re X e^{iτ}.
+        // The work is ∮ cos τ dx̄ with x̄ = Re X e^{iτ}.
         Excitation::Force(mass) => -PI * imaginary(mass),
-        // The base pulls by its springs: ∮ Σκ(ȳ − x̄) dȳ, ȳ = cos τ.
+        // The base acts through its springs: ∮ Σκ(ȳ − x̄) dȳ, ȳ = cos τ.
         Excitation::Base => {
             let first = scene.springs[0].stiffness;
             let springs = scene.springs.iter().map(|spring| {
@@ -40,14 +40,15 @@ fn input_work(system: &System, response: &SystemResponse<'_>) -> f64 {
     }
 }
 
-/// Without damping, friction takes out what the load puts in.  Both are sums over a cycle of numbers of order 1, and the
-/// load's is a harmonic by quadrature: 1e-10 of the larger of them and 1.
+/// Without damping, friction dissipates the work of the load. Both works are sums of order 1 over a cycle, and that of
+/// the load is a harmonic by quadrature. The tolerance is 1e-10 times the larger of the works and 1.
 #[test]
 fn friction_takes_out_what_the_load_puts_in() {
     let (mut checked, mut stops) = (0, 0);
     for (name, text) in SCENES {
         let system = system(text);
-        // Friction on the base works on it as well: there the springs alone are not the load.
+        // If the contact joins a mass to the base, friction also does work on the base, and the springs are not the
+        // only load.
         let on_base =
             [system.scene().contact.from, system.scene().contact.to].contains(&Node::Base);
         if system.scene().damping != Damping::None || on_base {
@@ -74,7 +75,7 @@ fn friction_takes_out_what_the_load_puts_in() {
     );
 }
 
-/// The work of a motion that repeats after three cycles is that of one of them.
+/// The work of a motion that repeats after three cycles is that of one cycle.
 #[test]
 fn friction_takes_out_as_much_of_each_of_three_cycles() {
     let system = system(
@@ -83,13 +84,13 @@ fn friction_takes_out_as_much_of_each_of_three_cycles() {
     let response = system.at(0.352).unwrap().response(0.1563).unwrap();
     assert_eq!(response.period(), 3);
     let (taken, given) = (response.friction_work(), input_work(&system, &response));
-    // As above: a harmonic by quadrature.
+    // The tolerance is that of a harmonic by quadrature, as above.
     assert!((taken - given).abs() < 1e-10, "{taken} of {given}");
     assert!(given > 0.1, "{given}");
 }
 
-/// Velocities and accelerations are those of the displacements at 4000 instants of a period: differences over a step h are
-/// within h² of the derivatives, but not across a jump of an acceleration, which is left out.
+/// Velocities and accelerations are the derivatives of the displacements at 4000 instants of a period. Difference
+/// quotients over a step h are within h² of the derivatives. A jump of an acceleration is left out.
 #[test]
 fn rates_are_those_of_the_displacements() {
     let mut checked = 0;
@@ -134,7 +135,7 @@ fn rates_are_those_of_the_displacements() {
                     .windows(3)
                     .map(|x| (x[2] - 2.0 * x[1] + x[0]).abs() / (h * h));
                 let curve = curves.fold(0.0, f64::max);
-                // Across a jump the second difference is between its two sides.
+                // Across a jump the second difference lies between the values on both sides.
                 assert!(
                     curve <= scale * (1.0 + 1e-6) + 1e-6,
                     "{what}: {scale} below {curve}"
@@ -147,7 +148,7 @@ fn rates_are_those_of_the_displacements() {
     assert!(checked > 80, "{checked}");
 }
 
-/// The largest friction force of a late cycle from rest is what the response says.
+/// The response returns the largest friction force of a late cycle of motion from rest.
 #[test]
 fn contact_forces_are_those_of_a_run() {
     for (name, text) in SCENES {
@@ -160,13 +161,13 @@ fn contact_forces_are_those_of_a_run() {
             if system.scene().damping == Damping::None
                 && !matches!(response, SystemResponse::StickSlip(_))
             {
-                // What is left of the start does not die.
+                // In these scenes the transient does not decay.
                 continue;
             }
             let mut run = system.simulation(r, beta).unwrap();
             let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
             while run.cycles() < 800 {
-                // Coarsely until the last cycle.
+                // Long steps until the last cycle.
                 run.advance(if run.cycles() < 799 { 3.0 } else { 0.005 })
                     .unwrap();
                 if run.cycles() == 799 {
@@ -175,7 +176,7 @@ fn contact_forces_are_those_of_a_run() {
             }
             let largest = high.max(-low);
             let told = response.contact_force();
-            // A step of 0.005 may miss the top of a holding force by its square.
+            // A step of 0.005 may miss the maximum of a sticking force, by an error of second order.
             assert!(
                 largest <= told * (1.0 + 1e-6),
                 "{name}, r = {r}, β = {beta}: {largest} for {told}"

@@ -1,4 +1,4 @@
-//! Steady states beside each other, at run time and emitted.
+//! Tests of coexisting steady states, at run time and emitted.
 
 use frictiongen::study::SystemOrbit;
 use frictiongen::{System, friction_system};
@@ -21,13 +21,13 @@ fn block(stiction: f64) -> System {
     format!("{BLOCK}{stiction} }}").parse().expect("a scene")
 }
 
-/// All of them; the others would hide a state that is given twice.
+/// Returns all states. A filter could hide a state that is returned twice.
 fn states(system: &System, r: f64, beta: f64) -> Vec<SystemOrbit<'_>> {
     let at = system.at(r).expect("in the domain");
     at.states(beta).expect("in the domain").collect()
 }
 
-/// Den Hartog's amplitude over Y, z̄₀² = V² − β²U² with the load r²Y.
+/// Returns Den Hartog's amplitude over Y: z̄₀² = V² − β²U² with the load r²Y.
 fn closed_form(r: f64, beta: f64) -> f64 {
     let angle = std::f64::consts::PI / r;
     let (v, u) = (1.0 / (1.0 - r * r), angle.sin() / (r * (1.0 + angle.cos())));
@@ -35,7 +35,7 @@ fn closed_form(r: f64, beta: f64) -> f64 {
     load * (v * v - (beta / load * u).powi(2)).sqrt()
 }
 
-/// Between the limits of the wedge, 0.605 and 0.881, the closed form and the stuck block.
+/// Between the two limits 0.605 and 0.881, the closed form and the stuck state coexist.
 #[test]
 fn the_closed_form_beside_the_stuck_state() {
     let (r, beta) = (1.1, 0.65);
@@ -83,7 +83,7 @@ fn one_state_without_excess_of_static_friction() {
     }
 }
 
-/// A stick-slip motion beside a stuck block, each held by following it from its own start.
+/// A stick-slip motion coexists with a stuck state. Each is compared with a simulation from its own start.
 #[test]
 fn stick_slip_beside_the_stuck_state() {
     let system = block(2.0);

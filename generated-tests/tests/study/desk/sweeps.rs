@@ -1,4 +1,5 @@
-//! Sweeps up and down: where a state ends, against the closed forms of one undamped mass on a moving base.
+//! Tests of sweeps up and down: the frequency at which a state ends, against the closed forms of one undamped mass on a
+//! moving base.
 
 use frictiongen::study::{Curve, CurveRequest, CurveStart, End, Piece};
 use frictiongen::{Of, Regime, System};
@@ -7,30 +8,31 @@ use std::f64::consts::PI;
 const MU: f64 = 2.0;
 const BLOCK: &str = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
     contact: block - base, excitation: base, stiction: 2 }";
-/// A jump is located to 1e-7 of r.
+/// Tolerance in r. A jump is located to 1e-7.
 const PLACE: f64 = 2e-7;
 
-/// (V, U) of Den Hartog's solution for the relative motion, whose load is r²Y.
+/// Returns (V, U) of Den Hartog's solution for the relative motion, whose load is r²Y.
 fn solution(r: f64) -> (f64, f64) {
     let angle = PI / r;
     (1.0 / (1.0 - r * r), angle.sin() / (r * (1.0 + angle.cos())))
 }
 
-/// The amplitude of the relative motion over Y while it slides all the time.
+/// Returns the amplitude of the relative motion over Y in continuous motion.
 fn amplitude(r: f64, beta: f64) -> f64 {
     let (v, u) = solution(r);
     let load = r * r;
     load * (v * v - (beta / load * u).powi(2)).sqrt()
 }
 
-/// The friction ratio at which the contact no longer turns without a stop: the force that holds it there is r²z̄₀ = μβ.
+/// Returns the friction ratio from which the contact stops when it reverses. The force that keeps it there is r²z̄₀ =
+/// μβ.
 fn continuous_limit(r: f64) -> f64 {
     let (v, u) = solution(r);
     let load = r * r;
     load * v.abs() / (u * u + (MU / load).powi(2)).sqrt()
 }
 
-/// The frequency ratio at which that limit is β, between two on both sides of it.
+/// Returns the frequency ratio at which that limit is β, between two that enclose it.
 fn ends_at(beta: f64, mut low: f64, mut high: f64) -> f64 {
     assert!(continuous_limit(low) < beta && beta < continuous_limit(high));
     for _ in 0..60 {
@@ -75,8 +77,8 @@ fn told(curve: &Curve) -> String {
     pieces.collect::<Vec<_>>().join("\n")
 }
 
-/// Swept up, the block sticks up to r² = μβ, less the spring's force where it sticks off its centre; swept down, it slides
-/// down to where the closed form ends.  Between the two frequencies both states exist.
+/// In a sweep up the block sticks up to r² = μβ, minus the spring force of its offset. In a sweep down it slides as
+/// long as the closed form exists. Between the two frequencies both states exist.
 #[test]
 fn a_stuck_and_a_sliding_block() {
     let system: System = BLOCK.parse().expect("a scene");
@@ -91,7 +93,7 @@ fn a_stuck_and_a_sliding_block() {
         let held = stuck[stuck.len() - 1];
         let last = &held.points[held.points.len() - 1];
         assert!(matches!(held.end, End::Jump | End::Boundary));
-        // μβ = r² + |offset|, all over k₁Y.
+        // The balance is μβ = r² + |offset|, all over k₁Y.
         let departure = (MU * beta - last.offset.abs()).sqrt();
         assert!(
             (last.r / departure - 1.0).abs() < PLACE,
@@ -116,7 +118,7 @@ fn a_stuck_and_a_sliding_block() {
             compared += u32::from(ends < point.r && point.r < departure);
         }
         for point in &held.points {
-            // Stuck the block moves with its base.
+            // A stuck block moves with its base.
             assert!((point.movements[1].centred - 1.0).abs() < 1e-12);
             assert!(point.movements[0].centred < 1e-12);
         }
@@ -124,7 +126,8 @@ fn a_stuck_and_a_sliding_block() {
     }
 }
 
-/// Physical states go on unchanged: a sweep of a chain with one steady state is the curve from rest.
+/// The physical state continues from frequency to frequency. A sweep of a chain with one steady state gives the curve
+/// from rest.
 #[test]
 fn one_state_however_it_is_reached() {
     let system: System =
@@ -148,7 +151,7 @@ fn one_state_however_it_is_reached() {
                 .swing(Of::Mass(0))
                 .expect("a mass");
             let found = point.movements[1].swing.amplitude;
-            // Both end Newton's method at a millionth of a millionth or so; steep places lose some digits.
+            // Both end Newton's method at a relative step of about 1e-12. Steep responses lose some digits.
             assert!(
                 (found / expected.amplitude - 1.0).abs() < 1e-8,
                 "r = {}: {found} for {}",
@@ -161,8 +164,8 @@ fn one_state_however_it_is_reached() {
     assert!(compared > 300, "{compared}");
 }
 
-/// With less friction than the resonance needs the amplitude has a pole there.  A sweep goes up to it on one side and on from
-/// the other, whatever its direction.
+/// With less friction than its threshold the resonance is a pole of the amplitude. A sweep in either direction ends at
+/// it on one side, and continues on the other.
 #[test]
 fn a_sweep_across_a_pole() {
     let system: System = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },

@@ -1,11 +1,11 @@
-//! Zeros that lie beside a pole, and zeros of two functions at one place.
+//! Tests of zeros next to a pole, and of common zeros of two functions.
 
 use crate::features::scenes::unit;
 use frictiongen::study::{Edge, Measured, System};
 use frictiongen::{Of, Regime};
 
-/// Two oscillators that hardly touch: in the receptance of the first the second leaves a zero at its own frequency, and a pole
-/// ε²/2·0.69·1.69 of the place beside it.  Both are there down to 1e-13 of the place.
+/// Two weakly coupled oscillators. In the receptance of the first, the second causes a zero at its own frequency, and a
+/// pole at a distance of ε²/2·0.69·1.69. Both are found down to a relative distance of 1e-13.
 #[test]
 fn a_zero_beside_a_pole() {
     for (coupling, apart) in [(1e-3_f64, 4e-7), (1.5e-6, 9.6e-13)] {
@@ -21,13 +21,14 @@ fn a_zero_beside_a_pole() {
         let features = system.features(None).unwrap();
         let found = features.antiresonances(Of::Mass(0), [1.1, 2.0]).unwrap();
         assert_eq!(found.len(), 1, "{coupling}: {found:?}");
-        // From numbers that are rounded once.
+        // The expected value is computed from numbers that are rounded once.
         assert!((found[0].r / expected - 1.0).abs() < 1e-15, "{found:?}");
     }
 }
 
-/// The load and the contact on one mass: where the other holds it, its motion and its receptance vanish together.  More friction
-/// enlarges the fundamental on one side; that the contact is still there is what counts.
+/// Load and contact act on the same mass. Where the other mass acts as an absorber, the motion and the receptance of
+/// the contact vanish together. More friction enlarges the fundamental on one side of that frequency only. The bound of
+/// the range is reported as a frequency at which the contact does not move.
 #[test]
 fn where_the_contact_is_still() {
     let system = unit(2, "m1 - wall", "m1");
@@ -45,7 +46,7 @@ fn where_the_contact_is_still() {
         .collect();
     assert_eq!(still.len(), 1, "{edges:?}");
     assert_eq!(still[0].1, Edge::Still, "{edges:?}");
-    // The steady states say the same: more friction, more motion, on the side that is found.
+    // The steady states confirm the range: within it more friction gives more motion.
     for range in found {
         let r = 0.5 * (range.from + range.to);
         let at = system.at(r).unwrap();

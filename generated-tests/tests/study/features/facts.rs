@@ -1,4 +1,5 @@
-//! F01 to F32, as far as they are features.  Right-hand numbers are from the governing equations in extended precision.
+//! Tests of those numbers of F01 to F32 that are features. The expected numbers are from the governing equations in
+//! extended precision.
 
 use crate::features::scenes::{base, chain, unit, wall};
 use frictiongen::study::{Certainty, Condition, Edge, InvariantPoint, Measured, RegimeEnd, System};
@@ -7,9 +8,9 @@ use std::f64::consts::{FRAC_PI_4, PI, SQRT_2};
 
 const M1: Of = Of::Mass(0);
 const M2: Of = Of::Mass(1);
-/// Numbers are given to six digits.
+/// Tolerance of numbers that are given to six digits.
 const DIGITS: f64 = 1e-6;
-/// A closed form, after a few roundings.
+/// Tolerance of a closed form after a few roundings.
 const ROUNDING: f64 = 1e-14;
 
 fn close(value: f64, want: f64, tolerance: f64) {
@@ -57,7 +58,7 @@ fn f01_f02_one_mass() {
     }
 }
 
-/// β*_lim = r²/μ: at β the contact slides from √(μβ) on.
+/// With β*_lim = r²/μ the contact slides at β from √(μβ) on.
 #[test]
 fn f04_sliding_from() {
     for mu in [1.0, 1.2, 2.0] {
@@ -79,7 +80,7 @@ fn f07_moving_base() {
     assert_eq!(last.condition, Condition::Balance);
 }
 
-/// The exact amplitudes of two frictions cross between 1.4 and 1.55.
+/// The exact amplitudes of two friction ratios cross between 1.4 and 1.55.
 #[test]
 fn f08_exact_amplitudes() {
     let system = base(1.0);
@@ -100,7 +101,7 @@ fn f08_exact_amplitudes() {
     close(last, 1.5423, 5e-5);
 }
 
-/// β = 1, μ = 1.5: from stuck straight to continuous at √1.5.
+/// At β = 1, μ = 1.5 the regime changes from stuck directly to continuous at √1.5.
 #[test]
 fn f10_without_stick_slip() {
     let system = base(1.5);
@@ -115,7 +116,8 @@ fn f10_without_stick_slip() {
     close(ranges[1].to, 1.5_f64.sqrt(), ROUNDING);
     assert!(matches!(ranges[1].end, RegimeEnd::Sliding(_)));
     assert!(matches!(ranges[0].end, RegimeEnd::Continuous(_)));
-    // With μ = 1 there is stick-slip between.  β*_lim is β on the resonance itself, where V − βH has no pole left.
+    // With μ = 1 a stick-slip range lies between them. At the resonance β*_lim equals β, because V − βH has no pole
+    // there.
     let system = base(1.0);
     let features = system.features(None).unwrap();
     let (ranges, _) = features.regimes(1.0, [0.6, 1.4]).unwrap();
@@ -127,7 +129,7 @@ fn f10_without_stick_slip() {
     close(ranges[0].to, 1.0, ROUNDING);
 }
 
-/// From the pole of U at 1/3 to where U = −(2/π)V.
+/// The inversion extends from the pole of U at 1/3 to the r at which U = −(2/π)V.
 #[test]
 fn f13_inversion_of_the_fundamental() {
     let system = wall("");
@@ -157,7 +159,7 @@ fn f14_f15_f16_three_masses() {
     }
     assert!(features.quasi_static_start(0.5).unwrap().is_none());
     close(features.limits_at_rest().sliding.value, 0.5, ROUNDING);
-    // The stuck chain is one mass between two springs, and m₃, which swings by itself.
+    // The stuck chain is one mass between two springs, and m₃, which vibrates by itself.
     let held: Vec<f64> = features
         .held_resonances()
         .iter()
@@ -170,7 +172,7 @@ fn f14_f15_f16_three_masses() {
         close(ranges[0].from, ((2.0 * beta - 1.0) / beta).sqrt(), ROUNDING);
         close(ranges[0].to, ((2.0 * beta + 1.0) / beta).sqrt(), ROUNDING);
     }
-    // Below 1/2 the lower bound is r = 0.
+    // For β below 1/2 the lower bound of the range is r = 0.
     let ranges = features.sliding_ranges(0.4, [0.05, 4.0]).unwrap();
     assert!(ranges[0].from_frequency.is_none() && ranges[0].to_frequency.is_some());
 }
@@ -187,7 +189,7 @@ fn f17_f18_contact_below() {
     let found = features
         .inversions(M2, Measured::Amplitude, [0.5, 4.0])
         .unwrap();
-    // At r = 1 the contact is still: no friction lets it slide there.
+    // At r = 1 the contact does not move, and it slides at no friction.
     let ends: Vec<f64> = found
         .iter()
         .flat_map(|found| [found.from, found.to])
@@ -290,7 +292,7 @@ fn f29_peaks() {
     }
 }
 
-/// ω₀, where m₁ stands still without friction, and ω_z0, where it moves with the base.
+/// At ω₀ mass m₁ does not move without friction. At ω_z0 it moves with the base.
 #[test]
 fn f30_f32_rig() {
     let (gamma, kappa) = (0.9772, 1.1119);

@@ -1,4 +1,4 @@
-//! Features of scenes: the thesis's printed numbers, and random scenes against dense samples.
+//! Tests of the features of scenes: numbers that the thesis prints, and random scenes against dense samples.
 #![allow(
     clippy::unwrap_used,
     clippy::indexing_slicing,

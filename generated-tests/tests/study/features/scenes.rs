@@ -1,10 +1,10 @@
-//! Scenes by name, and at random.
+//! Scenes by name, and random scenes.
 
 use frictiongen::System;
 use fuzzing::Random;
 use std::fmt::Write;
 
-/// A chain of masses m1, m2, … from the base up.
+/// Returns a chain of masses m1, m2, … that begins at the base.
 pub fn chain(
     masses: &[f64],
     springs: &[f64],
@@ -51,7 +51,7 @@ pub fn base(mu: f64) -> System {
     chain(&[1.0], &[1.0], "m1 - base", "base", &rest)
 }
 
-/// Between 1 and `most` masses; every contact, both excitations, static friction or not.
+/// Returns a random scene of 1 to `most` masses with every contact, both excitations, and μ = 1 or larger.
 pub fn random(random: &mut Random, most: usize, damped: bool) -> System {
     let n = 1 + random.below(most);
     let mut draw = || -> Vec<f64> { (0..n).map(|_| random.log_uniform(0.3, 3.0)).collect() };
@@ -82,7 +82,7 @@ pub fn random(random: &mut Random, most: usize, damped: bool) -> System {
     chain(&masses, &springs, &contact, &excitation, &rest)
 }
 
-/// A scene in words, for messages.
+/// Describes a scene for a message.
 pub fn shown(system: &System) -> String {
     format!("{:?}", system.scene())
 }

@@ -1,4 +1,4 @@
-//! Derivatives of features against differences of the features of changed scenes.
+//! Tests of derivatives of features, against differences of the features of changed scenes.
 
 use frictiongen::study::{
     Features, Load, Measured, Parameter, Quantity, RegimeEnd, Sensed, System,
@@ -14,12 +14,12 @@ const DAMPED: &str = "struct Chain {
     springs: { base - a: 2.1, a - b: 1.2, b - wall: 0.4 },
     contact: a - b, excitation: b, damping: rayleigh(0.02, 0.03), stiction: 1.15 }";
 
-/// A friction in N.
+/// Friction force in N.
 const FRICTION: f64 = 0.3;
-/// The relative step of a difference: its third derivative leaves out some 1e-8, rounding 1e-10.
+/// Relative step of a difference quotient. The neglected third derivative is about 1e-8, the rounding 1e-10.
 const STEP: f64 = 1e-4;
 
-/// All features as numbers with their derivatives.
+/// Returns all features as numbers with their derivatives.
 fn all(system: &System, load: Load, friction: f64) -> Vec<Sensed> {
     let features = system.features(Some(load)).unwrap();
     let beta = system.load_scale(load).unwrap().friction_ratio(friction);
@@ -95,7 +95,7 @@ fn undamped(features: &Features<'_>, range: [f64; 2], found: &mut Vec<Sensed>) {
     }
 }
 
-/// The same scene with one parameter `factor` times as large.
+/// Returns the scene with one parameter multiplied by `factor`.
 fn changed(text: &str, load: Load, parameter: Parameter, factor: f64) -> (System, Load, f64) {
     let mut scene = text.parse::<System>().unwrap().scene().clone();
     let (mut load, mut friction) = (load, FRICTION);
@@ -138,7 +138,7 @@ fn against_differences(text: &str, load: Load) -> usize {
             parameters.push((slope.parameter, slope.value));
         }
     }
-    // Two masses, two or three springs, stiction, friction, load, and damping.
+    // The parameters are two masses, two or three springs, stiction, friction, load, and damping.
     assert!(7 <= parameters.len(), "{parameters:?}");
     let mut seen = 0;
     for (parameter, value) in parameters {
@@ -179,7 +179,7 @@ fn damped_by_differences() {
     assert!(against_differences(DAMPED, Load::Force(1.9)) > 100);
 }
 
-/// Peaks a thousandth of r wide.
+/// Peaks with a width of a thousandth in r.
 #[test]
 fn sharp_peaks_by_differences() {
     let text = DAMPED.replace("rayleigh(0.02, 0.03)", "rayleigh(0.001, 0.001)");
@@ -200,7 +200,8 @@ fn sharp_peaks_by_differences() {
     }
 }
 
-/// A frequency does not change if all masses and springs grow alike; with forces too nothing changes but them.
+/// Frequencies do not change if all masses and springs change by the same factor. If the forces change too, nothing but
+/// the forces changes.
 #[test]
 fn scaled() {
     let system: System = CHAIN.parse().unwrap();

@@ -1,11 +1,11 @@
-//! What the long form has found, each as a test of its own.
+//! Regression tests of faults that the long fuzz runs found.
 
 use crate::fuzz::text::expanded;
 use frictiongen::{
     FrictionSystem, MotionAt, NoOrbit, OutOfDomain, Regime, System, friction_system,
 };
 
-/// Was taken as a visibility, and emitted, which is no Rust.
+/// A group in parentheses that is no visibility is refused, because emitting it would not be valid Rust.
 #[test]
 fn a_visibility_that_is_none() {
     let rest =
@@ -31,7 +31,7 @@ fn a_visibility_that_is_none() {
     }
 }
 
-/// Were taken as paths of the facade, and emitted, which is no Rust.
+/// Tokens that are no path of the facade are refused, because emitting them would not be valid Rust.
 #[test]
 fn a_facade_that_is_no_path() {
     let scene = |facade: &str| {
@@ -63,7 +63,7 @@ fn a_facade_that_is_no_path() {
 }
 
 friction_system! {
-    /// Its second resonance lies at 3.2e5.
+    /// A scene whose second resonance lies at r = 3.2e5.
     struct Spread {
         masses: { a: 1.0, b: 1e-6 },
         springs: { base - a: 1.0, a - b: 1e5 },
@@ -74,7 +74,7 @@ friction_system! {
     }
 }
 
-/// √λ/r had a square beyond `f32` at the smallest r at which the formulas were evaluated.
+/// The square of √λ/r must stay within `f32` at the smallest r at which the formulas are evaluated.
 #[test]
 fn a_high_resonance_at_a_small_ratio() {
     for r in [1e-45_f32, 1.6e-37, 1.5e-18, 1e-12] {
@@ -85,21 +85,21 @@ fn a_high_resonance_at_a_small_ratio() {
     }
 }
 
-/// With friction on the moving base both limits are infinite at r = ∞, and the motion is that without
-/// friction; a large β was said to stick and slip.
+/// With friction on the moving base both limits are infinite at r = ∞, and the motion is that without friction. A large
+/// β must not be reported as stick-slip.
 #[test]
 fn any_friction_on_a_moving_base_at_infinity() {
     let at = FrictionSystem::at(&Spread, f32::INFINITY).expect("a ratio");
     for beta in [0.0, 1.0, f32::MAX] {
         assert_eq!(at.regime(beta), Ok(Regime::Continuous));
         let motion = MotionAt::motion(&at, beta).expect("continuous");
-        // The base moves, the mass stays.
+        // The base moves, and the mass does not.
         assert_eq!(motion.contact().amplitude(), 1.0);
     }
 }
 
 friction_system! {
-    /// All but undamped.
+    /// A scene with almost no damping.
     struct Faint {
         masses: { a: 1.0, b: 1.0 },
         springs: { base - a: 1.0, a - b: 1.0 },
@@ -111,14 +111,15 @@ friction_system! {
     }
 }
 
-/// Far above all resonances V loses all but its damping's part to rounding, and 1/V overflowed.
+/// Far above all resonances V consists only of its damping term, because rounding removes the rest. 1/V must not
+/// overflow.
 #[test]
 fn a_response_too_small_for_its_reciprocal() {
     for r in [1.4839235e11_f32, 1e13, 1e15] {
         let at = Faint::at(r).expect("a ratio");
         let motion = at.motion(0.0).expect("without friction there is a motion");
         let mass = motion.a();
-        // Without friction, x̄ of the loaded mass is 1/r² there.
+        // Without friction x̄ of the loaded mass is 1/r² there.
         assert!(
             (mass.amplitude() * r * r - 1.0).abs() < 1e-5,
             "{}",
@@ -139,14 +140,15 @@ friction_system! {
     }
 }
 
-/// Panels were counted one by one up to the modes' own rate, which in `f32` never came to an end.
+/// The number of quadrature panels must be computed, not counted one by one up to the rate of the modes. In `f32` such
+/// a count would never end.
 #[test]
 fn a_harmonic_far_below_the_resonances() {
     for r in [1e-9_f32, 1e-6] {
         let orbit = Still::at(r).expect("a ratio").orbit(10.0).expect("stuck");
-        // The held mass is pushed against both springs.
+        // The stuck mass acts against both springs.
         let x = orbit.a().harmonic(1);
-        // 2^14 panels, whose sum is rounded as often: at most by 2^14 · 2^-25 of it.
+        // The sum has 2^14 panels and as many roundings, so its relative error is at most 2^14 · 2^-25.
         assert!((x.re - 0.5).abs() < 2.5e-4 && x.im.abs() < 2.5e-4, "{x:?}");
         assert!(orbit.a().harmonic(u32::MAX).re.abs() <= 1.0);
     }
@@ -164,7 +166,7 @@ friction_system! {
     }
 }
 
-/// A motion too small for its numbers is flat at zero, and the search for its peak stood still.
+/// A motion that underflows is zero everywhere, and the search for its peak must end.
 #[test]
 fn a_motion_that_is_all_zero() {
     let at = Fast::at(2.6789888e8).expect("a ratio");
@@ -174,8 +176,8 @@ fn a_motion_that_is_all_zero() {
     assert!(orbit.a().amplitude() < 2e-17, "{}", orbit.a().amplitude());
 }
 
-/// A cycle was recorded from event to event however many leaps that took: at r below the rounding of 1
-/// there was no end.
+/// Recording a cycle from event to event must end, also if r is below the rounding of 1 and the cycle would need too
+/// many steps.
 #[test]
 fn a_cycle_of_too_many_turns() {
     let text = "struct R { masses: { a: 3.4233933483554577, b: 0.6278288469607384, c: 3.756799589337862,
@@ -188,8 +190,8 @@ fn a_cycle_of_too_many_turns() {
     assert_eq!(orbit.err(), Some(NoOrbit::Unsettled));
 }
 
-/// A mode that the contact touches by 1e-18 of what it touches the others was at rest in the stuck chain to
-/// all digits of a double-double, and its share in itself was 0/0.
+/// The contact moves one mode by 1e-18 of the others. In the stuck chain that mode then has no motion in any digit of a
+/// double-double. Its contribution must not become 0/0.
 #[test]
 fn a_mode_that_the_contact_hardly_touches() {
     let text = "struct R { masses: { a: 0.35, b: 2.4e5, c: 1.6, d: 0.19 },
@@ -219,7 +221,7 @@ friction_system! {
     }
 }
 
-/// On a moving base both limits grow as r², and β with them, up to where nothing may be lifted.
+/// On a moving base both limits grow as r², and β with them, up to values at which no number may be scaled up.
 #[test]
 fn a_friction_ratio_as_large_as_it_gets() {
     let at = Carried::at(2.8e37).expect("a ratio");
@@ -240,7 +242,7 @@ friction_system! {
     }
 }
 
-/// What drives a held mode on a moving base was formed with r³.
+/// The load of a stuck mode on a moving base must not be formed with r³, which overflows.
 #[test]
 fn a_base_that_shakes_faster_than_a_cube_can_hold() {
     let r = 1e116;
@@ -265,7 +267,8 @@ friction_system! {
     }
 }
 
-/// Without friction nothing jumps at a reversal, however slowly the contact passes it: 0/0.
+/// Without friction nothing jumps at a reversal, however slowly the contact passes it. The multipliers must not become
+/// 0/0.
 #[test]
 fn multipliers_without_friction() {
     let at = Creeping::at(5.124_947e-4).expect("a ratio");
@@ -275,8 +278,8 @@ fn multipliers_without_friction() {
     }
 }
 
-/// A mode that the contact touches by 1e-27 is itself a held mode as far as numbers go, but not to the last
-/// digit of a double-double: its share was all rounding.
+/// The contact moves one mode by 1e-27. That mode is a stuck mode to double precision, but not to the last digit of a
+/// double-double. Its contribution must not be rounding only.
 #[test]
 fn a_mode_whose_share_is_all_rounding() {
     let text = "struct R { masses: { a: 2.4462350119996397, b: 7.35905547834189, c: 1.8784094014138872,
@@ -306,7 +309,7 @@ friction_system! {
     }
 }
 
-/// On a moving base V grows as r², and times the inverse effective mass of a light mass it was beyond `f32`.
+/// On a moving base V grows as r². Its product with the inverse effective mass of a light mass must stay within `f32`.
 #[test]
 fn a_light_mass_on_a_fast_base() {
     let motion = Tiny::at(8.5e36).expect("a ratio").motion(4.4e-12);
@@ -315,7 +318,7 @@ fn a_light_mass_on_a_fast_base() {
     assert!(0.0 < exact && exact <= estimate, "{exact} {estimate}");
 }
 
-/// The friction that lets the contact stick was infinite.
+/// The friction force at which the contact sticks must not be infinite.
 #[test]
 fn friction_that_overflows() {
     let most = f64::MAX;
@@ -327,8 +330,8 @@ fn friction_that_overflows() {
     assert!(system.simulation(0.5, most / 4.0).is_ok());
 }
 
-/// Where rounding turns a mode by an angle that counts, two searches differ: the regime said stick-slip, and
-/// a motion was given all the same.
+/// If rounding turns a mode by a significant angle, two searches may differ. A regime of stick-slip and a continuous
+/// motion must not be returned for the same point.
 #[test]
 fn a_sweep_too_slow_for_two_searches() {
     let text = "struct R { masses: { a: 4.774003736351606, b: 3.6965901884292873,
@@ -342,8 +345,9 @@ fn a_sweep_too_slow_for_two_searches() {
     assert!(at.motion(beta).is_err());
 }
 
-/// Two decays of different modes were one pair, whose shares were nearly dependent: in `f32` the held
-/// contact moved.  Two overdamped held modes lie so near to each other that `f32` loses a sixth of a motion: refused now.
+/// Two decays of different modes must not be treated as one pair, whose contributions would be nearly dependent. In
+/// `f32` the stuck contact would move. Here two overdamped stuck modes are so close that `f32` loses a sixth of a
+/// motion, so the scene is refused.
 #[test]
 fn decays_of_two_modes() {
     let text = "struct R { masses: { a: 5.967731750865764, b: 0.30315412918747936,

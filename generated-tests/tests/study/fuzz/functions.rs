@@ -1,4 +1,4 @@
-//! Emitted functions with any bits for r, β, τ and n.
+//! Emitted functions for arbitrary bits of r, β, τ and n.
 
 use crate::fuzz::{long, none};
 use frictiongen::kernel::Float;
@@ -11,7 +11,7 @@ use generated_tests::scenes::{Visitor, visit};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// Kinds of damping beside the light and heavy ones of the reference's scenes, on every contact.
+/// Scenes with further kinds of damping, on every contact. The scenes of the reference have light and heavy damping.
 mod beside {
     macro_rules! both {
         ($($double:ident $single:ident { $($body:tt)* })*) => {
@@ -51,13 +51,13 @@ mod beside {
     }
 }
 
-/// What is asked of a scene.
+/// Arguments of a query to a scene.
 #[derive(Debug)]
 pub struct Asked {
     scene: usize,
     pub r: f64,
     beta: f64,
-    /// Whether `beta` is a multiple of a limit: of the continuous one, of the sliding one.
+    /// Limit of which `beta` is a multiple: `true` for the continuous limit, `false` for the sliding limit.
     of_limit: Option<bool>,
     pub tau: f64,
     mass: usize,
@@ -65,7 +65,7 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// β, between limits that are known by now.
+    /// Returns β, once the limits are known.
     pub fn beta<S: Float>(&self, continuous: S, sliding: S) -> S {
         match self.of_limit {
             Some(true) => continuous * S::constant(self.beta),
@@ -75,7 +75,7 @@ impl Asked {
     }
 }
 
-/// How often each thing was looked at, or was not and why.
+/// Counts of what was checked, and of what was not checked with the reason.
 #[derive(Default)]
 pub struct Seen(RefCell<BTreeMap<&'static str, u64>>);
 
@@ -84,7 +84,7 @@ impl Seen {
         *self.0.borrow_mut().entry(what).or_insert(0) += 1;
     }
 
-    /// A steady state, or why there is none.
+    /// Counts a steady state, or the reason why it does not exist.
     pub fn orbit<O>(&self, orbit: &Result<O, NoOrbit>) {
         self.note(match orbit {
             Ok(_) => "orbits",
@@ -97,7 +97,7 @@ impl Seen {
         });
     }
 
-    /// Prints them; of each that is needed there has to be one for so many inputs.
+    /// Prints the counts. Each needed item must occur at least once in the given number of inputs.
     pub fn report(&self, count: u64, needed: &[(&str, u64)]) {
         let seen = self.0.borrow();
         println!("of {count} inputs: {seen:?}");
@@ -108,7 +108,7 @@ impl Seen {
     }
 }
 
-/// A scene whose scalar is no longer known.
+/// A scene without its scalar type.
 type Scene = (
     &'static str,
     Vec<f64>,
@@ -133,7 +133,7 @@ impl Visitor for Scenes {
     }
 }
 
-/// Whether it is one.
+/// Returns `true` unless the value is NaN.
 pub fn is_number<S: Float>(value: S) -> bool {
     !value.to_f64().is_nan()
 }
@@ -258,7 +258,7 @@ fn moves<S: Float>(
     Ok(())
 }
 
-/// A question to a scene, its numbers made by `number` beside landmarks.
+/// Draws a query to a scene. `number` draws numbers near landmarks.
 pub fn question(
     random: &mut Random,
     scene: usize,

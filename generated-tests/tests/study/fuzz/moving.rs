@@ -1,4 +1,4 @@
-//! What is asked of a run in time and of a steady state with stops.
+//! Queries to a simulation, and to a steady state with stops.
 
 use crate::fuzz::functions::{is_number, promise};
 use frictiongen::kernel::Float;
@@ -6,14 +6,14 @@ use frictiongen::kernel::number::complex::Complex;
 use frictiongen::kernel::orbit::{Orbit, OrbitMotion};
 use frictiongen::kernel::simulation::{Part, Simulation};
 
-/// Segments of a run that are looked at.
+/// Number of segments of a run that are checked.
 const SEGMENTS: usize = 24;
 
 fn number<S: Float>(value: S, what: &str) -> Result<(), String> {
     promise(is_number(value), || format!("{what} is NaN"))
 }
 
-/// A run goes on in segments of some length, with numbers for its state.
+/// Checks that a run advances in segments of non-negative length, and that its state has numbers.
 pub fn run<S, P>(run: &mut Simulation<'_, S, P>, masses: usize) -> Result<(), String>
 where
     S: Float,
@@ -38,7 +38,7 @@ where
     Ok(())
 }
 
-/// A steady state answers with numbers.
+/// Checks that a steady state returns numbers.
 pub fn orbit<S, P, V, C>(
     orbit: &Orbit<'_, S, P, V, C>,
     masses: usize,

@@ -1,5 +1,5 @@
-//! Run-time systems of random scenes: everything that is asked of emitted ones, runs in time, steady
-//! states with stops, and derivatives.
+//! Run-time systems of random scenes: the queries of emitted scenes, simulations, steady states with stops, and
+//! derivatives.
 
 use crate::fuzz::functions::{Asked, Seen, answered, is_number, promise, question};
 use crate::fuzz::{long, moving, none, once_in};
@@ -8,20 +8,20 @@ use frictiongen::study::Sensitive;
 use frictiongen::{FrictionSystem, System};
 use fuzzing::{Random, bits};
 
-/// What is asked of which scene.
+/// A scene with its queries.
 #[derive(Debug)]
 struct Question {
     text: String,
     single: bool,
     asked: Vec<Asked>,
-    /// Whether the dear questions are asked too: a run in time, a steady state, derivatives.
+    /// `true` if the expensive queries are made too: simulation, steady state, derivatives.
     dear: bool,
 }
 
-/// Questions for each scene, as a scene costs more than an answer.
+/// Number of queries for each scene. Several are made, because building a scene costs more than a query.
 const QUESTIONS: usize = 16;
 
-/// A sound scene of up to four masses, its numbers over several decades.
+/// Returns a valid scene of up to four masses, whose numbers cover several decades.
 fn scene(random: &mut Random) -> String {
     let masses = 1 + random.below(4);
     let size = |random: &mut Random| {
@@ -66,7 +66,7 @@ fn scene(random: &mut Random) -> String {
 }
 
 fn holds<S: Plain>(question: &Question, seen: &Seen) -> Result<(), String> {
-    // Not every random scene is sound: two springs may join the same pair.
+    // Some random scenes are invalid, because two springs may join the same pair.
     let Ok(system) = question.text.parse::<System<S>>() else {
         seen.note("no: scene refused");
         return Ok(());
@@ -111,7 +111,7 @@ fn dear<S: Plain>(system: &System<S>, asked: &Asked, seen: &Seen) -> Result<(), 
     if let Ok(orbit) = orbit {
         moving::orbit(&orbit, masses, S::constant(asked.tau), asked.order % 12)?;
     }
-    // Derivatives are promised where the functions have them, not on their edges: no panic is.
+    // Derivatives exist where the functions are smooth, not on their edges. Nowhere may they panic.
     let slopes = system.sensitivities(|varied| {
         let at = varied.at(Sensitive::fixed(asked.r.into()))?;
         Ok::<_, frictiongen::OutOfDomain>(at.continuous_limit() + at.sliding_limit())

@@ -1,11 +1,11 @@
-//! Scene texts through both doors: the run-time parser, and what the macro calls.
+//! Scene texts for both readers: the run-time parser, and the function that the macro calls.
 
 use crate::fuzz::{long, none};
 use frictiongen::System;
 use fuzzing::Mutator;
 use proc_macro2::TokenStream;
 
-/// Words of the language, and what is none.
+/// Words of the scene language, and some that are not.
 const WORDS: &[&str] = &[
     "struct",
     "pub",
@@ -96,7 +96,7 @@ const WORDS: &[&str] = &[
     "\n",
 ];
 
-/// A scene, or errors at places of the text.
+/// Checks that a text gives a scene, or errors that are located in the text.
 pub fn read(text: &str) -> Result<(), String> {
     let Err(diagnostics) = text.parse::<System>() else {
         return Ok(());
@@ -105,7 +105,7 @@ pub fn read(text: &str) -> Result<(), String> {
         return Err("refused without a reason".to_owned());
     }
     for diagnostic in &diagnostics.list {
-        // One place after the last is where something is missing.
+        // A missing token is reported one column after the last character.
         let lines = text.split('\n').count();
         let columns = text
             .split('\n')
@@ -121,7 +121,7 @@ pub fn read(text: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// Rust, whatever is written, if it can be a macro's tokens at all.
+/// Checks that the macro's output is valid Rust for every text that can be tokenised.
 pub fn expanded(text: &str) -> Result<(), String> {
     let outcome = match text.parse::<TokenStream>() {
         Ok(tokens) => {
@@ -132,7 +132,7 @@ pub fn expanded(text: &str) -> Result<(), String> {
         }
         Err(_) => Ok(()),
     };
-    // The texts of spans are otherwise kept for ever.
+    // The texts of spans would otherwise stay in memory.
     proc_macro2::extra::invalidate_current_thread_spans();
     outcome
 }

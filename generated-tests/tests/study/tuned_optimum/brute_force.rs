@@ -1,9 +1,9 @@
-//! The largest amplitude of a band by samples alone, and the least of it by golden sections.
+//! The largest amplitude of a band by samples only, and its minimum by golden section search.
 
 use crate::tuned_optimum::case::Case;
 use frictiongen::study::System;
 
-/// One value of the number by brute force, in N, m and rad/s.
+/// A scene with one value of the varied number, in N, m and rad/s.
 pub struct Tried<'c> {
     case: &'c Case,
     system: System,
@@ -39,7 +39,7 @@ impl<'c> Tried<'c> {
         })
     }
 
-    /// The largest over the band by samples alone.
+    /// Returns the largest amplitude over the band by samples only.
     pub fn largest(&mut self, force: f64) -> f64 {
         const GRID: usize = 240;
         let [from, to] = self.case.band;
@@ -76,7 +76,7 @@ impl<'c> Tried<'c> {
         best
     }
 
-    /// The least of it over forces, about one of them: a grid, then golden sections.
+    /// Returns the smallest of the largest amplitudes over forces near a given one: a grid, then golden section search.
     pub fn least(&mut self, about: f64) -> (f64, f64) {
         let window = if 0.0 < about {
             [0.8 * about, 1.25 * about]
@@ -87,7 +87,7 @@ impl<'c> Tried<'c> {
     }
 }
 
-/// Where a function is least: the best of a grid, and golden sections about it.
+/// Returns the minimum of a function: the best point of a grid, refined by golden section search.
 pub fn golden(
     [from, to]: [f64; 2],
     cells: u32,

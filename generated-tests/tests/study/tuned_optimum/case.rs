@@ -1,23 +1,23 @@
-//! The chains and what is varied of each.
+//! Chains, and the number of each that is varied.
 
 use frictiongen::study::{FrequencyBand, Load, OptimumRequest, System, TunedOptimum, Tuning};
 
-/// What is varied, by its place in the text.
+/// A chain with the number that is varied.
 pub struct Case {
-    /// With `#` for the number.
+    /// Description, with `#` for the number.
     pub text: &'static str,
-    /// The first mass and the first spring; none where it is the number.
+    /// First mass and first spring, `None` for the one that is varied.
     pub first: [Option<f64>; 2],
     pub base: bool,
     pub of: &'static str,
     pub name: &'static str,
     pub interval: [f64; 2],
-    /// In rad/s.
+    /// Frequency band in rad/s.
     pub band: [f64; 2],
     pub load: f64,
 }
 
-/// A mass that rubs on the main one, on resonances that nothing else damps.
+/// A mass that rubs on the main mass. Nothing else damps the resonances.
 pub const ABSORBER: Case = Case {
     text: "struct Absorber { masses: { a: 1.0, b: 0.1 },
         springs: { base - a: 1.0, a - b: # }, contact: a - b, excitation: a }",
@@ -29,7 +29,7 @@ pub const ABSORBER: Case = Case {
     band: [0.5, 1.6],
     load: 1.0,
 };
-/// The same, where the first spring is the number: all groups move with it.
+/// The absorber with the first spring varied, to which all groups refer.
 pub const FIRST_SPRING: Case = Case {
     text: "struct Absorber { masses: { a: 1.0, b: 0.1 },
         springs: { base - a: #, a - b: 0.085 }, contact: a - b, excitation: a }",
@@ -38,7 +38,8 @@ pub const FIRST_SPRING: Case = Case {
     interval: [0.6, 1.2],
     ..ABSORBER
 };
-/// The same between frequencies of which one is beside either resonance: without friction both ends are as high for one mass.
+/// The absorber in a band whose bounds lie next to the resonances. Without friction the amplitudes at both bounds are
+/// equal for one value of the mass.
 pub const SHARP: Case = Case {
     text: "struct Absorber { masses: { a: 1.0, b: # },
         springs: { base - a: 1.0, a - b: 0.085 }, contact: a - b, excitation: a }",
@@ -90,7 +91,7 @@ impl Case {
         }
     }
 
-    /// Friction in N and amplitude in m.
+    /// Returns friction in N and amplitude in m.
     pub fn physical(&self, described: f64, tuned: &TunedOptimum) -> [f64; 2] {
         let scale = self
             .system(described)

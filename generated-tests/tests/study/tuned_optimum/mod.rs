@@ -1,5 +1,5 @@
-//! The friction and one number of the description that keep the largest amplitude over a band smallest, against maps by
-//! brute force: descriptions written anew for each value, with groups made by hand.
+//! Tests of the friction and one number of the description that together minimise the largest amplitude over a band.
+//! The reference is a map by brute force, with a new description for each value and groups computed by hand.
 //!
 //! `case` has the chains, `brute_force` the maps and the golden sections.
 //!
@@ -20,7 +20,7 @@ fn off(a: f64, b: f64) -> f64 {
     (a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE)
 }
 
-/// The least over number and force about the optimum, by golden sections within golden sections.
+/// Compares with the minimum over number and force near the optimum, by nested golden section searches.
 #[test]
 #[ignore = "a million responses: minutes"]
 fn two_masses_as_by_brute_force() {
@@ -36,9 +36,9 @@ fn two_masses_as_by_brute_force() {
         let [force, amplitude] = case.physical(described, &tuned);
         let start = Instant::now();
         let mut count = 0;
-        // The value found is none of the grid's.
+        // The value that was found is not a point of the grid.
         let interval = [0.971, 1.032].map(|share| share * tuned.value);
-        // A flat least is no nearer than the root of a rounding.
+        // The abscissa of a flat minimum is known to the square root of the rounding only.
         let near = if sharp { 1e-10 } else { 1e-6 };
         let (value, least) = golden(interval, 6, near, |value| {
             let mut tried = Tried::new(case, value);
@@ -67,7 +67,7 @@ fn two_masses_as_by_brute_force() {
     }
 }
 
-/// The sharp one by its receptances: at both ends of the band the undamped main mass moves as far.
+/// Compares the sharp case with its receptances: at both bounds of the band the undamped main mass moves equally far.
 #[test]
 #[ignore = "many optima: a minute without optimisation"]
 fn sharp_as_by_receptances() {
@@ -98,14 +98,14 @@ fn sharp_as_by_receptances() {
     assert!(off(tuned.optimum.amplitude, least) < 1e-9);
 }
 
-/// One mass: softer to its base it moves less, and at the end of the interval friction is best as a map has it. Nowhere on a
-/// map of the whole interval is it less.
+/// One mass. With a softer spring to its base it moves less, so the best value is the bound of the interval. The
+/// friction there is that of a map. Nowhere on a map of the whole interval is the amplitude smaller.
 #[test]
 fn one_mass_as_by_a_coarse_map() {
     one_mass([6, 8]);
 }
 
-/// The same on a map of a million responses.
+/// Compares one mass with a map of a million responses.
 #[test]
 #[ignore = "a map of a million responses: a minute"]
 fn one_mass_as_by_brute_force() {
@@ -139,7 +139,8 @@ fn one_mass([values, forces]: [u32; 2]) {
     println!("nowhere less among {count} responses");
 }
 
-/// The scan holds what `optimum` says of each value, in the units of the scene as it is described, however that is.
+/// The scan contains the result of `optimum` for each value, in the units of the described scene. The described value
+/// of the varied number does not matter.
 #[test]
 #[ignore = "many optima: half a minute without optimisation"]
 fn whatever_is_described() {
@@ -161,7 +162,7 @@ fn whatever_is_described() {
         load: None,
     };
     let there = system.optimum(&request).expect("an optimum");
-    // P is the unit of β; the unit of amplitudes is P/k₁.
+    // The unit of β is P, and that of amplitudes P/k₁.
     assert!(off(there.beta, point.beta) < 1e-7, "{there:?} {point:?}");
     let amplitude = there.amplitude * 0.9 / point.value;
     assert!(
@@ -170,7 +171,7 @@ fn whatever_is_described() {
     );
 }
 
-/// What makes no sense is an error, each its own.
+/// Each senseless request gives its own error.
 #[test]
 fn what_makes_no_sense() {
     let system = ABSORBER.system(0.085);

@@ -1,8 +1,8 @@
-//! Each number of a description that may be chosen: another value of it changes this number, and nothing else.
+//! Tests each number of a description that may be varied. A new value changes that number and nothing else.
 
 use frictiongen::study::{Quantity, System, Tunable};
 
-/// A description with two masses, `#` for its damping, and the numbers in it.
+/// Returns a description of two masses with a given damping and given numbers.
 fn described(damping: &str, numbers: [f64; 5]) -> System {
     let [a, b, first, second, stiction] = numbers;
     let text = format!(
@@ -14,7 +14,7 @@ fn described(damping: &str, numbers: [f64; 5]) -> System {
 
 const NUMBERS: [f64; 5] = [1.5, 0.4, 3.0, 0.7, 1.2];
 
-/// With another value by `with_value`, and written anew: the same scene.
+/// Asserts that `with_value` gives the same scene as a new description.
 fn same(system: &System, name: &str, value: f64, damping: &str, numbers: [f64; 5]) {
     let of = system.tunable_named(name).expect("a number");
     let changed = system.with_value(of, value).expect("a scene");
@@ -78,7 +78,7 @@ fn another_value_changes_one_number() {
     assert_eq!(tried, 33);
 }
 
-/// A number that the description does not say is refused.
+/// A number that the description does not contain is refused.
 #[test]
 fn a_number_that_is_not_there() {
     let ratio = Tunable::Quantity(Quantity::DampingRatio(0));

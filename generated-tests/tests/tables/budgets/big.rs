@@ -1,8 +1,9 @@
-//! Numbers of some 190 digits, from whole numbers and series: what double-double is measured by.
+//! Numbers of some 190 digits, by which double-double is measured. They consist of whole numbers, and functions are
+//! series.
 //!
-//! It shares nothing with the kernel: a significand of [`BITS`] bits, each operation cut off there,
-//! the elementary functions by their Taylor series.  Formulas are evaluated in it as they are
-//! printed; what cancels in them is far fewer digits than there are.
+//! This module shares nothing with the kernel. The significand has [`BITS`] bits, each operation is cut off there, and
+//! elementary functions are their Taylor series. Formulas are evaluated as they are printed. Their cancellation costs
+//! far fewer digits than the numbers have.
 
 use frictiongen_kernel::number::dd::Dd;
 use num_bigint::{BigInt, Sign};
@@ -11,7 +12,7 @@ use std::sync::OnceLock;
 
 const BITS: u64 = 640;
 
-/// significand · 2^exponent.
+/// A number significand · 2^exponent.
 #[derive(Clone, Debug)]
 pub struct Big {
     significand: BigInt,
@@ -31,7 +32,7 @@ impl Big {
         Self::new(BigInt::from(n), 0)
     }
 
-    /// Exactly this number, which must be finite.
+    /// Returns exactly this number, which must be finite.
     pub fn of(x: f64) -> Self {
         assert!(x.is_finite(), "{x} has no value");
         let bits = x.abs().to_bits();
@@ -65,18 +66,18 @@ impl Big {
         }
     }
 
-    /// The exponent of the leading bit.
+    /// Returns the exponent of the leading bit.
     pub fn order(&self) -> i64 {
         self.significand.bits() as i64 - 1 + self.exponent
     }
 
-    /// Times 2^power.
+    /// Returns the number times 2^power.
     pub fn shifted(mut self, power: i64) -> Self {
         self.exponent += power;
         self
     }
 
-    /// The nearest `f64`; 0 and ∞ beyond the range of `f64`.
+    /// Returns the nearest `f64`, or 0 or ∞ beyond the range of `f64`.
     pub fn to_f64(&self) -> f64 {
         if self.is_zero() {
             return 0.0;
@@ -94,19 +95,19 @@ impl Big {
         leading * 2.0_f64.powi(half) * 2.0_f64.powi(rest)
     }
 
-    /// The nearest whole number.
+    /// Returns the nearest whole number.
     fn rounded(&self) -> BigInt {
         let half = Self::new(BigInt::from(1), -1);
         let sum = self.clone() + half;
         if sum.exponent >= 0 {
             sum.significand << sum.exponent as u64
         } else {
-            // A shift of a negative number to the right goes to the next lower one.
+            // Shifting a negative number to the right rounds it down.
             sum.significand >> (-sum.exponent) as u64
         }
     }
 
-    /// The largest whole number that is not larger.
+    /// Returns the largest whole number that is not larger.
     pub fn floor(&self) -> Self {
         if self.exponent >= 0 {
             return self.clone();
@@ -121,7 +122,7 @@ impl Big {
         Self::new(root, (self.exponent - up) / 2)
     }
 
-    /// Σ x^k/k! from k = `first` in steps of `step`, alternating or not, for |x| < 1.
+    /// Returns Σ x^k/k! from k = `first` in steps of `step`, alternating or not, for |x| < 1.
     fn series(x: &Self, first: u32, step: u32, alternating: bool) -> Self {
         let mut term = Self::integer(1);
         for k in 1..=first {
@@ -154,7 +155,7 @@ impl Big {
         power
     }
 
-    /// e^x − 1.
+    /// Returns e^x − 1.
     pub fn exp_m1(&self) -> Self {
         if self.is_zero() || self.order() < -8 {
             return Self::series(self, 1, 1, false);
@@ -162,7 +163,7 @@ impl Big {
         self.exp() - Self::integer(1)
     }
 
-    /// e^x − 1 − x.
+    /// Returns e^x − 1 − x.
     pub fn exp_m1_minus(&self) -> Self {
         if self.is_zero() || self.order() < -8 {
             return Self::series(self, 2, 1, false);
@@ -170,7 +171,7 @@ impl Big {
         self.exp() - Self::integer(1) - self.clone()
     }
 
-    /// π by Machin's formula.
+    /// Returns π by Machin's formula.
     pub fn pi() -> Self {
         static PI: OnceLock<Big> = OnceLock::new();
         let inverse_tangent = |n: i64| {
@@ -189,7 +190,7 @@ impl Big {
         .clone()
     }
 
-    /// (sin πh, cos πh).
+    /// Returns (sin πh, cos πh).
     pub fn sin_cos_pi(&self) -> (Self, Self) {
         let quarters = self.clone().shifted(1).rounded();
         let rest = self.clone() - Self::new(quarters.clone(), -1);
@@ -204,7 +205,7 @@ impl Big {
         }
     }
 
-    /// 1 − cos πh.
+    /// Returns 1 − cos πh.
     pub fn versine_pi(&self) -> Self {
         let (sin, _) = self.clone().shifted(-1).sin_cos_pi();
         (sin.clone() * sin).shifted(1)
@@ -233,7 +234,7 @@ impl Add for Big {
             (self, other)
         };
         let distance = (high.exponent - low.exponent) as u64;
-        // What lies below every kept bit of the other does not count.
+        // A number below every kept bit of the other one does not count.
         if high.order() - low.order() > 2 * BITS as i64 {
             return high;
         }
@@ -276,7 +277,7 @@ impl Div for Big {
 mod tests {
     use super::Big;
 
-    /// |a − b| below 2^−600 of b.
+    /// Asserts that |a − b| is below 2^−600 of b.
     fn agree(a: Big, b: Big) {
         let off = a - b.clone();
         assert!(
@@ -304,13 +305,13 @@ mod tests {
             let root = (big.clone() * big.clone()).sqrt();
             agree(root, big.abs());
         }
-        // The first digits of π and e, as sums of two f64.
+        // The first digits of π and e, as sums of two `f64`.
         let off = Big::pi() - Big::of(std::f64::consts::PI) - Big::of(1.2246467991473532e-16);
         assert!(off.order() < -105);
         let off =
             Big::integer(1).exp() - Big::of(std::f64::consts::E) - Big::of(1.4456468917292502e-16);
         assert!(off.order() < -105);
-        // A small argument: sin πh against its first terms.
+        // sin πh of a small argument, compared with its first terms.
         let x = Big::pi() * Big::of(1e-120);
         agree(
             Big::of(1e-120).sin_cos_pi().0,

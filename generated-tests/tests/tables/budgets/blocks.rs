@@ -1,4 +1,4 @@
-//! The small complex operations and the limits' last steps: what emitted code is built of.
+//! Small complex operations, and the last steps of the limits. Emitted code consists of them.
 
 use crate::budgets::big::Big;
 use crate::budgets::elementary::formulas;
@@ -6,7 +6,7 @@ use crate::budgets::measure::{Formula, Real, Results, Unit};
 use frictiongen_kernel::contact::sums::{Chain, ContactAt};
 use frictiongen_kernel::number::complex::{self, Complex};
 
-/// A second complex number from the first three arguments: (c, −b/2).
+/// A second complex number from the arguments: (c, −b/2).
 fn second<T: Real>(b: T, c: T) -> Complex<T> {
     Complex::new(c, -b * T::constant(0.5))
 }
@@ -29,7 +29,7 @@ fn hypotenuse(re: Big, im: Big) -> Big {
     }
 }
 
-/// Without damping the imaginary half is neither read nor written.
+/// Computes the operations without damping, where the imaginary half is neither read nor written.
 fn undamped<T: Real>(a: T, b: T) -> [T; 4] {
     let z = Complex::new(a, T::constant(f64::NAN));
     let w = Complex::new(b, T::constant(f64::NAN));
@@ -41,7 +41,7 @@ fn undamped<T: Real>(a: T, b: T) -> [T; 4] {
     ]
 }
 
-/// A chain of which the limits read μ and m* alone.
+/// A chain whose limits read μ and m* only.
 fn chain<T: Real>(stiction: T, inverse_mass: T) -> Chain<T> {
     Chain {
         damped: true,
@@ -51,7 +51,7 @@ fn chain<T: Real>(stiction: T, inverse_mass: T) -> Chain<T> {
     }
 }
 
-/// A contact with V = v + iv/3, H = h − ih/5; only what the limits read.
+/// A contact with V = v + iv/4 and H = h − ih/2, with only the fields that the limits read.
 fn contact<T: Real>(v: T, u: T, h: T) -> ContactAt<T> {
     let c = T::constant;
     ContactAt {

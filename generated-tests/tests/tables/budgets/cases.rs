@@ -1,4 +1,4 @@
-//! What is measured: each function of the kernel over each scalar.
+//! Measured cases: each function of the kernel with each scalar.
 
 use crate::budgets::blocks::*;
 use crate::budgets::draw::{self, Domain, Source, arguments};
@@ -8,23 +8,23 @@ use crate::budgets::modes::*;
 use frictiongen_kernel::number::dd::Dd;
 
 pub struct Case {
-    /// As the table calls it.
+    /// Name of the function in the table.
     pub function: &'static str,
-    /// One row each; a single unnamed result is "".
+    /// Names of the results, one row each. A single unnamed result is "".
     pub fields: &'static [&'static str],
-    /// The public functions of the kernel that it measures, as `crate::budgets::public` finds them.
+    /// Public functions of the kernel that the case measures, with the paths of `crate::budgets::public`.
     pub covers: &'static [&'static str],
     pub scalar: &'static str,
     pub unit: Unit,
     pub domain: Domain,
     pub draw: fn(&Domain, &mut Source) -> Arguments,
     pub error: fn(&Arguments) -> Results<f64>,
-    /// One argument of `f32`: [`Domain::counted`] holds.
+    /// `true` for one argument of `f32`, for which [`Domain::counted`] is evaluated in full.
     pub countable: bool,
 }
 
 impl Case {
-    /// The numbers of the counted domain, by their bits.
+    /// Returns the numbers of the counted domain, by their bits.
     pub fn counted(&self) -> impl Iterator<Item = Arguments> + use<> {
         let (from, to, negative) = self.domain.counted;
         let through = if self.countable {
@@ -51,7 +51,7 @@ struct Shape {
     countable: bool,
 }
 
-/// The unit of `F` unless another is named.
+/// Creates a case with the unit of `F`.
 fn case<F: Formula, T: Real>(shape: &Shape, error: fn(&Arguments) -> Results<f64>) -> Case {
     Case {
         function: shape.function,
@@ -66,7 +66,7 @@ fn case<F: Formula, T: Real>(shape: &Shape, error: fn(&Arguments) -> Results<f64
     }
 }
 
-/// `f32` by `f64`, `f64` by double-double, double-double by big numbers.
+/// Creates three cases: `f32` measured by `f64`, `f64` by double-double, double-double by big numbers.
 fn three<F: Formula>(shape: &Shape) -> Vec<Case> {
     vec![
         case::<F, f32>(shape, against::<F, f32, f64>),

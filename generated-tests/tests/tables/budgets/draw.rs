@@ -1,4 +1,4 @@
-//! Random arguments: even in their bits, and crowded next to zeros, poles and branch points.
+//! Random arguments: uniform in their bits, and dense next to zeros, poles and branch points.
 
 mod modes;
 
@@ -19,24 +19,24 @@ impl Source {
         self.0.between(low, high)
     }
 
-    /// Positive, with an exponent evenly spread over the range and random bits.
+    /// Returns a positive number, whose exponent is uniform over the range and whose bits are random.
     fn size(&mut self, low: f64, high: f64) -> f64 {
         self.between(low, high).exp2() * self.between(1.0, 1.0 + 1e-9)
     }
 
-    /// The same with a random sign.
+    /// Returns a number as [`size`](Self::size) does, with a random sign.
     fn spread(&mut self, low: f64, high: f64) -> f64 {
         let size = self.size(low, high);
         if self.next() & 1 == 0 { size } else { -size }
     }
 
-    /// Next to one of these places, on either side, from half of it down to `close` bits.
+    /// Returns a number next to a place, on either side, at a distance between 2^−`close` and 1/4.
     fn beside(&mut self, place: f64, close: f64) -> f64 {
         place + self.spread(-close, -2.0)
     }
 }
 
-/// How far the exponents of a scalar go, and how many bits it has.
+/// Range of the exponents of a scalar, and its number of bits.
 #[derive(Clone, Copy)]
 pub struct Span {
     low: f64,
@@ -44,21 +44,21 @@ pub struct Span {
     bits: f64,
 }
 
-/// A function's domain: what the table says of it, and how arguments are drawn from it.
+/// Domain of a function: its text in the table, and the way to draw arguments from it.
 #[derive(Clone, Copy)]
 pub struct Domain {
     pub text: &'static str,
     pub draw: fn(&mut Source, Span) -> [f64; 3],
-    /// Whether it holds an argument that was rounded, or counted through.
+    /// Returns `true` if the domain contains arguments that were rounded or counted.
     pub holds: fn([f64; 3]) -> bool,
-    /// Whether a double-double may have a second part.
+    /// `true` if a double-double may have a low part.
     pub tails: bool,
-    /// What to count through in `f32`: from, to, and whether the negative numbers too.  Beyond, the
-    /// results only change by powers of two, or not at all; where they do not, it is stated.
+    /// Range of `f32` arguments that are all evaluated: from, to, and `true` if the negative numbers are evaluated too.
+    /// Beyond the range the results change by powers of two only, or not at all. Exceptions are stated.
     pub counted: (f32, f32, bool),
 }
 
-/// 2^power.
+/// Returns 2^power.
 const fn power(power: i32) -> f32 {
     f32::from_bits(((127 + power) as u32) << 23)
 }
@@ -67,7 +67,7 @@ fn any(a: [f64; 3]) -> bool {
     a.iter().all(|x| x.is_finite())
 }
 
-/// From a domain, a number of this scalar.
+/// Draws arguments of a scalar from a domain.
 pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
     let span = match T::FORMAT.0 {
         24 => Span {
@@ -80,7 +80,7 @@ pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
             high: 1023.0,
             bits: 53.0,
         },
-        // The last parts must not be subnormal, nor products of them.
+        // The low parts, and products of them, must not be subnormal.
         _ => Span {
             low: -400.0,
             high: 400.0,
@@ -96,7 +96,7 @@ pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
         if !(domain.holds)(drawn) {
             continue;
         }
-        // Half of the double-doubles have a second part; special places are left alone.
+        // Half of the double-doubles have a low part. Whole numbers have none, because they are special places.
         let tail = T::FORMAT.0 == 105 && domain.tails && source.next() & 1 == 0;
         return drawn.map(|x| {
             let lost = if tail && x.fract() != 0.0 {
@@ -171,7 +171,7 @@ pub const HALF_TURN_PAIRS: Domain = Domain {
     counted: (0.0, 0.0, false),
 };
 
-/// Where e^x is a normal number of the scalar.
+/// Numbers x for which e^x is a normal number of the scalar.
 pub const EXPONENTS: Domain = Domain {
     text: "all x with a normal e^x",
     draw: |s, span| {
@@ -187,7 +187,7 @@ pub const EXPONENTS: Domain = Domain {
     counted: (power(-25), power(7), true),
 };
 
-/// Where e^x − 1 has not overflowed.
+/// Numbers x for which e^x − 1 does not overflow.
 pub const GROWTHS: Domain = Domain {
     text: "all x up to the overflow, crowded beside 0 and ±1",
     draw: |s, span| {
@@ -220,7 +220,7 @@ pub const DECAYS: Domain = Domain {
     counted: (power(-14), power(10), false),
 };
 
-/// z with a z² in the normal range.
+/// Numbers z with z² in the normal range.
 pub const SINC: Domain = Domain {
     text: "all z with a normal z², crowded beside 0, ±3/4 and the integers",
     draw: |s, span| {
@@ -264,7 +264,7 @@ pub const DOUBLES: Domain = Domain {
     ..PAIRS
 };
 
-/// Numbers for a complex argument or two, squares in the normal range.
+/// Numbers for one or two complex arguments, with squares in the normal range.
 pub const COMPLEX: Domain = Domain {
     text: "moduli with squares in the normal range",
     draw: |s, span| {
@@ -287,7 +287,7 @@ pub const COMPLEX: Domain = Domain {
     counted: (0.0, 0.0, false),
 };
 
-/// Complex numbers of any size, with normal reciprocals.
+/// Complex numbers of any size with normal reciprocals.
 pub const LARGE_COMPLEX: Domain = Domain {
     text: "moduli of any size with a normal reciprocal",
     draw: |s, span| {

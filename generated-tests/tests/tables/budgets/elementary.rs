@@ -1,4 +1,4 @@
-//! The kernel's elementary functions, and what they are by definition.
+//! Elementary functions of the kernel, with their definitions.
 
 use crate::budgets::big::Big;
 use crate::budgets::measure::{Formula, Real, Results, Unit};
@@ -6,7 +6,7 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::special::{exp_m1_minus, versine_pi};
 use frictiongen_kernel::number::trig::{double, single};
 
-/// `Name: [a, b, c] => kernel's results, printed results;`
+/// Defines formulas as `Name: [a, b, c] => kernel's results, printed results;`.
 macro_rules! formulas {
     ($($(#[$doc:meta])* $name:ident $unit:ident: |$a:ident, $b:ident, $c:ident| $kernel:expr, $printed:expr;)*) => { $(
         $(#[$doc])*
@@ -34,7 +34,7 @@ fn one() -> Big {
     Big::integer(1)
 }
 
-/// The same bits whichever way the half-turn functions are called, else NaN.
+/// Returns sin and cos of πh, or NaN if the functions that return only one of them have other bits.
 fn sin_cos<T: Real>(h: T) -> [T; 2] {
     let (sin, cos) = h.sin_cos_pi();
     let alone = [h.sin_pi(), h.cos_pi()];
@@ -47,7 +47,7 @@ fn sin_cos<T: Real>(h: T) -> [T; 2] {
     }
 }
 
-/// The function of the module gives what the scalar's method gives.
+/// Returns `true` if the module's function has the result of the scalar's method.
 fn module_agrees<T: Real>(h: T, sin: T) -> bool {
     let (h, sin) = (h.to_f64(), sin.to_f64());
     match T::FORMAT.0 {
@@ -57,13 +57,13 @@ fn module_agrees<T: Real>(h: T, sin: T) -> bool {
     }
 }
 
-/// Where both are 0 there is no quotient.
+/// Returns the quotient, or `None` for a divisor of 0.
 fn quotient(a: Big, b: Big) -> Option<Big> {
     (!b.is_zero()).then(|| a / b)
 }
 
-/// The angle, from the kernel's own and what the big numbers say is missing to it: y cos − x sin
-/// is the sine of that, and its cube is nothing.
+/// Returns the angle of (x, y), or `None` at the origin. An estimate in `f64` is corrected five times. A correction is
+/// (y cos − x sin)/(x cos + y sin), the tangent of the remaining angle.
 fn angle(y: Big, x: Big) -> Option<Vec<Big>> {
     if y.is_zero() && x.is_zero() {
         return None;
@@ -83,7 +83,8 @@ fn angle(y: Big, x: Big) -> Option<Vec<Big>> {
 formulas! {
     SinCosPi Place: |h, b, c| sin_cos(h), { let (s, c) = h.sin_cos_pi(); Some(vec![s, c]) };
     SinCosPiMinus Place: |h, d, c| <[T; 2]>::from(h.sin_cos_pi_minus(d)), {
-        // A difference of numbers of very different sizes has more digits than a big number.
+        // For numbers of very different sizes the difference has more digits than a big number, so the addition
+        // theorems are used.
         if h.is_zero() || d.is_zero() || (h.order() - d.order()).abs() < 300 {
             let (sin, cos) = (h - d).sin_cos_pi();
             return Some(vec![sin, cos]);
@@ -116,13 +117,13 @@ formulas! {
     Subtract Place: |x, y, c| [x - y], Some(vec![x - y]);
     Multiply Place: |x, y, c| [x * y], Some(vec![x * y]);
     Divide Place: |x, y, c| [x / y], Some(vec![quotient(x, y)?]);
-    /// Of two `f64`: exact.
+    /// The sum of two `f64` is exact.
     DdSum Place: |x, y, c| [T::of(Dd::sum(x.to_f64(), y.to_f64()))], Some(vec![x + y]);
-    /// Of two `f64`: exact.
+    /// The product of two `f64` is exact.
     DdProduct Place: |x, y, c| [T::of(Dd::product(x.to_f64(), y.to_f64()))], Some(vec![x * y]);
     Margin Norm: |beta, continuous, sliding| {
         let one = T::constant(1.0);
-        // The 1 that is taken off counts as part of the size.
+        // The 1 that is subtracted counts as part of the size.
         [frictiongen_kernel::contact::regime::margin(beta, continuous, sliding), one]
     }, {
         let limit = if (continuous.clone() - sliding.clone()).is_negative() { continuous } else { sliding };

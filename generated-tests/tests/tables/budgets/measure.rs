@@ -1,24 +1,24 @@
-//! Units of error, and a function's error in them.
+//! Units of error, and the error of a function in these units.
 
 use crate::budgets::big::Big;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// The arguments of a function, each exactly a number of its scalar.
+/// Arguments of a function, each exactly a number of its scalar.
 pub type Arguments = [Dd; 3];
-/// As many results as a function has, then zeros.
+/// Results of a function, followed by zeros.
 pub type Results<T> = [T; 5];
 
 /// A scalar under test.
 pub trait Real: Float {
-    /// The bits of its significand, and the exponent of its smallest normal number.
+    /// Number of bits of the significand, and exponent of the smallest normal number.
     const FORMAT: (i32, i64);
-    /// The name in the table.
+    /// Name in the table.
     const NAME: &'static str;
     fn of(x: Dd) -> Self;
     fn widened(self) -> Dd;
-    /// √|1 − ζ²| and 1 − q, as a scene's modal analysis hands them over: rounded once.
+    /// Returns √|1 − ζ²| and 1 − q, rounded once as in the modal analysis of a scene.
     fn of_damping(zeta: Self) -> (Self, Self) {
         let (q, defect) = damping(zeta.widened());
         (Self::of(q), Self::of(defect))
@@ -35,8 +35,8 @@ impl Real for f32 {
     const FORMAT: (i32, i64) = (24, -126);
     const NAME: &'static str = "f32";
     fn of(x: Dd) -> Self {
-        // By way of f64 a number could be rounded twice; the arguments are exact, the constants
-        // of a mode off by at most 2^−30 of a unit more.
+        // Rounding by way of `f64` could round a number twice. The arguments are exact, so they are not affected. The
+        // constants of a mode are off by at most 2^−30 of a unit more.
         x.to_f64() as f32
     }
     fn widened(self) -> Dd {
@@ -56,7 +56,7 @@ impl Real for f64 {
 }
 
 impl Real for Dd {
-    // Its unit is 2^−104 of the leading power of two; the second part must not be subnormal.
+    // The unit is 2^−104 of the leading power of two. The low part must not be subnormal.
     const FORMAT: (i32, i64) = (105, -916);
     const NAME: &'static str = "Dd";
     fn of(x: Dd) -> Self {
@@ -70,7 +70,7 @@ impl Real for Dd {
     }
 }
 
-/// Only to ask how strongly a result depends on an argument.
+/// Dual numbers, which only tell how strongly a result depends on an argument.
 impl<S: Real> Real for Dual<S> {
     const FORMAT: (i32, i64) = S::FORMAT;
     const NAME: &'static str = "dual";
@@ -85,17 +85,17 @@ impl<S: Real> Real for Dual<S> {
     }
 }
 
-/// How an error is counted.
+/// Unit in which an error is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// Units in the last place of the exact result.
     Place,
-    /// |error of all results together|/(ε·|all results|), ε = 2^−23, 2^−52, 2^−104.
+    /// |error of all results together|/(ε·|all results|), with ε = 2^−23, 2^−52 or 2^−104.
     Norm,
-    /// The error over ε·(|f| + Σ|a·∂f/∂a|) over the arguments a: how many ε of change, in the
-    /// result and in every argument together, would explain it.
+    /// Error over ε·(|f| + Σ|a·∂f/∂a|), summed over the arguments a. At 1, a change of one ε in the result and in every
+    /// argument explains the error.
     Mixed,
-    /// The same, where a result is also let off what vanishes beside something that it is added to.
+    /// As [`Mixed`](Self::Mixed), but the error is also compared with a larger term to which the result is added.
     Size,
 }
 
@@ -110,19 +110,19 @@ impl Unit {
     }
 }
 
-/// A function of the kernel over every scalar, and the same as it is printed, in big numbers.
+/// A function of the kernel with any scalar, and the printed formula in big numbers.
 pub trait Formula {
     const UNIT: Unit = Unit::Place;
     fn at<T: Real>(a: [T; 3]) -> Results<T>;
-    /// None where the function has no value.
+    /// Evaluates the printed formula, or returns `None` where the function has no value.
     fn printed(a: [Big; 3]) -> Option<Vec<Big>>;
-    /// What the error of each result is compared with (times ε): from the results and, for each
-    /// argument a, a·∂f/∂a.  [`Unit::Mixed`] adds them up.
+    /// Returns the sizes with which the errors of the results are compared, times ε. They follow from the results and
+    /// from a·∂f/∂a for each argument a. [`Unit::Mixed`] adds them.
     fn scales(_a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
         moved.into_iter().fold(value, plus)
     }
-    /// What a change of ε in the arguments does in the second order, over ε²: for results that
-    /// touch 0 without crossing it, where their derivatives vanish too.
+    /// Returns the effect of second order of a change of ε in the arguments, over ε². It matters for results that touch
+    /// 0 without crossing it, where their derivatives vanish too.
     fn curved(_a: &Arguments) -> Results<f64> {
         [0.0; 5]
     }
@@ -135,12 +135,12 @@ pub fn plus(a: Results<f64>, b: Results<f64>) -> Results<f64> {
 fn unit<T: Real>(value: f64) -> f64 {
     let (bits, least) = T::FORMAT;
     let exponent = i64::from((value.abs().to_bits() >> 52) as u32) - 1023;
-    // A power of two in two halves: neither is below f64's range.
+    // A power of two as a product of two factors, neither of which is below the range of `f64`.
     let power = exponent.max(least) as i32 - bits + 1;
     2.0_f64.powi(power / 2) * 2.0_f64.powi(power - power / 2)
 }
 
-/// got − want over the unit, where `want` comes from something better, `off` being their difference.
+/// Returns `off` = got − want over the unit. `want` comes from a better scalar.
 fn places<T: Real>(got: Dd, want: Dd, off: f64) -> f64 {
     if got.hi.is_nan() || want.hi.is_nan() {
         return if got.hi.is_nan() && want.hi.is_nan() {
@@ -169,7 +169,7 @@ fn places<T: Real>(got: Dd, want: Dd, off: f64) -> f64 {
     off.abs() / unit::<T>(want.hi)
 }
 
-/// |a·∂f/∂a| of every result for one argument, read in dual numbers over `S`.
+/// Returns |a·∂f/∂a| of every result for one argument, from dual numbers over `S`.
 fn moved<F: Formula, S: Real>(a: &Arguments, i: usize) -> Results<f64> {
     let mut point = a.map(<Dual<S> as Real>::of);
     point[i] = Dual::variable(S::of(a[i]));
@@ -179,7 +179,7 @@ fn moved<F: Formula, S: Real>(a: &Arguments, i: usize) -> Results<f64> {
 fn scales<F: Formula, T: Real>(a: &Arguments, want: &Results<Dd>) -> Results<f64> {
     let mut all = [[0.0; 5]; 3];
     for i in (0..3).filter(|i| !a[*i].is_zero()) {
-        // Next to a zero the place must be as exact as the result is.
+        // Next to a zero the argument must be as exact as the result.
         all[i] = if T::NAME == Dd::NAME {
             moved::<F, Dd>(a, i)
         } else {
@@ -216,7 +216,7 @@ fn judged<F: Formula, T: Real>(
         Unit::Mixed | Unit::Size => {
             let curved = F::curved(a).map(|c| c * T::EPSILON);
             let scales = plus(scales::<F, T>(a, &want), curved);
-            // Among the subnormals all numbers have the same unit.
+            // All subnormal numbers have the same unit.
             let least = 2.0_f64.powi(T::FORMAT.1 as i32);
             for i in 0..5 {
                 let error = off[i].abs() / (scales[i].max(least) * T::EPSILON);
@@ -224,7 +224,7 @@ fn judged<F: Formula, T: Real>(
             }
         }
     }
-    // A NaN is the worst of all.
+    // NaN counts as an infinite error.
     errors.map(|error| if error.is_nan() { f64::INFINITY } else { error })
 }
 
@@ -232,8 +232,8 @@ fn minus(got: Dd, want: Dd) -> f64 {
     (got.hi - want.hi) + (got.lo - want.lo)
 }
 
-/// The errors of a function in `T`, against the same function in `Better`, which has a row of its
-/// own in the table.
+/// Returns the errors of a function in `T`, compared with the same function in `Better`, which has its own row in the
+/// table.
 pub fn against<F: Formula, T: Real, Better: Real>(a: &Arguments) -> Results<f64> {
     let got = F::at(a.map(T::of)).map(Real::widened);
     let want = F::at(a.map(Better::of)).map(Real::widened);
@@ -244,7 +244,7 @@ pub fn against<F: Formula, T: Real, Better: Real>(a: &Arguments) -> Results<f64>
     judged::<F, T>(a, got, want, off)
 }
 
-/// The errors of a function in double-double against the printed formula in big numbers.
+/// Returns the errors of a function in double-double, compared with the printed formula in big numbers.
 pub fn against_big<F: Formula>(a: &Arguments) -> Results<f64> {
     let Some(printed) = F::printed(a.map(Big::of_dd)) else {
         return [0.0; 5];
@@ -258,7 +258,7 @@ pub fn against_big<F: Formula>(a: &Arguments) -> Results<f64> {
         } else {
             f64::NAN
         };
-        // An exact result and one beyond the range leave no difference to count.
+        // Exact results, and equal results beyond the range, have no error.
         if off[i] == 0.0 || (want[i].hi.is_infinite() && got[i].hi == want[i].hi) {
             want[i] = got[i];
             off[i] = 0.0;

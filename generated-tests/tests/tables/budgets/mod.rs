@@ -1,10 +1,10 @@
-//! The worst error of every numeric function of the kernel, and what is allowed.
+//! Worst error of every numeric function of the kernel, and the error that is allowed.
 //!
-//! `table.csv` holds the budgets, the worst errors met and where; `docs/accuracy.md` shows them.
-//! `f32` is measured by `f64`, `f64` by double-double, double-double by big numbers that share
-//! nothing with the kernel ([`big`]), in which the formulas are evaluated as they are printed.
+//! `table.csv` has the budgets and the worst errors with their arguments. `docs/accuracy.md` shows them. `f32` is
+//! measured by `f64`, `f64` by double-double, and double-double by big numbers ([`big`]). Big numbers share nothing
+//! with the kernel and evaluate the formulas as they are printed.
 //!
-//! The long form counts through the `f32` of each domain and draws ten million `f64`:
+//! The long form evaluates every `f32` of each domain and draws ten million `f64`:
 //!
 //! ```sh
 //! cargo test --release -p generated-tests --test tables budgets:: -- --ignored --nocapture
@@ -31,15 +31,14 @@ use measure::Arguments;
 use std::sync::Mutex;
 use table::Row;
 
-/// By how much the reference itself may be off, in units of what is measured: ten units of `f64`
-/// in one of `f32`.
+/// Largest error of the reference, in units of the measured scalar: ten units of `f64` in one of `f32`.
 const REFERENCE: f64 = 1e-7;
 
 fn asked_to_write() -> bool {
     std::env::var_os("UPDATE_ACCURACY").is_some()
 }
 
-/// The worst error of each result of a case, and where.
+/// Returns the worst error of each result of a case, with its arguments.
 fn measured(case: &Case, points: impl Iterator<Item = Arguments>) -> Vec<(f64, Arguments)> {
     let mut worst = vec![(-1.0, Arguments::default()); case.fields.len()];
     for point in points {
@@ -76,7 +75,7 @@ fn every_function_stays_within_its_budget() {
                 "{what}: {error} exceeds {} at {place:?}",
                 row.budget
             );
-            // The worst place is still as bad as the table says, and no worse.
+            // The worst arguments of the table must not exceed the budget now either.
             let again = (case.error)(&row.place)[i];
             assert!(
                 again <= row.budget + REFERENCE,
@@ -107,7 +106,7 @@ fn every_row_is_measured() {
     }
 }
 
-/// What no ulp counts: signs of zero, infinities, NaN, the ends of the range.
+/// Tests values that ulps do not measure: signs of zero, infinities, NaN, and the bounds of the range.
 fn ends_of_the_range<T: measure::Real>(least: f64, largest: f64) {
     use frictiongen_kernel::number::special::{exp_m1_minus, versine_pi};
     let c = T::constant;
@@ -125,7 +124,7 @@ fn ends_of_the_range<T: measure::Real>(least: f64, largest: f64) {
         ];
         assert!(functions.iter().all(|f| of(*f, zero) == 0.0));
         assert_eq!([of(T::exp, zero), of(T::cos_pi, zero)], [1.0, 1.0]);
-        // A zero of either sign must not decide between π and −π.
+        // The sign of a zero must not decide between π and −π.
         assert!(c(zero).atan2(c(-1.0)).to_f64() > 3.0);
     }
     let functions: [fn(T) -> T; 8] = [
@@ -164,7 +163,7 @@ fn ends_of_the_range<T: measure::Real>(least: f64, largest: f64) {
         ],
         [1.0, 1.0]
     );
-    // π times the smallest number, rounded; squares and cubes of it are 0.
+    // π times the smallest number is rounded, and its squares and cubes are 0.
     assert_eq!(
         [of(T::sin_pi, least), of(T::exp_m1, least)],
         [3.0 * least, least]
@@ -185,7 +184,7 @@ fn ends_of_every_range() {
 fn the_measure_sees_an_error() {
     use frictiongen_kernel::number::dd::Dd;
     use measure::{Formula, Real, Results, against, against_big};
-    /// 1 + x by a result that is two units off in `f64`.
+    /// 1 + x with a result that is two units off in `f64`.
     struct Wrong;
     impl Formula for Wrong {
         fn at<T: Real>([x, ..]: [T; 3]) -> Results<T> {
@@ -207,8 +206,7 @@ fn the_measure_sees_an_error() {
     assert!(against_big::<Wrong>(&quarter)[0] > 1e30);
 }
 
-/// How many random points the long form draws: of a mode's functions for each kind of mode, which
-/// together are ten million.
+/// Number of random points in the long form. A mode's functions are drawn for each kind of mode, ten million together.
 fn points(case: &Case) -> usize {
     match case.scalar {
         "Dd" => 10_000,

@@ -1,5 +1,5 @@
-//! A mode's response and its motion in time, and both as the thesis prints them (section 7.2,
-//! appendix B): in big numbers the printed forms lose nothing.
+//! Response of a mode and its motion in time, each also as the thesis prints it (section 7.2, appendix B). In big
+//! numbers the printed forms lose nothing.
 
 use crate::budgets::big::Big;
 use crate::budgets::measure::{Arguments, Formula, Real, Results, Unit, plus};
@@ -19,7 +19,7 @@ fn kind(zeta: f64) -> Kind {
     }
 }
 
-/// A mode with its resonance at r = x.
+/// Creates a mode with its resonance at r = x.
 fn mode<T: Real>(x: T, zeta: T) -> Mode<T> {
     let one = T::constant(1.0);
     let (q, q_defect) = T::of_damping(zeta);
@@ -42,8 +42,8 @@ fn one() -> Big {
     Big::integer(1)
 }
 
-/// e^{−a}·(cos b, sin b/q) with a = ζ·angle, b = q·angle; q imaginary beyond ζ = 1.  `turns` is
-/// the angle in half-turns.
+/// Returns e^{−a}·(cos b, sin b/q) with a = ζ·angle, b = q·angle, where q is imaginary for ζ > 1. `turns` is the angle
+/// in half-turns.
 fn turning(zeta: &Big, turns: &Big) -> (Big, Big) {
     let square = (one() - zeta.clone()) * (one() + zeta.clone());
     let angle = turns.clone() * Big::pi();
@@ -53,7 +53,7 @@ fn turning(zeta: &Big, turns: &Big) -> (Big, Big) {
     }
     let q = square.abs().sqrt();
     if square.is_negative() {
-        // Combined, or the growing one would leave the range.
+        // The decay is combined with the hyperbolic functions, whose growing part would otherwise leave the range.
         let (slow, fast) = (
             (-((zeta.clone() - q.clone()) * angle.clone())).exp(),
             (-((zeta.clone() + q.clone()) * angle)).exp(),
@@ -67,7 +67,7 @@ fn turning(zeta: &Big, turns: &Big) -> (Big, Big) {
     (decay.clone() * cos, decay * sin / q)
 }
 
-/// u R² , g and g + 2ζRu (7.11, 7.12), each times |x² − 1| + 2ζx, and x² − 1 + 2iζx.
+/// Returns x² − 1 and 2ζx, then u R², g and g + 2ζRu (7.11, 7.12), each times |x² − 1| + 2ζx.
 fn printed_response(x: &Big, zeta: &Big) -> Option<Vec<Big>> {
     let two_loss = zeta.clone().shifted(1) * x.clone();
     let re = x.clone() * x.clone() - one();
@@ -81,7 +81,7 @@ fn printed_response(x: &Big, zeta: &Big) -> Option<Vec<Big>> {
     } else {
         let e = (-(Big::pi() * zeta.clone() * x.clone())).exp();
         let (cos, sin_over_q) = turning(zeta, x);
-        // `turning` carries e already.
+        // `turning` already contains the factor e.
         let d = one() + e.clone() * e.clone() + cos.shifted(1);
         let u = x.clone() * sin_over_q.clone().shifted(1) / d.clone();
         let g = (one() - e.clone() * e - zeta.clone().shifted(1) * sin_over_q) / d;
@@ -102,7 +102,7 @@ fn response<T: Real>(x: T, zeta: T) -> ModeResponse<T> {
     mode(x, zeta).response(T::constant(1.0), 0)
 }
 
-/// [`Mode::response`]: Re and Im of the denominator, u, g, reversal.
+/// Results of [`Mode::response`]: real and imaginary part of the denominator, u, g, reversal.
 pub struct Response;
 impl Formula for Response {
     const UNIT: Unit = Unit::Mixed;
@@ -121,8 +121,8 @@ impl Formula for Response {
     }
 }
 
-/// The same where little of the motion is left after a half period: u and what g lacks from 1 then
-/// vanish beside the inverse effective mass of the contact, to which they are added as a share of `size`.
+/// As [`Response`], for modes that keep little of their motion over a half period. u and 1 − g then vanish compared
+/// with the inverse effective mass of the contact, to which they are added. `size` allows for it.
 pub struct DecayedResponse;
 impl Formula for DecayedResponse {
     const UNIT: Unit = Unit::Size;
@@ -138,7 +138,7 @@ impl Formula for DecayedResponse {
     }
 }
 
-/// The same without damping, where nothing is between an error and its unit: v's denominator, u.
+/// As [`Response`], but without damping: the denominator of v, and u. Their errors are counted in ulps.
 pub struct PlainResponse;
 impl Formula for PlainResponse {
     fn at<T: Real>([x, zeta, _]: [T; 3]) -> Results<T> {
@@ -182,9 +182,9 @@ fn fields<T>(basis: Basis<T>) -> Results<T> {
     ]
 }
 
-/// The differences sin τ − p and cos τ − p′ are multiplied by damping functions that grow like
-/// 1/(|x − 1| + ζ) beside the resonance, so there a change of x explains no error of theirs.  The first
-/// counts beside sin τ; the second beside itself, and beyond τ = π/2 beside 1.
+/// Sizes of the results in time. The differences sin τ − p and cos τ − p′ are multiplied by damping functions that grow
+/// as 1/(|x − 1| + ζ) near the resonance. There a change of x explains none of their error. The first is compared with
+/// sin τ, the second with itself, and with 1 beyond τ = π/2.
 fn in_time_scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
     let [x, zeta, t] = a.map(Dd::to_f64);
     let (distance, [by_x, by_zeta, by_t]) = ((x - 1.0).abs(), moved);
@@ -200,13 +200,14 @@ fn in_time_scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) 
     scales
 }
 
-/// 1 − d touches 0 after each whole turn: (xτε)²/2 over x², and as much from each other argument.
+/// Effect of second order: 1 − d touches 0 after each whole turn. It is (xτε)²/2 over x², and as much for each other
+/// argument.
 fn in_time_curved(a: &Arguments) -> Results<f64> {
     let tau = a[2].to_f64() * std::f64::consts::PI;
     [0.0, 0.0, 0.0, 0.0, 2.0 * tau * tau]
 }
 
-/// [`Damped::basis`]: p, p′, sin τ − p, cos τ − p′, (1 − d)/x².
+/// Results of [`Damped::basis`]: p, p′, sin τ − p, cos τ − p′, (1 − d)/x².
 pub struct InTime;
 impl Formula for InTime {
     const UNIT: Unit = Unit::Size;
@@ -224,7 +225,8 @@ impl Formula for InTime {
     }
 }
 
-/// The same after most of the motion has gone: p and its like then count beside what they began with.
+/// As [`InTime`], after most of the motion has decayed. p and the other results are then compared with their initial
+/// sizes.
 pub struct DecayedInTime;
 impl Formula for DecayedInTime {
     const UNIT: Unit = Unit::Size;
@@ -241,7 +243,7 @@ impl Formula for DecayedInTime {
     }
 }
 
-/// [`Undamped::basis`]; the second argument is 0.
+/// Results of [`Undamped::basis`]. The second argument is 0.
 pub struct InTimeUndamped;
 impl Formula for InTimeUndamped {
     const UNIT: Unit = Unit::Size;
@@ -259,7 +261,7 @@ impl Formula for InTimeUndamped {
     }
 }
 
-/// [`Instant::new`]: τ, sin τ, cos τ, 1 − cos τ.
+/// Results of [`Instant::new`]: τ, sin τ, cos τ, 1 − cos τ.
 pub struct AnInstant;
 impl Formula for AnInstant {
     fn at<T: Real>([t, _, _]: [T; 3]) -> Results<T> {
@@ -272,7 +274,7 @@ impl Formula for AnInstant {
     }
 }
 
-/// [`ModeResponse`] joined to v = x²/(x² − 1 + 2iζx) (7.8): the response itself.
+/// The response v = x²/(x² − 1 + 2iζx) (7.8), computed from [`ModeResponse`].
 pub struct V;
 impl Formula for V {
     const UNIT: Unit = Unit::Norm;

@@ -1,4 +1,4 @@
-//! `docs/accuracy.md`, made from `table.csv` and `costs.csv`.
+//! Writes `docs/accuracy.md` from `table.csv` and `costs.csv`.
 
 use crate::budgets::asked_to_write;
 use crate::budgets::table::{self, Row};
@@ -14,7 +14,7 @@ const HEAD: &str = include_str!("page_head.md");
 const TAIL: &str = include_str!("page_costs.md");
 const SCALARS: [&str; 3] = ["f32", "f64", "Dd"];
 
-/// An error with three digits, never shown smaller than it is.
+/// Formats an error with two decimals, rounded up.
 fn shown(error: f64) -> String {
     let up = (error * 100.0 - 1e-5).ceil().max(0.0) / 100.0;
     format!("{up:.2}")

@@ -1,4 +1,4 @@
-//! A new public function of the kernel needs a row: the sources themselves are asked.
+//! Tests that every public function of the kernel has a row, by reading the sources.
 
 use crate::budgets::cases;
 use proc_macro2::{TokenStream, TokenTree};
@@ -8,7 +8,7 @@ use syn::{ImplItem, Item, TraitItem, Type, Visibility};
 
 const KERNEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../frictiongen-kernel/src");
 
-/// Functions that compute no numbers of their own, and why.
+/// Functions that compute no numbers of their own, with the reason.
 const NO_NUMBERS: [(&str, &[&str]); 4] = [
     (
         "hands on, picks or compares numbers as they are",
@@ -106,8 +106,7 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
     ),
 ];
 
-/// Functions of whole scenes, whose error is the scene's as much as theirs, and the test that
-/// measures them.
+/// Functions of whole scenes, whose error depends as much on the scene, with the tests that measure them.
 const WHOLE_SCENES: [(&str, &[&str]); 4] = [
     (
         "sums over modes and what is made of them: closed_form, backward",
@@ -196,7 +195,7 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
     ),
 ];
 
-/// The public functions under a module's items, as module::function or module::Type::method.
+/// Collects the public functions of a module as module::function or module::Type::method.
 fn collect(items: &[Item], module: &str, folder: &Path, found: &mut BTreeSet<String>) {
     for item in items {
         match item {
@@ -234,7 +233,7 @@ fn collect(items: &[Item], module: &str, folder: &Path, found: &mut BTreeSet<Str
                     continue;
                 };
                 let name = &of_type.path.segments.last().expect("a name").ident;
-                // Of the traits' methods, those of operators; the kernel's own traits count once.
+                // Methods of operator traits count. The kernel's own traits count once.
                 let operator = of.trait_.as_ref().is_some_and(|of| {
                     let name = format!("{}", of.0.segments.last().expect("a name").ident);
                     ["Add", "Sub", "Mul", "Div", "Neg"].contains(&name.as_str())
@@ -253,7 +252,7 @@ fn collect(items: &[Item], module: &str, folder: &Path, found: &mut BTreeSet<Str
     }
 }
 
-/// What a macro would define: `pub fn name` anywhere in it.
+/// Collects the functions that a macro would define: every `pub fn name` in it.
 fn in_tokens(tokens: TokenStream, module: &str, found: &mut BTreeSet<String>) {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     for window in trees.windows(3) {
@@ -285,7 +284,7 @@ fn every_public_function_has_a_row() {
         Path::new(KERNEL),
         &mut found,
     );
-    // How many places name each function.
+    // Counts the lists that name each function.
     let mut named: BTreeMap<&str, usize> = BTreeMap::new();
     let measured: BTreeSet<&str> = cases::all()
         .iter()

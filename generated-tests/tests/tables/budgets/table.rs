@@ -1,4 +1,4 @@
-//! The budgets as data: `table.csv`, read and written.
+//! The budgets as data: reads and writes `table.csv`.
 
 use crate::budgets::cases::Case;
 use crate::budgets::measure::Arguments;
@@ -11,16 +11,16 @@ pub const PATH: &str = concat!(
 );
 const HEAD: &str = "function,result,scalar,unit,budget,worst,x,y,z,domain";
 
-/// One result of one function over one scalar.
+/// One result of one function with one scalar.
 #[derive(Clone, Debug)]
 pub struct Row {
     pub function: String,
     pub result: String,
     pub scalar: String,
     pub unit: String,
-    /// What is enforced.
+    /// Largest error that the tests allow.
     pub budget: f64,
-    /// The largest error that was met, and where.
+    /// Largest error that was met. `place` has its arguments.
     pub worst: f64,
     pub place: Arguments,
     pub domain: String,
@@ -99,7 +99,7 @@ pub fn write(rows: &[Row]) {
     std::fs::write(PATH, text).expect("the table is written");
 }
 
-/// The rows of a case, in the order of its results; none missing, none of another unit or domain.
+/// Returns the rows of a case in the order of its results, or `None` if one is missing or has another unit or domain.
 pub fn rows_of(table: &[Row], case: &Case) -> Option<Vec<Row>> {
     case.fields
         .iter()
@@ -117,8 +117,8 @@ pub fn rows_of(table: &[Row], case: &Case) -> Option<Vec<Row>> {
         .collect()
 }
 
-/// A first budget for a new row: the next of a few round numbers with a tenth to spare.  From then
-/// on it is changed by hand only.
+/// Proposes a budget for a new row: the next of a few round numbers that leaves a margin of a tenth. Later it is
+/// changed by hand only.
 pub fn first_budget(worst: f64) -> f64 {
     const STEPS: [f64; 15] = [
         0.0, 0.5, 0.75, 1.0, 1.1, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0,

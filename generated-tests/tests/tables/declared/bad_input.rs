@@ -1,4 +1,5 @@
-//! What cannot be had is told on the token that asks for it; the other messages are in `docs/messages.md`.
+//! Tests that a request that cannot be met is reported at the token that makes it. The other messages are in
+//! `docs/messages.md`.
 
 use super::scenes::scene;
 use frictiongen_codegen::{Limits, parse_text};

@@ -1,4 +1,5 @@
-//! Scenes that declare an accuracy, through the macro: the tables are those of the run-time system, bit for bit.
+//! Tests scenes that declare an accuracy, through the macro. Their tables equal those of the run-time system bit for
+//! bit.
 
 use frictiongen::kernel::table::Tabled;
 use frictiongen::study::scene::Side;
@@ -7,7 +8,7 @@ use frictiongen::{
     FrictionSystem, LimitsAt, NotContinuous, Of, OutOfDomain, Regime, System, friction_system,
 };
 
-/// A scene through the macro, and its text.
+/// Passes a scene to the macro, and keeps its text.
 macro_rules! scene {
     ($text:ident: $(#[$attribute:meta])* struct $name:ident { $($body:tt)* }) => {
         friction_system! { $(#[$attribute])* pub struct $name { $($body)* } }
@@ -101,7 +102,7 @@ scene! { NEVER_STUCK: struct NeverStuck {
     range: { r: 0.4..0.8, beta: 0..0.4 },
 } }
 
-/// r over a range, its ends included.
+/// Frequency ratios over a range, including its bounds.
 fn ratios(low: f64, high: f64) -> impl Iterator<Item = f64> {
     (0..=1000).map(move |k| low + (high - low) * f64::from(k) / 1000.0)
 }
@@ -157,7 +158,7 @@ fn of_the_run_time_system() {
     assert_eq!(compared, 3003);
 }
 
-/// What the declared friction ratios cannot reach is not asked, and no answer is another.
+/// Code for regimes that the declared friction ratios cannot reach is left out, and no result changes by it.
 #[test]
 fn out_of_reach() {
     let domain = Sliding.domain();
@@ -208,13 +209,13 @@ fn out_of_reach() {
         }
     }
     assert!(seen[0] > 300 && seen[1] > 300, "{seen:?}");
-    // Without friction ratios, and where the exact formulas answer beyond them, everything is asked.
+    // Nothing is left out without declared friction ratios, or if exact formulas serve β beyond them.
     for domain in [Damped.domain(), ExactBeyond.domain()] {
         assert!(!domain.always_continuous && !domain.never_stuck);
     }
 }
 
-/// What the tables do not hold comes from the exact formulas, to the bit.
+/// Quantities without a table come from the exact formulas, to the bit.
 #[test]
 fn the_rest_is_exact() {
     let text = DAMPED.split("accuracy").next().unwrap().to_owned() + "}";
@@ -269,7 +270,7 @@ fn beyond_the_range() {
     assert_eq!(Damped::at(f64::NAN).map(drop), out("r"));
     assert_eq!(Damped::at(f64::INFINITY).map(drop), out("r"));
     assert!(Damped::at(0.2).is_ok() && Damped::at(2.5).is_ok());
-    // β beyond what was declared.
+    // β beyond the declared range is an error.
     let at = Undamped::at(0.9).unwrap();
     assert_eq!(at.regime(1.5), Err(OutOfDomain { argument: "beta" }));
     assert_eq!(at.margin(f64::NAN), Err(OutOfDomain { argument: "beta" }));
@@ -280,7 +281,7 @@ fn beyond_the_range() {
         out("r")
     );
     assert!(continuous[0] > 0.0 && continuous[1] == 0.0);
-    // With `beyond: exact` the exact formulas.
+    // With `beyond: exact` the exact formulas are used.
     let exact: System = EXACT_BEYOND
         .split("accuracy")
         .next()
@@ -307,7 +308,7 @@ fn beyond_the_range() {
     assert!(ExactBeyond::at(1.0).unwrap().is_within());
 }
 
-/// Regimes are right except within the accuracy of a limit.
+/// Regimes are right, except within the accuracy of a limit.
 #[test]
 fn regimes() {
     let text = DAMPED.split("accuracy").next().unwrap().to_owned() + "}";
@@ -343,7 +344,7 @@ fn regimes() {
     assert_eq!(Damped::at(1.0).unwrap().regime(1e6), Ok(Regime::Stuck));
 }
 
-/// Beyond 0.98 of β_lim the error grows as 1/(1 − (β/β_lim)²), as `docs/tables.md` says.
+/// Above 0.98 of β_lim the error grows as 1/(1 − (β/β_lim)²), as `docs/tables.md` states.
 #[test]
 fn close_to_the_limit() {
     let system: System = (DAMPED.split("accuracy").next().unwrap().to_owned() + "}")
@@ -356,7 +357,7 @@ fn close_to_the_limit() {
         for share in [0.99, 0.995, 0.998, 0.999] {
             let beta = share * limits.continuous;
             let (Ok(motion), Ok(reference)) = (emitted.motion(beta), exact.motion(beta)) else {
-                // Stuck at this β: β*_lim is the lower limit.
+                // The contact is stuck at this β, because β*_lim is the lower limit.
                 assert!(limits.sliding <= beta, "r = {r}");
                 continue;
             };
@@ -371,7 +372,7 @@ fn close_to_the_limit() {
     assert!(worst < 1.0 && compared > 2000);
 }
 
-/// `side: safe`: never wrong on the dangerous side.
+/// With `side: safe` no result is wrong on the unsafe side.
 #[test]
 fn the_safe_side() {
     let exact: System = (SAFE.split("accuracy").next().unwrap().to_owned() + "}")
@@ -388,7 +389,7 @@ fn the_safe_side() {
     println!("β_lim below the exact one by {least:.1e} to {most:.1e}");
 }
 
-/// `budget`: what fits is used, and the doc comment says so.
+/// With `budget` the finest table that fits is used, and the doc comment says so.
 #[test]
 fn a_budget() {
     let system: System = (BYTES.split("provide").next().unwrap().to_owned() + "}")
@@ -413,7 +414,7 @@ fn a_budget() {
     assert!(worst <= tables.request.accuracy);
 }
 
-/// One sweep, map or fit serves scenes with tables as well.
+/// The same sweep, map or fit accepts scenes with tables.
 #[test]
 fn through_the_traits() {
     fn narrowest<F: FrictionSystem<Scalar = f64>>(system: &F) -> f64 {

@@ -1,10 +1,10 @@
-//! The responses while the contact is stuck, of scenes that declare an accuracy, through the macro.
+//! Tests the responses while the contact is stuck, of scenes that declare an accuracy, through the macro.
 
 use frictiongen::{OutOfDomain, StuckAt, StuckResonance, System, friction_system};
 use frictiongen_kernel::Complex;
 use fuzzing::Random;
 
-/// A scene through the macro, and its text.
+/// Passes a scene to the macro, and keeps its text.
 macro_rules! scene {
     ($text:ident: struct $name:ident { $($body:tt)* }) => {
         friction_system! { pub struct $name { $($body)* } }
@@ -89,7 +89,7 @@ scene! { FEW_BYTES: struct FewBytes {
     range: { r: 0.3..2.0 },
 } }
 
-/// The same scene without a declared accuracy, in double precision.
+/// Returns the same scene without a declared accuracy, in double precision.
 fn exact(text: &str) -> System {
     let before = text.split("accuracy").next().unwrap();
     let before = before.split("budget").next().unwrap();
@@ -104,12 +104,12 @@ fn apart(a: Complex<f64>, b: Complex<f64>) -> f64 {
     (a.re - b.re).hypot(a.im - b.im)
 }
 
-/// r over a range, its ends included.
+/// Frequency ratios over a range, including its bounds.
 fn ratios(low: f64, high: f64) -> impl Iterator<Item = f64> {
     (0..=1000).map(move |k| low + (high - low) * f64::from(k) / 1000.0)
 }
 
-/// At ten thousand points each mass and the force are within `allowed` of the exact modulus.
+/// Asserts at ten thousand points that each mass and the force are within `allowed` of the exact modulus.
 macro_rules! within {
     ($scene:ident, $text:ident, $scalar:ident, $range:expr, $allowed:expr, [$($mass:ident),*]) => {{
         let (range, system) = ($range, exact($text));
@@ -127,7 +127,7 @@ macro_rules! within {
             for (answer, expected) in pairs {
                 let size = expected.re.hypot(expected.im);
                 let off = apart(wide(answer), expected);
-                // What stands still has roundings alone.
+                // A mass that does not move has only rounding errors.
                 worst = worst.max(off / size.max(1e-9));
             }
         }
@@ -154,7 +154,7 @@ fn within_the_accuracy() {
     within!(FewBytes, FEW_BYTES, f64, 0.3..2.0, 1e-9, [a, b, c, d]);
 }
 
-/// The products are those of the run-time system, bit for bit.
+/// Asserts that the products equal those of the run-time system bit for bit.
 macro_rules! as_at_run_time {
     ($scene:ident, $text:ident, $scalar:ident, $range:expr, $accuracy:expr) => {{
         let (range, system) = ($range, $text.parse::<System<$scalar>>().unwrap());
@@ -173,7 +173,7 @@ macro_rules! as_at_run_time {
                 assert_eq!(emitted.mass_at(mass), compiled.mass_at(mass));
                 assert_eq!(emitted.mass_at(mass).is_none(), mass == masses);
             }
-            // As sweeps and maps ask.
+            // Sweeps and maps call through this trait.
             let through = StuckAt::stuck_mass(&tables.at(r).unwrap(), 0).unwrap();
             assert_eq!(through, emitted.mass_at(0));
         }
@@ -194,7 +194,8 @@ fn of_the_run_time_system() {
     as_at_run_time!(Single, SINGLE, f32, 0.2..2.5, 1e-5);
 }
 
-/// With the upper mass held the lower one is on springs of 1 and 3: its resonance is r = 2, where the response is infinite.
+/// If the upper mass sticks, the lower one is on springs of 1 and 3. Its resonance is r = 2, where the response is
+/// infinite.
 #[test]
 fn on_a_pole() {
     let resonance = OnTwo::at(2.0).unwrap().stuck();
@@ -203,7 +204,7 @@ fn on_a_pole() {
     let tables = tabled.compile(0.3..2.5, 1e-6).unwrap();
     let resonance = tables.at(2.0).unwrap().stuck();
     assert_eq!(resonance.map(drop), Err(StuckResonance));
-    // The exact sums say so too, or keep a rounding.
+    // The exact sums also report the resonance, or leave a value of the order of 1/rounding.
     if let Ok(stuck) = exact(ON_TWO).at(2.0).unwrap().stuck() {
         assert!(stuck.mass("lower").unwrap().re.abs() > 1e14);
     }
@@ -229,7 +230,7 @@ fn beyond_the_range() {
         let (stuck, reference) = (at.stuck().unwrap(), system.at(r).unwrap().stuck().unwrap());
         assert_eq!(stuck.contact_force(), reference.contact_force());
         let close = |answer: Complex<f64>, expected: Complex<f64>| {
-            // The emitted sum and the run-time one are rounded in another order.
+            // The emitted sum and the run-time sum are rounded in a different order.
             let size = expected.re.hypot(expected.im);
             assert!(
                 apart(answer, expected) <= 1e-14 * size,
@@ -245,7 +246,7 @@ fn beyond_the_range() {
     assert_eq!(Five::at(f64::NAN).map(drop), out);
 }
 
-/// Where the products do not fit, the exact formulas answer to the bit.
+/// If the products do not fit, the exact formulas are used, to the bit.
 #[test]
 fn without_products() {
     for r in ratios(0.3, 2.0) {
@@ -256,7 +257,7 @@ fn without_products() {
             assert_eq!(stuck.mass(mass), exact.mass(mass));
         }
     }
-    // Elsewhere they do answer: their roundings are others.
+    // In other scenes the products are used, which the different rounding shows.
     let differs = |r: &f64| {
         let stuck = Five::at(*r).unwrap().stuck().unwrap();
         stuck.a() != stuck.exact().mass(0)

@@ -1,4 +1,4 @@
-//! The exact answers at one frequency ratio, in double precision, and how far rounding moves them.
+//! Exact results at one frequency ratio in double precision, and their uncertainty by rounding.
 
 use frictiongen::System;
 use frictiongen::study::SystemAt;
@@ -6,12 +6,13 @@ use frictiongen_kernel::Float;
 use std::cell::OnceCell;
 use std::f64::consts::PI;
 
-/// Closer to a resonance a rounding of its place is more than an amplitude's accuracy.
+/// Relative distance from a resonance below which a rounding of the resonance changes an amplitude by more than the
+/// accuracy.
 const BESIDE: f64 = 1e-13;
-/// Roundings of r.
+/// Number of roundings of r that count as noise.
 const ROUNDINGS: f64 = 16.0;
 
-/// Both limits, and a motion at a share of the smaller one.
+/// Both limits, and a motion at a fraction (`share`) of the smaller one.
 pub struct Exact<'a> {
     system: &'a System<f64>,
     r: f64,
@@ -22,29 +23,30 @@ pub struct Exact<'a> {
     noise: OnceCell<Noise>,
 }
 
-/// The contact's motion at a friction ratio below both limits.
+/// Motion of the contact at a friction ratio below both limits.
 pub struct Motion {
     pub beta: f64,
-    /// Amplitude and phase; none where double precision finds no continuous motion.
+    /// Amplitude and phase, or `None` if double precision finds no continuous motion.
     pub answer: Option<[f64; 2]>,
 }
 
-/// By how much answers may differ: r moved by some roundings, and the rounding of sums.
+/// Allowed differences of the results: the effect of some roundings of r, and the rounding of sums.
 #[derive(Default)]
 pub struct Noise {
     pub limits: [f64; 2],
     pub motion: [f64; 2],
-    /// Whether β_lim is known to a tenth: within rounding of its zeros there is no motion to compare.
+    /// `true` if β_lim is known to a tenth. Closer to its zeros there is no motion to compare.
     pub known: bool,
 }
 
-/// An angle within a turn of zero, without its sign.
+/// Returns the absolute value of an angle, reduced by whole turns.
 pub fn turn(angle: f64) -> f64 {
     (angle - (angle / (2.0 * PI)).round() * 2.0 * PI).abs()
 }
 
 impl<'a> Exact<'a> {
-    /// None so close to a zero that the roundings of its place are more than 10⁻⁴ of the distance.
+    /// Computes the results, or returns `None` if r is so close to a zero that its rounding is more than 10⁻⁴ of the
+    /// distance.
     pub fn at<S: Float>(system: &'a System<f64>, r: f64, share: f64) -> Option<Self> {
         let near = |sigma: &f64| {
             let order = 2.0 * (0.5 * (sigma / r - 1.0)).round() + 1.0;
@@ -58,7 +60,7 @@ impl<'a> Exact<'a> {
         let limits = at.limits();
         let limits = [limits.continuous, limits.sliding];
         let limit = limits[0].min(limits[1]);
-        // A point within rounding of a zero of a limit has no motion to compare.
+        // Next to a zero of a limit, within rounding, there is no motion to compare.
         let beside = |sigma: &f64| (r / sigma - 1.0).abs() < BESIDE.max(S::EPSILON);
         let asked = limit > 1e-9 && !system.resonances().iter().any(beside);
         let motion = asked.then(|| {
@@ -77,7 +79,7 @@ impl<'a> Exact<'a> {
         })
     }
 
-    /// Evaluated where an answer is off without it: it costs another search.
+    /// Computes the noise when it is first needed, because it costs another search.
     pub fn noise(&self) -> &Noise {
         self.noise.get_or_init(|| {
             let moved = self.system.at(self.r * (1.0 + ROUNDINGS * f64::EPSILON));
@@ -113,7 +115,7 @@ fn contact(at: &SystemAt<'_, f64>, beta: f64) -> Option<[f64; 2]> {
     Some([contact.amplitude(), contact.phase()])
 }
 
-/// Roundings of V and H over V and H: the sums over modes cancel beside zeros.
+/// Returns the relative rounding errors of V and H, whose sums over the modes cancel near zeros.
 fn sum_rounding(system: &System<f64>, r: f64) -> f64 {
     let modal = system.modal();
     let direct = if modal.on_moving_base { 1.0 } else { 0.0 };

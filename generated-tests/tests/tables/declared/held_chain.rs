@@ -1,5 +1,5 @@
-//! A chain with its contact held, by its equations of motion in double-double: from masses and springs, with the modes in
-//! the damping alone.
+//! A chain with its contact stuck, solved from its equations of motion in double-double. They are set up from masses
+//! and springs, and use the modes only for the damping.
 
 use frictiongen::System;
 use frictiongen::study::scene::{Excitation, Node, Scene};
@@ -7,14 +7,14 @@ use frictiongen_kernel::Complex;
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Γ, K, and C, p and w.
+/// Matrices Γ, K and C, and vectors p and w.
 pub struct HeldChain {
     masses: Vec<Dd>,
     stiffness: Vec<Vec<Dd>>,
     damping: Vec<Vec<Dd>>,
     load: Vec<Dd>,
     contact: Vec<Dd>,
-    /// What the base carries the contact by.
+    /// Coefficient of the base motion in the relative motion of the contact.
     carried: Dd,
 }
 
@@ -84,12 +84,12 @@ impl HeldChain {
         }
     }
 
-    /// The amplitudes of all masses, then that of the holding force.
+    /// Returns the amplitudes of all masses, then that of the contact force.
     pub fn responses(&self, r: f64) -> Vec<Complex<Dd>> {
         let r = Dd::from(r);
         let count = self.masses.len();
         let real = complex::real::<Dd>;
-        // [K − r²Γ + irC, w; wᵀ, 0], and what it is to give.
+        // The matrix [K − r²Γ + irC, w; wᵀ, 0], with its right-hand side as the last column.
         let mut rows: Vec<Vec<Complex<Dd>>> = Vec::new();
         for row in 0..count {
             let mut own: Vec<Complex<Dd>> = (0..count)
@@ -111,7 +111,7 @@ impl HeldChain {
     }
 }
 
-/// The solution of a system of equations by Gauss's elimination with the largest pivots; the last column is what it gives.
+/// Solves a system of equations by Gauss's elimination with the largest pivots. The last column is the right-hand side.
 fn solved(mut rows: Vec<Vec<Complex<Dd>>>) -> Vec<Complex<Dd>> {
     let count = rows.len();
     let size = |a: &Complex<Dd>| a.re.to_f64().hypot(a.im.to_f64());

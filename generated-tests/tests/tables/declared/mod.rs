@@ -1,4 +1,4 @@
-//! Tables of declared accuracy against the exact answers, at points that their builder did not look at.
+//! Tests tables of declared accuracy against the exact results, at points that their builder did not use.
 
 mod accuracy;
 mod bad_input;

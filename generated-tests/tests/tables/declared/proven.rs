@@ -1,4 +1,4 @@
-//! What is proven of β_lim, at points that neither builder nor proof looked at.
+//! Tests what is proven about β_lim, at points that neither the builder nor the proof used.
 
 use super::random;
 use super::scenes::{scene, scenes};
@@ -11,10 +11,11 @@ use fuzzing::Random;
 use std::time::Instant;
 
 const RANGE: (f64, f64) = (0.2, 2.5);
-/// What a sum in double precision may be off by itself.
+/// Relative error of a sum in double precision by itself.
 const ROUNDING: f64 = 1e-9;
 
-/// One table: how much is open, and whether a random r outside of that exceeds the bound.
+/// Builds and proves a table, and checks that no random r outside the open intervals exceeds the bound. Returns the
+/// open fraction of the range, or `None` without a table.
 fn held(name: &str, text: &str, accuracy: f64, points: usize, random: &mut Random) -> Option<f64> {
     let system: System = text.parse().expect("a scene");
     let request = Request {
@@ -65,7 +66,7 @@ fn held(name: &str, text: &str, accuracy: f64, points: usize, random: &mut Rando
     Some(open)
 }
 
-/// Of an undamped chain so much of the range may be open.
+/// Largest fraction of the range that may remain open for an undamped chain.
 const OPEN: f64 = 0.004;
 
 fn chains(accuracy: f64, points: usize) {
@@ -79,7 +80,8 @@ fn chains(accuracy: f64, points: usize) {
     assert_eq!(seen, 44);
 }
 
-/// Chains are proven: whole with damping, undamped but for zeros and what is beside one or two resonances.
+/// Chains are proven: over the whole range with damping, and without it except near zeros and near one or two
+/// resonances.
 #[test]
 fn of_all_chains() {
     chains(1e-3, 500);
@@ -91,7 +93,7 @@ fn of_all_chains_whole() {
     chains(1e-4, 20_000);
 }
 
-/// Random scenes: whatever is proven holds.
+/// Whatever is proven about random scenes is true.
 #[test]
 fn of_random_scenes() {
     let mut scenes = Random(20_261_123);
@@ -111,8 +113,8 @@ fn of_random_scenes() {
     assert!(open / f64::from(tables) < 0.25, "{open} of {tables}");
 }
 
-/// How much of the range stays open, and what it takes: the least and the largest of the chains of a kind; β*_lim is
-/// proven wholly.
+/// Prints the open fraction of the range and the work, as minimum and maximum over the chains of a kind. β*_lim is
+/// always proven completely.
 fn measured<S: Float>(accuracies: &[f64]) -> usize {
     let scalar = if S::EPSILON > 1e-10 { "f32" } else { "f64" };
     let mut seen = 0;
@@ -169,7 +171,7 @@ fn how_much() {
     assert_eq!((f64s, f32s), (3 * 44, 3 * 44));
 }
 
-/// What a macro proves where the scene asks for it: as much as a command, of the same numbers.
+/// If the scene requests a proof, the macro proves as much as a command does, for the same numbers.
 #[test]
 fn where_the_scene_asks() {
     let read = |text: &str| parse_text(text, &Limits::MACRO).expect("a scene");
@@ -203,7 +205,8 @@ fn where_the_scene_asks() {
     }
 }
 
-/// What a macro proves unasked: chains of one to five masses, and ten damped ones, as much as a command.
+/// Without a request the macro proves chains of one to five masses, and damped chains of ten, as much as a command
+/// does.
 #[test]
 fn unasked() {
     let mut seen = 0;
@@ -231,7 +234,7 @@ fn unasked() {
     assert_eq!(seen, 4 + 6 + 6 + 3);
 }
 
-/// With bytes in place of an accuracy none is taken that could only be checked.
+/// With a byte budget in place of an accuracy, no table is used that could only be checked.
 #[test]
 fn within_a_budget() {
     let text = scene("Wall", 1, "modal(0.02)", "1", "f64");
@@ -248,7 +251,7 @@ fn within_a_budget() {
     assert_eq!(with("proof: whole"), (1e-6, Evidence::Proven));
 }
 
-/// What is known of β_lim and of the motion, and the numbers of a table.
+/// Returns the proofs of β_lim and of the motion, and the numbers of a table.
 fn known(tables: &SceneTables) -> ([Proof; 2], String) {
     fn of<S: Float>(tables: &Tables<S>) -> ([Proof; 2], String) {
         (

@@ -3,7 +3,7 @@
 use fuzzing::Random;
 use std::fmt::Write as _;
 
-/// A scene with masses and stiffnesses within a factor of ten of each other.
+/// Returns a random scene whose masses and stiffnesses lie within a factor of ten of each other.
 pub fn scene(random: &mut Random) -> String {
     let count = 1 + random.below(16);
     let mut text = String::from("struct Random { masses: { ");
@@ -13,7 +13,7 @@ pub fn scene(random: &mut Random) -> String {
     text.push_str("}, springs: { ");
     write!(text, "base - m0: {:e}, ", random.power(-0.5, 0.5)).unwrap();
     for mass in 1..count {
-        // A tree: each mass hangs on the one before, or on any.
+        // The springs form a tree: each mass is joined to the previous one, or to any earlier one.
         let from = if random.once_in(4) {
             random.below(mass)
         } else {

@@ -1,8 +1,8 @@
-//! Chains of 1, 2, 5 and 10 equal masses and springs: every contact, undamped and damped, μ = 1 and 1.2.
+//! Chains of 1, 2, 5 and 10 equal masses and springs with every contact, undamped and damped, μ = 1 and 1.2.
 
 use std::fmt::Write as _;
 
-/// The 44 scenes, with their names.
+/// Returns the 44 scenes with their names.
 pub fn scenes(scalar: &str) -> Vec<(String, String)> {
     let mut scenes = Vec::new();
     for count in [1_usize, 2, 5, 10] {
@@ -21,8 +21,9 @@ pub fn scenes(scalar: &str) -> Vec<(String, String)> {
     scenes
 }
 
-/// `Wall`: the last mass rubs on a wall, the first is driven.  `Base`: the base moves, the first mass rubs on it.
-/// `Pair`: the first two rub on each other, the last is driven.
+/// Returns the description of a scene. `Wall`: the last mass rubs on a wall, and the first one is driven. `Base`: the
+/// base moves, and the first mass rubs on it. `Pair`: the first two masses rub on each other, and the last one is
+/// driven.
 pub fn scene(kind: &str, count: usize, damping: &str, stiction: &str, scalar: &str) -> String {
     let mut text = format!("struct {kind}{count} {{ masses: {{ ");
     for mass in 0..count {

@@ -1,14 +1,16 @@
-//! Which limit is the smaller one (section 10 of `docs/derivation.md`): with μ = 1 β_lim, which then admits a motion alone.
+//! Tests which limit is the smaller one (section 10 of `docs/derivation.md`). With μ = 1 it is β_lim, which alone then
+//! decides if a continuous motion exists.
 
 use super::random;
 use super::scenes::scenes;
 use frictiongen::{LimitsAt, NotContinuous, Regime, System};
 use fuzzing::Random;
 
-/// What roundings may turn round where both are the same.
+/// Relative difference below which rounding may exchange two equal limits.
 const ROUNDINGS: f64 = 1e-9;
 
-/// Over r from 0.02 to 20: how often the limits were compared, and how often β*_lim was the smaller one by a percent.
+/// Compares the limits over r from 0.02 to 20. `seen` counts the comparisons, and those in which β*_lim is smaller by a
+/// percent, whose r are returned.
 fn compared(text: &str, random: &mut Random, seen: &mut [usize; 2]) -> Vec<f64> {
     let system: System = text.parse().unwrap();
     let mut turned = Vec::new();
@@ -30,7 +32,7 @@ fn compared(text: &str, random: &mut Random, seen: &mut [usize; 2]) -> Vec<f64> 
     turned
 }
 
-/// Without more grip at rest the contact cannot stick where it can slide all the time.
+/// With μ = 1 the contact cannot stick where it can slide all the time.
 #[test]
 fn beta_lim_without_stiction() {
     let mut random = Random(31);
@@ -50,8 +52,8 @@ fn beta_lim_without_stiction() {
     assert!(seen[0] > 60 * 150 && seen[1] == 0, "{seen:?}");
 }
 
-/// With more of it both may be, beside a resonance from μ = 4/π on: the closed form and a stuck state, as the exact formulas
-/// have it.
+/// With larger μ a closed form and a stuck state may both exist, near a resonance from μ = 4/π on, as with the exact
+/// formulas.
 #[test]
 fn both_where_both_are_possible() {
     let mut random = Random(32);
@@ -81,7 +83,7 @@ fn both_where_both_are_possible() {
                 error < 1e-3,
                 "{name}: {motion:?} for {expected:?} at r = {r}"
             );
-            // On the other side of either limit there is one state only.
+            // Below both limits or above both, only one state exists.
             let (below, above) = (0.99 * limits.sliding, 1.01 * limits.continuous);
             assert_eq!(at.regime(below), Ok(Regime::Continuous), "{name}");
             assert!(at.motion(below).is_ok(), "{name}");

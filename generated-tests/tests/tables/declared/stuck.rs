@@ -1,8 +1,9 @@
-//! The responses while the contact is stuck, as products over zeros and poles, at points that their builder did not see.
+//! Tests the responses while the contact is stuck, as products over zeros and poles, at points that their builder did
+//! not use.
 //!
-//! They are compared with the equations of motion themselves, bordered by the condition that the contact stands still, which
-//! are solved in double-double: that knows neither receptances nor zeros.  At many more points they are compared with the exact
-//! system.  An answer may be off besides by what the exact one moves by for 16 roundings of r.
+//! The reference is the equations of motion, bordered by the condition that the contact does not move, solved in
+//! double-double. It uses neither receptances nor zeros. At many more points the reference is the exact system. A
+//! result may also deviate by the change of the exact result over 16 roundings of r.
 
 use super::accuracy::points;
 use super::held_chain::HeldChain;
@@ -16,16 +17,16 @@ use frictiongen_kernel::{Complex, Float};
 use fuzzing::Random;
 
 const RANGE: std::ops::Range<f64> = 0.2..2.5;
-/// Roundings of r.
+/// Number of roundings of r that count as noise.
 const ROUNDINGS: f64 = 16.0;
-/// Closer to an undamped resonance or to a place where an undamped mass stands still, as a share of r, the rounding of r is
-/// more than a part in a hundred of the distance.
+/// Relative distance from an undamped resonance or antiresonance below which the rounding of r is more than a hundredth
+/// of the distance.
 const BESIDE: f64 = 1e-14;
 
-/// What elimination leaves of a mass that does not move, over the largest response.
+/// Rounding that elimination leaves for a mass that does not move, over the largest response.
 const STILL: f64 = 1e-14;
 
-/// The worst of a run.
+/// Worst results of a run.
 #[derive(Default)]
 struct Tally {
     compared: usize,
@@ -34,7 +35,7 @@ struct Tally {
     failures: Vec<String>,
 }
 
-/// Where the zeros and poles of a form are.
+/// Returns the zeros and poles of a form.
 fn places<S: Float>(form: &HeldForm<S>) -> Vec<f64> {
     let of_factor = |factor: &Factor<S>| match factor {
         Factor::Zero { at, .. } | Factor::Pair { at, .. } => at.to_f64(),
@@ -66,7 +67,7 @@ fn apart(a: Complex<Dd>, b: Complex<Dd>) -> f64 {
     size(Complex::new(a.re - b.re, a.im - b.im))
 }
 
-/// All responses of a scene at one r: what is exact there, and some roundings of r farther on.
+/// Compares all responses of a scene at one r: `expected` is exact there, `moved` some roundings of r away.
 fn compare<S: Float>(
     name: &str,
     forms: &[&HeldForm<S>],
@@ -77,7 +78,7 @@ fn compare<S: Float>(
     tally: &mut Tally,
 ) {
     let r = own.to_f64();
-    // On a pole there is nothing to compare.
+    // On a pole nothing can be compared.
     if !expected.iter().all(|own| size(*own).is_finite()) {
         tally.skipped += 1;
         return;
@@ -89,7 +90,8 @@ fn compare<S: Float>(
         let answer = Complex::new(answer.re.to_f64(), answer.im.to_f64());
         let answer = Complex::new(Dd::from(answer.re), Dd::from(answer.im));
         if let HeldForm::Fixed(_) = form {
-            // Of what stands still elimination leaves roundings: 10⁻¹² beside a resonance half of 30 digits.
+            // For a mass that does not move, elimination leaves roundings. At 10⁻¹² from a resonance half of the 30
+            // digits are lost.
             let off = apart(answer, expected) / largest;
             assert!(off < STILL, "{name}: {place} at {r}: {off:e}");
             tally.compared += 1;
@@ -114,7 +116,8 @@ fn compare<S: Float>(
     }
 }
 
-/// Every response of a scene at random points, the ends, and beside zeros and poles, within `allowed` of its modulus.
+/// Compares every response of a scene at random points, at the bounds, and next to zeros and poles. The error must be
+/// within `allowed` of the modulus.
 fn check<S: Float>(
     (name, text): (&str, &str),
     held: &Held<S>,
@@ -162,7 +165,7 @@ fn told(what: &str, tally: &Tally) {
     assert!(tally.skipped * 100 < tally.compared);
 }
 
-/// Every chain keeps the finest accuracy that its scalar allows.
+/// Every chain reaches the finest accuracy that its scalar allows.
 fn chains<S: Float>(scalar: &str, points: usize, finest: f64) {
     let mut tally = Tally::default();
     for (name, text) in scenes(scalar) {
@@ -186,7 +189,7 @@ fn of_chains_in_single_precision() {
     chains::<f32>("f32", 60, 2e-6);
 }
 
-/// `cargo test -p generated-tests --test tables stuck_of_chains -- --ignored --nocapture`
+/// Run with `cargo test -p generated-tests --test tables stuck_of_chains -- --ignored --nocapture`
 #[test]
 #[ignore = "a hundred thousand points a scene, half an hour"]
 fn stuck_of_chains_whole() {
@@ -194,7 +197,7 @@ fn stuck_of_chains_whole() {
     chains::<f32>("f32", 100_000, 2e-6);
 }
 
-/// At many points every chain keeps a ten-thousandth, the exact system being what it is compared with.
+/// At many points every chain is within 1e-4 of the exact system.
 fn beside_the_system<S: Float>(scalar: &str, points: usize) {
     let mut tally = Tally::default();
     let wide = |own: Complex<f64>| Complex::new(Dd::from(own.re), Dd::from(own.im));
@@ -231,7 +234,7 @@ fn beside_the_exact_system() {
     beside_the_system::<f32>("f32", points(10_000));
 }
 
-/// `cargo test -p generated-tests --test tables stuck_beside -- --ignored --nocapture`
+/// Run with `cargo test -p generated-tests --test tables stuck_beside -- --ignored --nocapture`
 #[test]
 #[ignore = "a million points a scene, half an hour"]
 fn stuck_beside_the_system_whole() {
@@ -239,7 +242,8 @@ fn stuck_beside_the_system_whole() {
     beside_the_system::<f32>("f32", points(1_000_000));
 }
 
-/// Random scenes, graphs and overdamped modes among them: what is kept is within its accuracy.
+/// Responses of random scenes, including graphs and overdamped modes, are within the accuracy if their products keep
+/// it.
 fn random_scenes<S: Float>(scalar: &str, count: usize, points: usize, accuracy: f64, most: usize) {
     let mut random = Random(20_261_123);
     let (mut tally, mut left) = (Tally::default(), 0);
@@ -274,7 +278,7 @@ fn of_random_scenes() {
     random_scenes::<f32>("f32", 40, 30, 1e-4, 1);
 }
 
-/// `cargo test -p generated-tests --test tables stuck_of_random -- --ignored --nocapture`
+/// Run with `cargo test -p generated-tests --test tables stuck_of_random -- --ignored --nocapture`
 #[test]
 #[ignore = "a hundred scenes, minutes"]
 fn stuck_of_random_scenes_whole() {

@@ -1,4 +1,4 @@
-//! A table that is wrong is caught: one coefficient off by ten budgets.
+//! Tests that a wrong table is detected. One coefficient is off by ten times the accuracy.
 
 use super::scenes::scene;
 use frictiongen::System;
@@ -34,7 +34,7 @@ fn a_wrong_coefficient() {
                     .abs()
                     .max((next - piece.origin).abs())
                     .max((piece.from - piece.origin).abs());
-                // β_lim, and |V| where it is in the table.
+                // Indices of β_lim, and of |V| if the table contains it.
                 for function in [0, 4].into_iter().filter(|place| *place < functions) {
                     let size = tables.pieces[place].value(function, middle).abs();
                     for power in 0..tables.terms {

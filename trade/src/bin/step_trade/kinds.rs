@@ -1,4 +1,4 @@
-//! A step without event, with one, and the slowest under violent loads.
+//! Times of a step without event, of a step with one event, and of the slowest step under violent loads.
 
 use crate::run::median;
 use crate::scenes;
@@ -7,18 +7,18 @@ use std::fmt::Write;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// The step, over √(m/k): 63 to a cycle of a block on its spring.
+/// Length of a step in units of √(m/k). A cycle of a block on its spring has 63 steps.
 const STEP: f64 = 0.1;
-/// Steps that are looked at for their events.
+/// Number of steps that are searched for events.
 const STEPS: usize = 2000;
-/// Steps of each kind that are timed.
+/// Number of steps of each kind that are timed.
 const TIMED: usize = 40;
-/// Each step is taken so often from the same state.
+/// Number of repetitions of each step, all from the same state.
 const REPEATS: u32 = 200;
-/// Loads, over the friction force: usual ones, and violent ones.
+/// Amplitudes of the load over the friction force: a usual one and a violent one.
 const LOADS: [f64; 2] = [3.0, 1e4];
 
-/// Nanoseconds of a step from this state on; the copy of the state is taken off.
+/// Returns the nanoseconds of a step from a given state, without the time to copy the state.
 fn time<T: Clone>(state: &T, mut advance: impl FnMut(&mut T)) -> f64 {
     let mut of = |steps: bool| {
         let times = (0..7).map(|_| {
@@ -37,8 +37,8 @@ fn time<T: Clone>(state: &T, mut advance: impl FnMut(&mut T)) -> f64 {
     1e9 * (of(true) - of(false)) / f64::from(REPEATS)
 }
 
-/// What steps take: without event and with one in the median, the slowest under violent loads, and how many events that
-/// has.
+/// Returns the median times of steps without event and with one event, then the time of the slowest step under violent
+/// loads and its number of events.
 fn kinds<T: Clone>(start: &T, advance: impl Fn(&mut T, f64) -> u32) -> (f64, f64, f64, u32) {
     let mut noise = Random(7);
     let (mut stepper, mut seen) = (start.clone(), [Vec::new(), Vec::new()]);
@@ -85,7 +85,7 @@ macro_rules! row {
     }};
 }
 
-/// A row for each number of masses.
+/// Formats a table with one row for each number of masses.
 pub fn table() -> Result<String, std::fmt::Error> {
     let mut table = String::from(
         "| masses | no event, ns | one event, ns | the slowest under loads of 10⁴ F, ns |\n|---|---|---|---|\n",

@@ -1,6 +1,6 @@
-//! The stepper beside fixed-step integrators of the usual kinds: error against the exact steady state, nanoseconds a
-//! step, stops; and what a step takes without event, with one, and at most.  `step_trade [--untimed] PAGE` rewrites the tables
-//! between the marks of the page.
+//! The stepper compared with usual fixed-step integrators: error against the exact steady state, nanoseconds a step,
+//! and stops. A second table has the times of a step without event, with one event, and of the slowest step.
+//! `step_trade [--untimed] PAGE` rewrites the tables between the marks of the page.
 
 mod kinds;
 mod run;
@@ -10,7 +10,7 @@ use run::{Point, Run, in_c, ours};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-/// Steps a cycle.
+/// Numbers of steps in a cycle.
 const STEPS: [usize; 3] = [50, 200, 1000];
 const BEGIN: &str = "<!-- scripts/step-trade: begin -->\n";
 const END: &str = "<!-- scripts/step-trade: end -->";
@@ -18,7 +18,7 @@ const KINDS: [&str; 2] = [
     "<!-- scripts/step-trade, kinds: begin -->\n",
     "<!-- scripts/step-trade, kinds: end -->",
 ];
-/// The programs of `peers/time_stepping.c`, and what they are called.
+/// Methods of `peers/time_stepping.c`, with their names in the table.
 const IN_C: [(&str, &str); 4] = [
     ("moreau-half", "Moreau–Jean, θ = ½"),
     ("moreau-one", "Moreau–Jean, θ = 1"),
@@ -26,16 +26,16 @@ const IN_C: [(&str, &str); 4] = [
     ("rk4-located", "Runge–Kutta 4, located"),
 ];
 
-/// The exact steady state.
+/// The exact steady state at a point.
 struct Exact {
     amplitude: f64,
     stops: usize,
-    /// At the end of each step of a cycle, for each number of steps.
+    /// Displacement at the end of each step of a cycle, for each number of steps.
     displacements: [Vec<f64>; 3],
 }
 
 impl Exact {
-    /// The largest difference at the ends of the steps, over the amplitude.
+    /// Returns the largest deviation at the ends of the steps, over the amplitude.
     fn error(&self, which: usize, run: &Run) -> f64 {
         let pairs = self.displacements[which].iter().zip(&run.displacements);
         pairs.fold(0.0, |worst: f64, (want, found)| {
@@ -49,7 +49,7 @@ impl Exact {
     }
 }
 
-/// A stepper by name, its input and what it is at a point.
+/// Runs a stepper, given by the names of its type and of its input, at a point.
 macro_rules! stepper {
     ($frame:ident, $input:ident, $point:expr, $steps:expr, $runs:expr, $hold:literal) => {{
         let beta = $point.beta;
@@ -77,7 +77,7 @@ macro_rules! stepper {
     }};
 }
 
-/// The exact state and both of our ways, for a number of masses.
+/// Computes the exact state and the runs with both kinds of input, for one number of masses.
 macro_rules! of {
     ($point:expr, $runs:expr, $line:ident, $line_input:ident, $hold:ident, $hold_input:ident) => {{
         let at = scenes::$line::at($point.r).expect("in the domain");
@@ -164,7 +164,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// The page with this between its marks.
+/// Returns the page with a new table between its marks.
 fn between(page: &str, [begin, end]: [&str; 2], table: &str) -> Result<String, &'static str> {
     let (before, rest) = page.split_once(begin).ok_or("the page has no mark")?;
     let (_, after) = rest.split_once(end).ok_or("the page has no second mark")?;

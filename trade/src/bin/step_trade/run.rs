@@ -1,14 +1,14 @@
-//! One method at one point with so many steps a cycle.
+//! A run of one method at one point, with a given number of steps in a cycle.
 
 use crate::scenes::RAYLEIGH;
 use std::f64::consts::TAU;
 use std::process::Command;
 use std::time::Instant;
 
-/// What is asked.
+/// Point at which a method runs.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
-    /// How many masses.
+    /// Number of masses.
     pub masses: usize,
     /// Frequency ratio.
     pub r: f64,
@@ -17,33 +17,34 @@ pub struct Point {
 }
 
 impl Point {
-    /// So many that what a start from rest brings along has gone to the last digit: nothing decays more slowly than by
-    /// e^(−0.01 t).
+    /// Returns the number of cycles after which the transient is below the last digit. No transient decays more slowly
+    /// than e^(−0.01 t).
     pub fn cycles(&self) -> usize {
         let slowest = 0.5 * RAYLEIGH[0];
         (30.0 / (slowest * TAU / self.r)).ceil() as usize
     }
 }
 
-/// What a method answers: the last cycle.
+/// Result of a run, from its last cycle.
 #[derive(Clone, Debug)]
 pub struct Run {
     /// Nanoseconds a step, the median of the runs.
     pub time: f64,
-    /// How often the contact stopped.
+    /// Number of stops of the contact.
     pub stops: usize,
-    /// Its displacement at the end of each step.
+    /// Displacement of the contact at the end of each step.
     pub displacements: Vec<f64>,
 }
 
-/// The middle one.
+/// Returns the median.
 pub fn median(mut times: Vec<f64>) -> f64 {
     times.sort_by(f64::total_cmp);
     times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// A stepper: `make` starts one, `advance` takes a step under a force and tells its events, `place` is where the contact
-/// is.  Every stop is followed by a break-away, and none of the points has reversals: half of the events are stops.
+/// Runs a stepper of this library. `make` creates one, `advance` takes a step under a force and returns the number of
+/// events, and `place` returns the displacement of the contact. Every stop is followed by a break-away, and no point
+/// has reversals. Half of the events are therefore stops.
 pub fn ours<T>(
     point: &Point,
     (steps, runs, hold): (usize, usize, bool),
@@ -51,7 +52,7 @@ pub fn ours<T>(
     advance: impl Fn(&mut T, f64) -> u32,
     place: impl Fn(&T) -> f64,
 ) -> Run {
-    // At the start of each step if it is held, else at the end.
+    // A force that is constant within a step is taken at the start of the step, a linear one at its end.
     let first = usize::from(!hold);
     let forces: Vec<f64> = (first..first + steps)
         .map(|step| (TAU * step as f64 / steps as f64).cos())
@@ -82,7 +83,7 @@ pub fn ours<T>(
     }
 }
 
-/// A method in C, which has its own clock.
+/// Runs a method in C, which has its own clock.
 #[cfg(with_c)]
 pub fn in_c(method: &str, point: &Point, steps: usize, runs: usize) -> Option<Run> {
     let contact = point.masses;
@@ -108,7 +109,7 @@ pub fn in_c(method: &str, point: &Point, steps: usize, runs: usize) -> Option<Ru
     })
 }
 
-/// Without a compiler there is none.
+/// Returns `None`, because no C compiler was found.
 #[cfg(not(with_c))]
 pub fn in_c(_: &str, _: &Point, _: usize, _: usize) -> Option<Run> {
     let _ = Command::new;

@@ -1,17 +1,17 @@
-//! Chains of equal masses and springs; the last mass rubs on the wall, the first is excited.
+//! Chains of equal masses and springs. The last mass rubs on the wall, the first one is excited.
 
-/// Of the mass matrix and of the stiffness matrix, in units of m and k: what the scenes below say.
+/// Rayleigh coefficients of the mass matrix and of the stiffness matrix in the scenes below, in units of m and k.
 pub const RAYLEIGH: [f64; 2] = [0.02, 0.02];
 
 macro_rules! chains {
     ($($line:ident $hold:ident { $($body:tt)* })*) => {
         $(
             frictiongen::friction_system! {
-                /// With a force that moves in straight lines.
+                /// A chain whose force is linear within a step.
                 pub struct $line { $($body)* damping: rayleigh(0.02, 0.02), provide: [orbit, stepper] }
             }
             frictiongen::friction_system! {
-                /// With a force that is held.
+                /// A chain whose force is constant within a step.
                 pub struct $hold {
                     $($body)* damping: rayleigh(0.02, 0.02), input: hold, provide: [stepper],
                 }

@@ -1,9 +1,10 @@
-//! Sign changes between samples, beside the zeros that were found.
+//! Compares sign changes between samples with the zeros that were found.
 
-/// Where two places count as one.
+/// Relative distance below which two frequencies count as one.
 const NEAR: f64 = 1e-9;
 
-/// Places where a function changes its sign, other than through a pole: halved to rounding, where its size falls.
+/// Finds the frequencies at which a function changes its sign without a pole, by bisection to rounding. At a zero its
+/// absolute value decreases.
 pub fn sign_changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     let mut found = Vec::new();
     for pair in places.windows(2) {
@@ -20,7 +21,7 @@ pub fn sign_changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
                 high = middle;
             }
         }
-        // Beside a pole it grows towards it.
+        // At a pole the absolute value increases.
         let distance = 1e-6 * low;
         let at = |r: f64| f(r).abs();
         if at(low - 1e-3 * distance) < at(low - distance) {
@@ -30,7 +31,7 @@ pub fn sign_changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     found
 }
 
-/// Every wanted place is among the found.
+/// Asserts that every wanted frequency was found.
 fn compare(found: &[f64], wanted: &[f64], what: &str) -> usize {
     for want in wanted {
         assert!(
@@ -41,7 +42,7 @@ fn compare(found: &[f64], wanted: &[f64], what: &str) -> usize {
     wanted.len()
 }
 
-/// How many zeros were compared, and how many more were found, too near to each other for the samples.
+/// Number of zeros that were compared, and number of further zeros that are too close to each other for the samples.
 #[derive(Default)]
 pub struct Count {
     pub compared: usize,
@@ -60,7 +61,7 @@ impl Count {
     ) {
         self.compared += compare(found, wanted, what);
         for place in found {
-            // Its sign changes there, or it is the end of what numbers can tell.
+            // The sign changes at a zero. Samples at this distance do not show it if another zero or a pole is near.
             let beside = 1e-7;
             let crosses = |f: &dyn Fn(f64) -> f64| {
                 f(place * (1.0 - beside)) * f(place * (1.0 + beside)) < 0.0
@@ -68,7 +69,7 @@ impl Count {
             let near = found
                 .iter()
                 .any(|other| other != place && (other / place - 1.0).abs() < 4.0 * beside);
-            // Poles at the resonances and their odd sub-harmonics.
+            // Poles lie at the resonances and their odd subharmonics.
             let pole = resonances.iter().any(|resonance| {
                 let odd = 2.0 * (0.5 * (resonance / place - 1.0)).round() + 1.0;
                 (resonance / odd / place - 1.0).abs() < 4.0 * beside
@@ -80,7 +81,7 @@ impl Count {
             if wanted.iter().any(|want| (want / place - 1.0).abs() < NEAR) {
                 continue;
             }
-            // The samples do not show a zero with a pole or another zero beside it, between two of them.
+            // The samples do not show a zero if a pole or another zero lies between the same two samples.
             self.more += 1;
             let within = |other: f64| (1.0 / other - 1.0 / place).abs() < step;
             let odd = |resonance: &f64| 2.0 * (0.5 * (resonance / place - 1.0)).round() + 1.0;

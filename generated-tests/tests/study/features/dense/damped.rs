@@ -1,4 +1,4 @@
-//! Damped chains, whose regimes and crossings are sampled: nothing as long as a step is missed.
+//! Tests of damped chains, whose regimes and crossings are found by sampling. Nothing longer than a step is missed.
 
 use super::dense;
 use crate::features::scenes::{random, shown};
@@ -6,10 +6,10 @@ use frictiongen::study::{Certainty, System};
 use frictiongen::{LimitsAt, Of, Regime};
 use fuzzing::Random;
 
-/// How many times closer than the steps the samples here are.
+/// Factor by which the samples of the test are closer than the steps.
 const CLOSER: usize = 8;
 const DENSE: usize = CLOSER * Certainty::STEPS as usize;
-/// Where two places count as one.
+/// Relative distance below which two frequencies count as one.
 const NEAR: f64 = 1e-9;
 
 fn range(system: &System) -> [f64; 2] {
@@ -31,7 +31,7 @@ fn regimes_of_damped_chains() {
         assert_eq!(certainty, Certainty::Sampled { steps });
         let mut found = ranges.iter();
         let mut own = found.next().unwrap();
-        // Samples in a row that are in one regime, and those that are in another one than the list says.
+        // Counts consecutive samples in one regime, and those of them whose regime differs from the list.
         let (mut last, mut row, mut wrong) = (None, 0, 0);
         for r in dense(range, DENSE) {
             let limits = system.at(r).unwrap().limits();
@@ -92,7 +92,7 @@ fn crossings_of_damped_chains() {
         let gain = |r: f64| {
             let [less, more] = betas.map(|beta| amplitude(r, beta));
             let (less, more) = (less?, more?);
-            // What rounding decides is no sign.
+            // A difference within rounding has no sign.
             let gain = more - less;
             (1e-11 * less < gain.abs()).then_some(gain)
         };

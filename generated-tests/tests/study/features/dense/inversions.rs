@@ -1,4 +1,4 @@
-//! Ranges in which friction enlarges, against the growth itself.
+//! Tests of ranges in which friction enlarges a motion, against the growth itself.
 
 use super::dense;
 use crate::features::scenes::{random, shown};
@@ -6,7 +6,8 @@ use frictiongen::study::{Edge, Measured};
 use frictiongen::{LimitsAt, Of};
 use fuzzing::Random;
 
-/// Friction enlarges within, and does not outside: the growth of the estimate and of the fundamental themselves.
+/// Friction enlarges the motion within the ranges and not outside them. The growth of the estimate and of the
+/// fundamental is computed directly.
 #[test]
 fn inversions() {
     let mut random_numbers = Random(23);

@@ -1,4 +1,4 @@
-//! Random scenes against dense samples.
+//! Tests of random scenes against dense samples.
 
 mod count;
 mod damped;
@@ -7,10 +7,10 @@ mod regimes;
 mod sums;
 mod zeros;
 
-/// Samples over a range.
+/// Number of samples over a range.
 const DENSE: usize = 4_000;
 
-/// Evenly over 1/r, as sub-harmonics are spaced.
+/// Frequencies evenly spaced in 1/r, as subharmonics are.
 fn dense([from, to]: [f64; 2], count: usize) -> Vec<f64> {
     let share = |i: usize| i as f64 / count as f64;
     (0..=count)

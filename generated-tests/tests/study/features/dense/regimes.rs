@@ -1,4 +1,4 @@
-//! Sliding ranges and regimes, against the limits themselves.
+//! Tests of sliding ranges and regimes, against the limits themselves.
 
 use super::{DENSE, dense};
 use crate::features::scenes::{random, shown};
@@ -6,13 +6,14 @@ use frictiongen::study::{Certainty, RegimeEnd};
 use frictiongen::{FrictionSystem, LimitsAt, Regime};
 use fuzzing::Random;
 
-/// Whether a limit is β at r: to 1e-9, or it passes β within 1e-12 of r where it is steep.
+/// Returns `true` if a limit equals β at r to 1e-9. A steep limit may instead cross β within a relative distance of
+/// 1e-12.
 fn is_at(limit: impl Fn(f64) -> f64, r: f64, beta: f64) -> bool {
     let [left, right] = [1.0 - 1e-12, 1.0 + 1e-12].map(|factor| limit(r * factor) - beta);
     (limit(r) / beta - 1.0).abs() < 1e-9 || left * right <= 0.0
 }
 
-/// Sliding or not at dense places, damped or not, from β*_lim itself.
+/// At dense frequencies the contact slides or not, damped or not, as β*_lim itself says.
 #[test]
 fn sliding_ranges() {
     let mut random_numbers = Random(24);
@@ -65,7 +66,7 @@ fn sliding_ranges() {
     assert!(bounds > 150 && seen > 150_000, "{bounds} {seen}");
 }
 
-/// The regime at dense places.
+/// At dense frequencies the regime is the one in the list.
 #[test]
 fn regimes() {
     let mut random_numbers = Random(25);

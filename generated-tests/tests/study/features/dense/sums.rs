@@ -1,8 +1,8 @@
-//! The functions again, as plain sums over modes.
+//! The functions of frequency as plain sums over modes, for comparison.
 
 use frictiongen::study::System;
 
-/// Plain sums over modes, from the frequencies and shapes alone: V, H, U of the contact, then of mass k.
+/// Plain sums over modes, from frequencies and mode shapes only: V, H, U of the contact, then of mass k.
 pub struct Sums {
     pub v: f64,
     pub h: f64,
@@ -12,7 +12,7 @@ pub struct Sums {
     pub own_u: f64,
 }
 
-/// φᵀw, φᵀp and φ_k by mode, from the shapes and the scene's numbers.
+/// Values φᵀw, φᵀp and φ_k of each mode, from the mode shapes and the numbers of the scene.
 pub struct Modes {
     pub resonances: Vec<f64>,
     pub contacts: Vec<f64>,

@@ -1,4 +1,4 @@
-//! The square root and the arc tangent of a Rust file that is built without std, beside std's.
+//! Tests the square root and the arc tangent of a Rust file that is built without std, against those of std.
 
 use super::{folder, run, rustc};
 use frictiongen::System;
@@ -6,7 +6,7 @@ use frictiongen_codegen::standalone::rust_source;
 use frictiongen_kernel::Float;
 use std::process::Command;
 
-/// Every bit of the root has to agree; of the angle it is two roundings of a radian at the most.
+/// Program that compares the functions. The root agrees in every bit, the angle to two roundings of a radian.
 const MAIN: &str = r#"
 mod tables;
 use std::hint::black_box;

@@ -1,6 +1,8 @@
-//! The C and the Rust that `frictiongen compile` writes, compiled and compared with the library bit for bit.
+//! Tests the C and Rust files that `frictiongen compile` writes. They are compiled and compared with the library bit
+//! for bit.
 //!
-//! Phases go by another arc tangent: within eight roundings of a radian.  A machine without `cc` or `rustc` fails these
+//! Phases use another arc tangent, and agree to eight roundings of a radian. These tests fail on a machine without `cc`
+//! or `rustc`.
 //! tests.
 
 mod lacking;
@@ -35,7 +37,7 @@ fn run(command: &mut Command) -> String {
     String::from_utf8(output.stdout).expect("text")
 }
 
-/// Compiles C99 without a warning.
+/// Compiles C99, and fails on any warning.
 #[track_caller]
 fn cc(folder: &Path, arguments: &[&str]) {
     let flags = "-std=c99 -O2 -ffp-contract=off -Wall -Wextra -Werror -Wpedantic";
@@ -46,7 +48,7 @@ fn cc(folder: &Path, arguments: &[&str]) {
         .args(arguments));
 }
 
-/// Compiles Rust without a warning.
+/// Compiles Rust, and fails on any warning.
 #[track_caller]
 fn rustc(folder: &Path, arguments: &[&str]) {
     let mut command = Command::new("rustc");
@@ -56,7 +58,7 @@ fn rustc(folder: &Path, arguments: &[&str]) {
         .args(arguments));
 }
 
-/// The r of the programs.
+/// Frequency ratios of the programs.
 fn ratios<S: Float>() -> impl Iterator<Item = S> {
     let (low, high) = (S::constant(0.2), S::constant(2.5));
     let points = S::constant(f64::from(POINTS));

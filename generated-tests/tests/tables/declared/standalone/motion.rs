@@ -1,4 +1,4 @@
-//! Limits, and the contact's motion or why there is none.
+//! Tests limits, and the contact's motion or the reason why it does not exist.
 
 use super::super::scenes::scene;
 use super::{POINTS, cc, folder, ratios, run, rustc};
@@ -8,16 +8,17 @@ use frictiongen_codegen::standalone::{c_header, c_source, rust_source};
 use frictiongen_kernel::Float;
 use std::process::Command;
 
-/// Friction ratios over each limit: within its accuracy on both sides, on it and beside it.
+/// Friction ratios over each limit: far from it, within its accuracy on both sides, and on it.
 const SHARES: [f64; 6] = [0.5, 0.98, 0.99999, 1.0, 1.00001, 1.5];
 
-/// r, both limits, and at each share of each limit what is answered, amplitude and phase.
+/// Results at one r: r and both limits, and for each friction ratio the return code, amplitude and phase.
 struct Point {
     head: [f64; 3],
     answers: Vec<(i32, f64, f64)>,
 }
 
-/// What the library answers at the points of the programs, and how often it answers 0, 1, 2 and, at β ≥ β*_lim, 0.
+/// Returns the library's results at the points of the programs, and how often the code is 0, 1, 2, and 0 in a bistable
+/// regime.
 fn expected<S: Float>(compiled: &CompiledSystem<'_, S>) -> (Vec<Point>, [usize; 4]) {
     let mut seen = [0; 4];
     let point = |r: S| {
@@ -137,7 +138,7 @@ fn main() {
 }
 "#;
 
-/// Compares a scene, and returns how often the library answers 0, 1, 2 and, at β ≥ β*_lim, 0.
+/// Compares a scene, and returns how often the library's code is 0, 1, 2, and 0 in a bistable regime.
 fn check<S: Float>(kind: &str, count: usize, damping: &str, stiction: &str) -> [usize; 4] {
     let single = S::EPSILON > 1e-10;
     let (scalar, real) = if single {
@@ -191,7 +192,7 @@ fn check<S: Float>(kind: &str, count: usize, damping: &str, stiction: &str) -> [
         );
     };
     same("C", "program");
-    // The same text without a header is whole by itself.
+    // The same text compiles without its header.
     let alone = c_source(scene, tables, &name, None).expect("a form of its own");
     write("alone.c", &alone);
     cc(&folder, &["-c", "alone.c"]);
@@ -203,7 +204,7 @@ fn check<S: Float>(kind: &str, count: usize, damping: &str, stiction: &str) -> [
     write("main.rs", &main.replace("TABLES", "mod tables;"));
     rustc(&folder, &["main.rs", "-o", "program_rs"]);
     same("Rust", "program_rs");
-    // A library without std, where the file's own square root and arc tangent answer.
+    // A library without std uses the file's own square root and arc tangent.
     write(
         "lib.rs",
         "#![no_std]\n#![forbid(unsafe_code)]\npub mod tables;\n",

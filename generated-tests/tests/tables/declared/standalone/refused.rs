@@ -1,4 +1,4 @@
-//! What the emitted files refuse is what the macro refuses, and is told by the same word.
+//! Tests that the emitted files refuse what the macro refuses, and with the same names.
 
 use super::{cc, folder, run, rustc};
 use frictiongen::study::table::Tables;
@@ -8,7 +8,7 @@ use frictiongen_codegen::standalone::{c_header, c_source, rust_source};
 use frictiongen_codegen::{Limits, parse_text};
 use std::process::Command;
 
-/// A scene through the macro, and its text.
+/// Passes a scene to the macro, and keeps its text.
 macro_rules! scene {
     ($text:ident: struct $name:ident { $($body:tt)* }) => {
         friction_system! { struct $name { $($body)* } }
@@ -35,7 +35,7 @@ scene! { FEW: struct Few {
     range: { r: 0.3..2.5, beta: 0.1..0.4 },
 } }
 
-/// The tables that the macro made of a text, and its scene.
+/// Returns the tables that the macro makes of a text, with its scene.
 fn tables(text: &str) -> (frictiongen::study::scene::Scene, Tables<f64>) {
     let scene = parse_text(text, &Limits::MACRO).expect("a scene").scene;
     match SceneTables::of(&scene).expect("tables") {
@@ -54,7 +54,7 @@ fn number<T>(answer: &Result<T, NotContinuous>) -> i32 {
     }
 }
 
-/// What C and Rust answer at places, after another.
+/// Returns the return codes of C and Rust at given points (r, β).
 fn answers(name: &str, text: &str, places: &[(f64, f64)]) -> [Vec<i32>; 2] {
     let (scene, tables) = tables(text);
     let folder = folder(&format!("refused_{name}"));
@@ -110,7 +110,7 @@ fn as_the_macro_refuses() {
     let (few, _) = tables(FEW);
     let few: System = System::try_from(few).expect("a scene");
     let mut ratios = vec![0.19, 0.2, 0.3, 0.7, 1.0, 1.0_f64.next_up(), 1.7, 2.5, 2.6];
-    // The resonances of both scenes, as numbers.
+    // The resonances of both scenes, as exact numbers.
     ratios.extend(few.resonances());
     let pairs = |r: f64| betas.map(|beta| (r, beta));
     let places: Vec<(f64, f64)> = ratios.iter().flat_map(|r| pairs(*r)).collect();
@@ -149,7 +149,7 @@ fn as_the_macro_refuses() {
     }
 }
 
-/// On a base that moves by Y the load is k₁Y.
+/// The load is named: on a base that moves by Y it is k₁Y.
 #[test]
 fn the_load_is_named() {
     for (text, beta, other) in [(UNDAMPED, "F/P", "F/(k1 Y)"), (FEW, "F/(k1 Y)", "F/P")] {

@@ -1,4 +1,4 @@
-//! Stuck responses, bit for bit.
+//! Tests stuck responses of the emitted files, bit for bit.
 
 use super::{POINTS, cc, folder, ratios, run, rustc};
 use frictiongen::System;
@@ -52,7 +52,7 @@ fn main() {
 }
 "#;
 
-/// Stuck responses of a scene; whether they resonate at r = 2.
+/// Checks the stuck responses of a scene. `resonant` tells if they have a resonance at r = 2.
 fn check_stuck<S: Float>(name: &str, text: &str, resonant: bool) {
     let single = S::EPSILON > 1e-10;
     let (scalar, real) = if single {
@@ -107,7 +107,7 @@ fn check_stuck<S: Float>(name: &str, text: &str, resonant: bool) {
         );
         let source = c_source(system.scene(), compiled.tables(), "scene", Some("scene.h"));
         let source = source.expect("a form of its own");
-        // Complex numbers of damped chains alone.
+        // Only damped chains need complex numbers.
         assert_eq!(source.contains("struct number"), text.contains("damping"));
         write("scene.c", &source);
         let call = |name: &str| {
@@ -131,7 +131,7 @@ fn check_stuck<S: Float>(name: &str, text: &str, resonant: bool) {
 fn stuck_responses() {
     let one = "masses: { m0: 1 }, springs: { base - m0: 1 }, contact: m0 - wall, excitation: m0";
     check_stuck::<f64>("one", one, false);
-    // Held, the first mass resonates at r = √(1 + 3) = 2.
+    // With the contact stuck, the first mass resonates at r = √(1 + 3) = 2.
     let two = "masses: { m0: 1, m1: 1 }, springs: { base - m0: 1, m0 - m1: 3 }, contact: m1 - wall, excitation: m0";
     check_stuck::<f64>("two", two, true);
     check_stuck::<f32>(
@@ -139,7 +139,7 @@ fn stuck_responses() {
         &format!("{two}, damping: modal[0.02, 1.5]"),
         false,
     );
-    // Names of masses that lints refuse, and one that is a function of the files.
+    // Names of masses that lints reject, and a name that is a function of the files.
     let rubbing = "masses: { Lower: 1, times: 2, a__b: 1 }, springs: { base - Lower: 1, Lower - times: 1, times - a__b: 2 }, contact: Lower - times, excitation: a__b";
     check_stuck::<f64>("rubbing", rubbing, false);
     check_stuck::<f64>(
@@ -152,7 +152,8 @@ fn stuck_responses() {
         &format!("{rubbing}, damping: modal(0.03)"),
         false,
     );
-    // Every response has poles of its own: the first mass none, the others of the chain above the contact, the force of both.
+    // Every response has its own poles. The first mass has none, the others have those of the chain above the contact,
+    // and the force has all of them.
     let moving = "masses: { a: 1, b: 2, c: 1 }, springs: { base - a: 1, a - b: 1, b - c: 1 }, contact: b - base, excitation: base";
     check_stuck::<f64>("moving", moving, false);
     check_stuck::<f64>(
