@@ -1,7 +1,7 @@
 //! Compares limits without search one by one with those over a slice: nanoseconds for each r, and the speed-up.
 //!
-//!     cargo run --release -p generated-tests --example batch
-//!     RUSTFLAGS="-C target-cpu=native" cargo run --release -p generated-tests --example batch
+//!     cargo run --release -p generated-tests --features tools --example batch
+//!     RUSTFLAGS="-C target-cpu=native" cargo run --release -p generated-tests --features tools --example batch
 
 use frictiongen::{FrictionSystem, System};
 use std::hint::black_box;

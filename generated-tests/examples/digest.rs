@@ -1,6 +1,6 @@
 //! Digest of a million results, to show that a change of the code changes none of them.
 //!
-//!     cargo run --release -p generated-tests --example digest [-- --keep FILE | --against FILE]
+//!     cargo run --release -p generated-tests --features tools --example digest [-- --keep FILE | --against FILE]
 //!
 //! The digest has a row for each scene, reading and kind of result, with the number of values and a hash of their bits.
 //! `--keep` writes the values. `--against` compares with kept values: how many differ, and the largest difference,

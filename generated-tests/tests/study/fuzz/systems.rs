@@ -168,7 +168,7 @@ fn fuzz(count: u64, seed: u64, often: u64) {
 
 #[test]
 fn random_systems_answer_by_numbers() {
-    fuzz(3_200, 21, 4);
+    fuzz(1_600, 21, 4);
 }
 
 #[test]
