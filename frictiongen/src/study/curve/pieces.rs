@@ -82,3 +82,43 @@ impl Builder {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{NoOrbit, Regime};
+
+    fn node(r: f64, answered: bool) -> Node {
+        let point = CurvePoint {
+            r,
+            regime: Regime::StickSlip,
+            stops: 2,
+            period: 1,
+            settled: true,
+            marginal: false,
+            from_rest: true,
+            offset: 0.0,
+            movements: Vec::new(),
+            contact_force: 1.0,
+            friction_work: 1.0,
+        };
+        let reason = Error::NoOrbit(NoOrbit::TooManyEvents);
+        Node {
+            r,
+            answer: if answered { Ok(point) } else { Err(reason) },
+            cut: None,
+            work: 1,
+        }
+    }
+
+    /// Neighbouring nodes without an answer are one gap. A point between two of them ends the first.
+    #[test]
+    fn a_point_between_gaps_parts_them() {
+        let nodes = [(0.1, false), (0.2, false), (0.3, true), (0.4, false)];
+        let nodes = nodes.into_iter().map(|(r, answered)| node(r, answered));
+        let curve = curve((0.5, CurveStart::Rest), nodes, true);
+        let gaps: Vec<[f64; 2]> = curve.gaps.iter().map(|gap| [gap.from, gap.to]).collect();
+        assert_eq!(gaps, [[0.1, 0.2], [0.4, 0.4]]);
+        assert_eq!(curve.pieces.len(), 1);
+    }
+}
