@@ -77,6 +77,8 @@ pub struct Plain {
     /// last step. `wedged` is set if the force reached the break-away level without a slip.
     held_at: f64,
     base_rate: f64,
+    /// Largest term of `base_rate`, in which its rounding is measured. The velocity itself may be zero.
+    base_rate_size: f64,
     wedged: bool,
     order: usize,
     /// Whether the run computes its work.
@@ -104,6 +106,7 @@ impl Plain {
             force: 0.0,
             held_at: 0.0,
             base_rate: base[1],
+            base_rate_size: base[1].abs(),
             wedged: false,
             order: 0,
             metered: true,
@@ -160,11 +163,16 @@ impl Plain {
         let [z, rate] = self.relative([input.base[0], input.base[1]]);
         self.held_at = z;
         let jump = (input.base[1] - self.base_rate).abs();
-        let jumps = jump > 1e-9 * input.base[1].abs().max(self.base_rate.abs());
+        let jumps = jump > 1e-9 * input.base[1].abs().max(self.base_rate_size);
         if self.chain.s != 0.0 && jumps {
             self.slip = Slip::Slides(rate.signum(), self.piece(rate.abs()));
         }
-        self.base_rate = value(&slope(&input.base), dt);
+        let rates = slope(&input.base);
+        self.base_rate = value(&rates, dt);
+        let terms = rates.iter().enumerate();
+        self.base_rate_size = terms.fold(0.0, |size, (power, rate)| {
+            size.max((rate * dt.powi(power as i32)).abs())
+        });
         for part in 0..parts as usize {
             // The input is expanded about the start of the sub-step.
             let from = dt * part as f64 / parts;
