@@ -92,7 +92,8 @@ fn friction_as_table_and_json() {
     );
     let table = output("", &["identify", &plate, &own, "--by", "phase"]);
     assert!(
-        table.contains("verdict") && table.contains("the measurement tells the friction force"),
+        table.contains("verdict")
+            && table.contains("the measurement determines the friction force"),
         "{table}"
     );
     let json = json(&output(
@@ -165,7 +166,7 @@ fn bad_recordings() {
     told(
         "column.csv",
         &recording("time_s,base_mm,plat_mm", plain),
-        "`plat` is nothing of this scene",
+        "`plat` does not belong to this scene",
     );
     told(
         "unit.csv",
