@@ -264,7 +264,7 @@ fn a_late_channel_is_not_explained() {
         first.is_some_and(|line| line.contains("does not explain the measurement")),
         "{table}"
     );
-    assert!(!table.contains("tells the friction force"), "{table}");
+    assert!(!table.contains("determines the friction force"), "{table}");
     let json = json(&output("", &[&arguments[..], &["--json"]].concat()));
     assert!(
         json["verdict"]
