@@ -24,12 +24,12 @@ pub fn free_decay<'py>(
     let known = match (damping, find_damping) {
         (Some(_), true) => {
             return Err(domain(
-                "damping and find_damping: what is known is not looked for, give one",
+                "give either damping or find_damping, not both",
             ));
         }
         (Some(ratio), false) if !(0.0..1.0).contains(&ratio) => {
             return Err(domain(format_args!(
-                "damping is {ratio:?}: a damping ratio is 0 or above and below 1"
+                "damping is {ratio:?}: a damping ratio must be 0 or above, and below 1"
             )));
         }
         (Some(ratio), false) => Some(ratio),
