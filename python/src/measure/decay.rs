@@ -23,9 +23,7 @@ pub fn free_decay<'py>(
     let damping = damping.map(|given| one("damping", &given)).transpose()?;
     let known = match (damping, find_damping) {
         (Some(_), true) => {
-            return Err(domain(
-                "give either damping or find_damping, not both",
-            ));
+            return Err(domain("give either damping or find_damping, not both"));
         }
         (Some(ratio), false) if !(0.0..1.0).contains(&ratio) => {
             return Err(domain(format_args!(

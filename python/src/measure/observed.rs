@@ -271,9 +271,7 @@ impl Observed {
             Using::PhaseAlone
         };
         let missing = |what: &str, by: &str| {
-            domain(format_args!(
-                "by is {by:?}, but some motion has no {what}"
-            ))
+            domain(format_args!("by is {by:?}, but some motion has no {what}"))
         };
         match by {
             None if amplitudes && phases => Ok(Using::Complex),
