@@ -233,7 +233,7 @@ def test_sweeps_that_are_none(plate, frame, block, tmp_path):
         ({"hz": [1.0, math.nan, 4.0]}, "hz[1] is NaN"),
         ({"transmissibility": {"plate": [1.1, math.nan, 1.5]}}, 'transmissibility["plate"][1] is NaN'),
         ({"transmissibility": {"roof": [1.1, 1.7, 1.5]}}, "there is no mass `roof`"),
-        ({"transmissibility": {"contact": [1.1, 1.7, 1.5]}}, "not of the contact"),
+        ({"transmissibility": {"contact": [1.1, 1.7, 1.5]}}, "not the contact"),
         ({"deviation": {"plate": [0.1, 0.0, 0.1]}}, 'deviation["plate"][1] is 0.0'),
         ({"deviation": {"roof": [0.1, 0.1, 0.1]}}, "deviation: there is no transmissibility of 'roof'"),
         ({"sweep": tmp_path / "none.csv"}, "give either sweep, or hz and transmissibility"),

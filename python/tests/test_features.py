@@ -196,7 +196,7 @@ def test_how_they_look(chain, frame):
         ({"beta": -0.1}, "beta is -0.1"),
         ({"friction": 0.3}, "needs the amplitude of the load: give base"),
         ({"beta": [math.nan]}, "beta[0] is NaN"),
-        ({"beta": np.linspace(0.1, 1, 17)}, "at most 16 frictions at once"),
+        ({"beta": np.linspace(0.1, 1, 17)}, "at most 16 frictions are possible"),
         ({"force": 1.0}, "the scene is driven by its base"),
         ({"of": "roof"}, "there is no mass `roof`"),
     ],
