@@ -140,5 +140,5 @@ pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
     let mut parts = parts(system, &[name.to_owned()])?;
     parts
         .pop()
-        .ok_or_else(|| Failure::new("--of: give the motion"))
+        .ok_or_else(|| Failure::new("--of: give the name of a mass, or `contact`"))
 }

@@ -44,7 +44,7 @@ impl FormatArguments {
         match (form, asked.iter().find(|(asked, _)| *asked)) {
             (Form::Csv(_), _) | (_, None) => Ok(()),
             (_, Some((_, option))) => Err(Failure::new(format_args!(
-                "{option} belongs to CSV: give --csv, or a file whose name ends in .csv"
+                "{option} applies only to CSV; give --csv, or a file whose name ends in .csv"
             ))),
         }
     }
@@ -101,7 +101,7 @@ impl<'a> Destination<'a> {
             Some("png") if pictures && cfg!(feature = "png") => Form::Png,
             Some("png") if pictures => {
                 return Err(Failure::new(format_args!(
-                    "--output `{shown}`: this program draws .svg; one that is built with `--features png` draws .png too"
+                    "--output `{shown}`: this program writes .svg but not .png; for .png build it with `--features png`"
                 )));
             }
             _ => {
@@ -113,7 +113,7 @@ impl<'a> Destination<'a> {
                     ".csv or .json"
                 };
                 return Err(Failure::new(format_args!(
-                    "--output `{shown}`: the name of a file ends in {endings}"
+                    "--output `{shown}`: the name of the file must end in {endings}"
                 )));
             }
         };
@@ -124,7 +124,7 @@ impl<'a> Destination<'a> {
                 "--json"
             };
             return Err(Failure::new(format_args!(
-                "--output `{shown}`: its name says {}, and {option} is given",
+                "--output `{shown}`: the name means {}, but {option} is given; leave one of the two out",
                 ending.unwrap_or_default().to_uppercase()
             )));
         }

@@ -12,7 +12,7 @@ pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failu
     let description = arguments.file.description(&Limits::MACRO)?;
     let source = pretty(&description).map_err(|error| {
         Failure::new(format_args!(
-            "a defect of frictiongen: it emitted what is not Rust: {error}"
+            "a defect of frictiongen: the emitted code is not valid Rust: {error}"
         ))
     })?;
     match arguments.output.as_deref() {

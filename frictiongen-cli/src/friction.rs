@@ -55,7 +55,7 @@ impl Frictions {
         if let Some(frequencies) = frequencies.filter(crowded) {
             let (first, second) = (frequencies.quantity.option(), quantity.option());
             return Err(Failure::new(format_args!(
-                "{first} and {second}: more than {MOST_POINTS} points together, the most there may be"
+                "{first} and {second}: together they have more than {MOST_POINTS} points, the largest possible number"
             )));
         }
         Ok(Self {

@@ -140,7 +140,7 @@ pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
 /// Makes the error for a grid where one point is needed.
 pub fn several(quantity: Quantity, points: usize) -> Failure {
     Failure::new(format_args!(
-        "{}: one {} is needed, and this is a grid of {points}",
+        "{}: one {} is needed, but this is a grid of {points}",
         quantity.option(),
         quantity.name()
     ))
@@ -189,7 +189,7 @@ fn room(already: usize, more: f64) -> Result<usize, String> {
         Ok(more as usize)
     } else {
         Err(format!(
-            "more than {MOST_POINTS} points, the most there may be"
+            "more than {MOST_POINTS} points, the largest possible number"
         ))
     }
 }
@@ -256,11 +256,11 @@ fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
         }
     })?;
     if value.is_nan() {
-        return Err("NaN is not a number to compute with".to_owned());
+        return Err("a number is needed, not NaN".to_owned());
     }
     if value.is_infinite() && text.contains(|letter: char| letter.is_ascii_digit()) {
         return Err(if quantity.may_be_infinite() {
-            format!("`{text}` is too large; write inf if it is meant")
+            format!("`{text}` is too large; write inf for infinity")
         } else {
             format!("`{text}` is too large")
         });
@@ -272,13 +272,13 @@ fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
 fn admit(value: f64, quantity: Quantity) -> Result<(), String> {
     let (article, name) = (quantity.article(), quantity.name());
     if value < 0.0 {
-        Err(format!("{article} {name} is not negative"))
+        Err(format!("{article} {name} must not be negative"))
     } else if quantity.in_time() && (value == 0.0 || value.is_infinite()) {
         Err(format!(
-            "a motion in time needs {article} {name} above 0 and below infinity; `limits` and `response` answer there too"
+            "a motion in time needs {article} {name} above 0 and below infinity; at 0 and infinity, use `limits` or `response`"
         ))
     } else if value.is_infinite() && !quantity.may_be_infinite() {
-        Err(format!("{article} {name} is finite"))
+        Err(format!("{article} {name} must be finite"))
     } else {
         Ok(())
     }

@@ -36,13 +36,13 @@ impl FileArgument {
         })?;
         if bytes.len() > MOST_BYTES {
             return Err(Failure::new(format_args!(
-                "{name} is no description: it is longer than 16 MiB"
+                "{name} is not a description: it is longer than 16 MiB"
             )));
         }
         String::from_utf8(bytes).map_err(|error| {
             let place = error.utf8_error().valid_up_to();
             Failure::new(format_args!(
-                "{name} is no description: it is not UTF-8 text (byte {place})"
+                "{name} is not a description: it is not UTF-8 text (byte {place})"
             ))
         })
     }
@@ -63,7 +63,7 @@ impl FileArgument {
             return Ok(description);
         }
         Err(Failure::new(format_args!(
-            "{}: the exact response needs a constant kinetic level, and this scene has `friction: stribeck`: write `friction: coulomb`, drive its stepper, or follow a run by `frictiongen time`",
+            "{}: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; write `friction: coulomb`, use its stepper, or compute a run with `frictiongen time`",
             self.name()
         )))
     }

@@ -20,7 +20,7 @@ pub fn run(arguments: &NewArguments, out: &mut dyn Write) -> Result<(), Failure>
     let written = file.and_then(|mut file| file.write_all(SCENE.as_bytes()));
     written.map_err(|error| {
         let why = match error.kind() {
-            std::io::ErrorKind::AlreadyExists => "it is there already".to_owned(),
+            std::io::ErrorKind::AlreadyExists => "it already exists".to_owned(),
             _ => reason(&error),
         };
         Failure::new(format_args!("cannot write {}: {why}", path.display()))

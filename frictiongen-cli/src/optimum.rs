@@ -24,7 +24,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
     let band = Band::parse(&arguments.frequency, &system)?;
     if band.widest.is_some() {
         return Err(Failure::new(
-            "a band is a:b, without a step: all frequencies of it count",
+            "a band is a:b, without a step, because the search covers all its frequencies",
         ));
     }
     let part = asked::part(&system, &arguments.of)?;
@@ -139,7 +139,7 @@ impl OptimumReport {
         if let Some(tuned) = &self.tuned {
             add(tuned.name.clone(), tuned.value.into(), tuned.unit);
             if tuned.at_end {
-                let end = "the end of the interval; beyond it may be better";
+                let end = "a bound of the interval; a value beyond it may be better";
                 add("which is".to_owned(), end.into(), "");
             }
         }

@@ -38,7 +38,7 @@ fn expand_file(path: &LitStr) -> TokenStream {
         Ok(text) => text,
         Err(error) => {
             let message = format!(
-                "cannot read `{relative}`: {error}; the path begins at the folder of Cargo.toml, {}",
+                "cannot read `{relative}`: {error}; the path must be relative to the folder of Cargo.toml, {}",
                 folder.display()
             );
             return syn::Error::new(path.span(), message).to_compile_error();

@@ -282,7 +282,7 @@ fn a_macro_takes_sixty_four_masses_and_a_text_a_thousand() {
     let failure = parse_tokens(tokens, &Limits::MACRO).expect_err("one too many");
     assert_eq!(
         failure.errors.to_string(),
-        "the scene has 65 masses, but 64 are the most there can be here; lump neighbouring masses together"
+        "the scene has 65 masses, but at most 64 are possible here; lump neighbouring masses together"
     );
     assert!(parse_text(&chain(1000), &Limits::RUN_TIME).is_ok());
     assert!(parse_text(&chain(1001), &Limits::RUN_TIME).is_err());

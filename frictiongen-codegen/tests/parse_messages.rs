@@ -68,7 +68,7 @@ told! {
         "8:22: there is no mass `middle`; the masses are lower, upper",
     ]
     a_range: [("stiction: 1.2", "range: { r: 0..1 }, accuracy: 1e-6")] => [
-        "8:17: frequency ratios range over 0 < a < b, both finite, not 0.0..1.0; write, for example, `r: 0.2..2.5`",
+        "8:17: a range a..b of frequency ratios needs 0 < a < b, both finite, not 0.0..1.0; write, for example, `r: 0.2..2.5`",
     ]
     a_literal_too_small: [("3.27", "1e-400")] => [
         "3:22: this is smaller than the smallest number of double precision, about 5e-324; write 0 or choose other units",
@@ -83,10 +83,10 @@ told! {
         "3:26: there are no powers in a number; multiply instead, for example `2.0 * 2.0`",
     ]
     a_unit_in_parentheses: [("3.27", "2 * (3.27 kg)")] => [
-        "3:32: `kg` does not belong behind a number: units are not written, any consistent set will do (SI: kg, N/m); delete it",
+        "3:32: `kg` does not belong after a number; delete it, because a description has no units (use a consistent set, for example kg and N/m)",
     ]
     two_numbers_in_parentheses: [("3.27", "(1.0 2.0)")] => [
-        "3:27: `2.0` does not belong into a number; delete it",
+        "3:27: `2.0` does not belong in a number; delete it",
     ]
     empty_parentheses: [("3.27", "()")] => [
         "3:23: a number is missing here; write, for example, `1.0`",
@@ -98,19 +98,19 @@ told! {
         "3:22: the mass `lower` is -3.27: a mass must be greater than zero; write a positive number, or leave the mass out",
     ]
     a_stiffness_of_zero: [("1323.0", "0")] => [
-        "4:53: the spring `lower - upper` has the stiffness 0.0: a stiffness must be greater than zero; where there is no spring, leave it out",
+        "4:53: the spring `lower - upper` has the stiffness 0.0: a stiffness must be greater than zero; write a positive number, or leave the spring out",
     ]
     a_tiny_stiffness: [("1323.0", "1e-61")] => [
-        "4:53: the stiffness of `lower - upper` is 1e-61, too far from one for double precision; choose units that bring it between 1e-60 and 1e60",
+        "4:53: the stiffness of `lower - upper` is 1e-61, which is not between 1e-60 and 1e60; choose other units, or another number",
     ]
     springs_side_by_side_of_unknown_sum: [("lower - upper: 1323.0", "lower - upper: 1000.0, upper - lower: x")] => [
-        "4:61: there is already a spring between `upper` and `lower`; springs side by side act as one, so add them up and write a single spring",
-        "4:76: `x` is not a number, and a description cannot see the value of a constant: write the number itself; numbers are literals joined by `+ - * / ( )`, for example `2.0 * 3.27`",
+        "4:61: there is already a spring between `upper` and `lower`; parallel springs act as one, so add their stiffnesses and write a single spring",
+        "4:76: `x` is not a number, and a description cannot use constants of Rust; write the number itself, or literals joined by `+ - * / ( )`, for example `2.0 * 3.27`",
     ]
     too_many_damping_ratios: [("[0.010, 0.012]", "[0.010, 0.012, 0.013]")] => [
-        "7:34: a damping list holds one ratio for each mode, here 2, not 3; or write `modal(0.01)` for the same in every mode",
+        "7:34: a damping list needs one ratio for each mode, here 2, not 3; write `modal(0.01)` for the same ratio in every mode",
     ]
     an_enormous_damping: [("0.012", "1e61")] => [
-        "7:27: a modal damping ratio is 1e61, too far from one for double precision; choose units that bring it between 1e-60 and 1e60",
+        "7:27: a modal damping ratio is 1e61, which is not between 1e-60 and 1e60; choose other units, or another number",
     ]
 }

@@ -42,7 +42,7 @@ fn every_error_is_told_at_once() {
     let errors = errors(FAULTY);
     let expected = [
         "2:22: the mass `lower` is 0.0",
-        "2:34: a mass has a name before its value",
+        "2:34: a mass needs a name before its value",
         "2:48: `kg` does not belong",
         "3:5: a scene has no field `sprngs`; did you mean `springs`?",
         "3:58: a comma is missing before `upper`",

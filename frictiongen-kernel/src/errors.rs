@@ -98,17 +98,17 @@ impl fmt::Display for OutOfDomain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.argument == "stribeck" {
             return f.write_str(
-                "the exact continuous response needs a constant kinetic level, and this scene has `friction: stribeck`; ask its stepper, or `simulation_under` with the load's amplitude",
+                "the exact continuous response needs a constant kinetic level, but this scene has `friction: stribeck`; use its stepper, or `simulation_under` with the amplitude of the load",
             );
         }
         let needed = match self.argument {
             "r" => {
-                "it must be a number, not negative and not NaN; a motion in time needs it clear of 0 and infinity too"
+                "it must be a number, not negative and not NaN; a motion in time also needs it not too close to 0 or infinity"
             }
             "state" => "it must have a finite displacement and velocity for each mass",
-            "continuous" | "sliding" => "the slice must have one place for each r",
+            "continuous" | "sliding" => "the slice must have one element for each r",
             "parts" | "numbers" | "multipliers" | "tables" => {
-                "the room for the answer has another size"
+                "the slice for the results has the wrong length"
             }
             "dt" => {
                 "a step must be greater than zero, and so short that no oscillator turns by more than 1024 rad in it"
@@ -119,20 +119,20 @@ impl fmt::Display for OutOfDomain {
             }
             "stiction" => "it must be a finite number, 1 or more",
             "damping" => {
-                "with so many modes at or beyond critical damping, held and free modes cannot be told apart in this scalar: less than half of the digits would be left"
+                "with this number of modes at or beyond critical damping, the modes of the stuck and of the sliding chain cannot be separated in this scalar: fewer than half of the digits would be correct"
             }
-            "steps" => "the input at the start is said before the first step",
+            "steps" => "the input at the start must be set before the first step",
             "amplitude" => {
-                "it must be positive and finite, and so large that the friction law's speeds, over the load's, stay apart"
+                "it must be positive and finite, and so large that the speeds of the friction law stay distinct when they are divided by the speed of the load"
             }
             "steepness" => {
-                "with this load the kinetic level changes the motion more than 4096 times as fast as the fastest mode does"
+                "with this load the slope of the kinetic level acts more than 4096 times as fast as the fastest mode"
             }
             "saved" => "it belongs to another scene or step",
             "work" => {
-                "another step could take the work beyond the range of the scalar: reduce the force, or begin anew"
+                "another step could make the work too large for the scalar; reduce the force, or begin anew"
             }
-            "mass" => "the scene has no mass of this place; places are counted from 0",
+            "mass" => "the scene has no mass with this index; the first has the index 0",
             _ => "it must be a finite number, not negative",
         };
         write!(f, "{} is outside the domain: {needed}", self.argument)
@@ -168,7 +168,7 @@ impl fmt::Display for NoOrbit {
             Self::Unbounded => f.write_str("no steady state: on an undamped resonance this friction ratio does not bound the amplitude"),
             Self::Undamped(mode) => write!(
                 f,
-                "no steady state: nothing damps mode {}, which the load drives and the contact does not touch",
+                "no steady state: the load drives mode {}, which has no damping and on which the contact does not act",
                 mode.wrapping_add(1)
             ),
             Self::Unstable => f.write_str("no steady state: the one that was found is unstable, and the motion leaves it"),

@@ -75,7 +75,9 @@ fn starts(names: &[String]) -> PyResult<Vec<CurveStart>> {
     };
     let starts: Vec<CurveStart> = names.iter().map(start).collect::<PyResult<_>>()?;
     if starts.is_empty() {
-        return Err(domain(format_args!("start: there is none")));
+        return Err(domain(format_args!(
+            "start: the list is empty; give rest, up or down"
+        )));
     }
     Ok(starts)
 }

@@ -10,7 +10,7 @@ pyo3::create_exception!(
     frictiongen,
     SceneError,
     PyException,
-    "A description that makes no scene.  `errors` lists every mistake, each with its line, its column (both counted \
+    "A description with mistakes.  `errors` lists every mistake, each with its line, its column (both counted \
      from 1) and a message."
 );
 
@@ -18,16 +18,16 @@ pyo3::create_exception!(
     frictiongen,
     DomainError,
     PyValueError,
-    "A question that cannot be asked, or that has no answer: a number outside its domain, a name that is not there, a \
-     load that does not fit the scene."
+    "An invalid request, or one without an answer: a number outside its domain, an unknown name, or a load that does \
+     not fit the scene."
 );
 
 pyo3::create_exception!(
     frictiongen,
     MeasureError,
     DomainError,
-    "A measurement that cannot be read or that tells nothing.  `line` is the line of the file, counted from 1, where one is \
-     wrong, and otherwise None."
+    "A measurement that cannot be read, or that gives no result.  `line` is the number of the faulty line of the file, \
+     counted from 1.  It is None if no line is at fault."
 );
 
 /// Makes the exception of a measurement, with the name of the recording first if it has one.
@@ -39,7 +39,7 @@ pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyEr
              file {{{channel:?}: (\"COLUMN\", \"mm\")}}"
         ),
         Untold::NoRate => {
-            "nothing says how many samples a second has: give rate, in Hz, or the times of the samples".to_owned()
+            "the sampling rate is unknown: give rate, in Hz, or the times of the samples".to_owned()
         }
         other => other.to_string(),
     };

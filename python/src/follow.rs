@@ -43,7 +43,7 @@ impl Start {
         }
         let (displacements, velocities): (Bound<'_, PyAny>, Bound<'_, PyAny>) =
             given.extract().map_err(|_| {
-                wrong_type("start: an answer of steps, or displacements and velocities, are needed")
+                wrong_type("start: an answer of steps is needed, or displacements and velocities")
             })?;
         Ok(Self::Moving(
             numbers("start", &displacements)?.values,
@@ -118,7 +118,7 @@ fn ready<'s>(
             for row in [displacements, velocities] {
                 if row.len() != masses || row.iter().any(|value| !value.is_finite()) {
                     return Err(domain(format_args!(
-                        "start: {masses} finite numbers are needed, one for each mass, and these are {row:?}"
+                        "start: {masses} finite numbers are needed, one for each mass, but these are {row:?}"
                     )));
                 }
             }
@@ -132,7 +132,7 @@ fn ready<'s>(
             }
             if state.dt != dt {
                 return Err(domain(format_args!(
-                    "dt = {dt:?}: the steps to go on from are {:?} s long",
+                    "dt = {dt:?}: the steps to continue are {:?} s long",
                     state.dt
                 )));
             }
@@ -144,7 +144,7 @@ fn ready<'s>(
     if let Some(mu) = course.stiction {
         stepper.set_stiction(mu).map_err(|_| {
             domain(format_args!(
-                "stiction is {mu:?}: static over kinetic friction is 1 or above and finite"
+                "stiction is {mu:?}: static over kinetic friction must be 1 or above, and finite"
             ))
         })?;
     }

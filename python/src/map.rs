@@ -28,7 +28,7 @@ pub fn map<'py>(
     let frequencies = Frequencies::of(system, &frequency, false)?;
     if let Some(index) = frequencies.r.iter().position(|r| r.is_infinite()) {
         return Err(domain(format_args!(
-            "the frequency at place {index} is infinite: a map's are finite"
+            "the frequency with the index {index} is infinite, but a map needs finite frequencies"
         )));
     }
     let measure = Measure::of(system, &load)?;

@@ -39,14 +39,14 @@ fn start(
         let masses = system.scene().masses.len();
         if given.len() != masses {
             return Err(domain(format_args!(
-                "{what}: {masses} numbers are needed, one for each mass, and these are {}",
+                "{what}: {masses} numbers are needed, one for each mass, but these are {}",
                 given.len()
             )));
         }
         let all: Vec<f64> = given.into_iter().map(ratio).collect();
         if let Some(value) = all.iter().find(|value| !value.is_finite()) {
             return Err(domain(format_args!(
-                "{what}: every number is finite, and one is {value:?}"
+                "{what}: every number must be finite, but one is {value:?}"
             )));
         }
         Ok(all)
@@ -87,7 +87,7 @@ pub fn simulate<'py>(
     };
     if steady && (cycles.is_some() || skip.is_some() || from.is_some()) {
         return Err(domain(
-            "steady=True is one period of the steady state: cycles, skip and start are of a run",
+            "steady=True gives one period of the steady state; leave out cycles, skip and start, which belong to a run",
         ));
     }
     let request = HistoryRequest {

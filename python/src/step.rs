@@ -46,7 +46,7 @@ fn course(argument: &str, given: &Bound<'_, PyAny>, samples: Option<usize>) -> P
             "{argument}: a row of numbers is needed, one for each sample"
         ))),
         (Some(samples), ..) if samples != given.values.len() => Err(domain(format_args!(
-            "{argument}: {samples} numbers are needed, one for each sample, and these are {}",
+            "{argument}: {samples} numbers are needed, one for each sample, but these are {}",
             given.values.len()
         ))),
         _ => Ok(given.values),
@@ -107,7 +107,7 @@ impl Recording {
         let friction = course("friction", friction, Some(samples))?;
         if let Some(value) = friction.iter().find(|value| **value < 0.0) {
             return Err(domain(format_args!(
-                "friction is {value:?}: friction is a finite number, 0 or above"
+                "friction is {value:?}: friction must be a finite number, 0 or above"
             )));
         }
         Ok(Self {

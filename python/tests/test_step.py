@@ -158,12 +158,12 @@ def test_what_cannot_be_gone_on_from(block, frame):
     first = block.step(0.01, force=[0.0, 1.0], friction=1.0)
     other = System("struct B { masses: { block: 2.0 }, springs: { base - block: 50.0 }, contact: block - wall, excitation: block }")
     for system, asked, said in [
-        (block, {"dt": 0.02, "start": first}, "dt = 0.02: the steps to go on from are 0.01 s long"),
+        (block, {"dt": 0.02, "start": first}, "dt = 0.02: the steps to continue are 0.01 s long"),
         (other, {"start": first}, "start: these steps are of another system"),
         (block, {"start": ([0.0, 1.0], [0.0])}, "start: 1 finite numbers are needed"),
         (block, {"start": ([math.nan], [0.0])}, "start: 1 finite numbers are needed"),
         (block, {"start": 3}, "start: two rows are needed"),
-        (block, {"stiction": 0.9}, "stiction is 0.9: static over kinetic friction is 1 or above"),
+        (block, {"stiction": 0.9}, "stiction is 0.9: static over kinetic friction must be 1 or above"),
         (block, {"stiction": math.nan}, "stiction is NaN"),
     ]:
         with pytest.raises(DomainError, match=re.escape(said)):
@@ -175,7 +175,7 @@ def test_what_cannot_be_gone_on_from(block, frame):
     for system, recording, asked, said in [
         (block, forces, {}, "no friction force is given"),
         (block, forces, {"friction": -1.0}, "friction is -1.0"),
-        (frame, forces, {"friction": 1.0}, "the channel `force` is nothing of this scene"),
+        (frame, forces, {"friction": 1.0}, "the channel `force` does not belong to this scene"),
         (block, Recording({"force": ([0.0, 1.0], "mm")}, rate=100, drives=True), {"friction": 1.0}, "`force` cannot be in mm"),
         (block, Recording({"force": ([0.0, 1.0], "N")}, rate=1e-9, drives=True), {"friction": 1.0}, "dt = "),
     ]:

@@ -113,7 +113,7 @@ fn asymmetric(system: &System, beside: impl Fn(f64) -> Entry) -> Vec<Entry> {
     let beyond = orbit(system, 0.5, 1.02 * end)
         .is_some_and(|orbit| orbit.is_symmetric() && !orbit.is_marginal() && orbit.stops() == 2);
     let said = if below && beyond {
-        "asymmetric and marginal up to 0.98 of it, symmetric from 1.02 of it"
+        "asymmetric and marginal up to 0.98 β_lim, symmetric from 1.02 β_lim"
     } else {
         "not so"
     };
@@ -144,7 +144,7 @@ fn without_stops(id: &'static str, claimed: &'static str, (r, beta): (f64, f64))
             added("reversals a cycle", reversals, 0),
             added("max abs(x̄)", ask(|orbit| orbit_amplitude(orbit, "m1")), 9),
         ],
-        reason: "beyond β_lim a little friction reverses the motion without a stop",
+        reason: "above β_lim, small friction reverses the motion without a stop",
     }
 }
 

@@ -76,7 +76,7 @@ fn smallest_width(mu: f64) -> f64 {
 fn intersection() -> Row {
     Row {
         id: "F06",
-        claim: "one mass on its base: the limits start to intersect at μ",
+        claim: "one mass on its base: smallest μ for which the limits intersect",
         place: "3.4.3, figure 3.5",
         entries: vec![number("μ", "about 1.2", root(smallest_width, 1.2, 1.25), 4)],
         reason: "",
@@ -103,7 +103,7 @@ fn inversion() -> Row {
     }
     Row {
         id: "F08",
-        claim: "one mass on its base: exact amplitudes for β = 0.05 to 1.4 cross within r",
+        claim: "one mass on its base: range of r in which the exact amplitudes for β = 0.05 to 1.4 cross",
         place: "3.5, figure 3.7",
         entries: vec![
             claim(
@@ -167,7 +167,7 @@ fn no_resonance() -> Row {
     let threshold = if starts { below } else { f64::NAN };
     Row {
         id: "F09",
-        claim: "one mass on its base: largest transmissibility of any sliding state below 1 from β",
+        claim: "one mass on its base: β from which the largest transmissibility of any sliding state is below 1",
         place: "3.6.2",
         entries: vec![number("β", "1.06", threshold, 4)],
         reason: "",
@@ -190,7 +190,7 @@ fn direct() -> Row {
     let between = along(&base(1.0), [0.9, 1.4]).starts_with(&[Regime::Stuck, Regime::StickSlip]);
     Row {
         id: "F10",
-        claim: "one mass on its base, β = 1, μ = 1.5: from stuck straight to continuous motion",
+        claim: "one mass on its base, β = 1, μ = 1.5: the motion changes from stuck directly to continuous",
         place: "3.6.2, figure 3.15",
         entries: vec![
             words(
@@ -199,8 +199,12 @@ fn direct() -> Row {
                 if direct { "yes" } else { "no" }.into(),
                 direct && between,
             ),
-            added("a sliding state beside the stuck one from r", beside, 4),
-            added("at r", begin, 4),
+            added(
+                "r from which a sliding state exists as well as the stuck one",
+                beside,
+                4,
+            ),
+            added("r of the change", begin, 4),
             added("β_lim there", limit(&system, begin), 4),
         ],
         reason: "",

@@ -33,7 +33,7 @@ fn fixed() -> Row {
     let falls = growth(begin - 1e-3) < 0.0 && growth(end + 0.01) < 0.0 && growth(0.7) < 0.0;
     Row {
         id: "F13",
-        claim: "one mass, wall: fundamental amplitude grows with β within r",
+        claim: "one mass, wall: range of r in which the fundamental amplitude grows with β",
         place: "4.4.1, figure 4.7",
         entries: vec![
             number("from", "0.334", begin, 6),
@@ -42,7 +42,7 @@ fn fixed() -> Row {
                 "between",
                 "",
                 if grows && falls {
-                    "grows inside, falls beside"
+                    "grows inside, falls outside"
                 } else {
                     "not so"
                 }
@@ -67,7 +67,7 @@ fn storey() -> Row {
     let free = ask(&system, r, 0.0, |motion| motion.contact().amplitude());
     Row {
         id: "F31",
-        claim: "rig, one storey: f_n, fitted to tests; a scene with it gives it back",
+        claim: "rig, one storey: f_n, fitted to tests; amplitude of a scene with this f_n",
         place: "4.3.1",
         entries: vec![
             number("f_n, Hz", "3.086", frequency, 3),

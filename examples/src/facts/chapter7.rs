@@ -125,7 +125,7 @@ fn responses() -> Row {
             same,
         ));
         entries.push(added("amplitude in the contact", amplitude, 6));
-        let what = "farthest from in phase or opposed, degrees";
+        let what = "largest difference from in-phase or opposite-phase motion, degrees";
         entries.push(match printed {
             Some((printed, least, most)) => {
                 let agrees = least <= turned && turned < most;

@@ -61,10 +61,10 @@ fn invariants(system: &System) -> Row {
     }
     Row {
         id: "F28",
-        claim: "the same: invariant points of m₁",
+        claim: "scene of F27: invariant points of m₁",
         place: "6.5.1, (5.74)",
         entries,
-        reason: "1.2135 cut off instead of rounded",
+        reason: "1.2135 was truncated instead of rounded",
     }
 }
 
@@ -106,8 +106,8 @@ fn rig() -> Row {
                 "r₁/ω, ω in rad/s",
                 "0.3419 s",
                 format!(
-                    "√(k₁/m₁)/2π = {radians:.4} Hz by it; with the frequency in Hz {hertz:.3} Hz; \
-                     of F31's storey {ONE_STOREY} Hz"
+                    "√(k₁/m₁)/2π is {radians:.4} Hz with this value, {hertz:.3} Hz if the frequency is in Hz, \
+                     and {ONE_STOREY} Hz for the storey of F31"
                 ),
                 near(radians) || !near(hertz),
             ),
@@ -115,7 +115,7 @@ fn rig() -> Row {
             number("γ", "0.9772", gamma, 6),
             number("κ", "1.1119", kappa, 6),
         ],
-        reason: "0.3419 s goes with the frequency in Hz",
+        reason: "0.3419 s is the value for the frequency in Hz",
     }
 }
 
@@ -135,8 +135,8 @@ fn relative() -> Row {
         place: "6.5.3, figure 6.29",
         entries: vec![
             number("r", "1.09", place, 6),
-            formula("that is √(κ/γ)", ("", free), place, 1e-9, 6),
-            added("its fundamental there, β = 0.3", fundamental(free, 0.3), 6),
+            formula("√(κ/γ)", ("", free), place, 1e-9, 6),
+            added("fundamental there, β = 0.3", fundamental(free, 0.3), 6),
         ],
         reason: "√(κ/γ), where m₂ swings freely",
     }

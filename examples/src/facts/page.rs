@@ -2,14 +2,14 @@
 
 use super::row::{Entry, Row, Verdict};
 
-const HEAD: &str = "# Printed numbers, and what comes out
+const HEAD: &str = "# Numbers that the thesis prints, and computed numbers
 
-What the thesis prints, beside what `cargo run --release --example facts` computes with this library.
-A row agrees if each of its printed numbers is what comes out to the printed number's own digits; where
-nothing is printed, what comes out stands alone. [corrections.md](corrections.md) lists the equations
-that are misprinted.
+The table compares the numbers that the thesis prints with the numbers that this library computes. The
+command is `cargo run --release --example facts`. A row agrees if each computed number, rounded to the
+digits of the printed number, is the printed number. If the thesis prints no number, the table has the
+computed number alone. [corrections.md](corrections.md) lists the equations that are misprinted.
 
-| row | scene and quantity | place | printed | comes out | verdict |
+| row | scene and quantity | place in the thesis | printed | computed | verdict |
 |---|---|---|---|---|---|
 ";
 
@@ -17,7 +17,7 @@ that are misprinted.
 #[must_use]
 pub fn verdict(verdict: Verdict) -> String {
     match verdict {
-        Verdict::Agrees => "agrees to its digits".into(),
+        Verdict::Agrees => "agrees to the printed digits".into(),
         Verdict::Corrected(reason) => format!("corrected: {reason}"),
         Verdict::Unexplained => "differs, unexplained".into(),
     }

@@ -61,7 +61,7 @@ fn three() -> Vec<Row> {
         },
         Row {
             id: "F15",
-            claim: "the same: quasi-static start",
+            claim: "scene of F14: quasi-static start",
             place: "6.2.2, (6.5)",
             entries: vec![
                 formula_at("x̄₁ at β = 0.3", "1 − β", &starts(0, 1.0), ROUNDING, 6),
@@ -72,7 +72,7 @@ fn three() -> Vec<Row> {
         },
         Row {
             id: "F16",
-            claim: "the same: stuck transmissibility of m₁; sliding range of r",
+            claim: "scene of F14: stuck transmissibility of m₁; sliding range of r",
             place: "6.2.5, (6.12), (6.13)",
             entries: vec![
                 formula_at("at r = 0.9", "1/abs(2 − r²)", &resting, ROUNDING, 6),
@@ -117,7 +117,7 @@ fn lower() -> Vec<Row> {
         },
         Row {
             id: "F18",
-            claim: "the same: estimated amplitude of m₂ grows with β between",
+            claim: "scene of F17: ranges of r in which the estimated amplitude of m₂ grows with β",
             place: "6.3.2, (6.10)",
             entries: vec![
                 number("first from", "0.527", one_of(&grows, 4, 0), 6),
@@ -125,11 +125,11 @@ fn lower() -> Vec<Row> {
                 number("second from", "1", one_of(&grows, 4, 2), 6),
                 number("to", "1.201", one_of(&grows, 4, 3), 6),
             ],
-            reason: "0.5276 cut off instead of rounded",
+            reason: "0.5276 was truncated instead of rounded",
         },
         Row {
             id: "F19",
-            claim: "the same, β = 0.2: continuous at low r within",
+            claim: "scene of F17, β = 0.2: range of low r with continuous motion",
             place: "6.3.2, figure 6.6",
             entries: vec![
                 number("from", "0.372", begin, 4),
@@ -155,7 +155,7 @@ fn lower() -> Vec<Row> {
         },
         Row {
             id: "F20",
-            claim: "the same, β = 0.4: continuous from r",
+            claim: "scene of F17, β = 0.4: r from which the motion is continuous",
             place: "6.3.2, figure 6.6",
             entries: vec![number("r", "0.559", one_of(&higher, 2, 0), 5)],
             reason: "",
@@ -209,7 +209,7 @@ fn upper() -> Vec<Row> {
         },
         Row {
             id: "F22",
-            claim: "the same: all curves of m₂ meet at r",
+            claim: "scene of F21: all curves of m₂ meet at r",
             place: "6.3.3, (6.9)",
             entries: vec![
                 number("phase, β = 0.3", "1.450", one_of(&points, 1, 0), 5),
@@ -219,7 +219,7 @@ fn upper() -> Vec<Row> {
         },
         Row {
             id: "F23",
-            claim: "the same: invariant points of m₁, estimated, r > 0.6",
+            claim: "scene of F21: invariant points of m₁, estimated, r > 0.6",
             place: "6.3.3, (6.10)",
             entries: vec![
                 number("first", "0.828", one_of(&of_m1, 2, 0), 6),
@@ -229,7 +229,7 @@ fn upper() -> Vec<Row> {
         },
         Row {
             id: "F24",
-            claim: "the same: fundamental of m₂ independent of β at r",
+            claim: "scene of F21: fundamental of m₂ independent of β at r",
             place: "6.4.3, figure 6.21",
             entries: vec![
                 formula(
@@ -239,7 +239,7 @@ fn upper() -> Vec<Row> {
                     ROUNDING,
                     6,
                 ),
-                added("its amplitude there, β = 0.4", of_m2(SQRT_2, 0.4), 6),
+                added("fundamental there, β = 0.4", of_m2(SQRT_2, 0.4), 6),
                 added(
                     "r with the rig's γ and κ, √(1 + κ)",
                     one_of(&receptance(&rig), 1, 0),
@@ -250,7 +250,7 @@ fn upper() -> Vec<Row> {
         },
         Row {
             id: "F25",
-            claim: "the same, any κ: stuck transmissibility of m₁",
+            claim: "scene of F21, any κ: stuck transmissibility of m₁",
             place: "6.3.3, (6.14)",
             entries: vec![formula_at(
                 "κ = 1, r = 0.4, and 11 more",
@@ -290,7 +290,7 @@ fn five() -> Row {
         at.map_or(f64::NAN, |at| at.continuous_limit_per_mode())
     });
     let mut entries = vec![words(
-        "how many",
+        "number of maxima",
         "five",
         exact.len().to_string(),
         exact.len() == 5,
@@ -307,7 +307,7 @@ fn five() -> Row {
     let kinks: Vec<String> = kinks.map(|(r, _)| format!("{r:.4}")).collect();
     let lowest = exact.first().map(|(r, _)| format!("{r:.4}"));
     entries.push(words(
-        "not smooth",
+        "maxima that are not smooth",
         "the lowest",
         format!("at r = {}", kinks.join(", ")),
         kinks.len() == 1 && kinks.first() == lowest.as_ref(),
@@ -321,6 +321,6 @@ fn five() -> Row {
         claim: "five unit masses, contact m₁-wall, force on m₁: maxima of β_lim",
         place: "6.3.2, figure 6.10",
         entries,
-        reason: "they fall with r; (5.55) is the sum of maxima, not the maximum of the sum",
+        reason: "the maxima fall with r; (5.55) is the sum of maxima, not the maximum of the sum",
     }
 }

@@ -5,33 +5,33 @@ pub const GRIDS: &str = "\
 Grids:
   A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
   0.9   0.2:0.01:2.5   0,0.5,1:0.1:2,inf
-  A grid of decimal numbers has decimal points. A frequency may be 0 and inf; a friction is
-  finite. At most 10 million points.
+  Decimals have a point, not a comma. A frequency may be 0 and inf. A friction must be finite.
+  A grid has at most 10 million points.
 
 Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
+  0 without errors. Otherwise 2, with one line on standard error for each error.";
 
 pub const UNITS: &str = "\
 Units:
-  The scene's own: with masses in kg and springs in N/m, forces are in N, lengths in m and
-  angular frequencies in rad/s.
-  --hz or --omega       adds frequency_Hz (and omega_rad_s) beside r
-  --force P or --base Y adds friction_N, gives amplitudes in m and phases in degrees; limits come
-                        as friction forces in N beside beta
-  r and beta refer to the first mass and the first spring listed: another order of them changes r
-  and beta, and no physical answer. In degrees, the phase of a contact a - b of two masses is that
-  of b relative to a.
+  The units are those of the scene. With masses in kg and springs in N/m, forces are in N, lengths
+  in m and angular frequencies in rad/s.
+  --hz or --omega       adds frequency_Hz (and omega_rad_s) to r
+  --force P or --base Y adds friction_N, and gives amplitudes in m and phases in degrees; limits are
+                        also given as friction forces in N
+  r and beta refer to the first mass and the first spring of the description. In another order, r and
+  beta change, but no physical result does. In degrees, the phase of a contact a - b of two masses is
+  that of b relative to a.
 
 ";
 
 pub const LIMITS: &str = "\
 Quantities:
   continuous limit  beta_lim, exact: below it a motion exists in which the contact slides all the time
-  without search    beta_lim with the velocity constraint taken at the reversal alone: not smaller
-  per mode          beta_lim with each mode's own maximum of the constraint: not larger
+  without search    beta_lim with the velocity constraint at the reversal alone; never below beta_lim
+  per mode          beta_lim with the maximum of the constraint of each mode; never above beta_lim
   sliding limit     beta*_lim: from it on a state exists in which the contact never slides
-  With stiction 1 the contact slides all the time below the first and sticks from the second on. Above 1
-  other states may exist beside these: `orbit --states` lists them.
+  With stiction 1 the contact slides all the time below beta_lim, and is stuck from beta*_lim on. With
+  a larger stiction other states may exist as well. `orbit --states` lists them.
 
 ";
 
@@ -40,28 +40,30 @@ Regimes:
   continuous  the contact slides all the time: exact amplitudes, phases and harmonics
   stick-slip  the contact stops and slides in turn: the steady state from rest
   stuck       the contact never slides: amplitude and phase of each mass
-  unbounded   on an undamped resonance: the margin says whether the contact slides (negative)
-              or is stuck
-  Of several states the answer is the one that motion from rest ends in: every mass at 0 without
-  velocity where the excitation is at its maximum. A base then stands at Y, and a contact with it may
-  stick off its centre.
+  unbounded   the amplitude grows without limit, on an undamped resonance; the contact slides if the
+              margin is negative, otherwise it is stuck
+  If several states exist, the answer is the state that motion from rest reaches. At rest, every mass is
+  at 0 without velocity, and the excitation is at its maximum. A moving base is then at Y, so that a
+  contact with the base may stick away from its centre.
 
 Answers:
-  closed form  exact, of a contact that always or never slides
-  orbit        exact, from event to event: as `orbit` gives it, with its stability
-  not from rest  a stable state, where motion from rest does not settle
-  subharmonic  the same, of a stable state that repeats after several cycles
-  last 64 cycles  the motion does not settle: what it did last, the amplitude the largest seen
-  otherwise    why there is none, in the words of `orbit`; its cells are empty (JSON: null)
-  no cycle     at a frequency ratio of 0 or infinity, between the limits
+  closed form  exact, for a contact that always slides or never slides
+  orbit        exact, computed from event to event; its stability follows, as `orbit` gives it
+  not from rest  a stable state; motion from rest does not settle
+  subharmonic  a stable state, computed from event to event, that repeats after several cycles
+  last 64 cycles  the motion does not settle; the values are those of its last 64 cycles, and the
+               amplitude is the largest in them
+  no cycle     no answer at a frequency ratio of 0 or infinity, between the limits
+  other words  the reason why there is no answer, in the words of `orbit`; the cells are empty (JSON: null)
 
 Quantities:
-  margin      beta/min(beta_lim, beta*_lim) - 1, negative below both limits: the closed form exists,
-              and with stiction 1 it is the only state
-  offset      middle of the contact's motion over P/k1, for base motion over Y; with a load, m
+  margin      beta/min(beta_lim, beta*_lim) - 1. It is negative below both limits: there the closed form
+              exists, and with stiction 1 it is the only state
+  offset      (max + min)/2 of the contact's motion over P/k1, for base motion over Y; with a load, m
   amplitude   largest displacement of the cycle over P/k1, for base motion over Y; with a load, m
   centred     half the distance between the least and the largest displacement
-  phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]; with a load, degrees
+  phase       lag of that maximum behind the maximum of the excitation, rad, in (-pi, pi]; with a load,
+              degrees
   fundamental lag of the fundamental component X_1
   X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
               with a load, m and degrees
@@ -70,29 +72,31 @@ Quantities:
 
 pub const ORBITS: &str = "\
 Regimes:
-  the state's own: continuous, stick-slip, stuck; unbounded where there is none
+  continuous, stick-slip or stuck; unbounded if there is no steady state
 
 States:
-  stable     small deviations die
-  marginal   some deviation stays, or dies more slowly than any power: one of a continuum of
-             steady states, or at its end; also the stuck contact, which stays where it is
-  unbounded  none: on an undamped resonance
-  undamped   none: nothing damps a mode that the load drives and the contact does not touch
-  unstable   none was found that deviations do not leave
-  unsettled  none: the motion from rest repeats neither after one cycle nor after up to 64; the values
-             are of its last 64 cycles, and the amplitude is the largest in those
+  stable     small deviations die out
+  marginal   some deviation stays, or dies out more slowly than exponentially: the state is one of a
+             continuum of steady states, or at its end; a stuck contact is also marginal
+  These words mean that there is no steady state:
+  unbounded  the excitation is on an undamped resonance
+  undamped   the load drives a mode that has no damping and on which the contact does not act
+  unstable   deviations grow in every state that was found
+  unsettled  the motion from rest repeats neither after one cycle nor after up to 64; the values are
+             those of its last 64 cycles, and the amplitude is the largest in them
   crowded    a cycle has more than 64 segments
 
 Quantities:
-  period      after how many cycles of the excitation the motion repeats: 1, or more for a subharmonic state
-  stops       how often the contact stops in a period
-  reversals   how often it changes its direction without a stop
-  stuck       the part of the period for which it sticks
-  offset      middle of the contact's motion over P/k1, for base motion over Y; with a load, m
-  multiplier  by how much the deviation that dies most slowly is multiplied in a period
+  period      number of cycles after which the motion repeats: 1, or more for a subharmonic state
+  stops       number of stops of the contact in a period
+  reversals   number of changes of its direction without a stop
+  stuck       fraction of the period during which the contact sticks
+  offset      (max + min)/2 of the contact's motion over P/k1, for base motion over Y; with a load, m
+  multiplier  factor by which the slowest-dying deviation changes in a period (Floquet multiplier)
   amplitude   largest displacement of the period over P/k1, for base motion over Y; with a load, m
   centred     half the distance between the least and the largest displacement
-  phase       lag of that maximum behind the excitation's, rad, in (-pi, pi]; with a load, degrees
+  phase       lag of that maximum behind the maximum of the excitation, rad, in (-pi, pi]; with a load,
+              degrees
   fundamental lag of the fundamental component X_1
   X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
               X_0 is the mean; with a load, m and degrees
@@ -101,9 +105,9 @@ Quantities:
 
 pub const STATES: &str = "\
 Several states:
-  --states lists every steady state that is found from rest, from the stuck contact, from the closed form
-  and from motions at neighbouring frictions. CSV and JSON say which one motion from rest ends in
-  (from_rest) and which is one of a continuum (marginal).
+  --states lists every steady state that the search finds. It starts from rest, from the stuck contact,
+  from the closed form and from motions at neighbouring frictions. In CSV and JSON, from_rest marks the
+  state that motion from rest reaches, and marginal marks a state of a continuum.
 
 ";
 
@@ -111,148 +115,159 @@ pub const GRIDS_IN_TIME: &str = "\
 Grids:
   A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
   0.9   0.2:0.01:2.5   0.5,1:0.1:2
-  A grid of decimal numbers has decimal points. A frequency is above 0 and below infinity:
-  at 0 a cycle never ends, and at infinity nothing has time to move (`limits` and `response` answer
-  at both). A friction is finite. At most 10 million points.
+  Decimals have a point, not a comma. A frequency must be above 0 and below infinity: at 0 a cycle
+  never ends, and at infinity nothing has time to move. For 0 and inf use `limits` or `response`.
+  A friction must be finite. A grid has at most 10 million points.
 
 Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
+  0 without errors. Otherwise 2, with one line on standard error for each error.";
 
 pub const TIMES: &str = "\
 Motions:
-  contact and every mass, or those of --of. Each has a displacement, over P/k1 or for base motion
-  over Y, and a velocity, its derivative by tau = omega t; with a load, m and m/s. A mass's are
-  absolute, the contact's relative.
-  tau is 0 at a maximum of the excitation; skipped cycles count
-  contact.friction  over P, for base motion over k1 Y; with a load, N: against the sliding, and
-                    while the contact sticks what holds it
-  contact.state     stuck, or forward or backward by the sign of the relative velocity
+  The output has the contact and every mass, or the motions of --of. Each motion has a displacement,
+  over P/k1 or for base motion over Y, and a velocity, the derivative with respect to tau = omega t.
+  With a load they are in m and m/s. Motions of masses are absolute, that of the contact is relative.
+  tau is 0 at a maximum of the excitation, before the skipped cycles
+  contact.friction  the friction force over P, for base motion over k1 Y; with a load, N. It acts against
+                    the sliding; while the contact sticks, it is the force that holds the contact
+  contact.state     stuck; or forward or backward, the sign of the relative velocity
   The speeds of `friction: stribeck` need a load: --force or --base
 
 State to start from:
-  --from \"x1,x2;v1,v2\"  displacements, then velocities of all masses in the description's order, at a
-                        maximum of the excitation; with a load, in m and m/s. From rest without it.
+  --from \"x1,x2;v1,v2\"  displacements, then velocities of all masses in the order of the description,
+                        at a maximum of the excitation; with a load, in m and m/s [default: rest]
 
 Steady states:
-  --steady, in any regime; an undamped one, or one of several, is that which is reached from rest.
-  Where a stuck contact stays depends on what was before: here, on the motion from rest.
+  --steady works in any regime. If the chain is undamped or has several steady states, the output is the
+  state that motion from rest reaches. The same motion decides where a stuck contact stays.
 
 Events:
-  stop, break-away, reversal (it turns without a stop): exact, between the first sample and the last
+  stop, break-away, and reversal (the contact changes its direction without a stop). The instants are
+  exact. The list has all events between the first and the last sample.
 
 Spectrum:
-  x = Re(sum of X exp(i n tau)): amplitude |X| and lag -arg X of every order n, rad or degrees of its
-  own cycle; order 0 is the mean. Orders are multiples of 1/cycles, up to half the samples of a cycle.
-  Of a run from its samples, tau from the first one; what vibrates faster is folded back, to some
-  10/samples^3 of the amplitude. With --steady exact, up to order 9999.
-  A run has a spectrum of lines only where it has settled: skip cycles, and take whole periods.
+  x = Re(sum of X exp(i n tau)): amplitude |X| and lag -arg X of every order n, in rad or degrees of
+  the cycle of that order. Order 0 is the mean. Orders are multiples of 1/cycles, up to half the number
+  of samples in a cycle.
+  The spectrum of a run comes from its samples, with tau counted from the first one. Faster vibrations
+  appear at wrong orders (aliasing), with about 10/samples^3 of the amplitude. With --steady the spectrum
+  is exact, up to order 9999.
+  A run has a spectrum of lines only after it has settled. Skip cycles, and take whole periods.
 
 ";
 
 pub const ONE_POINT: &str = "\
-One frequency, above 0 and below infinity, and one friction. At most 10 million samples of all motions
-together.
+Give one frequency, above 0 and below infinity, and one friction. All motions together have at most
+10 million samples.
 
 Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
+  0 without errors. Otherwise 2, with one line on standard error for each error.";
 
 pub const CURVES: &str = "\
 Curves:
-  The range is refined where a curve bends and at its peaks. A piece is what may be joined: it ends
-  where the regime changes, at a pole, at a jump, and where there is no answer.
-  --from up and --from down sweep the frequency: each point starts from the state of the point before,
-  as in a laboratory; displacements and velocities go over unchanged. --from up,down gives both.
-  answer   closed form, orbit, or last 64 cycles of a motion that does not settle; otherwise why
-           there is none, in the words of `orbit`
+  Points are closer where a curve bends and at its peaks. Lines join only points of the same piece. A
+  piece ends where the regime changes, at a pole, at a jump, and where there is no answer.
+  --from up and --from down sweep the frequency, as in a laboratory. Each point starts from the state of
+  the previous point, with the same displacements and velocities. --from up,down gives both sweeps.
+  answer   closed form, orbit, or last 64 cycles of a motion that does not settle; any other word is the
+           reason why there is no answer, in the words of `orbit`
   force    largest friction force of the cycle over P (base motion: k1 Y); with a load, N
-  work     that friction takes out of a cycle over P^2/k1 (base motion: k1 Y^2); with a load, the
-           mean power in W
+  work     energy that friction dissipates in a cycle, over P^2/k1 (base motion: k1 Y^2); with a load,
+           the mean power in W
 
 ";
 
 pub const RANGES: &str = "\
 Ranges:
-  A range of frequencies is a:b, above 0; a:step:b also says how far apart points are at most.
+  A range of frequencies is a:b, above 0. In a:step:b, step is the largest distance between points.
   Frictions are a number, a range a:step:b, or a comma-separated list of those.
 
 Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
+  0 without errors. Otherwise 2, with one line on standard error for each error.";
 
 pub const MAPS: &str = "\
 Regions:
   continuous        the contact slides all the time
-  stuck             it never slides
-  n stops           it stops n times in a cycle of the excitation
-  sliding reversals its direction changes without a stop, in a motion other than the continuous one
+  stuck             the contact never slides
+  n stops           the contact stops n times in a cycle of the excitation
+  sliding reversals the contact reverses without a stop, but not in the continuous motion
   subharmonic       the motion repeats after several cycles
-  unsettled         it does not repeat; otherwise why there is no answer, in the words of `orbit`
-A region's boundary with the continuous and the stuck regime is a limit, exactly. --boundaries traces
-the others by halving: each digit takes the motion longer to settle. 3 are a picture's.
-Ctrl-C keeps the frequencies that are done.
+  unsettled         the motion does not repeat
+  other words       the reason why there is no answer, in the words of `orbit`
+The boundaries of the continuous and the stuck region are exact limits. --boundaries finds the other
+boundaries by bisection. Each further digit takes longer, because the motion settles more slowly near a
+boundary. Pictures use 3 digits.
+Ctrl-C keeps the frequencies that are already computed.
 
 ";
 
 pub const OPTIMA: &str = "\
 What is searched:
-  The largest amplitude over the band a:b at one friction, over all regimes: about every resonance,
-  of the chain and of the chain with its contact stuck, their sub-harmonics, where the regime
-  changes, and on a grid between. The least of it between no friction and so much that the contact
-  is stuck over the whole band; infinite where an undamped resonance is not bounded.
+  For one friction the search finds the largest amplitude over the band a:b, over all regimes. It looks
+  at every resonance of the chain and of the chain with its contact stuck, at their sub-harmonics, where
+  the regime changes, and on a grid between. The best friction makes this amplitude smallest. It lies
+  between zero and the friction that keeps the contact stuck over the whole band. The amplitude is
+  infinite if an undamped resonance is not bounded.
 
 Quantities:
-  friction     in N with a load, else beta
-  what limits it  equal peaks: one rises with friction, another falls; or one peak at its least
-  how the search ended  converged; or at a jump to a larger steady state; or the work of one search was
-                  done, and it is the best so far: the least then lies between two frictions
-  above the best  the friction between which the largest amplitude is within 1, 5 and 10 per cent
-  per cent of it  how the optimum moves with each parameter, while friction follows; with a load
+  friction     with a load in N, otherwise beta
+  what limits it  equal peaks: more friction raises one peak and lowers another; or one peak at its least:
+                  more friction and less friction both raise it
+  how the search ended  converged; or at a jump to a larger steady state; or the best so far, because the
+                  search reached its limit of work. If it did not converge, the least lies between the
+                  two frictions that follow
+  above the best  range of friction in which the largest amplitude is at most 1, 5 and 10 per cent larger
+  per cent of it  change in per cent of the amplitude at the best friction, for one per cent of a
+                  parameter; the friction changes too and stays the best one; only with a load
 
 With --vary NAME=a:b:
-  One number of the description is chosen too, between a and b, in its own unit. Names are those of
-  `sensitivity`: m upper, k base - lower, zeta 1, a, b, mu; zeta is the ratio of all modes, k2 the
-  second spring, m1 the first mass. The best friction is found at 17 values, a and b among them, and
-  the least between two of them from which it falls and then rises; a valley that 17 values do not
-  tell may be missed. Forces, lengths and frequencies keep their units; without a load groups are
-  those of the description.
+  The search also chooses one number of the description, between a and b, in the unit of that number.
+  Names are those of `sensitivity`: m upper, k base - lower, zeta 1, a, b, mu. zeta is the ratio of all
+  modes, k2 the second spring, m1 the first mass. The search finds the best friction at 17 values from a
+  to b, and then refines the smallest amplitude between neighbouring values. It may miss a minimum that
+  17 values do not show. Frequencies, forces and lengths keep their units while the number changes.
+  Without a load, groups refer to the description.
 
 Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.
+  0 without errors. Otherwise 2, with one line on standard error for each error.
 
 ";
 
 pub const FEATURES: &str = "\
 Features:
-  resonance                 of the chain; without damping the friction from which it is bounded (6.2), with damping
-                            the friction up to which the contact slides all the time there
-  resonance if stuck        of the chain with its contact held, and the friction up to which it slides there
-  limit for r -> 0, inf     the friction up to which the contact slides (all the time) at either end
-  antiresonance             without friction the motion vanishes
-  invariant point           every friction up to the one given has this amplitude, or fundamental component: exact for
-                            the contact and for fundamentals, else of the estimated amplitude (6.9, 6.10)
-  grows with friction       a range in which more friction enlarges the motion
-With --beta or --friction, for each:
+  resonance                 a resonance of the chain. Without damping: the friction from which it is bounded (6.2).
+                            With damping: the friction up to which the contact slides there all the time
+  resonance if stuck        a resonance of the chain with its contact stuck, and the friction up to which the contact
+                            slides there
+  limit for r -> 0, inf     the friction up to which the contact slides, or slides all the time, for r -> 0 or inf
+  antiresonance             without friction the amplitude is zero here
+  invariant point           every friction up to the one given has this amplitude, or this fundamental component. It is
+                            exact for the contact and for fundamentals, otherwise by the estimate (6.9, 6.10)
+  grows with friction       a range in which more friction makes the motion larger
+With --beta or --friction, for each friction:
   quasi-static start        the amplitude for r -> 0
   slides                    ranges in which the contact slides at this friction and at every smaller one
   regime                    the regimes along frequency
-  peak by estimate; peak    at each resonance: by (7.60), and the largest amplitude itself, over all regimes
+  peak by estimate; peak    at each resonance, the estimate (7.60), and the largest amplitude itself, over all regimes
 With two frictions or more:
-  same amplitude            where neighbouring frictions have the same exact amplitude
+  same amplitude            frequencies at which neighbouring frictions have the same exact amplitude
 
 Found:
-  exact    a closed form
-  all      by intervals: none in the range is missed
-  sampled  by close samples, refined: a pair nearer than these may be missed
+  exact    by a closed form
+  all      by interval arithmetic: the list has all features of the range
+  sampled  by close samples, then refined: two features closer than the samples may be missed
 
 Ranges:
-  A range is a:b, above 0; without one, from 0.55 times the lowest resonance to 1.5 times the highest. Towards r = 0
-  most features repeat without end.
+  A range is a:b, above 0. The default is from 0.55 times the lowest resonance to 1.5 times the highest. Towards
+  r = 0 most features repeat infinitely often.
 
 Sensitivities:
-  by how many per cent the first number of a line changes for one per cent of the parameter that moves it
-  most; JSON has the derivatives with respect to all. With a load at constant N and m, else at constant groups.
+  Change in per cent of the first number of a line, for one per cent of the parameter that changes it most. JSON has
+  the derivatives with respect to all parameters. With a load they are at constant N and m, otherwise at constant
+  groups.
 
 Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.
+  0 without errors. Otherwise 2, with one line on standard error for each error.
 
 ";
 
@@ -261,34 +276,36 @@ Parameters:
   m, k      each mass and spring
   zeta i    the damping ratio of mode i; a, b of Rayleigh damping
   mu        static over kinetic friction force
-  F, P or Y, f  with a load: friction force, load and frequency in Hz. All derivatives are taken at
-            constant values of the others, so that the first mass and spring move r and beta
+  F, P or Y, f  with a load: friction force, load and frequency in Hz. Each derivative keeps all other
+            parameters constant. The first mass and the first spring therefore change r and beta
   beta, r   without a load: derivatives are taken at constant r and beta
 
 Answers:
   exact       derivatives of the closed form, of the steady state with stops, or of the stuck response
-  bend        none: an event is about to come or to go, or a limit is met
-  marginal    none: the steady state is one of a continuum
-  degenerate  none: two modes coincide and move apart, or the contact is about to drive a mode
-  otherwise   why there is no steady state, in the words of `orbit`
+  These words mean that there is no derivative:
+  bend        an event is about to appear or to vanish, or the friction is at a limit
+  marginal    the steady state is one of a continuum
+  degenerate  two modes coincide and separate, or the contact is about to act on a mode
+  other words the reason why there is no steady state, in the words of `orbit`
 
 Quantities:
-  X, d/dp     on the first line the answer, then its derivative with respect to the parameter
-  (p/X) d/dp  by how many per cent X changes for one per cent of p; of a phase p d/dp
+  X, d/dp     the answer X on the first line; on the others its derivative with respect to the parameter
+  (p/X) d/dp  change of X in per cent for one per cent of p; for a phase, p d/dp
   limits      beta_lim and beta*_lim at this frequency; with a load in N
 
 ";
 
 pub const TABLES: &str = "\
-What the description declares (accuracy, range, side, budget) holds where no option says otherwise.
+The accuracy, range, side and budget of the description apply unless an option replaces them.
 
-Without --format the figures of the tables are printed: accuracy, pieces, bytes, the largest errors
-and where, operations. With it, the code or the data:
+Without --format the output describes the tables: their accuracy, pieces and bytes, the largest errors
+and their frequencies, and the operations. With --format it is code or data:
   rust  a file without dependencies: limits(r); contact(r, beta) if the scene provides a motion;
         stuck_<mass>(r) and holding_force(r) if it provides stuck
-  c     the same in C99; with -o name.c the header name.h beside it
+  c     the same functions in C99; -o name.c also writes the header name.h next to it
   json  the tables as data
-Where only the exact formulas keep the accuracy, there is no code without the library: it says so.
+If only the exact formulas keep the accuracy, `compile` cannot write code without the library. It then
+ends with an error.
 
 Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
+  0 without errors. Otherwise 2, with one line on standard error for each error.";

@@ -133,70 +133,73 @@ pub struct DriveArguments {
 /// Text below the options of `drive`.
 pub const DRIVES: &str = "\
 Recording:
-  A CSV of the inputs at even times: base, or force on the excited mass, names of masses for forces on
-  them, and friction where it changes:
+  A CSV file has the inputs at evenly spaced times:
     time_s,base_m_s2
-  The base comes as displacement, velocity or acceleration. It goes along the cubic spline through
-  displacements, and in straight lines between velocities or accelerations; forces go in straight lines.
+  Its columns are base, or force on the excited mass; the name of a mass for a force on that mass; and
+  friction, if it changes. The base is given as displacement, velocity or acceleration. Displacements are
+  joined by a cubic spline. Velocities, accelerations and forces are joined by straight lines.
   --channel base=EW:m_s2  the column EW is the acceleration of the base
-  The chain starts from rest; displacements of the base count from the first sample.
+  The chain starts from rest. Displacements of the base are relative to the first sample.
 
 Quantities:
-  displacement, velocity  of a mass; of the contact the relative motion
-  force           the friction force in N; what holds the contact while it sticks
-  state           sticks, or which way it slides, at the sample
-  events          stops, break-aways and reversals since the sample before
+  displacement, velocity  of a mass, or the relative motion of the contact
+  force           the friction force in N; while the contact sticks, the force that holds it
+  state           state of the contact at the sample: stuck, or the direction of sliding
+  events          number of stops, break-aways and reversals since the previous sample
 
-Below the table, and in the JSON: the work of the load, and what friction and damping took of it, in J;
-in how many steps more events happened than are followed.
+The lines below the table, and the JSON, have the work of the load and the energy that friction and
+damping dissipated, in J. They also have the number of steps with more events than the stepper follows.
 
 Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
+  0 without errors. Otherwise 2, with one line on standard error for each error.";
 
 /// Text below the options of all commands that read recordings.
 pub const RECORDINGS: &str = "\
 Recordings:
-  A CSV has one line of names with their units, then numbers, separated by commas, semicolons or tabs:
+  A CSV file has a line of names with units, then numbers, separated by commas, semicolons or tabs:
     time_s,base_mm,upper_m_s2
-  or a second line with the units. base is the motion of the base, force the force that drives; other
-  names are masses. Units: m, cm, mm, um, m_s, mm_s, m_s2, mm_s2, g, N, mN, kN, s, ms, us. A unit is
-  never guessed. Displacements, velocities and accelerations may be mixed.
+  The units can also be in a second line. base is the motion of the base, and force is the exciting
+  force. Other names are masses. Units are m, cm, mm, um, m_s, mm_s, m_s2, mm_s2, g, N, mN, kN, s, ms, us.
+  Every channel needs a unit. Displacements, velocities and accelerations can be mixed.
   A universal file has a data set 58 for each channel, with the unit as label of its ordinate.
-  --channel upper=AI1:mm  the column AI1 is the mass upper, in mm; columns not named are left out
-  --channel upper=3:mm    the third column
+  --channel upper=AI1:mm  the column AI1 is the mass upper, in mm; columns that are not named are ignored
+  --channel upper=3:mm    the third column is the mass upper
   A recording has one driving frequency, or is a free vibration for --decay of identify.
-  The steady part is found; a constant or clipped channel, a drive that drifts, uneven steps of time
-  and fewer than 8 cycles are errors.
+  The command finds the steady interval of the recording. A constant or clipped channel, a drifting
+  excitation, uneven time steps and fewer than 8 cycles are errors.
 
 Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
+  0 without errors. Otherwise 2, with one line on standard error for each error.";
 
 /// Text below the options of `identify`.
 pub const IDENTIFICATIONS: &str = "\
 Answers:
-  not explained   the description does not move like the rig: residuals exceed what noise makes once in
-                  1000 recordings, and the force may be far from the rig's
-  told            the interval of 95 % holds one friction force, and is narrower than that is large
-  several levels  several friction forces give this response: each with its interval
-  stuck           the contact never slides: the interval begins at the least force that holds it
-  not told        the response hardly changes with friction here, as at an invariant point
+  not explained   the description does not move like the rig: noise explains such residuals in
+                  fewer than one of 1000 recordings. The force may be far from that of the rig
+  told            the measurement determines the force: the 95 % interval contains one friction force and
+                  is narrower than that force is large
+  several levels  several friction forces give this response; each has its own interval
+  stuck           the contact never slides; the interval begins at the least force that holds it
+  not told        the measurement does not determine the force: the response hardly changes with friction
+                  here, as at an invariant point
   all but stuck   amplitudes without phases are so small that a unit may be wrong by 1000
 
 Quantities:
   friction force  F in N, for a scene in kg and N/m
-  condition       how much a relative error of the data grows on the way to the friction force
-  misfit          sum of squares of residuals over deviations, by degrees of freedom: 1 where noise
-                  is all that is left; where it is more than chance the answer is not explained, and
-                  the intervals are wider
-  amplitude, lag  of the fundamental over the excitation, measured and computed
+  condition       largest factor from a relative error of the data to that of a fitted value
+  misfit          sum of the squares of residuals over deviations, divided by the degrees of freedom. It
+                  is about 1 if the residuals are noise. If it is larger than chance allows, the answer is
+                  not explained, and the intervals are wider
+  amplitude, lag  of the fundamental component relative to the excitation, measured and computed
 
 ";
 
 /// Text below the options of `fit`.
 pub const FITS: &str = "\
-The sweep is measured without friction; `frictiongen transmissibility -o sweep.csv` writes one from
-recordings. The scene is driven by its base. One storey gives its natural frequency, two r, gamma and
-kappa (thesis 6.15 to 6.20), more alike. The first mass stays, since a base tells ratios alone.
+The sweep must be measured without friction, and the scene must be driven by its base. The command
+`frictiongen transmissibility -o sweep.csv` writes a sweep from recordings. With one mass the fit gives
+the natural frequency. With two masses it gives r, gamma and kappa (thesis 6.15 to 6.20), and with more
+masses the same kind of ratios. The first mass keeps its value, because base motion determines only ratios.
 
 Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
+  0 without errors. Otherwise 2, with one line on standard error for each error.";

@@ -6,19 +6,20 @@ use std::path::PathBuf;
 
 pub const REPORTS: &str = "\
 The page:
-  The scene drawn, its modes, amplitudes and phases at several frictions, the regime map with both
-  limits, the best friction, and what the emitted code costs. One file without network: it has its
-  pictures, its style and a script to read values off with a pointer or arrow keys; every number is
-  also in a JSON block with a version.
+  The page shows a drawing of the scene, its modes, amplitudes and phases at several frictions, the
+  regime map with both limits, the best friction, and the cost of the emitted code. It is one file that
+  needs no network. A script in it shows values under the pointer or by arrow keys. A JSON block with a
+  version has every number.
 
-What is chosen where nothing is given, and said on the page:
-  range      from 0.3 of the lowest to 1.5 of the highest resonance
-  frictions  0.1, 0.3 and 0.7 of the sliding limit that half of the range exceeds, and the best
-             friction; without friction and with the contact stuck besides
-  motions    the contact and every mass of up to four; of a longer chain the contact, its mass, the
-             one that the load acts on, the last and the one that moves farthest with the contact stuck
-  best       the friction that `frictiongen optimum` finds, for up to four motions; of a longer chain
-             than four masses for the two that are largest with the contact stuck
+Defaults, which the page also states:
+  range      from 0.3 times the lowest to 1.5 times the highest resonance
+  frictions  0.1, 0.3 and 0.7 times the median of the sliding limit over the range, and the best friction;
+             also no friction, and the stuck contact
+  motions    the contact and every mass, for up to four masses. For a longer chain: the contact, the masses
+             at the contact and at the load, the last mass, and the mass that moves farthest with the
+             contact stuck
+  best       the friction that `frictiongen optimum` finds, for up to four motions. For a chain of more
+             than four masses: for the two motions that are largest with the contact stuck
 Without --base or --force the page is in the groups r and beta.
 
 ";
@@ -29,7 +30,7 @@ Ranges:
   comma-separated list of those, up to 6.
 
 Exit status:
-  0, or 2 with one line on standard error for each thing that is wrong.";
+  0 without errors. Otherwise 2, with one line on standard error for each error.";
 
 /// Arguments of `frictiongen report`.
 #[derive(Debug, Args)]

@@ -32,7 +32,7 @@ pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Fail
         Some(SceneTables::Single(tables)) => write(&scene, &tables, (arguments, &name), out)?,
         None => {
             return Err(Failure::new(
-                "how exact the tables are to be is not said: give --accuracy 1e-4 or --budget 4096, or write it in the description",
+                "the accuracy of the tables is missing; give --accuracy 1e-4 or --budget 4096, or declare one of the two in the description",
             ));
         }
     }
@@ -49,7 +49,7 @@ fn c_prefix(scene: &Scene, arguments: &CompileArguments) -> Result<String, Failu
     };
     if arguments.format != Some(TableFormat::C) {
         return Err(Failure::new(
-            "--name is what names in C begin with; write --format c, or leave it out",
+            "--name is the prefix of names in C; add --format c, or leave --name out",
         ));
     }
     let is_letter = |letter: char| letter.is_ascii_alphabetic() || letter == '_';
@@ -57,7 +57,7 @@ fn c_prefix(scene: &Scene, arguments: &CompileArguments) -> Result<String, Failu
         name.starts_with(is_letter) && name.chars().all(|c| is_letter(c) || c.is_ascii_digit());
     if !sound {
         return Err(Failure::new(format_args!(
-            "--name is `{name}`, with which no name in C begins; write letters, digits and underscores, for example frame_fine"
+            "--name is `{name}`, which cannot begin a name in C; write letters, digits and underscores, for example frame_fine"
         )));
     }
     Ok(name.clone())
@@ -79,7 +79,7 @@ fn say_what_is_left_out(scene: &Scene) {
     let left_out: Vec<String> = scene.provide.iter().filter_map(word).collect();
     if !left_out.is_empty() {
         progress::say(&format!(
-            "frictiongen: `compile` leaves out {} of `provide`: it writes limits, the contact's motion and stuck responses; use the macro or the library for the rest\n",
+            "frictiongen: `compile` leaves out {} of `provide`, because it writes only limits, the motion of the contact and stuck responses; use the macro or the library for the rest\n",
             left_out.join(", ")
         ));
     }
@@ -102,7 +102,7 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
         let ends = r.split_once(':').filter(|(_, high)| !high.contains(':'));
         let Some((low, high)) = ends else {
             return Err(Failure::new(format_args!(
-                "--r is `{r}`, which is no range a:b; write, for example, 0.2:2.5"
+                "--r is `{r}`, which is not a range a:b; write, for example, 0.2:2.5"
             )));
         };
         let beta = declared
@@ -128,7 +128,7 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
 fn number(text: &str, option: &str) -> Result<f64, Failure> {
     text.trim().parse().map_err(|_| {
         Failure::new(format_args!(
-            "{option} has `{text}`, which is no number; write, for example, 1e-4"
+            "{option} is `{text}`, which is not a number; write, for example, 1e-4"
         ))
     })
 }
@@ -142,13 +142,13 @@ fn write<S: frictiongen::kernel::Float>(
     let path = arguments.output.as_deref();
     let no_form = || {
         Failure::new(
-            "beta*_lim has no form of its own here: only the exact formulas keep the accuracy; use the macro or the library",
+            "beta*_lim has no table here, because only the exact formulas keep the accuracy; use the macro or the library",
         )
     };
     let is_code = matches!(arguments.format, Some(TableFormat::Rust | TableFormat::C));
     if is_code && tables.sliding.is_some() && tables.request.stuck && tables.held.is_none() {
         return Err(Failure::new(
-            "the stuck responses have no form of their own here: their zeros cannot be told apart, their roundings are more than half the accuracy, or they take more than a quarter of the bytes; leave `stuck` out of `provide`, or use the macro or the library",
+            "the stuck responses have no table here: their zeros are too close together, their rounding errors exceed half the accuracy, or they need more than a quarter of the bytes; leave `stuck` out of `provide`, or use the macro or the library",
         ));
     }
     let text = match arguments.format {

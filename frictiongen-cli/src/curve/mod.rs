@@ -93,7 +93,7 @@ fn starts(asked: &[StartFrom]) -> Result<Vec<CurveStart>, Failure> {
         if starts.contains(&start) {
             let word = words::start(start);
             return Err(Failure::new(format_args!(
-                "--from: `{word}` is there twice"
+                "--from: `{word}` is given twice"
             )));
         }
         starts.push(start);

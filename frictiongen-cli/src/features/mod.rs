@@ -43,7 +43,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
         .is_some_and(|all| MOST_FRICTIONS < all.len())
     {
         return Err(Failure::new(format_args!(
-            "at most {MOST_FRICTIONS} frictions at once: each has a list of its own"
+            "at most {MOST_FRICTIONS} frictions are possible, because each has its own list"
         )));
     }
     let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
@@ -62,7 +62,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
     let band = band.under(&measure);
     if band.widest.is_some() {
         return Err(Failure::new(
-            "a band is a:b, without a step: all features of it are listed",
+            "a band is a:b, without a step, because all its features are listed",
         ));
     }
     let mut parts = asked::parts(&system, &arguments.of)?;

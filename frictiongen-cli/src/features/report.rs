@@ -122,8 +122,8 @@ impl Report for FeaturesReport<'_> {
         if self.system.modal().is_damped() {
             lines.push((
                 "with damping",
-                "no antiresonances, invariant points and inversions for every friction; two frictions have \
-                 places of the same amplitude"
+                "there are no antiresonances, invariant points or inversions; two frictions can have the same \
+                 amplitude at a frequency"
                     .to_owned(),
             ));
         }

@@ -92,7 +92,7 @@ impl Driven {
         );
         if 0 < self.exceeded {
             text += &format!(
-                "; in {} steps more events happened than are followed",
+                "; {} steps had more events than the stepper follows",
                 self.exceeded
             );
         }

@@ -99,7 +99,7 @@ fn lines(system: &System, observations: &[Observation], found: &Identified) -> L
         lines.said.push((
             "not determined",
             format!(
-                "{}: the response does not change with it here; the other results hold at any value of it",
+                "{}: the response does not change with it here; the other results are valid for any value of it",
                 names.join(", ")
             ),
         ));

@@ -29,7 +29,7 @@ pub fn text(path: &Path) -> Result<String, Failure> {
     })?;
     String::from_utf8(bytes).map_err(|_| {
         Failure::new(format_args!(
-            "{} is no recording: it is not text",
+            "{} is not a recording: it is not text",
             path.display()
         ))
     })
@@ -67,7 +67,7 @@ impl RecordingArguments {
     /// Reads the one recording that drives a scene.
     pub fn inputs(&self) -> Result<Recording, Failure> {
         let [path] = self.recordings.as_slice() else {
-            return Err(Failure::new("one recording at a time drives a scene"));
+            return Err(Failure::new("give only one recording to drive a scene"));
         };
         let text = text(path)?;
         Recording::inputs_from_csv(&text, &self.request()?).map_err(|error| told(path, &error))

@@ -56,7 +56,7 @@ impl Asked {
         };
         if band.widest.is_some() {
             return Err(Failure::new(
-                "a page has a range a:b, without a step: it is refined where something bends",
+                "a page needs a range a:b, without a step, because the page chooses its own points",
             ));
         }
         let words = Words {
@@ -75,7 +75,7 @@ impl Asked {
                 let given = Frictions::parse(&given, None)?.under(&measure)?;
                 if MOST_FRICTIONS < given.len() {
                     return Err(Failure::new(format_args!(
-                        "a page shows up to {MOST_FRICTIONS} frictions, and {} are given",
+                        "a page shows up to {MOST_FRICTIONS} frictions, but {} are given",
                         given.len()
                     )));
                 }
@@ -128,8 +128,8 @@ impl Asked {
         let mut levels: Vec<f64> = FRACTIONS.iter().map(|part| nice(part * middle)).collect();
         let [first, second, third] = FRACTIONS;
         self.chosen.push(format!(
-            "The frictions of the curves are {first}, {second} and {third} of the sliding limit that half of the range exceeds ({}), \
-             to two digits{}.",
+            "The frictions of the curves are {first}, {second} and {third} times the median of the sliding limit over the range ({}), \
+             rounded to two digits{}.",
             self.words.friction(middle),
             if best.is_some() { ", and the best friction" } else { "" },
         ));
@@ -227,8 +227,8 @@ fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<P
     }
     kept.extend(farthest_if_stuck(system, band).first());
     chosen.push(format!(
-        "Of {count} masses those are shown at which the contact rubs or the load acts, the last, and the one that would move \
-         farthest with the contact stuck; --of shows others."
+        "Of {count} masses the page shows the masses at the contact and at the load, the last mass, and the mass that would move \
+         farthest with the contact stuck. The option --of shows others."
     ));
     let counts = |part: &Part| match part.of {
         Of::Contact => true,

@@ -32,7 +32,7 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let masses = asked.system.scene().masses.len();
     if MOST_MASSES < masses {
         return Err(format!(
-            "The best friction of a chain of more than {MOST_MASSES} masses is not looked for here: it takes minutes. \
+            "The page does not search the best friction of a chain of more than {MOST_MASSES} masses, because that takes minutes. \
              “frictiongen optimum” finds it for one motion."
         ));
     }
@@ -96,15 +96,15 @@ pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
 pub fn kind(optimum: &Optimum) -> &'static str {
     match (optimum.kind, optimum.end) {
         (_, OptimumEnd::WorkSpent) => {
-            "the best seen in the time that a page may take; “frictiongen optimum” searches longer"
+            "the best result within the time limit of a page; “frictiongen optimum” searches longer"
         }
         (OptimumKind::EqualPeaks, _) => {
-            "two peaks are equally high: with more friction one grows, with less the other"
+            "two peaks are equally high: more friction raises one, less friction raises the other"
         }
         (OptimumKind::SinglePeak, OptimumEnd::Jump) => words::end(optimum.end),
-        (OptimumKind::SinglePeak, _) => "one peak is at its least",
-        (OptimumKind::NoFriction, _) => "any friction makes it worse",
-        (OptimumKind::Stuck, _) => "the contact is best stuck; more friction changes nothing",
+        (OptimumKind::SinglePeak, _) => "one peak is at its minimum",
+        (OptimumKind::NoFriction, _) => "any friction makes the amplitude larger",
+        (OptimumKind::Stuck, _) => "a stuck contact is best; more friction changes nothing",
     }
 }
 
@@ -118,11 +118,11 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
                 Err(reason) => p { (reason) },
                 Ok(all) => {
                     p {
-                        "The friction that keeps the largest amplitude between "
+                        "With the best friction the largest amplitude over all regimes between "
                         (words.frequency(asked.band.from)) " and " (words.frequency(asked.band.to))
-                        " smallest, over all regimes. Where friction may be from … to …, that amplitude is at most a tenth above its least."
+                        " is as small as possible. The range of friction in the last but one column keeps that amplitude within a tenth of its minimum."
                         @if all.len() < asked.parts.iter().filter(|part| part.of != Of::Contact).count() {
-                            " They are listed of the motions that are largest with the contact stuck; “frictiongen optimum” has the others."
+                            " The table lists the motions that are largest with the contact stuck. “frictiongen optimum” finds the others."
                         }
                     }
                     div.scroll tabindex="0" role="region" aria-label="Best frictions" {
@@ -151,7 +151,7 @@ pub fn bound(words: &Words, ratio: f64) -> String {
     match ratio {
         0.0 => "at rest".to_owned(),
         ratio if ratio.is_finite() => words.length(ratio),
-        _ => "without bound".to_owned(),
+        _ => "unbounded".to_owned(),
     }
 }
 

@@ -89,10 +89,10 @@ impl Cost {
     pub fn html(&self) -> Markup {
         html! {
             section #cost {
-                h2 { "What emitted code costs, and how exact it is" }
+                h2 { "Cost and accuracy of the emitted code" }
                 p {
-                    "The macro makes Rust of this description, in " (self.precision) ", for firmware and real-time code. \
-                     Operations are those of each emitted function as its documentation counts them; searches call functions of the library besides."
+                    "The macro emits Rust code for this description, in " (self.precision) ", for firmware and real-time use. \
+                     The table has the operations of each emitted function, as its documentation counts them. Functions that search also call the library."
                 }
                 @match &self.functions {
                     Err(reason) => p { (reason) },
@@ -109,8 +109,8 @@ impl Cost {
                     Err(reason) => p { (reason) },
                     Ok(all) => {
                         p {
-                            "The same formulas, computed for this page with about 30 digits: the largest relative differences at "
-                            (PLACES) " frequencies of the range, amplitudes of the contact with half the friction at which it may stop."
+                            "For this page the same formulas were also computed with about 30 digits. The table has the largest relative differences at "
+                            (PLACES) " frequencies of the range. The amplitudes are those of the contact, with half the friction at which it may stop."
                         }
                         div.scroll tabindex="0" role="region" aria-label="Differences" { table {
                             thead { tr {
@@ -131,10 +131,10 @@ impl Cost {
                 @match &self.tabled {
                     Err(reason) => p { (reason) },
                     Ok(tables) => p {
-                        "Tables in place of formulas, for a declared accuracy of " (digits(DECLARED)) " over this range: "
-                        (tables.bytes) " bytes in " (tables.pieces) " pieces, a lookup of " (tables.comparisons) " comparisons and then "
-                        (tables.operations) " additions and multiplications; the largest error at " (tables.points)
-                        " points that the fit did not see is " (digits(tables.error)) "."
+                        "Tables can replace the formulas. For a declared accuracy of " (digits(DECLARED)) " over this range they have "
+                        (tables.bytes) " bytes in " (tables.pieces) " pieces. A lookup takes " (tables.comparisons) " comparisons, and then "
+                        (tables.operations) " additions and multiplications. The largest error at " (tables.points)
+                        " points that the fit did not use is " (digits(tables.error)) "."
                     },
                 }
             }
@@ -201,9 +201,9 @@ impl Bounds {
                 }
             }
             p.note {
-                "An evaluation is one of the sum over all modes; at higher frequencies searches need fewer. A step is a twentieth of the \
-                 period of the highest resonance. Instructions, flash and stack of a few scenes on a microcontroller are in \
-                 docs/firmware.md of the project, the budget of every function’s error in docs/accuracy.md."
+                "An evaluation computes the sum over all modes once. At higher frequencies searches need fewer evaluations. A step is a twentieth of \
+                 the period of the highest resonance. In the project, docs/firmware.md has the instructions, flash and stack of a few scenes on a \
+                 microcontroller, and docs/accuracy.md has the error budget of every function."
             }
         }
     }
@@ -236,7 +236,8 @@ fn bounds(asked: &Asked) -> Option<Bounds> {
 /// Returns the emitted functions whose documentation counts operations.
 fn functions(text: &str) -> Result<Vec<Function>, String> {
     let description = parse_text(text, &Limits::CHECK).map_err(|_| {
-        "The macro refuses this description; “frictiongen check” says why.".to_owned()
+        "The macro does not accept this description; “frictiongen check” lists the errors."
+            .to_owned()
     })?;
     let source = pretty(&description)?;
     let (mut found, mut about, mut operations) = (Vec::new(), String::new(), None);
@@ -274,7 +275,7 @@ fn functions(text: &str) -> Result<Vec<Function>, String> {
 fn measured(text: &str, asked: &Asked) -> Result<Vec<Measured>, String> {
     if MOST_COMPARED < asked.system.scene().masses.len() {
         return Err(format!(
-            "Of more than {MOST_COMPARED} masses no answers are compared with longer arithmetic here."
+            "The page does not compare the results of more than {MOST_COMPARED} masses with longer arithmetic."
         ));
     }
     let unread = |_| "The description cannot be read in longer arithmetic.".to_owned();
@@ -336,7 +337,7 @@ fn tabled(asked: &Asked) -> Result<Tabled, String> {
     let scene = asked.system.scene();
     if MOST_TABLED < scene.masses.len() {
         return Err(format!(
-            "Tables for chains of more than {MOST_TABLED} masses are not made here; “frictiongen compile” makes them."
+            "The page does not build tables for chains of more than {MOST_TABLED} masses; “frictiongen compile” builds them."
         ));
     }
     let mut scene: Scene = scene.clone();

@@ -215,10 +215,11 @@ impl Regimes {
             section #regimes {
                 h2 { "Where the contact slides and where it sticks" }
                 p {
-                    "Below the solid limit the contact can slide all the time, from the dashed limit on it can stay stuck. Between the \
-                     two it slides and stops in turn; where the dashed limit is the lower one, the start decides."
-                    @if self.levels.iter().any(|level| *level > 0.0) { " The thin level lines are the frictions of the curves." }
-                    @if self.map.is_none() { " What the motion between the limits looks like is left out: of so many masses it takes too long." }
+                    "Below the solid limit the contact can slide all the time. From the dashed limit on it can stay stuck. Between the two limits \
+                     it slides and stops in turn. Where the dashed limit is below the solid one, both states are possible between them, \
+                     and the start decides."
+                    @if self.levels.iter().any(|level| *level > 0.0) { " The thin horizontal lines are the frictions of the curves." }
+                    @if self.map.is_none() { " The map does not show the motion between the limits, because that takes too long for this number of masses." }
                 }
                 div.plots.single { (plot.html()) }
                 dl.facts {

@@ -145,12 +145,12 @@ impl Modes {
             section #modes {
                 h2 { "Modes without friction" }
                 p {
-                    "Frequencies, damping and shapes of the chain whose contact slides freely. Load and contact are the parts that both take in \
-                     a mode; a mode that the contact does not touch is not damped by it."
+                    "The table has the frequencies, the damping and the shapes of the chain without friction. The columns load and contact show how \
+                     strongly each acts on a mode. Where the contact does not act on a mode, it does not damp that mode."
                     @if undamped {
-                        " Without damping of its own a mode that the load drives is bounded at its resonance only by friction above its threshold."
+                        " A mode without damping that the load drives is bounded at its resonance only by friction above its threshold."
                     }
-                    @if self.0.len() > MOST_LISTED { " The first " (MOST_LISTED) " of " (self.0.len()) " are listed; the data at the end of this page have all." }
+                    @if self.0.len() > MOST_LISTED { " The first " (MOST_LISTED) " of " (self.0.len()) " are listed. The data block at the end of this page has all of them." }
                 }
                 div.scroll tabindex="0" role="region" aria-label="Modes" {
                     table {

@@ -119,10 +119,10 @@ impl Page<'_> {
                 aside aria-label="What was chosen" {
                     @if words.measure.load().is_none() {
                         p {
-                            "No load is given, so that friction is the ratio β, and amplitudes are multiples of "
+                            "No load is given. Therefore friction is the ratio β, and amplitudes are multiples of "
                             (words.length_unit())
                             @if !words.in_hertz { "; frequencies are the ratio r" }
-                            ". With " code { (option) } " they are in N and mm" @if !words.in_hertz { ", and frequencies in Hz" } "."
+                            ". Give the load by " code { (option) } " to see N and mm" @if !words.in_hertz { ", and Hz" } "."
                         }
                     }
                     @for line in &self.asked.chosen { p { (line) } }
@@ -136,11 +136,11 @@ impl Page<'_> {
 fn limits_of_the_page() -> Markup {
     html! {
         section #beyond {
-            h2 { "What this page does not say" }
+            h2 { "Limits of this page" }
             p {
-                "It is about steady states under one harmonic load, reached from rest, with one contact of constant friction. "
-                "Starting and stopping are in " code { "frictiongen time" }
-                ", the effect of every mass and spring in " code { "frictiongen sensitivity" }
+                "The page shows steady states under one harmonic load, reached from rest, with one contact of constant friction. "
+                "For motions from a start, see " code { "frictiongen time" }
+                ". For the effect of every mass and spring, see " code { "frictiongen sensitivity" }
                 ". Wear, normal forces that vary, and several frequencies at once are not in the model."
             }
         }

@@ -246,11 +246,11 @@ impl Responses {
                 h2 { "Amplitudes and phases" }
                 p {
                     "The steady response from " (words.frequency(asked.band.from)) " to " (words.frequency(asked.band.to))
-                    ". A solid line is motion without stops, a dash-dotted one has stops, a dotted one is a stuck contact: \
-                     where a line changes, friction meets a limit. An amplitude is the largest displacement of a cycle, \
-                     a phase the lag of that maximum behind the load’s."
+                    ". A solid line is motion without stops, a dash-dotted line is motion with stops, and a dotted line is a stuck contact. \
+                     Where a line changes its style, the friction is equal to a limit. An amplitude is the largest displacement of a cycle. \
+                     A phase is the lag of that maximum behind the maximum of the load."
                     @if asked.parts.iter().any(|part| part.of == Of::Contact) {
-                        " “contact” is the relative motion that rubs."
+                        " “contact” is the relative motion in the contact."
                     }
                 }
                 div.plots { @for plot in plots { (plot.html()) } }
@@ -296,7 +296,7 @@ impl Responses {
                             td { @match Self::peak(level, index) {
                                 None => "no answer",
                                 Some((size, ..)) if size == 0.0 => "at rest",
-                                Some(_) if Self::pole(level) => "without bound",
+                                Some(_) if Self::pole(level) => "unbounded",
                                 Some((size, r, regime)) => {
                                     (words.length(size)) " at " (words.frequency(r))
                                     @if level.beta > 0.0 && level.beta < STUCK { " (" (words::regime(regime)) ")" }

@@ -115,7 +115,7 @@ pub fn html(asked: &Asked) -> Markup {
                 }
             }
             p.note {
-                "Units are those of the description, read as kg, N/m, N and m. "
+                "The page reads the numbers of the description as kg, N/m, N and m. "
                 "r = ω√(m₁/k₁) and β = "
                 @if scene.excitation == Excitation::Base { "F/(k₁Y)" } @else { "F/P" }
                 " refer to the first mass and the first spring."

@@ -46,17 +46,17 @@ pub fn html(
                     li {
                         @match optimum.kind {
                             OptimumKind::NoFriction => {
-                                strong { "No friction is best" } " for " strong { (best.part.name) } ", which moves farthest: at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
+                                strong { "No friction is best" } " for " strong { (best.part.name) } ", which moves farthest. It moves by at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
                             }
                             OptimumKind::Stuck => {
-                                "For " strong { (best.part.name) } ", which moves farthest, the contact is best stuck: from "
-                                (words.friction(optimum.beta)) " on, at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
+                                "For " strong { (best.part.name) } ", which moves farthest, a stuck contact is best: with a friction of "
+                                (words.friction(optimum.beta)) " or more it moves by at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
                             }
                             OptimumKind::EqualPeaks | OptimumKind::SinglePeak => {
                                 strong { "Best friction: " (words.friction(optimum.beta)) }
-                                @if optimum.end == OptimumEnd::WorkSpent { ", the best seen in the time" } ", chosen for " strong { (best.part.name) }
-                                ", which moves farthest. With it that moves by at most "
-                                strong { (words.length(optimum.amplitude)) } " between " (from) " and " (to) ". The most without friction: "
+                                @if optimum.end == OptimumEnd::WorkSpent { ", the best result within the time limit" } ", chosen for " strong { (best.part.name) }
+                                ", which moves farthest. With this friction it moves by at most "
+                                strong { (words.length(optimum.amplitude)) } " between " (from) " and " (to) ". Largest amplitude without friction: "
                                 (best::bound(words, optimum.without_friction)) ", with the contact stuck: "
                                 (best::bound(words, optimum.with_contact_locked)) "."
                             }
@@ -64,8 +64,8 @@ pub fn html(
                     }
                     @if let (Some((from, to)), OptimumKind::EqualPeaks | OptimumKind::SinglePeak) = (best::within(optimum), optimum.kind) {
                         li {
-                            "It need not be exact: from " (words.friction(from)) " to " (words.friction(to))
-                            " the largest amplitude stays within a tenth of its least."
+                            "The friction need not be exact: from " (words.friction(from)) " to " (words.friction(to))
+                            " the largest amplitude stays within a tenth of its minimum."
                         }
                     }
                     @if let Some(stretches) = responses.stretches(optimum.beta) {
@@ -74,7 +74,7 @@ pub fn html(
                         } "." }
                     }
                     @if optimum.unbounded_to > 0.0 {
-                        li { "Up to " (words.friction(optimum.unbounded_to)) " a resonance is without bound: nothing but friction damps it." }
+                        li { "Up to " (words.friction(optimum.unbounded_to)) " a resonance is unbounded, because only friction damps it." }
                     }
                 } @else if let Ok(all) = best {
                     @for best in all.iter().take(1) { @if let Err(error) = &best.found {
@@ -90,15 +90,15 @@ pub fn html(
                     @if spread.stuck_from.is_finite() {
                         "from " (words.friction(spread.stuck_from)) " on it never moves."
                     } @else {
-                        "no friction holds it everywhere."
+                        "no friction keeps it stuck everywhere."
                     }
                 }
                 @if let Some(load) = words.measure.load() {
                     li {
-                        "All this is for " (match load {
+                        "These results are for " (match load {
                             Load::Base(motion) => format!("a base motion of {} mm", digits(1e3 * motion)),
                             Load::Force(force) => format!("a force of {} N", digits(force)),
-                        }) ". Twice the load asks for twice the friction, and moves everything twice as far."
+                        }) ". With twice the load and twice the friction, all motions are twice as large."
                     }
                 }
             }

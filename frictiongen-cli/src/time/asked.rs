@@ -67,7 +67,7 @@ pub fn start(text: &str, system: &System, course: &Course) -> Result<Start, Fail
         let values: Vec<&str> = list.split(',').map(str::trim).collect();
         if values.len() != masses {
             return Err(refuse(&format!(
-                "the number of {what} is {}, that of the masses {masses}",
+                "the number of {what} is {}, but the number of masses is {masses}",
                 values.len()
             )));
         }

@@ -54,7 +54,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let measure = Measure::of(&arguments.point.load, &system)?;
     if system.scene().friction != FrictionLaw::Coulomb && measure.load().is_none() {
         return Err(Failure::new(format_args!(
-            "{}: `friction: stribeck` has speeds in the scene's units: give the load by {}",
+            "{}: `friction: stribeck` has speeds in the units of the scene, so that the load is needed; give it by {}",
             file.name(),
             measure.option()
         )));

@@ -226,7 +226,7 @@ fn told(error: HistoryError) -> Failure {
             Failure::new(format_args!("--cycles and --samples: {error}"))
         }
         HistoryError::Solver(frictiongen::Error::NoOrbit(NoOrbit::Unsettled)) => Failure::new(
-            format_args!("--steady: {error}; without --steady a run shows it"),
+            format_args!("--steady: {error}; leave --steady out to see a run"),
         ),
         error => Failure::new(error),
     }

@@ -16,13 +16,13 @@ fn grids() {
             "0:-1:1",
             "--r `0:-1:1`: from 0.0 to 1.0 the step must be positive",
         ),
-        ("nan", "--r `nan`: NaN is not a number to compute with"),
+        ("nan", "--r `nan`: a number is needed, not NaN"),
         ("0:1:inf", "--r `0:1:inf`: a range needs finite numbers"),
         (
             "0:1e-9:1",
-            "--r `0:1e-9:1`: more than 10000000 points, the most there may be",
+            "--r `0:1e-9:1`: more than 10000000 points, the largest possible number",
         ),
-        ("-1", "--r `-1`: a frequency ratio is not negative"),
+        ("-1", "--r `-1`: a frequency ratio must not be negative"),
         ("1,two", "--r `two`: `two` is not a number"),
         ("1:2", "--r `1:2`: a grid is a number, or a range a:step:b"),
         ("--csv", "--r `--csv`: `--csv` is not a number"),
@@ -40,11 +40,11 @@ fn friction_ratios() {
     let cases = [
         (
             "inf",
-            "frictiongen: --beta `inf`: a friction ratio is finite",
+            "frictiongen: --beta `inf`: a friction ratio must be finite",
         ),
         (
             "-0.5",
-            "frictiongen: --beta `-0.5`: a friction ratio is not negative",
+            "frictiongen: --beta `-0.5`: a friction ratio must not be negative",
         ),
     ];
     for (grid, message) in cases {
@@ -52,8 +52,7 @@ fn friction_ratios() {
         assert_eq!(failure(BLOCK, &arguments), [message]);
     }
     let arguments = ["response", "--r", "0:1:9999", "--beta", "0:1:1000"];
-    let message =
-        "frictiongen: --r and --beta: more than 10000000 points together, the most there may be";
+    let message = "frictiongen: --r and --beta: together they have more than 10000000 points, the largest possible number";
     assert_eq!(failure(BLOCK, &arguments), [message]);
 }
 
@@ -85,11 +84,11 @@ fn files() {
     }
     assert_eq!(
         failure(b"struct \xff", &["limits", "--r", "1"]),
-        ["frictiongen: <stdin> is no description: it is not UTF-8 text (byte 7)"]
+        ["frictiongen: <stdin> is not a description: it is not UTF-8 text (byte 7)"]
     );
     assert_eq!(
         failure(vec![b' '; (16 << 20) + 1], &["expand"]),
-        ["frictiongen: <stdin> is no description: it is longer than 16 MiB"]
+        ["frictiongen: <stdin> is not a description: it is longer than 16 MiB"]
     );
 }
 
@@ -98,7 +97,7 @@ fn every_error_of_a_description_is_on_its_own_line() {
     let scene = "struct Block {\n    masses: { block: 1, block: x },\n    springs: { base - block: 1 },\n    contact: roof - wall,\n    excitation: block,\n}";
     let expected = [
         "<stdin>:2:25: two masses are called `block`; give this one a name of its own",
-        "<stdin>:2:32: `x` is not a number, and a description cannot see the value of a constant: write the number itself; numbers are literals joined by `+ - * / ( )`, for example `2.0 * 3.27`",
+        "<stdin>:2:32: `x` is not a number, and a description cannot use constants of Rust; write the number itself, or literals joined by `+ - * / ( )`, for example `2.0 * 3.27`",
         "<stdin>:4:14: there is no mass `roof`; the masses are block",
     ];
     assert_eq!(failure(scene, &["limits", "--r", "1"]), expected);
@@ -193,7 +192,7 @@ fn a_friction_law_without_a_constant_level() {
         "excitation: block,",
         "excitation: block, friction: stribeck(0.1: 0.8), provide: [stepper],",
     );
-    let told = "frictiongen: <stdin>: the exact response needs a constant kinetic level, and this scene has `friction: stribeck`: write `friction: coulomb`, drive its stepper, or follow a run by `frictiongen time`";
+    let told = "frictiongen: <stdin>: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; write `friction: coulomb`, use its stepper, or compute a run with `frictiongen time`";
     let commands: [&[&str]; 10] = [
         &["limits", "--r", "1"],
         &["response", "--r", "1", "--beta", "1"],
@@ -209,7 +208,7 @@ fn a_friction_law_without_a_constant_level() {
     for arguments in commands {
         assert_eq!(failure(&stribeck, arguments), [told], "{arguments:?}");
     }
-    let without = "frictiongen: <stdin>: `friction: stribeck` has speeds in the scene's units: give the load by --force";
+    let without = "frictiongen: <stdin>: `friction: stribeck` has speeds in the units of the scene, so that the load is needed; give it by --force";
     let time = ["time", "--r", "1", "--beta", "1"];
     assert_eq!(failure(&stribeck, &time), [without]);
     let expanded = run_with(&stribeck, &["expand"]);

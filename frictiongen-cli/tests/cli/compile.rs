@@ -229,7 +229,7 @@ fn stuck_responses() {
     assert_eq!(
         told,
         [
-            "frictiongen: the stuck responses have no form of their own here: their zeros cannot be told apart, their roundings are more than half the accuracy, or they take more than a quarter of the bytes; leave `stuck` out of `provide`, or use the macro or the library"
+            "frictiongen: the stuck responses have no table here: their zeros are too close together, their rounding errors exceed half the accuracy, or they need more than a quarter of the bytes; leave `stuck` out of `provide`, or use the macro or the library"
         ]
     );
     // The description does not provide stuck responses, so the data have none.
@@ -310,23 +310,23 @@ fn a_name() {
     for (arguments, message) in [
         (
             &["--name", "fine"][..],
-            "--name is what names in C begin with",
+            "--name is the prefix of names in C",
         ),
         (
             &["--name", "fine", "--format", "rust"],
-            "--name is what names in C begin with",
+            "--name is the prefix of names in C",
         ),
         (
             &["--name", "2nd", "--format", "c"],
-            "--name is `2nd`, with which no name in C begins",
+            "--name is `2nd`, which cannot begin a name in C",
         ),
         (
             &["--name", "", "--format", "c"],
-            "--name is ``, with which no name in C begins",
+            "--name is ``, which cannot begin a name in C",
         ),
         (
             &["--name", "zähler", "--format", "c"],
-            "--name is `zähler`, with which no name in C begins",
+            "--name is `zähler`, which cannot begin a name in C",
         ),
     ] {
         let lines = told(arguments);
@@ -352,7 +352,7 @@ fn what_is_left_out() {
         let format = ["--format", format];
         assert_eq!(told("limits, motion, stuck", &format), "");
         let err = told("limits, motion(block), orbit, simulation, stepper", &format);
-        let left_out = "frictiongen: `compile` leaves out motion(block), orbit, simulation, stepper of `provide`: it writes limits, the contact's motion and stuck responses; use the macro or the library for the rest\n";
+        let left_out = "frictiongen: `compile` leaves out motion(block), orbit, simulation, stepper of `provide`, because it writes only limits, the motion of the contact and stuck responses; use the macro or the library for the rest\n";
         assert_eq!(err, left_out);
         assert!(told("limits, stepper", &format).contains("leaves out stepper of"));
     }
@@ -365,13 +365,16 @@ fn what_is_wrong() {
     for (arguments, message) in [
         (
             &["--accuracy", "1e-4"][..],
-            "what is declared holds over a range",
+            "an accuracy or a budget needs a range",
         ),
-        (&["--r", "0.2:2"], "`range` belongs to an accuracy"),
-        (&[], "how exact the tables are to be is not said"),
+        (
+            &["--r", "0.2:2"],
+            "`range` has an effect only with an accuracy",
+        ),
+        (&[], "the accuracy of the tables is missing"),
         (
             &["--accuracy", "good", "--r", "0.2:2"],
-            "--accuracy has `good`, which is no number",
+            "--accuracy is `good`, which is not a number",
         ),
         (
             &["--accuracy", "0", "--r", "0.2:2"],
@@ -387,23 +390,23 @@ fn what_is_wrong() {
         ),
         (
             &["--accuracy", "1e-3", "--r", "2:0.2"],
-            "frequency ratios range over 0 < a < b",
+            "a range a..b of frequency ratios needs 0 < a < b",
         ),
         (
             &["--accuracy", "1e-3", "--r", "0:2"],
-            "frequency ratios range over 0 < a < b",
+            "a range a..b of frequency ratios needs 0 < a < b",
         ),
         (
             &["--accuracy", "1e-3", "--r", "0.2:inf"],
-            "frequency ratios range over 0 < a < b",
+            "a range a..b of frequency ratios needs 0 < a < b",
         ),
         (
             &["--accuracy", "1e-3", "--r", "0.2:0.1:2"],
-            "which is no range a:b",
+            "which is not a range a:b",
         ),
         (
             &["--accuracy", "1e-3", "--r", "a:b"],
-            "--r has `a`, which is no number",
+            "--r is `a`, which is not a number",
         ),
         (
             &["--budget", "64", "--r", "0.2:2"],
@@ -411,7 +414,7 @@ fn what_is_wrong() {
         ),
         (
             &["--budget", "0", "--r", "0.2:2"],
-            "a budget is a whole number of bytes",
+            "a budget must be a whole number of bytes",
         ),
     ] {
         let lines = told(arguments);

@@ -155,7 +155,7 @@ fn units_and_comments_in_csv() {
     assert_eq!(rest[2..], lines.collect::<Vec<_>>());
     for option in ["--unit-row", "--comments"] {
         let message = format!(
-            "frictiongen: {option} belongs to CSV: give --csv, or a file whose name ends in .csv"
+            "frictiongen: {option} applies only to CSV; give --csv, or a file whose name ends in .csv"
         );
         assert_eq!(failure(BLOCK, &["limits", "--r", "1", option]), [message]);
     }

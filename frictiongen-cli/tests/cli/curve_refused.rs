@@ -19,7 +19,7 @@ fn what_cannot_be_asked() {
         ),
         (
             vec!["curve", "--r", "0:1", "--beta", "1"],
-            "--r `0:1`: a motion in time needs a frequency ratio above 0 and below infinity; `limits` and `response` answer there too".to_owned(),
+            "--r `0:1`: a motion in time needs a frequency ratio above 0 and below infinity; at 0 and infinity, use `limits` or `response`".to_owned(),
         ),
         (
             vec!["curve", "--hz", "1", "--beta", "1"],
@@ -31,11 +31,11 @@ fn what_cannot_be_asked() {
         ),
         (
             vec!["curve", "--r", "0.5:1e-9:1", "--beta", "1"],
-            "--r `0.5:1e-9:1`: more than 10000000 points, the most there may be".to_owned(),
+            "--r `0.5:1e-9:1`: more than 10000000 points, the largest possible number".to_owned(),
         ),
         (
             vec!["curve", "--r", "0.5:1", "--friction", "-2", "--force", "1"],
-            "--friction `-2`: a friction force is not negative".to_owned(),
+            "--friction `-2`: a friction force must not be negative".to_owned(),
         ),
         (
             vec!["curve", "--r", "0.5:1", "--friction", "2"],
@@ -47,16 +47,16 @@ fn what_cannot_be_asked() {
         ),
         (
             vec!["curve", "--r", "0.5:1", "--beta", "1", "--accuracy", "0"],
-            "the accuracy of a curve is between 1e-9 and 1".to_owned(),
+            "the accuracy of a curve must be between 1e-9 and 1".to_owned(),
         ),
         (
             vec!["curve", "--r", "0.5:1", "--beta", "1", "-o", "curve.txt"],
-            "--output `curve.txt`: the name of a file ends in .csv, .json or .svg".to_owned(),
+            "--output `curve.txt`: the name of the file must end in .csv, .json or .svg".to_owned(),
         ),
         #[cfg(not(feature = "png"))]
         (
             vec!["curve", "--r", "0.5:1", "--beta", "1", "-o", "curve.png"],
-            "--output `curve.png`: this program draws .svg; one that is built with `--features png` draws .png too".to_owned(),
+            "--output `curve.png`: this program writes .svg but not .png; for .png build it with `--features png`".to_owned(),
         ),
         (
             vec!["curve", "--r", "0.5:1", "--beta", "1", "-o", nowhere],
@@ -72,7 +72,7 @@ fn what_cannot_be_asked() {
         ),
         (
             vec!["map", "--r", "inf", "--beta", "1"],
-            "r is outside the domain: it must be a number, not negative and not NaN; a motion in time needs it clear of 0 and infinity too".to_owned(),
+            "r is outside the domain: it must be a number, not negative and not NaN; a motion in time also needs it not too close to 0 or infinity".to_owned(),
         ),
     ];
     for (arguments, message) in cases {

@@ -155,7 +155,7 @@ fn says_what_is_wrong_with_a_recording() {
             "force",
             "time_s,force_N\n0,0\n0.01,1\n",
             Some("1"),
-            "`force` is nothing of this scene",
+            "`force` does not belong to this scene",
         ),
         ("one", "time_s,base_mm\n0,0\n", Some("1"), "too short"),
         (

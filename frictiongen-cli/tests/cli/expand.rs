@@ -53,7 +53,7 @@ fn refuses_what_a_macro_would() {
     );
     let lines = failure(&scene, &["expand"]);
     assert!(lines[0].starts_with("<stdin>:1:"), "{lines:?}");
-    assert!(lines[0].contains("65 masses, but 64"), "{lines:?}");
+    assert!(lines[0].contains("65 masses, but at most 64"), "{lines:?}");
     output(&scene, &["limits", "--r", "0.5"]);
 }
 

@@ -126,7 +126,7 @@ fn refused() {
         ("features --of nobody", "there is no mass `nobody`"),
         ("features --base 0.1", "--base"),
         ("features --force 0", "above 0"),
-        ("features -o answer.txt", "ends in"),
+        ("features -o answer.txt", "must end in"),
     ] {
         let told = told(BLOCK, line);
         assert!(told.contains(words), "{line}: {told}");

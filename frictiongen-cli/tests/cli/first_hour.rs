@@ -215,7 +215,7 @@ fn no_advice_that_is_refused() {
     let range = told(&["limits", "--r", "1:1:1e400"]);
     assert_eq!(range, "frictiongen: --r `1:1:1e400`: `1e400` is too large");
     let limits = told(&["limits", "--r", "1e400"]);
-    assert!(limits.ends_with("write inf if it is meant"));
+    assert!(limits.ends_with("write inf for infinity"));
     output(BLOCK, &["limits", "--r", "inf"]);
     let help = run_with("", &["orbit", "--help"]).out;
     assert!(!help.contains("may be 0 and inf") && help.contains("above 0 and below infinity"));
@@ -225,10 +225,10 @@ fn no_advice_that_is_refused() {
 #[test]
 fn what_is_said_by_halves_is_refused() {
     for (field, told) in [
-        ("accuracy: 1e-6", "holds over a range"),
+        ("accuracy: 1e-6", "needs a range of frequency ratios"),
         (
             "range: { r: 0.1..2, beta: 0..1 }",
-            "`range` belongs to an accuracy",
+            "`range` has an effect only with an accuracy",
         ),
     ] {
         let scene = BLOCK.replace("excitation: block,", &format!("excitation: block, {field}"));

@@ -29,7 +29,7 @@ fn new_does_not_write_over_a_file() {
     assert_eq!(
         lines,
         [format!(
-            "frictiongen: cannot write {shown}: it is there already"
+            "frictiongen: cannot write {shown}: it already exists"
         )]
     );
 }

@@ -129,7 +129,7 @@ fn what_is_wrong_is_named() {
         ),
         (
             "--r -1:1 --of block",
-            "--r `-1:1`: a frequency ratio is not negative",
+            "--r `-1:1`: a frequency ratio must not be negative",
         ),
         (
             "--r 1 --of block",
@@ -137,7 +137,7 @@ fn what_is_wrong_is_named() {
         ),
         (
             "--r 0.5:0.1:2 --of block",
-            "a band is a:b, without a step: all frequencies of it count",
+            "a band is a:b, without a step, because the search covers all its frequencies",
         ),
         ("--hz x:2 --of block", "--hz `x:2`: `x` is not a number"),
         (
@@ -150,7 +150,7 @@ fn what_is_wrong_is_named() {
         ),
         (
             "--r 0.5:2 --of block --base 0",
-            "--base `0`: the amplitude of a load is above 0 and finite",
+            "--base `0`: the amplitude of a load must be above 0 and finite",
         ),
     ] {
         let line = told(BLOCK, &split(&format!("optimum {line}")));
@@ -169,16 +169,16 @@ fn what_is_wrong_is_named() {
         ("k1=x:3", "`x` is not a number"),
         (
             "k1=3:1",
-            "the ends of an interval are finite, the second above the first",
+            "both bounds of an interval must be finite, the second above the first",
         ),
         (
             "k1=1:1",
-            "the ends of an interval are finite, the second above the first",
+            "both bounds of an interval must be finite, the second above the first",
         ),
         (
             "k1=-1:1",
-            "the spring `base - block` has the stiffness -1.0: a stiffness must be greater than zero; where there is no \
-             spring, leave it out",
+            "the spring `base - block` has the stiffness -1.0: a stiffness must be greater than zero; write a \
+             positive number, or leave the spring out",
         ),
         (
             "zeta=-1:1",
@@ -206,7 +206,7 @@ fn what_is_wrong_is_named() {
     let line = told(chain, &split("optimum --r 1.2:1.6 --of a"));
     assert_eq!(
         line,
-        "frictiongen: no friction bounds the motion: nothing damps mode 2, which the load drives and the contact does not \
-         touch"
+        "frictiongen: no friction bounds the motion: the load drives mode 2, which has no damping and on which the \
+         contact does not act"
     );
 }

@@ -114,7 +114,7 @@ fn r_must_be_positive_and_finite() {
         assert_eq!(
             lines,
             [format!(
-                "frictiongen: --r `{entry}`: a motion in time needs a frequency ratio above 0 and below infinity; `limits` and `response` answer there too"
+                "frictiongen: --r `{entry}`: a motion in time needs a frequency ratio above 0 and below infinity; at 0 and infinity, use `limits` or `response`"
             )]
         );
     }

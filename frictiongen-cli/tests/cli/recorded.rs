@@ -93,7 +93,8 @@ fn friction_as_table_and_json() {
     );
     let table = output("", &["identify", &plate, &own, "--by", "phase"]);
     assert!(
-        table.contains("verdict") && table.contains("the measurement tells the friction force"),
+        table.contains("verdict")
+            && table.contains("the measurement determines the friction force"),
         "{table}"
     );
     let json = json(&output(
@@ -166,7 +167,7 @@ fn bad_recordings() {
     told(
         "column.csv",
         &recording("time_s,base_mm,plat_mm", plain),
-        "`plat` is nothing of this scene",
+        "`plat` does not belong to this scene",
     );
     told(
         "unit.csv",
@@ -264,7 +265,7 @@ fn a_late_channel_is_not_explained() {
         first.is_some_and(|line| line.contains("does not explain the measurement")),
         "{table}"
     );
-    assert!(!table.contains("tells the friction force"), "{table}");
+    assert!(!table.contains("determines the friction force"), "{table}");
     let json = json(&output("", &[&arguments[..], &["--json"]].concat()));
     assert!(
         json["verdict"]

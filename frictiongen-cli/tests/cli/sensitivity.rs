@@ -199,11 +199,11 @@ fn what_is_wrong_is_named() {
         ),
         (
             "--r 1 --friction 1 --force -1 --of block",
-            "--force `-1`: the amplitude of a load is above 0 and finite",
+            "--force `-1`: the amplitude of a load must be above 0 and finite",
         ),
         (
             "--hz 1 --beta -1 --of block",
-            "--beta `-1`: a friction ratio is not negative",
+            "--beta `-1`: a friction ratio must not be negative",
         ),
         (
             "--hz x --beta 1 --of block",

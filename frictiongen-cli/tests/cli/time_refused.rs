@@ -11,18 +11,18 @@ fn words(line: &str) -> Vec<&str> {
 
 #[test]
 fn what_cannot_be_asked() {
-    let in_time = "a motion in time needs a frequency ratio above 0 and below infinity; `limits` and `response` answer there too";
-    let too_many = "--cycles and --samples: more than 10000000 samples of all motions together, the most there may be";
+    let in_time = "a motion in time needs a frequency ratio above 0 and below infinity; at 0 and infinity, use `limits` or `response`";
+    let too_many = "--cycles and --samples: all motions together have more than 10000000 samples, the largest possible number";
     let cases: &[(&str, &str)] = &[
         ("--r 0 --beta 1", &format!("--r `0`: {in_time}")),
         ("--r inf --beta 1", &format!("--r `inf`: {in_time}")),
         (
             "--r 0.5,0.6 --beta 1",
-            "--r: one frequency ratio is needed, and this is a grid of 2",
+            "--r: one frequency ratio is needed, but this is a grid of 2",
         ),
         (
             "--r 0.5 --beta 0:0.5:2",
-            "--beta: one friction ratio is needed, and this is a grid of 5",
+            "--beta: one friction ratio is needed, but this is a grid of 5",
         ),
         (
             "--r 0.5 --beta 1 --samples 0",
@@ -56,11 +56,11 @@ fn what_cannot_be_asked() {
         ),
         (
             "--r 0.5 --beta 1 --from 1,2,3;1,2",
-            "--from `1,2,3;1,2`: the number of displacements is 3, that of the masses 2",
+            "--from `1,2,3;1,2`: the number of displacements is 3, but the number of masses is 2",
         ),
         (
             "--r 0.5 --beta 1 --from 1,2;1",
-            "--from `1,2;1`: the number of velocities is 1, that of the masses 2",
+            "--from `1,2;1`: the number of velocities is 1, but the number of masses is 2",
         ),
         (
             "--r 0.5 --beta 1 --from 1,nan;0,0",
@@ -92,15 +92,15 @@ fn what_cannot_be_asked() {
         ),
         (
             "--r 0.5 --beta 1 -o motion.txt",
-            "--output `motion.txt`: the name of a file ends in .csv, .json or .svg",
+            "--output `motion.txt`: the name of the file must end in .csv, .json or .svg",
         ),
         (
             "--r 0.5 --beta 1 --events -o motion.svg",
-            "--output `motion.svg`: the name of a file ends in .csv or .json",
+            "--output `motion.svg`: the name of the file must end in .csv or .json",
         ),
         (
             "--r 0.5 --beta 1 -o motion.csv --json",
-            "--output `motion.csv`: its name says CSV, and --json is given",
+            "--output `motion.csv`: the name means CSV, but --json is given; leave one of the two out",
         ),
         (
             "--r 0.5 --beta 1 -o no-such-folder/motion.csv",
@@ -138,7 +138,7 @@ fn what_cannot_be_asked() {
     );
     assert_eq!(lines.len(), 1);
     assert!(
-        lines[0].ends_with("without --steady a run shows it"),
+        lines[0].ends_with("leave --steady out to see a run"),
         "{lines:?}"
     );
 }

@@ -126,7 +126,7 @@ fn refused() {
     let told = |line: &str| told(line).replace("frictiongen: ", "");
     assert_eq!(
         told("time --r 1 --beta 0.3"),
-        "<stdin>: `friction: stribeck` has speeds in the scene's units: give the load by --base"
+        "<stdin>: `friction: stribeck` has speeds in the units of the scene, so that the load is needed; give it by --base"
     );
     assert!(
         told("time --r 1 --beta 0.3 --base 0.002 --steady")

@@ -42,12 +42,12 @@ fn what_is_missing_or_wrong_is_named() {
             (
                 BLOCK,
                 "--friction -1 --force 1",
-                "--friction `-1`: a friction force is not negative",
+                "--friction `-1`: a friction force must not be negative",
             ),
             (
                 BLOCK,
                 "--friction inf --force 1",
-                "--friction `inf`: a friction force is finite",
+                "--friction `inf`: a friction force must be finite",
             ),
             (
                 BLOCK,
@@ -67,15 +67,15 @@ fn what_is_missing_or_wrong_is_named() {
             BLOCK,
             &format!("{command} --hz 1:1:9999 --friction 1:1:9999 --force 1"),
         );
-        let message =
-            "--hz and --friction: more than 10000000 points together, the most there may be";
+        let message = "--hz and --friction: together they have more than 10000000 points, the largest possible number";
         assert_eq!(line, format!("frictiongen: {message}"));
     }
     for (scene, option) in [(BLOCK, "--force"), (&base, "--base")] {
         for amplitude in ["0", "-1", "nan", "inf", "-inf", "1e400", "1e-400"] {
             let line = told(scene, &format!("limits --hz 1 {option} {amplitude}"));
-            let message =
-                format!("{option} `{amplitude}`: the amplitude of a load is above 0 and finite");
+            let message = format!(
+                "{option} `{amplitude}`: the amplitude of a load must be above 0 and finite"
+            );
             assert_eq!(line, format!("frictiongen: {message}"));
         }
         let line = told(scene, &format!("limits --r 1 {option} much"));
@@ -90,7 +90,7 @@ fn what_is_missing_or_wrong_is_named() {
         };
         let line = told(scene, &format!("limits --r 1 {option} {extreme}"));
         let start = format!(
-            "frictiongen: {option} `{extreme}`: with the first spring's stiffness it makes"
+            "frictiongen: {option} `{extreme}`: with the stiffness of the first spring, this load makes"
         );
         assert!(line.starts_with(&start), "{line}");
     }
@@ -99,20 +99,20 @@ fn what_is_missing_or_wrong_is_named() {
 #[test]
 fn frequencies_that_are_none() {
     let told = |line: &str| failure(BLOCK, &line.split(' ').collect::<Vec<_>>())[0].clone();
-    let in_time = "and below infinity; `limits` and `response` answer there too";
+    let in_time = "and below infinity; at 0 and infinity, use `limits` or `response`";
     for (line, message) in [
         (
             "limits --hz -1",
-            "--hz `-1`: a frequency is not negative".to_owned(),
+            "--hz `-1`: a frequency must not be negative".to_owned(),
         ),
         (
             "limits --omega -1",
-            "--omega `-1`: an angular frequency is not negative".to_owned(),
+            "--omega `-1`: an angular frequency must not be negative".to_owned(),
         ),
         ("limits --hz x", "--hz `x`: `x` is not a number".to_owned()),
         (
             "limits --hz 1e400",
-            "--hz `1e400`: `1e400` is too large; write inf if it is meant".to_owned(),
+            "--hz `1e400`: `1e400` is too large; write inf for infinity".to_owned(),
         ),
         (
             "limits --hz 1e308",

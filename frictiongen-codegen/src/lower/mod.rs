@@ -184,7 +184,7 @@ fn lower(
     {
         let place = fields.step.given().map_or(syntax.place, |step| step.place);
         let message = format!(
-            "the fastest oscillator turns by {angle:.1e} rad in this step, and a stepper follows {least:.0e} to {most} rad; write a step within that"
+            "the fastest oscillator turns by {angle:.1e} rad in this step, outside the range of a stepper, {least:.0e} to {most} rad; write a step within this range"
         );
         problems.report(place, message);
     }
@@ -199,7 +199,7 @@ fn lower(
             .given()
             .map_or(syntax.place, |damping| damping.place);
         let message = format!(
-            "with so many modes at or beyond critical damping a motion in time loses {loss:.0e} of itself; write damping ratios below 1 or, for `f32`, `scalar: f64`; or leave simulation, orbit and stepper out"
+            "with this number of modes at or beyond critical damping, a motion in time has a relative error of {loss:.0e}; write damping ratios below 1, or `scalar: f64` instead of `f32`, or leave simulation, orbit and stepper out"
         );
         problems.report(place, message);
     }

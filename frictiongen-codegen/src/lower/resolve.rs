@@ -194,7 +194,7 @@ impl<'s> Lowering<'s, '_> {
         let hint = if self.problems.are_many() {
             String::new()
         } else if grounded && supports.contains(&"wall") {
-            "; a support that never moves is called `wall`, one that moves with the excitation `base`".to_owned()
+            "; write `wall` for a support that never moves, or `base` for one that moves with the excitation".to_owned()
         } else {
             let candidates = self
                 .names

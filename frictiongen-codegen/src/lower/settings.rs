@@ -129,7 +129,7 @@ impl<'s> Lowering<'s, '_> {
             if name.text == "contact" {
                 self.problems.report(
                     name.place,
-                    "the motion in the contact is always provided; delete `contact`",
+                    "the motion of the contact is always provided; delete `contact`",
                 );
                 sound = false;
                 continue;

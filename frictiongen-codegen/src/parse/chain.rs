@@ -14,7 +14,7 @@ pub(crate) fn masses(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<P
     braces(
         reader,
         problems,
-        "the masses stand in braces",
+        "the masses must be in braces",
         "{ m1: 1.0, m2: 2.0 }",
         |inner, problems| {
             inner.list(problems, begins, begins, |reader, problems| {
@@ -32,7 +32,7 @@ fn mass(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<MassEnt
                 kind: Kind::Number(text),
                 ..
             }) => format!(
-                "a mass has a name before its value, for example `m1: {text}`; if this is a decimal, write a point, not a comma"
+                "a mass needs a name before its value, for example `m1: {text}`; if this number is a decimal fraction, write a point instead of the comma"
             ),
             _ => format!(
                 "the name of a mass belongs here, not {}; write, for example, `m1: 1.0`",
@@ -60,7 +60,7 @@ pub(crate) fn springs(
     braces(
         reader,
         problems,
-        "the springs stand in braces",
+        "the springs must be in braces",
         "{ base - m1: 1.0 }",
         |inner, problems| {
             inner.list(problems, begins, begins, |reader, problems| {
@@ -87,7 +87,7 @@ fn spring(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<Sprin
 
 /// The message for a list of contacts.
 pub(crate) const ONE_CONTACT: &str =
-    "a scene has one contact, and its closed forms hold for no more";
+    "a scene has one contact, because the closed forms are valid for one only";
 
 /// Parses `mass - wall`, `mass - mass` or `mass - base`, in either order.
 pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<ContactEntry> {
@@ -96,7 +96,7 @@ pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
         place,
     }) = reader.peek(0)
     {
-        let message = format!("{ONE_CONTACT}; write one without brackets, for example `m1 - wall`");
+        let message = format!("{ONE_CONTACT}; write it without brackets, for example `m1 - wall`");
         return Err(problems.report(*place, message)).into();
     }
     ends(reader, problems, "the contact", "m1 - wall")
@@ -140,7 +140,7 @@ fn node(
     let place = reader.place();
     reader.take_word().ok_or_else(|| {
         let message = format!(
-            "one side of {what} belongs here, a mass, `base` or `wall`, not {}; write, for example, `{example}`",
+            "one side of {what} belongs here (a mass, `base` or `wall`), not {}; write, for example, `{example}`",
             reader.found()
         );
         problems.report(place, message)
@@ -154,7 +154,7 @@ pub(crate) fn excitation(reader: &mut Reader<'_>, problems: &mut Problems) -> Re
         .take_word()
         .ok_or_else(|| {
             let message = format!(
-                "the excitation is a mass, for a force on it, or `base`, for a base motion, not {}; write, for example, `base`",
+                "the excitation must be a mass (a force acts on it) or `base` (the base moves), not {}; write, for example, `base`",
                 reader.found()
             );
             problems.report(place, message)

@@ -24,7 +24,7 @@ pub(crate) fn accuracy(reader: &mut Reader<'_>, problems: &mut Problems) -> Read
     }
     problems.report(
         place,
-        "an accuracy is `exact` or a relative error, for example `accuracy: 1e-4`",
+        "an accuracy must be `exact` or a relative error; write, for example, `accuracy: 1e-4`",
     );
     Read {
         value: None,
@@ -37,7 +37,7 @@ pub(crate) fn range(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Ra
     let place = reader.place();
     let Some(mut inside) = reader.take_group(Delimiter::Brace) else {
         let message = format!(
-            "a range stands in braces, but here is {}; write, for example, `{{ r: 0.2..2.5 }}`",
+            "a range must be in braces, but here is {}; write, for example, `{{ r: 0.2..2.5 }}`",
             reader.found()
         );
         problems.report(place, message);
@@ -59,7 +59,7 @@ pub(crate) fn range(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Ra
     if sound && entry.ratio.is_none() {
         problems.report(
             place,
-            "a range holds frequency ratios; write, for example, `{ r: 0.2..2.5 }`",
+            "a range must include the frequency ratio `r`; write, for example, `{ r: 0.2..2.5 }`",
         );
         sound = false;
     }
@@ -78,7 +78,7 @@ fn part(
     let place = reader.place();
     let Some(word) = reader.take_word() else {
         let message = format!(
-            "a range is of `r` or `beta`, not {}; write, for example, `r: 0.2..2.5`",
+            "a range begins with `r` or `beta`, not {}; write, for example, `r: 0.2..2.5`",
             reader.found()
         );
         return Err(problems.report(place, message));
@@ -87,17 +87,15 @@ fn part(
         "r" => &mut entry.ratio,
         "beta" => &mut entry.friction,
         text => {
-            let hint = suggest::hint(text, ["r", "beta"], || {
-                "the ranges are of `r` and `beta`".to_owned()
-            });
+            let hint = suggest::hint(text, ["r", "beta"], || "write `r` or `beta`".to_owned());
             return Err(problems.report(place, format!("there is no range of `{text}`{hint}")));
         }
     };
     if slot.is_some() {
-        let message = format!("`{}` is there twice; keep one of the two", word.text);
+        let message = format!("`{}` is given twice; keep one of the two", word.text);
         return Err(problems.report(place, message));
     }
-    reader.take_colon(problems, "the name of a range and its ends")?;
+    reader.take_colon(problems, "the name of a range and its bounds")?;
     let low = number(reader, problems);
     let dots = reader.place();
     if !(low.clean && reader.take_punct('.') && reader.take_punct('.')) {
@@ -105,7 +103,7 @@ fn part(
             return Err(Reported);
         }
         let message = format!(
-            "two points join the ends of a range, not {}; write, for example, `0.2..2.5`",
+            "two points (`..`) must separate the bounds of a range, not {}; write, for example, `0.2..2.5`",
             reader.found()
         );
         return Err(problems.report(dots, message));

@@ -187,7 +187,7 @@ const ASKED: [(&[&str], &str); 3] = [
     ),
     (
         &["frequency", "frequency_ratio", "omega", "r"],
-        "the frequency, r = ω√(m₁/k₁), is said when an answer is asked for, as in `Frame::at(0.9)` or `--r 0.9`; leave it out",
+        "delete it here, and give the frequency ratio r = ω√(m₁/k₁) with each request, as in `Frame::at(0.9)` or `--r 0.9`",
     ),
     (&["mu", "static_friction"], "did you mean `stiction`?"),
 ];
@@ -222,7 +222,7 @@ fn store<'t, T>(
 ) -> Result<(), Reported> {
     let first = slot.is_missing();
     if !first {
-        let message = format!("`{}` is there twice; keep one of the two", word.text);
+        let message = format!("`{}` is given twice; keep one of the two", word.text);
         problems.report(word.place, message);
     }
     let value = if reader.is_empty() || reader.is_punct(0, ',') || begins(reader) {

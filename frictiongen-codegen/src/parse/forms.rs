@@ -67,7 +67,7 @@ fn modal(
         ));
     }
     let Some(inside) = reader.take_group(Delimiter::Parenthesis) else {
-        let message = "`modal` needs its damping ratios; write `modal(0.01)` for one in all modes, or `modal[0.01, 0.02]` for one in each";
+        let message = "`modal` needs damping ratios; write `modal(0.01)` for the same ratio in all modes, or `modal[0.01, 0.02]` for one ratio per mode";
         let reported = problems.report(place, message);
         let _ = reader.take_group(Delimiter::Brace);
         return Err(reported);
@@ -77,7 +77,7 @@ fn modal(
         found => Err(problems.report(
             place,
             format!(
-                "`modal(…)` takes one damping ratio for all modes, not {}; for one in each write square brackets, `modal[0.01, 0.02]`",
+                "`modal(…)` takes one damping ratio for all modes, not {}; for one ratio per mode, write square brackets, `modal[0.01, 0.02]`",
                 found.len()
             ),
         )),
@@ -131,7 +131,7 @@ pub(crate) fn provide(
     let place = reader.place();
     let Some(mut inside) = reader.take_group(Delimiter::Bracket) else {
         let message = format!(
-            "what to provide is a list in square brackets, but here is {}; write, for example, `[limits, motion]`",
+            "`provide` must be a list in square brackets, but here is {}; write, for example, `[limits, motion]`",
             reader.found()
         );
         problems.report(place, message);
@@ -155,7 +155,7 @@ fn provide_item(
     problems: &mut Problems,
 ) -> Result<ProvideEntry, Reported> {
     let place = reader.place();
-    let all = || format!("write some of {}", PROVIDE.join(", "));
+    let all = || format!("write one or more of {}", PROVIDE.join(", "));
     let Some(word) = reader.take_word() else {
         let message = format!("{} cannot be provided; {}", reader.found(), all());
         return Err(problems.report(place, message));

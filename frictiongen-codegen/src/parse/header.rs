@@ -38,7 +38,7 @@ pub(crate) fn attributes(reader: &mut Reader<'_>, problems: &mut Problems) -> Ve
                 reader.next();
                 problems.report(
                     place,
-                    "a scene takes its doc comments and attributes from outside; write `///` or `#[…]` before `struct`",
+                    "an inner doc comment or attribute has no meaning here; write `///` or `#[…]` before `struct`",
                 );
             }
             Some(Kind::Punct('#')) => {
@@ -79,7 +79,7 @@ fn attribute(
         reader.take_group(Delimiter::Bracket);
         problems.report(
             place,
-            "a scene takes its doc comments and attributes from outside; write `///` or `#[…]` before `struct`",
+            "an inner doc comment or attribute has no meaning here; write `///` or `#[…]` before `struct`",
         );
         return;
     }
@@ -101,7 +101,7 @@ fn attribute(
     if !ATTRIBUTES.contains(&name) {
         problems.report(
             place,
-            "only doc comments, lint levels and `deprecated` may stand before a scene; put this attribute on a module around it",
+            "only doc comments, lint levels and `deprecated` are allowed before a scene; put this attribute on a module around it",
         );
         return;
     }
@@ -174,7 +174,7 @@ pub(crate) fn name(reader: &mut Reader<'_>, problems: &mut Problems) -> Option<O
     } else if fields::begins(reader) {
         problems.report(
             place,
-            "the fields of a scene stand inside `struct Name { … }`; write that around them",
+            "the fields of a scene must be inside `struct Name { … }`; write it around them",
         );
         return Some(None);
     } else {

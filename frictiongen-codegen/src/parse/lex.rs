@@ -259,7 +259,7 @@ impl Lexer<'_, '_> {
         }
         Err(self.problems.report(
             place,
-            "this quotation mark is never closed; delete it, a scene needs none",
+            "this quotation mark is never closed; delete it, because a scene needs no quotation marks",
         ))
     }
 

@@ -77,7 +77,7 @@ fn syntax(tokens: &[Token], end: Place, problems: &mut Problems) -> Syntax {
         syntax.has_body = true;
         if !reader.is_empty() {
             let message = format!(
-                "{} stands behind the scene; one description holds one scene: give each a file or a macro call of its own",
+                "{} follows the scene, but a description has only one scene; give each scene its own file or macro call",
                 reader.found()
             );
             problems.report(reader.place(), message);
@@ -102,7 +102,7 @@ fn call<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'
         .find_map(|bracket| ahead.take_group(bracket))?;
     problems.report(
         place,
-        format!("a description is what stands inside `{NAME}! {{ … }}`; delete the call around it"),
+        format!("a description is only the text inside `{NAME}! {{ … }}`; delete the macro call around it"),
     );
     Some(inside.reader)
 }
@@ -117,7 +117,7 @@ fn body<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'
         "a scene has no type parameters; delete them".to_owned()
     } else {
         format!(
-            "the fields of a scene stand in braces, but here is {}; write `{{ … }}` behind the name",
+            "the fields of a scene must be in braces, but here is {}; write `{{ … }}` after the name",
             reader.found()
         )
     };

@@ -92,7 +92,7 @@ fn single(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repor
         if !inside.reader.is_empty() {
             check_after(&mut inside.reader, problems)?;
             let message = format!(
-                "{} does not belong into a number; delete it",
+                "{} does not belong in a number; delete it",
                 inside.reader.found()
             );
             return Err(problems.report(inside.reader.place(), message));
@@ -110,11 +110,9 @@ fn single(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repor
             format!("`{text}` is not finite; write a finite number")
         }
         Some(Kind::Word { text, .. }) => format!(
-            "`{text}` is not a number, and a description cannot see the value of a constant: write the number itself; numbers are literals joined by `+ - * / ( )`, for example `2.0 * 3.27`"
+            "`{text}` is not a number, and a description cannot use constants of Rust; write the number itself, or literals joined by `+ - * / ( )`, for example `2.0 * 3.27`"
         ),
-        Some(Kind::Quoted { .. }) => {
-            "a number stands without quotation marks; delete them".to_owned()
-        }
+        Some(Kind::Quoted { .. }) => "a number has no quotation marks; delete them".to_owned(),
         Some(Kind::Punct('.')) => match reader.peek(1).map(|token| &token.kind) {
             Some(Kind::Number(text)) => {
                 format!("a digit is missing before the point; write `0.{text}`")
@@ -149,7 +147,7 @@ fn check_after(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<(), R
         }
         // A name before a colon or a hyphen begins the next entry, so only a comma is missing.
         Kind::Word { text, .. } if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => format!(
-            "`{text}` does not belong behind a number: units are not written, any consistent set will do (SI: kg, N/m); delete it"
+            "`{text}` does not belong after a number; delete it, because a description has no units (use a consistent set, for example kg and N/m)"
         ),
         _ => return Ok(()),
     };
@@ -164,7 +162,7 @@ fn literal(text: &str, place: Place, problems: &mut Problems) -> Result<f64, Rep
         let bare = digits.strip_suffix(end).unwrap_or(&digits);
         return Err(problems.report(
             place,
-            format!("a number bears no type here; write `{bare}`, and `scalar: {end}` as a field if you need it"),
+            format!("a number has no type here; write `{bare}`, and add the field `scalar: {end}` if you need that type"),
         ));
     }
     let Ok(value) = digits.parse::<f64>() else {

@@ -162,14 +162,14 @@ impl<'t> Reader<'t> {
         if self.take_punct('=') {
             problems.report(
                 place,
-                format!("a colon, not `=`, stands between {what}; write `:`"),
+                format!("a colon, not `=`, must separate {what}; write `:`"),
             );
             return Ok(());
         }
         Err(problems.report(
             place,
             format!(
-                "a colon stands between {what}, but here is {}; write `:`",
+                "a colon must separate {what}, but here is {}; write `:`",
                 self.found()
             ),
         ))
@@ -204,7 +204,7 @@ impl<'t> Reader<'t> {
             }
             problems.report(
                 place,
-                "doc comments and attributes stand before `struct` only; write a comment with `//` here",
+                "doc comments and attributes are allowed only before `struct`; write a comment with `//` here",
             );
         }
     }
@@ -231,7 +231,10 @@ impl<'t> Reader<'t> {
             }
             let left = self.left();
             if self.is_punct(0, ',') {
-                problems.report(self.place(), "nothing stands before this comma; delete it");
+                problems.report(
+                    self.place(),
+                    "there is no entry before this comma; delete it",
+                );
             } else {
                 let entry = read(self, problems);
                 list.complete &= entry.value.is_some();
@@ -245,7 +248,7 @@ impl<'t> Reader<'t> {
                         problems.report(self.place(), message);
                     } else {
                         let message = format!(
-                            "{} does not belong here; a comma or the end should follow",
+                            "{} does not belong after a complete entry; delete it, or write a comma",
                             self.found()
                         );
                         problems.report(self.place(), message);

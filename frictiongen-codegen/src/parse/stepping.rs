@@ -13,15 +13,16 @@ use super::syntax::{Choice, FrictionEntry, LawEntry, Placed};
 use crate::diagnostics::{Place, Problems, Reported};
 
 /// The message for a friction force in a description.
-pub(crate) const HOW_MUCH: &str = "how much friction there is, β = F/P, is said when an answer is asked for, as in `at.motion(0.3)` or `--beta 0.3`; leave it out, and see `stiction` for μ, static over kinetic friction";
+pub(crate) const HOW_MUCH: &str = "delete it here, and give the friction ratio β = F/P with each request, as in `at.motion(0.3)` or `--beta 0.3`; the field `stiction` is μ, static over kinetic friction";
 
 /// Parses `coulomb` or `stribeck(v₁: f₁, …)`.
 pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<FrictionEntry> {
-    const LAWS: &str = "the laws are `coulomb` and, for the stepper, `stribeck(0.1: 0.8)`";
+    const LAWS: &str =
+        "write `coulomb` or, for the stepper and the simulation, `stribeck(0.1: 0.8)`";
     let place = reader.place();
     let Some(word) = reader.take_word() else {
         let message = format!(
-            "the friction is a law, not {}; {LAWS}; {HOW_MUCH}",
+            "the friction must be a law, not {}; {LAWS}; if the number is the amount of friction, {HOW_MUCH}",
             reader.found()
         );
         problems.report(place, message);
@@ -52,7 +53,7 @@ fn points(
     place: Place,
 ) -> Result<Vec<[Number; 2]>, Reported> {
     let Some(mut inside) = reader.take_group(Delimiter::Parenthesis) else {
-        let message = "`stribeck` needs its points in parentheses, speed and kinetic level over F; write, for example, `stribeck(0.1: 0.8)`";
+        let message = "`stribeck` needs points in parentheses, each a speed and a kinetic level over F; write, for example, `stribeck(0.1: 0.8)`";
         let reported = problems.report(place, message);
         let _ = reader.take_group(Delimiter::Bracket);
         let _ = reader.take_group(Delimiter::Brace);
@@ -99,7 +100,7 @@ pub(crate) fn force(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Pl
     braces(
         reader,
         problems,
-        "the masses that the stepper may load stand in braces",
+        "the masses that the stepper may load must be in braces",
         "{ m1, m2 }",
         |inner, problems| mass_names(inner, problems, "force: { m1 }"),
     )

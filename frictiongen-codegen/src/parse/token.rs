@@ -8,8 +8,7 @@ use crate::diagnostics::{Place, Problems};
 pub(crate) const DEEPEST: usize = 64;
 
 /// The message for brackets that nest too deep.
-pub(crate) const TOO_DEEP: &str =
-    "brackets nest more than 64 deep here; work out the innermost numbers and write their results";
+pub(crate) const TOO_DEEP: &str = "brackets are nested more than 64 deep here; compute the innermost numbers and write their results";
 
 /// A token or a bracketed group of tokens.
 #[derive(Clone, Debug)]

@@ -54,9 +54,9 @@ impl fmt::Display for NoDerivative {
             Self::NoOrbit(error) => return error.fmt(f),
             Self::Unsettled => "no derivative: the motion does not repeat",
             Self::Marginal => "no derivative: the steady state is one of a continuum",
-            Self::Graze => "no derivative: an event is about to come or to go",
+            Self::Graze => "no derivative: an event is about to appear or to vanish",
             Self::Degenerate => {
-                "no derivative: two modes coincide, or the contact only just does not touch a mode"
+                "no derivative: two modes coincide, or the contact is about to act on a mode"
             }
         })
     }

@@ -36,7 +36,7 @@ pub enum TableError {
     #[error("a table needs a range of frequency ratios 0 < a < b, both finite, not {0:?}..{1:?}")]
     Range(f64, f64),
     /// The accuracy is outside the possible range.
-    #[error("an accuracy lies from {finest:?} to 0.1, not at {value:?}")]
+    #[error("an accuracy must be between {finest:?} and 0.1, not {value:?}")]
     Accuracy {
         /// The requested accuracy.
         value: f64,
@@ -55,7 +55,7 @@ pub enum TableError {
     },
     /// Even the coarsest accuracy does not fit into the allowed bytes.
     #[error(
-        "no table fits into {bytes} bytes; the coarsest takes {least}: allow more, or narrow the range"
+        "no table fits into {bytes} bytes; the coarsest takes {least}; allow more, or narrow the range"
     )]
     TooFewBytes {
         /// The allowed bytes.
@@ -68,10 +68,10 @@ pub enum TableError {
 fn not_met(accuracy: &f64, reached: &Option<f64>, at: &f64) -> String {
     let closest = match reached {
         Some(reached) => format!("{reached:?} can be met"),
-        None => "nor can 0.1".to_owned(),
+        None => "not even 0.1 can be met".to_owned(),
     };
     format!(
-        "no table meets the accuracy {accuracy:?} at r = {at:?}; {closest}: ask for less, or leave this r out of the range"
+        "no table meets the accuracy {accuracy:?} at r = {at:?}; {closest}; declare a coarser accuracy, or leave this r out of the range"
     )
 }
 

@@ -14,7 +14,7 @@ pub enum SceneError {
     #[error("a scene needs at least one mass: write, for example, `m1: 1.0`")]
     NoMasses { path: Path },
     #[error(
-        "the scene has {count} masses, but {limit} are the most there can be here; lump neighbouring masses together"
+        "the scene has {count} masses, but at most {limit} are possible here; lump neighbouring masses together"
     )]
     TooManyMasses {
         path: Path,
@@ -52,7 +52,7 @@ pub enum SceneError {
         value: f64,
     },
     #[error(
-        "{what} is {value:?}, too far from one for double precision; choose units that bring it between 1e-60 and 1e60"
+        "{what} is {value:?}, which is not between 1e-60 and 1e60; choose other units, or another number"
     )]
     OutOfScale {
         path: Path,
@@ -60,15 +60,15 @@ pub enum SceneError {
         value: f64,
     },
     #[error(
-        "the masses span {ratio:.0e}, more than {limit:.0e}: no digit of the small ones would count; lump this mass with its neighbour, or leave it out"
+        "the largest mass is {ratio:.0e} times the smallest, more than {limit:.0e}, so that the small masses would have no effect; lump this mass with its neighbour, or leave it out"
     )]
     MassesSpan { path: Path, ratio: f64, limit: f64 },
     #[error(
-        "the stiffnesses span {ratio:.0e}, more than {limit:.0e}: no digit of the soft ones would count; join the two ends of this spring into one mass, or leave the soft springs out"
+        "the largest stiffness is {ratio:.0e} times the smallest, more than {limit:.0e}, so that the soft springs would have no effect; join the two ends of this spring into one mass, or leave the soft springs out"
     )]
     StiffnessesSpan { path: Path, ratio: f64, limit: f64 },
     #[error(
-        "modes {first} and {second} differ by {gap:.0e} of their frequency: `f32` cannot tell them apart; write `scalar: f64`, or move a mass or a stiffness"
+        "the natural frequencies {first} and {second} have a relative difference of {gap:.0e}, too small for `f32`; write `scalar: f64`, or change a mass or a stiffness"
     )]
     ModesTooClose {
         path: Path,
@@ -80,7 +80,9 @@ pub enum SceneError {
         "a scene needs at least one spring to hold its masses: write, for example, `base - m1: 1.0`"
     )]
     NoSprings { path: Path },
-    #[error("there is no mass number {index}: the scene has {count}, counted from 0")]
+    #[error(
+        "there is no mass with the index {index}; the scene has {count}, and the first has the index 0"
+    )]
     NoSuchMass {
         path: Path,
         index: usize,
@@ -95,7 +97,7 @@ pub enum SceneError {
     )]
     SpringWithoutMass { path: Path },
     #[error(
-        "there is already a spring between `{from}` and `{to}`; springs side by side act as one, so add them up and write a single spring{sum}"
+        "there is already a spring between `{from}` and `{to}`; parallel springs act as one, so add their stiffnesses and write a single spring{sum}"
     )]
     ParallelSprings {
         path: Path,
@@ -104,7 +106,7 @@ pub enum SceneError {
         sum: String,
     },
     #[error(
-        "the spring `{from} - {to}` has the stiffness {value:?}: a stiffness must be greater than zero; where there is no spring, leave it out"
+        "the spring `{from} - {to}` has the stiffness {value:?}: a stiffness must be greater than zero; write a positive number, or leave the spring out"
     )]
     StiffnessNotPositive {
         path: Path,
@@ -143,7 +145,7 @@ pub enum SceneError {
         contact: String,
     },
     #[error(
-        "a damping list holds one ratio for each mode, here {masses}, not {found}; or write `modal(0.01)` for the same in every mode"
+        "a damping list needs one ratio for each mode, here {masses}, not {found}; write `modal(0.01)` for the same ratio in every mode"
     )]
     DampingCount {
         path: Path,
@@ -173,39 +175,39 @@ pub enum SceneError {
     )]
     AccuracyOutside { path: Path, value: f64, finest: f64 },
     #[error(
-        "what is declared holds over a range of frequency ratios; add, for example, `range: {{ r: 0.2..2.5 }}`"
+        "an accuracy or a budget needs a range of frequency ratios; add, for example, `range: {{ r: 0.2..2.5 }}`"
     )]
     AccuracyWithoutRange { path: Path },
     #[error("`accuracy` and `budget` exclude each other: keep one of the two")]
     AccuracyAndBudget { path: Path },
     #[error(
-        "a budget is a whole number of bytes from 1 on, not {value:?}; write, for example, `budget: 4096`"
+        "a budget must be a whole number of bytes, 1 or more, not {value:?}; write, for example, `budget: 4096`"
     )]
     BudgetOutside { path: Path, value: f64 },
     #[error(
-        "`{field}` belongs to an accuracy, and `exact` holds everywhere: add, for example, `accuracy: 1e-4`, or leave the field out"
+        "`{field}` has an effect only with an accuracy or a budget; add, for example, `accuracy: 1e-4`, or leave the field out"
     )]
     WithoutAccuracy { path: Path, field: String },
     #[error(
-        "β_lim is proven to {FINEST_PROVEN:e} and coarser, not to {value:e}: write `accuracy: {FINEST_PROVEN:e}`, or leave `proof` out; a finer table is checked"
+        "β_lim can be proven to an accuracy of {FINEST_PROVEN:e} or coarser, not {value:e}; write `accuracy: {FINEST_PROVEN:e}`, or leave `proof` out, so that the finer table is checked but not proven"
     )]
     TooFineForProof { path: Path, value: f64 },
     #[error(
-        "frequency ratios range over 0 < a < b, both finite, not {low:?}..{high:?}; write, for example, `r: 0.2..2.5`"
+        "a range a..b of frequency ratios needs 0 < a < b, both finite, not {low:?}..{high:?}; write, for example, `r: 0.2..2.5`"
     )]
     RangeOfRatio { path: Path, low: f64, high: f64 },
     #[error(
-        "friction ratios range over 0 ≤ a < b, not {low:?}..{high:?}; write, for example, `beta: 0..1.5`"
+        "a range a..b of friction ratios needs 0 ≤ a < b, not {low:?}..{high:?}; write, for example, `beta: 0..1.5`"
     )]
     RangeOfFriction { path: Path, low: f64, high: f64 },
     #[error("`{field}` belongs to the stepper: add `stepper` to `provide`, or leave the field out")]
     WithoutStepper { path: Path, field: String },
     #[error(
-        "`stribeck` is for the stepper and the simulation, as the exact continuous response needs a constant kinetic level; write `provide: [simulation]`, or `friction: coulomb`"
+        "`stribeck` works only in the stepper and the simulation, because the exact continuous response needs a constant kinetic level; write `provide: [simulation]`, or `friction: coulomb`"
     )]
     StribeckWithoutMotion { path: Path },
     #[error(
-        "`{item}` does not go with `stribeck`: the exact continuous response needs a constant kinetic level; leave it out, or write `friction: coulomb`"
+        "`{item}` is not possible with `stribeck`, because it needs a constant kinetic level; leave it out, or write `friction: coulomb`"
     )]
     NeedsConstantLevel { path: Path, item: String },
     #[error(
@@ -217,7 +219,7 @@ pub enum SceneError {
     )]
     StribeckWithoutPoints { path: Path },
     #[error(
-        "the speeds of `stribeck` ascend from above zero, but {value:?} follows {before:?}; write the points in ascending order, without one at rest, where the level is 1"
+        "the speeds of `stribeck` must be above zero and ascending, but {value:?} follows {before:?}; write the points in ascending order, and none at zero speed, where the level is 1"
     )]
     StribeckNotAscending { path: Path, value: f64, before: f64 },
     #[error(
@@ -236,7 +238,7 @@ pub enum SceneError {
         "the step is {value:?}: it must be greater than zero; write it in seconds, for example `step: 1e-3`"
     )]
     StepNotPositive { path: Path, value: f64 },
-    #[error("the mass `{name}` is loaded by the excitation already; leave it out of `force`")]
+    #[error("the mass `{name}` is already loaded by the excitation; leave it out of `force`")]
     ForceOnExcitation { path: Path, name: String },
     #[error("`force` names `{name}` twice; name it once")]
     ForceTwice { path: Path, name: String },

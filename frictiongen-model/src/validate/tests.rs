@@ -98,7 +98,7 @@ fn masses_that_do_not_exist_are_told_wherever_they_are_named() {
     let (_, message) = messages(&scene).swap_remove(3);
     assert_eq!(
         message,
-        "there is no mass number 6: the scene has 2, counted from 0"
+        "there is no mass with the index 6; the scene has 2, and the first has the index 0"
     );
 }
 

@@ -105,7 +105,7 @@ impl System {
         let scene = self.scene();
         let [mass] = scene.masses.as_slice() else {
             return Err(MeasureError::Asked(
-                "a free decay tells the friction of one mass alone: several masses beat (thesis 6.4.2)",
+                "a free decay gives the friction force only for a scene with one mass, because several masses beat (thesis 6.4.2)",
             ));
         };
         let stiffness: f64 = scene.springs.iter().map(|spring| spring.stiffness).sum();

@@ -182,17 +182,17 @@ impl std::fmt::Display for MeasureError {
             }
             Self::NoUnit(channel) => write!(
                 f,
-                "the channel `{channel}` has no unit: end its name in one (`{channel}_mm`), or give --channel {channel}=COLUMN:UNIT"
+                "the channel `{channel}` has no unit; add the unit to its name (`{channel}_mm`), or give --channel {channel}=COLUMN:UNIT"
             ),
             Self::UnknownUnit(unit) => write!(
                 f,
-                "`{unit}` is not a unit that is known: {}",
+                "`{unit}` is not a known unit; the units are {}",
                 super::Unit::known()
             ),
-            Self::Twice(channel) => write!(f, "the channel `{channel}` is there twice"),
+            Self::Twice(channel) => write!(f, "the channel `{channel}` is given twice"),
             Self::NoRate => write!(
                 f,
-                "nothing says how many samples a second has: a column `time_s`, or --rate"
+                "the sampling rate is unknown; give a column `time_s`, or --rate"
             ),
             Self::MixedRates {
                 place,
@@ -205,12 +205,12 @@ impl std::fmt::Display for MeasureError {
                 short(*after)
             ),
             Self::Lengths(channel) => {
-                write!(f, "the channel `{channel}` has another number of samples")
+                write!(f, "the channel `{channel}` does not have the same number of samples as the others")
             }
             Self::TooShort { found, needed } => {
                 write!(
                     f,
-                    "the recording is too short: {found}, and {needed} are needed"
+                    "the recording is too short: {found}, but {needed} are needed"
                 )
             }
             Self::NotFinite { channel, sample } => {
@@ -223,12 +223,12 @@ impl std::fmt::Display for MeasureError {
                 share,
             } => write!(
                 f,
-                "the channel `{channel}` is clipped at {value}: {:.1} % of its samples",
+                "the channel `{channel}` is clipped at {value} in {:.1} % of its samples",
                 100.0 * share
             ),
             Self::NoSuchPlace { channel, known } => write!(
                 f,
-                "the channel `{channel}` is nothing of this scene, which has {}",
+                "the channel `{channel}` does not belong to this scene, which has {}",
                 known.join(", ")
             ),
             Self::NoDrive(name) => write!(
@@ -241,13 +241,13 @@ impl std::fmt::Display for MeasureError {
             Self::TwoFrictions => f.write_str(
                 "the friction force is given as a number and as the channel `friction`: leave one of the two out",
             ),
-            Self::NoMass => write!(f, "the motion of no mass was recorded"),
+            Self::NoMass => write!(f, "no motion of a mass was recorded"),
             Self::WrongDimension { channel, unit } => {
                 write!(f, "the channel `{channel}` cannot be in {unit}")
             }
             Self::Silent(channel) => write!(
                 f,
-                "no frequency stands out of the noise of the channel `{channel}`"
+                "no frequency exceeds the noise of the channel `{channel}`"
             ),
             Self::Drifts { from, to } => write!(
                 f,
@@ -266,12 +266,12 @@ impl std::fmt::Display for MeasureError {
             }
             Self::TooSlow { rate, hertz } => write!(
                 f,
-                "{rate} samples a second are too few for {hertz:.4} Hz: five a cycle are needed"
+                "{rate} samples a second are too few for {hertz:.4} Hz: five samples a cycle are needed"
             ),
-            Self::NoObservation => write!(f, "nothing was observed of what is asked"),
+            Self::NoObservation => write!(f, "none of the requested quantities was observed"),
             Self::WrongUnit { factor, mass } => write!(
                 f,
-                "`{mass}` moves {factor:.0e} times what the scene can do at any friction: a unit is wrong by this factor"
+                "`{mass}` moves {factor:.0e} times as far as it can in the scene at any friction: a unit is wrong by this factor"
             ),
             Self::NotExplained {
                 mass,
@@ -279,7 +279,7 @@ impl std::fmt::Display for MeasureError {
                 nearest,
             } => write!(
                 f,
-                "no friction explains the motion of `{mass}`: {measured:.4} of the excitation was measured, and the nearest that the scene has is {nearest:.4}; is the column another one, or the scene?"
+                "no friction explains the motion of `{mass}`: its measured amplitude over the excitation is {measured:.4}, but the nearest amplitude of the scene is {nearest:.4}; check the column and the scene"
             ),
             Self::PhaseNotExplained {
                 mass,
@@ -287,13 +287,13 @@ impl std::fmt::Display for MeasureError {
                 nearest,
             } => write!(
                 f,
-                "no friction explains the phase of `{mass}`: a lag of {measured:.1} degrees was measured, and the nearest that the scene has is {nearest:.1}; is its sign turned round, or is it another mass, or another scene?"
+                "no friction explains the phase of `{mass}`: its measured lag is {measured:.1} degrees, but the nearest lag of the scene is {nearest:.1}; check the sign of the channel, the mass and the scene"
             ),
             Self::TooFewData { data, unknowns } => write!(
                 f,
-                "{data} measured numbers cannot tell {unknowns} unknown ones"
+                "{data} measured numbers are too few to find {unknowns} unknowns"
             ),
-            Self::NoFit => write!(f, "the least-squares fit does not settle"),
+            Self::NoFit => write!(f, "the least-squares fit does not converge"),
             Self::Asked(what) => f.write_str(what),
             Self::FewPeaks(count) => write!(
                 f,

@@ -87,7 +87,7 @@ impl Measured {
         let rate = recording.rate();
         let (drive, _) = places.drive;
         let per_sample = frequency(&drive.samples).ok_or_else(|| MeasureError::TooShort {
-            found: "no frequency with four cycles in it stands out".to_owned(),
+            found: "no frequency with at least four cycles exceeds the noise".to_owned(),
             needed: "8 cycles of the excitation",
         })?;
         if 1.0 / FEWEST_SAMPLES < per_sample {

@@ -74,7 +74,7 @@ impl Recording {
         let length = (seconds * self.rate()).round();
         if !(5.0..=1e6).contains(&length) {
             return Err(MeasureError::Asked(
-                "a window has 5 samples at least, and fewer than the recording",
+                "a window must have at least 5 samples, and fewer than the recording",
             ));
         }
         let length = length as usize;
@@ -148,7 +148,10 @@ impl Recording {
             .collect();
         if kept.len() < FEWEST {
             return Err(MeasureError::TooShort {
-                found: format!("{} windows in which the axis moves one way", kept.len()),
+                found: format!(
+                    "{} windows in which the axis moves in one direction",
+                    kept.len()
+                ),
                 needed: "12",
             });
         }
@@ -187,7 +190,7 @@ fn solve(kept: &[&Window]) -> Result<Regression, MeasureError> {
     let condition = singular.singular_values.max() / singular.singular_values.min();
     if !(condition < 1e8) {
         return Err(MeasureError::Asked(
-            "this motion does not tell mass and friction apart: it needs both directions, several speeds and accelerations",
+            "this motion does not separate mass and friction: a motion in both directions, with several speeds and accelerations, is needed",
         ));
     }
     let found = singular

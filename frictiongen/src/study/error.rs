@@ -77,10 +77,10 @@ impl std::fmt::Display for LoadError {
         match self {
             Self::DrivenByBase => write!(f, "the scene is driven by its base"),
             Self::DrivenByForce(mass) => write!(f, "the scene is driven by a force on `{mass}`"),
-            Self::Amplitude => write!(f, "the amplitude of a load is above 0 and finite"),
+            Self::Amplitude => write!(f, "the amplitude of a load must be above 0 and finite"),
             Self::OutOfRange => write!(
                 f,
-                "with the first spring's stiffness it makes a length or a force too small or too large to compute with"
+                "with the stiffness of the first spring, this load makes a length or a force too small or too large to compute with"
             ),
         }
     }

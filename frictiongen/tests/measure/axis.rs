@@ -82,7 +82,7 @@ fn an_axis_without_a_spring() {
     assert!(
         error
             .to_string()
-            .contains("does not tell mass and friction apart"),
+            .contains("does not separate mass and friction"),
         "{error}"
     );
 }

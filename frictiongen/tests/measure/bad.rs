@@ -143,17 +143,17 @@ fn wrong_column() {
     all[1].name = "plat".into();
     told(
         measured(all),
-        "`plat` is nothing of this scene, which has base, plate",
+        "`plat` does not belong to this scene, which has base, plate",
     );
     let mut all = channels(good);
     all[1].unit = Unit::NEWTON;
     told(measured(all), "`plate` cannot be in N");
     let mut all = channels(good);
     all[1].name = "base".into();
-    told(measured(all), "`base` is there twice");
+    told(measured(all), "`base` is given twice");
     let all = channels(good);
     told(measured(all[1..].to_vec()), "a channel `base` is needed");
-    told(measured(all[..1].to_vec()), "no mass was recorded");
+    told(measured(all[..1].to_vec()), "no motion of a mass was recorded");
     let error =
         Recording::from_csv("time_s,base,plate_mm\n0,1,2\n", &CsvRequest::default()).unwrap_err();
     assert!(
@@ -166,14 +166,14 @@ fn wrong_column() {
     assert!(
         error
             .to_string()
-            .contains("the first line names the columns"),
+            .contains("the first line must name the columns"),
         "{error}"
     );
     let error = Recording::from_csv("base_mm,plate_mm\n1,2\n", &CsvRequest::default()).unwrap_err();
     assert!(
         error
             .to_string()
-            .starts_with("nothing says how many samples"),
+            .starts_with("the sampling rate is unknown"),
         "{error}"
     );
 }
@@ -193,7 +193,10 @@ fn mixed_rates() {
     );
     let mut all = channels(good);
     all[1].samples.truncate(20_000);
-    told(measured(all), "`plate` has another number of samples");
+    told(
+        measured(all),
+        "`plate` does not have the same number of samples",
+    );
 }
 
 #[test]

@@ -62,5 +62,5 @@ fn a_phase_with_the_wrong_sign() {
             if mass == "plate" && *measured < 0.0),
         "{error}"
     );
-    assert!(error.to_string().contains("is its sign turned round"));
+    assert!(error.to_string().contains("check the sign of the channel"));
 }

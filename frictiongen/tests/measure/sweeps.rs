@@ -279,7 +279,7 @@ fn bad_sweeps() {
     );
     told(
         "frequency_Hz,m3.transmissibility\n1,2\n",
-        "`m3` is nothing of this scene, which has m1, m2",
+        "`m3` does not belong to this scene, which has m1, m2",
     );
     told(
         "frequency_Hz,m1.transmissibility\n1,2\n2,-1\n",

@@ -45,7 +45,7 @@ fn limits_into_slices_of_other_lengths() {
         argument: "sliding",
     }
     .to_string();
-    assert!(told.contains("one place for each r"), "{told}");
+    assert!(told.contains("one element for each r"), "{told}");
 }
 
 /// One mass and one mode, written by hand.

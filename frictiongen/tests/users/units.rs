@@ -112,7 +112,7 @@ fn loads_that_do_not_fit() {
     let study = StudyError::from(LoadError::Amplitude);
     assert_eq!(
         study.to_string(),
-        "the amplitude of a load is above 0 and finite"
+        "the amplitude of a load must be above 0 and finite"
     );
 }
 

@@ -34,7 +34,7 @@ fn ratios_that_are_none() {
     let error: Error = SdofWall::at(f64::NAN).expect_err("NaN").into();
     assert_eq!(
         error.to_string(),
-        "r is outside the domain: it must be a number, not negative and not NaN; a motion in time needs it clear of 0 and infinity too"
+        "r is outside the domain: it must be a number, not negative and not NaN; a motion in time also needs it not too close to 0 or infinity"
     );
     assert_eq!(
         out_of("beta").to_string(),

@@ -90,7 +90,7 @@ impl Frequencies {
                     "a number, 0 or above"
                 };
                 return Err(domain(format_args!(
-                    "{} is {value:?}: a frequency is {needed}",
+                    "{} is {value:?}: a frequency must be {needed}",
                     place()
                 )));
             }
@@ -197,12 +197,12 @@ impl Band {
             // A text must be refused as a text, before the message about bands.
             numbers(argument, given)?;
             return Err(domain(format_args!(
-                "{argument}: a band is needed, a tuple (from, to); a list or an array has points, for `limits`, `response` and `map`"
+                "{argument}: a band is needed, a tuple (from, to); lists and arrays are points, for `limits`, `response` and `map`"
             )));
         };
         if !(0.0 < from && from < to && to.is_finite()) {
             return Err(domain(format_args!(
-                "{argument} is ({from:?}, {to:?}): a band begins above 0 and ends above its start"
+                "{argument} is ({from:?}, {to:?}): a band must begin above 0 and end above its start"
             )));
         }
         let [first, last] = [from, to].map(|value| unit.ratio(system, value));
@@ -224,13 +224,13 @@ impl Band {
         let step = self.unit.ratio(system, given);
         if !(0.0 < step && step.is_finite()) {
             return Err(domain(format_args!(
-                "step is {given:?}: it is above 0 and finite"
+                "step is {given:?}: it must be above 0 and finite"
             )));
         }
         // As the command, this refuses more points than it could return.
         if super::MOST_POINTS as f64 <= (self.to - self.from) / step {
             return Err(domain(format_args!(
-                "step is {given:?}: more than {} points",
+                "step is {given:?}: it gives more than {} points",
                 super::MOST_POINTS
             )));
         }

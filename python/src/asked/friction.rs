@@ -39,7 +39,7 @@ impl Frictions {
                 return Err(refused(
                     index,
                     *value,
-                    "friction is a finite number, 0 or above",
+                    "friction must be a finite number, 0 or above",
                 ));
             }
         }

@@ -94,9 +94,11 @@ pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResu
         )));
     };
     let mut parts = parts(system, argument, Some(name.as_any()))?;
-    parts
-        .pop()
-        .ok_or_else(|| domain(format_args!("{argument}: give the motion")))
+    parts.pop().ok_or_else(|| {
+        domain(format_args!(
+            "{argument}: give the name of a mass, or `contact`"
+        ))
+    })
 }
 
 /// Reads the highest order of a harmonic, or 0.

@@ -56,7 +56,7 @@ pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Given> {
         .map_err(|_| needed())?;
     if array.is_instance(&numpy.getattr("ma")?.getattr("MaskedArray")?)? {
         return Err(wrong_type(format_args!(
-            "{argument}: an array with a mask; leave out what is masked, with .compressed()"
+            "{argument}: the array has a mask; remove the masked values with .compressed()"
         )));
     }
     let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
@@ -67,7 +67,7 @@ pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Given> {
     if shape.len() > 1 {
         let shape: Vec<String> = shape.iter().map(usize::to_string).collect();
         return Err(domain(format_args!(
-            "{argument}: one number or a row of numbers is needed, and this has the shape ({})",
+            "{argument}: one number or a row of numbers is needed, but this has the shape ({})",
             shape.join(", ")
         )));
     }
@@ -88,7 +88,7 @@ pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f
     match *numbers(argument, given)?.values.as_slice() {
         [from, to] => Ok(Some((from, to))),
         ref values => Err(domain(format_args!(
-            "{argument}: a tuple is a band of two numbers, (from, to), and this one has {}; a list or an array has points",
+            "{argument}: a tuple is a band of two numbers (from, to), but this one has {}; for points, give a list or an array",
             values.len()
         ))),
     }
@@ -101,7 +101,7 @@ pub fn points(argument: &str, given: &Bound<'_, PyAny>, count: u32) -> PyResult<
     };
     if !(0.0 <= from && from < to && to.is_finite()) {
         return Err(domain(format_args!(
-            "{argument} is ({from:?}, {to:?}): a band begins at 0 or above and ends above its start; points are a list or an array"
+            "{argument} is ({from:?}, {to:?}): a band must begin at 0 or above and end above its start; for points, give a list or an array"
         )));
     }
     let steps = count.max(2) - 1;
@@ -119,7 +119,7 @@ pub fn one(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
     match (given.is_one, given.values.as_slice()) {
         (true, [value]) => Ok(*value),
         (_, values) => Err(domain(format_args!(
-            "{argument}: one number is needed, and these are {}",
+            "{argument}: one number is needed, but these are {}",
             values.len()
         ))),
     }

@@ -38,7 +38,7 @@ pub fn features<'py>(
     };
     if MOST_FRICTIONS < frictions.len() {
         return Err(domain(format_args!(
-            "at most {MOST_FRICTIONS} frictions at once: each has a list of its own"
+            "at most {MOST_FRICTIONS} frictions are possible, because each has its own list"
         )));
     }
     let mut parts = parts(system, "of", of.as_ref())?;

@@ -23,13 +23,11 @@ pub fn free_decay<'py>(
     let damping = damping.map(|given| one("damping", &given)).transpose()?;
     let known = match (damping, find_damping) {
         (Some(_), true) => {
-            return Err(domain(
-                "damping and find_damping: what is known is not looked for, give one",
-            ));
+            return Err(domain("give either damping or find_damping, not both"));
         }
         (Some(ratio), false) if !(0.0..1.0).contains(&ratio) => {
             return Err(domain(format_args!(
-                "damping is {ratio:?}: a damping ratio is 0 or above and below 1"
+                "damping is {ratio:?}: a damping ratio must be 0 or above, and below 1"
             )));
         }
         (Some(ratio), false) => Some(ratio),

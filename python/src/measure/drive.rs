@@ -27,7 +27,7 @@ pub fn drive<'py>(
         && !(0.0 <= force && force.is_finite())
     {
         return Err(domain(format_args!(
-            "friction is {force:?}: friction is a finite number, 0 or above"
+            "friction is {force:?}: friction must be a finite number, 0 or above"
         )));
     }
     let recording = recording.get();

@@ -22,7 +22,7 @@ fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> Py
     let given = numbers(argument, given)?;
     if given.values.len() != count {
         return Err(domain(format_args!(
-            "{argument}: {count} numbers are needed, one for each frequency, and these are {}",
+            "{argument}: {count} numbers are needed, one for each frequency, but these are {}",
             given.values.len()
         )));
     }
@@ -30,7 +30,7 @@ fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> Py
         let sound = 0.0 < *value && value.is_finite();
         if !(sound || gaps && value.is_nan()) {
             return Err(domain(format_args!(
-                "{} is {value:?}: frequencies, transmissibilities and deviations are above 0 and finite",
+                "{} is {value:?}: frequencies, transmissibilities and deviations must be above 0 and finite",
                 given.place(argument, index)
             )));
         }
@@ -52,7 +52,7 @@ fn points(
         let mass = match system.motion_named(&name) {
             Ok(frictiongen::Of::Mass(mass)) => mass,
             Ok(frictiongen::Of::Contact) => {
-                return Err(domain("a sweep is of masses, not of the contact"));
+                return Err(domain("a sweep contains masses, not the contact"));
             }
             Err(error) => return Err(domain(error)),
         };

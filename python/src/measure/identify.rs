@@ -27,7 +27,7 @@ fn unknowns(given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Unknown>> {
             "frequency" => Ok(Unknown::Frequencies),
             "stiction" => Ok(Unknown::Stiction),
             _ => Err(domain(format_args!(
-                "also: {name:?} cannot be looked for: damping, frequency and stiction can"
+                "also: {name:?} cannot be fitted; give damping, frequency or stiction"
             ))),
         });
     each.collect()
@@ -85,7 +85,7 @@ pub fn identify<'py>(
                 Ok(Of::Mass(mass)) => kept.push(mass),
                 Ok(Of::Contact) => {
                     return Err(domain(
-                        "of: a motion that was measured is of a mass, not of the contact",
+                        "of: a measured motion must be that of a mass, not of the contact",
                     ));
                 }
                 Err(error) => return Err(domain(format_args!("of: {error}"))),

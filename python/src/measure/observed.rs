@@ -70,7 +70,7 @@ fn row(
     match (given.is_one, given.values.as_slice()) {
         (true, [value]) => Ok(vec![*value; count]),
         (_, values) if values.len() != count => Err(domain(format_args!(
-            "{argument}: {count} numbers are needed, one for each frequency, and these are {}",
+            "{argument}: {count} numbers are needed, one for each frequency, but these are {}",
             values.len()
         ))),
         _ => Ok(given.values),
@@ -116,7 +116,7 @@ impl Motion {
             Ok(Of::Mass(mass)) => mass,
             Ok(Of::Contact) => {
                 return Err(domain(
-                    "a motion that was measured is of a mass, not of the contact",
+                    "a measured motion must be that of a mass, not of the contact",
                 ));
             }
             Err(error) => return Err(domain(error)),
@@ -143,7 +143,7 @@ impl Motion {
         };
         let Some(given) = given else {
             return Err(domain(format_args!(
-                "{argument}: without the standard deviation of {} there is no interval: give it",
+                "{argument}: the standard deviation of {} is missing; give it, because the interval needs it",
                 called(if amplitude.is_some() {
                     "amplitude_m"
                 } else {
@@ -241,7 +241,7 @@ impl Observed {
         };
         if motions.iter().any(|motion| motion.known() != known) {
             return Err(domain(
-                "amplitude_m and phase_deg: give the same of each mass, or make two observations of them",
+                "amplitude_m and phase_deg: give the same quantities for each mass, or make two observations",
             ));
         }
         let points = hertz.into_iter().zip(loads).zip(load_deviation);
@@ -271,16 +271,14 @@ impl Observed {
             Using::PhaseAlone
         };
         let missing = |what: &str, by: &str| {
-            domain(format_args!(
-                "by is {by:?}, and of some motion no {what} is given"
-            ))
+            domain(format_args!("by is {by:?}, but some motion has no {what}"))
         };
         match by {
             None if amplitudes && phases => Ok(Using::Complex),
             None if amplitudes => Ok(Using::Amplitude),
             None if phases => Ok(phase),
             None => Err(domain(
-                "some motions have no amplitude and others no phase: nothing can be compared of all",
+                "some motions have no amplitude and others have no phase: no quantity can be compared for all of them",
             )),
             Some("both") if amplitudes && phases => Ok(Using::Complex),
             Some("amplitude") if amplitudes => Ok(Using::Amplitude),

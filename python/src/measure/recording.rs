@@ -28,7 +28,7 @@ fn rate_of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<f64>> {
     let rate = given.map(|given| one("rate", given)).transpose()?;
     match rate {
         Some(rate) if !(0.0 < rate && rate.is_finite()) => Err(domain(format_args!(
-            "rate is {rate:?}: samples a second are above 0 and finite"
+            "rate is {rate:?}: the number of samples a second must be above 0 and finite"
         ))),
         rate => Ok(rate),
     }
@@ -71,7 +71,7 @@ impl NativeRecording {
         }
         let rate = match (rate_of(rate.as_ref())?, times) {
             (Some(_), Some(_)) => {
-                return Err(domain("rate and time_s: one of them says it, give one"));
+                return Err(domain("give either rate or time_s, not both"));
             }
             (None, None) => return Err(told(MeasureError::NoRate)),
             (Some(rate), None) => rate,
@@ -81,7 +81,7 @@ impl NativeRecording {
                     && channel.samples.len() != times.values.len()
                 {
                     return Err(domain(format_args!(
-                        "time_s: {} times are given, and `{}` has {} samples",
+                        "time_s: {} times are given, but `{}` has {} samples",
                         times.values.len(),
                         channel.name,
                         channel.samples.len()

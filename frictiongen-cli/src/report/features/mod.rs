@@ -42,7 +42,7 @@ impl Features {
             return Self {
                 frictions: Vec::new(),
                 lines: Err(format!(
-                    "Of more than {MOST_MASSES} masses features are not listed here; “frictiongen features” does so."
+                    "The page does not list the features of more than {MOST_MASSES} masses; “frictiongen features” lists them."
                 )),
             };
         }
@@ -95,19 +95,19 @@ impl Features {
         let damped = asked.system.modal().is_damped();
         html! {
             section #features {
-                h2 { "What the response is made of" }
+                h2 { "Features of the response" }
                 @match &self.lines {
                     Err(reason) => p { (reason) },
                     Ok(_) => {
                         p {
-                            "Why the curves look as they do, found by formulas and intervals rather than read off the curves; \
-                             true peaks, and with damping what the contact does, by close samples."
+                            "These features explain the shape of the curves. Formulas and interval arithmetic find them. Only the true peaks, and with damping \
+                             the regimes of the contact, come from close samples."
                             @if damped {
-                                " With damping there are no invariant points and no inversions: some friction always changes the amplitude."
+                                " This chain is damped, so that it has no invariant points and no inversions."
                             }
                         }
                         @if ALL_FRICTIONS < asked.system.scene().masses.len() {
-                            p.note { "True peaks beside their estimates are listed of up to " (ALL_FRICTIONS) " masses; “frictiongen features” has them." }
+                            p.note { "The page lists true peaks only for up to " (ALL_FRICTIONS) " masses. “frictiongen features” lists them for longer chains." }
                         }
                         @for table in self.tables(asked) { (table.html()) }
                     }
@@ -166,7 +166,7 @@ impl Table {
                 }
             }
             @if MOST_ROWS < self.rows.len() {
-                p.note { "The first " (MOST_ROWS) " of " (self.rows.len()) "; the data at the end of this page have all." }
+                p.note { "The first " (MOST_ROWS) " of " (self.rows.len()) " are shown. The data block at the end of this page has all of them." }
             }
         }
     }

@@ -48,8 +48,8 @@ impl Features {
         });
         let (says, heads) = if damped {
             (
-                "Up to the first friction the contact slides all the time at that resonance. Up to the second the amplitude there would \
-                 be without bound if the chain had no damping of its own: so much friction it takes to matter.",
+                "Up to the first friction the contact slides all the time at that resonance. The second is the threshold without damping: up to it, \
+                 the amplitude of the undamped chain would be unbounded.",
                 vec![
                     "mode",
                     "at",
@@ -60,7 +60,7 @@ impl Features {
             )
         } else {
             (
-                "Below its threshold a resonance is without bound: nothing else damps it.",
+                "Below its threshold a resonance is unbounded, because only friction damps it.",
                 vec!["mode", "at", "bounded from", "frequency moves most"],
             )
         };
@@ -100,14 +100,14 @@ impl Features {
             },
             Table {
                 title: "Resonances of the chain with its contact stuck".to_owned(),
-                says: "With too much friction the peak goes there. A contact that slides there whatever the friction cannot be locked."
+                says: "With too much friction the peak of the response is at these frequencies. If the contact slides there at any friction, no friction can lock it."
                     .to_owned(),
                 heads: vec!["at", "the contact there", "frequency moves most"],
                 rows: stuck.collect(),
             },
             Table {
                 title: "At the ends of the frequency axis".to_owned(),
-                says: "What the contact does when the load is very slow or very fast.".to_owned(),
+                says: "Behaviour of the contact under a very slow and a very fast load.".to_owned(),
                 heads: vec!["where", "the contact"],
                 rows: ends.collect(),
             },
@@ -140,21 +140,21 @@ impl Features {
         vec![
             Table {
                 title: "Invariant points".to_owned(),
-                says: "At these frequencies no friction changes the amplitude, as long as the contact slides all the time: \
-                       no damper brings a curve below them, and no measurement there tells the friction."
+                says: "At these frequencies friction does not change the amplitude, as long as the contact slides all the time. \
+                       There, more friction does not lower the curve, and a measurement does not determine the friction."
                     .to_owned(),
                 heads: vec!["of", "at", "amplitude there", "for friction up to", "what is invariant"],
                 rows: points.collect(),
             },
             Table {
                 title: "Where friction makes it worse".to_owned(),
-                says: "Between these frequencies more friction means more motion.".to_owned(),
+                says: "Between these frequencies more friction makes the motion larger.".to_owned(),
                 heads: vec!["of", "from … to", "from and to what", "what grows"],
                 rows: inversions.collect(),
             },
             Table {
                 title: "Antiresonances".to_owned(),
-                says: "Without friction these stand still there.".to_owned(),
+                says: "Without friction the amplitude of these motions is zero at these frequencies.".to_owned(),
                 heads: vec!["of", "at"],
                 rows: still.collect(),
             },
@@ -222,16 +222,16 @@ impl Features {
         let mut tables = vec![
             Table {
                 title: format!("Peaks{at}"),
-                says: "The largest amplitude about each resonance, over all regimes, beside the estimate for small damping; \
-                       a resonance that is not listed has no peak left."
+                says: "The table compares the largest amplitude about each resonance, over all regimes, with the estimate for small damping. \
+                       A resonance that is not listed has no peak."
                     .to_owned(),
                 heads: vec!["friction", "of", "mode", "peak at", "amplitude", "estimate", "the contact there"],
                 rows: peaks.collect(),
             },
             Table {
                 title: format!("Where the contact slides{at}"),
-                says: "In these ranges it slides, all the time or in turns, with this friction and with every smaller one; \
-                       outside it is stuck."
+                says: "In these ranges the contact slides, all the time or between stops, with this friction and with every smaller one. \
+                       Outside them the contact is stuck."
                     .to_owned(),
                 heads: vec!["friction", "from … to"],
                 rows: slides.collect(),
@@ -244,13 +244,13 @@ impl Features {
             },
             Table {
                 title: format!("The quasi-static start{at}"),
-                says: "How far each mass moves when the load is very slow: where the curves begin.".to_owned(),
+                says: "Amplitude of each mass under a very slow load. The curves begin there.".to_owned(),
                 heads: vec!["friction", "of", "amplitude"],
                 rows: starts.collect(),
             },
             Table {
                 title: "The same amplitude with two frictions".to_owned(),
-                says: "There the exact curves of two frictions cross.".to_owned(),
+                says: "At these frequencies the exact curves of two frictions cross.".to_owned(),
                 heads: vec!["of", "at", "amplitude", "which"],
                 rows: crossings.collect(),
             },
@@ -291,7 +291,7 @@ fn limit(words: &Words, force: f64) -> String {
 fn amplitude(words: &Words, line: &Line) -> String {
     match line.amplitude {
         None => String::new(),
-        Some(size) if size.is_infinite() => "without bound".to_owned(),
+        Some(size) if size.is_infinite() => "unbounded".to_owned(),
         Some(size) => words.length(words.measure.length_ratio(size)),
     }
 }

@@ -65,11 +65,11 @@ impl std::fmt::Display for Verdict {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::NotExplained => "the description does not explain the measurement: residuals exceed the noise; check damping, stiction, masses and springs, and delays between the channels, before you use the force below",
-            Self::Told => "the measurement tells the friction force",
-            Self::SeveralLevels => "several friction forces give this response; another frequency, or amplitude and phase together, would tell which",
-            Self::Stuck => "the contact is stuck: this tells only the least force that holds it",
-            Self::NotTold => "the measurement cannot tell the friction force: the response hardly changes with it here, beside the noise; measure at another frequency or another mass",
-            Self::AllButStuck => "the motion is so small that friction all but holds the contact, or a unit is wrong by 1000 or a million: amplitudes alone do not tell which, and phases would",
+            Self::Told => "the measurement determines the friction force",
+            Self::SeveralLevels => "several friction forces give this response; to find the right one, measure at another frequency, or use amplitude and phase together",
+            Self::Stuck => "the contact is stuck: the measurement gives only the least friction force that holds it",
+            Self::NotTold => "the measurement does not determine the friction force: compared with the noise, the response hardly changes with the force here; measure at another frequency or another mass",
+            Self::AllButStuck => "the motion is very small: either the contact is almost stuck, or a unit is wrong by 1000 or a million; amplitudes alone do not show which, but phases would",
         })
     }
 }

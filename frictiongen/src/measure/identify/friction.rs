@@ -45,7 +45,7 @@ impl<'a> Problem<'a> {
             let known = system.scene().masses.len();
             if seen.motions.iter().any(|datum| known <= datum.mass) {
                 return Err(MeasureError::Asked(
-                    "an observation is of a mass that the scene does not have",
+                    "an observation names a mass that the scene does not have",
                 ));
             }
             let usable = |datum: &super::Datum| {
@@ -55,7 +55,7 @@ impl<'a> Problem<'a> {
             };
             if !seen.motions.iter().all(usable) || !(0.0 <= seen.load_deviation) {
                 return Err(MeasureError::Asked(
-                    "a measured value is finite and its deviation above 0",
+                    "a measured value must be finite, and its deviation above 0",
                 ));
             }
         }
@@ -68,7 +68,7 @@ impl<'a> Problem<'a> {
         let range = request.range.unwrap_or((0.0, 1.02 * sought));
         if !(0.0 <= range.0 && range.0 < range.1 && range.1.is_finite()) {
             return Err(MeasureError::Asked(
-                "friction forces are looked for from one that is not negative to a larger one",
+                "the range of friction forces must begin at 0 or above, and end above its start",
             ));
         }
         Ok(Self {

@@ -153,7 +153,7 @@ pub(super) fn fit(
             .map(start)
             .collect::<Option<_>>()
             .ok_or(MeasureError::Asked(
-                "the scene does not have one of the unknowns that are asked for",
+                "the scene lacks one of the requested unknowns",
             ))?;
     let mut levels = alone.levels.clone();
     levels.sort_by(|a, b| a.1.total_cmp(&b.1));

@@ -65,8 +65,9 @@ impl Table {
         if names.iter().any(|name| name.parse::<f64>().is_ok()) {
             return Err(MeasureError::Format {
                 line: number,
-                what: "the first line names the columns with their units, and here it has numbers"
-                    .to_owned(),
+                what:
+                    "the first line must name the columns with their units, but here it has numbers"
+                        .to_owned(),
             });
         }
         if let Some((_, second)) = lines.peek() {
@@ -94,7 +95,7 @@ impl Table {
                 return Err(MeasureError::Format {
                     line,
                     what: format!(
-                        "it has {} cells, and there are {} names",
+                        "it has {} cells, but there are {} names",
                         found.len(),
                         table.names.len()
                     ),

@@ -89,14 +89,14 @@ impl Recording {
             match kind {
                 "58" => sets.extend(set(&mut lines, request)?),
                 kind if kind.starts_with("58") => {
-                    return lines.wrong("a data set 58 in binary form; write it as text");
+                    return lines.wrong("the data set 58 is binary; write it as text");
                 }
                 // Data sets of other types are skipped.
                 _ => while lines.next()?.trim() != "-1" {},
             }
         }
         let Some(first) = sets.first() else {
-            return lines.wrong("there is no function of time (data set 58) in it");
+            return lines.wrong("the file has no function of time (data set 58)");
         };
         let step = first.step;
         for set in &sets {
@@ -227,7 +227,7 @@ fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, Measu
     }
     if kind != 2 && kind != 4 {
         return lines.wrong(format!(
-            "`{name}`: its samples are complex, and a function of time is real"
+            "`{name}` has complex samples, but a function of time must be real"
         ));
     }
     let unit = unit(&name, &label, asked)?;
@@ -239,7 +239,7 @@ fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, Measu
     };
     if samples.len() != count {
         return lines.wrong(format!(
-            "`{name}` has {} samples, and says {count}",
+            "`{name}` has {} samples, but its header says {count}",
             samples.len()
         ));
     }

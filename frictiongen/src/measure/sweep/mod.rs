@@ -73,7 +73,7 @@ impl System {
         let scene = self.scene();
         if scene.excitation != Excitation::Base {
             return Err(MeasureError::Asked(
-                "a sweep tells parameters of a scene that is driven by its base: a force would ask for the masses themselves",
+                "a sweep gives the parameters only of a scene that is driven by its base: with a force the masses themselves would be needed",
             ));
         }
         let sweep = Sweep::new(self, points, damping);

@@ -62,7 +62,7 @@ impl SweepPoint {
                 if !fits {
                     return Err(MeasureError::Sweep {
                         line: *line,
-                        what: "frequencies, transmissibilities and deviations are above 0"
+                        what: "frequencies, transmissibilities and deviations must be above 0"
                             .to_owned(),
                     });
                 }

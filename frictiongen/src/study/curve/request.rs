@@ -105,13 +105,13 @@ impl std::fmt::Display for CurveError {
             Self::Range => {
                 write!(
                     f,
-                    "a curve needs a range of frequencies above 0, its end above its start"
+                    "a range of frequencies must begin above 0 and end above its start"
                 )
             }
-            Self::Accuracy => write!(f, "the accuracy of a curve is between 1e-9 and 1"),
-            Self::Widest => write!(f, "the largest distance of two points is above 0"),
-            Self::Friction => write!(f, "a friction ratio is a finite number, 0 or above"),
-            Self::NoSuchMass(index) => write!(f, "the scene has no mass at place {index}"),
+            Self::Accuracy => write!(f, "the accuracy of a curve must be between 1e-9 and 1"),
+            Self::Widest => write!(f, "the largest distance between two points must be above 0"),
+            Self::Friction => write!(f, "a friction ratio must be a finite number, 0 or above"),
+            Self::NoSuchMass(index) => write!(f, "the scene has no mass with the index {index}"),
         }
     }
 }

@@ -70,12 +70,12 @@ pub enum FeatureError {
 impl std::fmt::Display for FeatureError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
-            Self::Range => "a range of frequencies begins above 0 and ends above its start, below infinity",
-            Self::Friction => "a friction is finite and not negative",
+            Self::Range => "a range of frequencies must begin above 0, and end above its start and below infinity",
+            Self::Friction => "a friction must be finite and not negative",
             Self::UnknownMass(error) => return error.fmt(f),
-            Self::Damped => "with damping no frequency has an amplitude that is the same for every friction",
+            Self::Damped => "a damped chain has no frequency at which the amplitude is the same for every friction",
             Self::Crowded => {
-                "towards r = 0 sub-harmonics crowd, and this range holds more than 20000 of them: let it begin higher"
+                "this range contains more than 20000 sub-harmonics, which crowd towards r = 0; begin the range at a higher frequency"
             }
         })
     }

@@ -75,10 +75,13 @@ impl std::fmt::Display for HistoryError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::NoCycle => write!(f, "a motion over time needs at least one cycle"),
-            Self::Samples => write!(f, "the samples of a cycle are an even number from 2 on"),
+            Self::Samples => write!(
+                f,
+                "the number of samples in a cycle must be even, and 2 or more"
+            ),
             Self::TooManySamples => write!(
                 f,
-                "more than {MOST_SAMPLES} samples of all motions together, the most there may be"
+                "all motions together have more than {MOST_SAMPLES} samples, the largest possible number"
             ),
             Self::TooManySkipped => {
                 write!(f, "at most {MOST_SAMPLES} cycles can be skipped")
@@ -87,7 +90,7 @@ impl std::fmt::Display for HistoryError {
                 f,
                 "the contact has more than {MOST_EVENTS} events, or the masses vibrate too often in a cycle to be followed"
             ),
-            Self::NoSuchMass(index) => write!(f, "the scene has no mass at place {index}"),
+            Self::NoSuchMass(index) => write!(f, "the scene has no mass with the index {index}"),
             Self::Solver(error) => error.fmt(f),
         }
     }

@@ -54,25 +54,25 @@ pub enum OptimumError {
 impl std::fmt::Display for OptimumError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
-            Self::Band => "the ends of the band are above 0 and finite",
-            Self::Width => "the end of the band is above its start",
+            Self::Band => "both bounds of the band must be above 0 and finite",
+            Self::Width => "the end of the band must be above its start",
             Self::UnknownMass(error) => return error.fmt(f),
             Self::Load(error) => return error.fmt(f),
             Self::Undamped(mode) => {
                 return write!(
                     f,
-                    "no friction bounds the motion: nothing damps mode {}, which the load drives and the contact does not touch",
+                    "no friction bounds the motion: the load drives mode {}, which has no damping and on which the contact does not act",
                     mode + 1
                 );
             }
             Self::Unbounded => {
                 "no friction bounds the amplitude over this band: it contains an undamped resonance"
             }
-            Self::AtRest => "it does not move over this band",
+            Self::AtRest => "this motion is zero over the whole band",
             Self::TooLong => {
-                "no friction that bounds the amplitude was found in the work of one search; a narrower band needs less"
+                "the search reached its limit of work before it found a friction that bounds the amplitude; give a narrower band"
             }
-            Self::Interval => "the ends of an interval are finite, the second above the first",
+            Self::Interval => "both bounds of an interval must be finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),
         })
     }

@@ -6,14 +6,15 @@ use std::fmt::Write;
 use std::path::Path;
 
 const OPENING: &str = "\
-# What is told of a faulty description, and what to write instead
+# Messages about faulty descriptions
 
-Every error of a description is told at once, each with the place of the token that it is about:
-on the token in a macro call, with `line:column:` at run time and on the command line, with
-`file:line:column:` on the path of a file that a macro reads.  Below, each message stands under its
-cause, then the lines that cause it (`-`) and the same lines cured (`+`).
+A faulty description gets one message for each error, all at once. Each message marks a token. A macro
+call marks the token itself. At run time and on the command line the message begins with `line:column:`.
+If a macro reads a file, the message begins with `file:line:column:` and marks the path of the file.
+Below, each message follows its cause. The lines that cause the message (`-`) and the corrected lines
+(`+`) follow the message.
 
-This page is made from the cases in `generated-tests/tests/messages/` by
+The cases are in `generated-tests/tests/messages/`. This page is renewed by
 `UPDATE_DOCS=1 cargo test -p generated-tests --test messages`.
 ";
 
@@ -39,8 +40,10 @@ fn show(case: &Case, page: &mut String) {
     let _ = write!(page, "\n### {heading}\n\n");
     let note = match case.door {
         Door::Every | Door::Code | Door::File => "",
-        Door::Text => "In a macro call the compiler itself refuses this.\n\n",
-        Door::Macro => "In a macro call only.\n\n",
+        Door::Text => {
+            "In a macro call the compiler itself reports this error, in its own words.\n\n"
+        }
+        Door::Macro => "Only a macro call gives this message.\n\n",
     };
     page.push_str(note);
     let told = case.told.join("\n").replace("{folder}", "…");

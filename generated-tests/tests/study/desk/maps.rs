@@ -329,7 +329,7 @@ fn a_mass_that_is_not_there() {
     assert_eq!(error.argument, "mass");
     let told = error.to_string();
     assert!(
-        told.contains("no mass of this place") && !told.contains("finite"),
+        told.contains("no mass with this index") && !told.contains("finite"),
         "{told}"
     );
 }

@@ -22,7 +22,9 @@ fn an_accuracy_beyond_the_condition() {
         "{message}"
     );
     assert!(
-        message.contains("1e-11 can be met: ask for less, or leave this r out of the range"),
+        message.contains(
+            "1e-11 can be met; declare a coarser accuracy, or leave this r out of the range"
+        ),
         "{message}"
     );
     let column = message.split(':').nth(1).unwrap().parse::<usize>().unwrap();

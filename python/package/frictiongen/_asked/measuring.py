@@ -107,7 +107,7 @@ class Measuring(Base):
                 raise _native.DomainError("a sweep is needed, or hz and transmissibility")
             return self._fit_arrays(hz, _masses(transmissibility, deviation), False, damping)
         if hz is not None or transmissibility is not None or deviation is not None:
-            raise _native.DomainError("sweep, or hz and transmissibility: one of them says it, give one")
+            raise _native.DomainError("give either sweep, or hz and transmissibility, not both")
         if isinstance(sweep, Transmissibilities):
             motions = {name: sweep[name] for name in sweep.motions if name in self._native.masses}
             amplitudes = {name: motion.transmissibility for name, motion in motions.items()}

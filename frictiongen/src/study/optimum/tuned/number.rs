@@ -207,7 +207,7 @@ impl System {
         let scene = self.scene();
         let varied = tunable.applied(scene, value).ok_or_else(|| InvalidScene {
             unknown: vec![format!(
-                "the description does not say the number `{}`",
+                "the description does not contain the number `{}`",
                 tunable.symbol(scene)
             )],
             errors: Vec::new(),
