@@ -153,7 +153,10 @@ fn wrong_column() {
     told(measured(all), "`base` is given twice");
     let all = channels(good);
     told(measured(all[1..].to_vec()), "a channel `base` is needed");
-    told(measured(all[..1].to_vec()), "no motion of a mass was recorded");
+    told(
+        measured(all[..1].to_vec()),
+        "no motion of a mass was recorded",
+    );
     let error =
         Recording::from_csv("time_s,base,plate_mm\n0,1,2\n", &CsvRequest::default()).unwrap_err();
     assert!(
