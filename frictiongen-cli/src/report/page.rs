@@ -141,7 +141,8 @@ fn limits_of_the_page() -> Markup {
                 "The page shows steady states under one harmonic load, reached from rest, with one contact of constant friction. "
                 "For motions from a start, see " code { "frictiongen time" }
                 ". For the effect of every mass and spring, see " code { "frictiongen sensitivity" }
-                ". Wear, normal forces that vary, and several frequencies at once are not in the model."
+                ". Wear, normal forces that vary, and several frequencies at once are not in the model. "
+                code { "docs/limits.md" } " lists what else is not, with the nearest way to treat each."
             }
         }
     }

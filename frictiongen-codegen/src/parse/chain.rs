@@ -87,7 +87,7 @@ fn spring(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<Sprin
 
 /// The message for a list of contacts.
 pub(crate) const ONE_CONTACT: &str =
-    "a scene has one contact, because the closed forms are valid for one only";
+    "a scene has one contact (docs/limits.md says how to treat a second)";
 
 /// Parses `mass - wall`, `mass - mass` or `mass - base`, in either order.
 pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<ContactEntry> {

@@ -11,7 +11,6 @@ const EDITIONS: [&str; 3] = ["2018", "2021", "2024"];
 /// * For each edition a crate without the standard library, with the facade renamed and every item documented.
 /// * A crate with constants, statics, unit structs and types that have the names of emitted items, a scene with the
 ///   name of a type that emitted code uses, `#[deprecated]`, and masses with capitals.
-/// emitted code uses, `#[deprecated]`, and masses with capitals.
 #[test]
 fn every_edition_and_names_that_clash() {
     let mut members: Vec<_> = EDITIONS
