@@ -108,7 +108,7 @@ mod tests {
             )
         };
         let line: Vec<_> = (0..500).map(wave).collect();
-        let path = data(&[line.clone()], "");
+        let path = data(std::slice::from_ref(&line), "");
         let found = read(&path);
         assert_eq!(found.len(), line.len());
         for (found, point) in found.iter().zip(&line) {
