@@ -11,7 +11,7 @@ pub const MOST_HARMONICS: u32 = 9999;
 /// Name of the contact, which no mass can have.
 pub const CONTACT: &str = "contact";
 
-/// A mass that was asked for.
+/// A requested mass.
 #[derive(Clone, Debug)]
 pub struct Mass {
     /// Index of the mass in the description.
@@ -77,7 +77,7 @@ pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32
         })
 }
 
-/// Returns the masses that were asked for, each once, or all masses.
+/// Returns the named masses, each once. Without names it returns all masses.
 pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
     if names.is_empty() {
         return Ok(known(system).collect());
@@ -92,7 +92,7 @@ pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
     Ok(masses)
 }
 
-/// Returns the parts that were asked for by name, each once, or the contact and all masses.
+/// Returns the named parts, each once. Without names it returns the contact and all masses.
 pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
     let contact = || Part {
         of: Of::Contact,
@@ -135,7 +135,7 @@ fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
     })
 }
 
-/// Returns the one part that was asked for.
+/// Returns the one requested part.
 pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
     let mut parts = parts(system, &[name.to_owned()])?;
     parts

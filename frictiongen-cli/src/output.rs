@@ -1,4 +1,4 @@
-//! Writes the results of a command, point by point, in the format asked for.
+//! Writes the results of a command, point by point, in the requested format.
 
 use crate::destination::Form;
 use crate::failure::Failure;

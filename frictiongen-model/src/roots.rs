@@ -177,8 +177,8 @@ pub(crate) fn to<S: Float>(value: Dd) -> S {
     S::constant(value.hi) + S::constant(value.lo)
 }
 
-/// Corrects all roots of a polynomial P simultaneously. Each correction is Newton's, from P′/P, with the other roots
-/// divided out.
+/// Improves estimates of all roots of a polynomial P together (Aberth and Ehrlich). Each step is a Newton step for one
+/// root, from P′/P, with the other roots divided out. The first `known` roots stay as they are.
 pub(crate) fn iterate<S: Float>(
     roots: &mut [Complex<Dd>],
     known: usize,

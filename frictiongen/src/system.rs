@@ -154,7 +154,8 @@ pub trait LimitsAt {
     fn continuous_limit(&self) -> Self::Scalar;
     /// Returns β_lim with S replaced by its limit for τ → 0 (5.64).
     fn continuous_limit_without_search(&self) -> Self::Scalar;
-    /// Returns β_lim with S as the sum of each mode's own maximum (5.55, 7.37), as the thesis prints it.
+    /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). It replaces S, the maximum of a sum over
+    /// the modes, by the sum of each mode's own maximum.
     fn continuous_limit_per_mode(&self) -> Self::Scalar;
     /// Returns β*_lim, from which on a stuck state exists (6.11, 6.27, 6.33).
     fn sliding_limit(&self) -> Self::Scalar;

@@ -21,7 +21,7 @@ const NAMES: [&str; 4] = [
 /// Number of limits that are computed between two checks for an interrupt.
 const PORTION: usize = 4096;
 
-/// The limits that are asked for.
+/// The requested limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     /// The limits β_lim and β*_lim, exact.
@@ -42,7 +42,7 @@ impl Kind {
         }
     }
 
-    /// Returns the limits by their indices, NaN for those that are not asked for.
+    /// Returns the limits by their indices, with NaN for a limit that the caller did not request.
     fn at(self, system: &System, r: f64) -> Result<[f64; 4], OutOfDomain> {
         let none = f64::NAN;
         Ok(match self {

@@ -7,7 +7,7 @@ use frictiongen::study::units::{fundamental_phase, polar, reversed_phase};
 use frictiongen::study::{Swing, SystemOrbitMotion, SystemResponse};
 use pyo3::prelude::*;
 
-/// One motion at one point, in groups. Missing quantities are `None`.
+/// One motion at one point, in non-dimensional form. Missing quantities are `None`.
 #[derive(Clone, Debug, Default)]
 pub struct Movement {
     /// Amplitude and phase of the largest displacement.
@@ -20,7 +20,7 @@ pub struct Movement {
     pub monoharmonic: Option<f64>,
     /// Largest velocity and acceleration.
     pub rates: Option<(f64, f64)>,
-    /// The harmonics asked for.
+    /// The requested harmonics.
     pub harmonics: Vec<Complex<f64>>,
 }
 

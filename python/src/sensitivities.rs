@@ -22,7 +22,7 @@ const ANSWERS: [(&str, &str, Read); 4] = [
     ("sliding_limit", "_N", |of| of.sliding_limit),
 ];
 
-/// Computes the derivatives at one point, one line for each parameter.
+/// Returns the derivatives at one point as columns, with one row for each parameter.
 #[pyfunction]
 pub fn sensitivities<'py>(
     py: Python<'py>,

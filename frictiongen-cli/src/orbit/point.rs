@@ -39,7 +39,7 @@ pub struct Steady {
     pub sticking: Vec<(f64, f64)>,
     /// Floquet multipliers.
     pub multipliers: Vec<Complex<f64>>,
-    /// Movements of the contact and of the masses asked for, in their order.
+    /// Movements of the contact and of the requested masses, in their order.
     pub movements: Vec<Movement>,
 }
 
@@ -67,7 +67,7 @@ pub struct Movement {
     pub centred: f64,
     /// Lag of the fundamental component; `None` for a part that does not move.
     pub fundamental_phase: Option<f64>,
-    /// The harmonics asked for, in ascending order.
+    /// The requested harmonics, in ascending order.
     pub harmonics: Vec<Complex<f64>>,
 }
 

@@ -30,7 +30,7 @@ pub struct Point {
     pub from_rest: Option<bool>,
     /// The relative motion in the contact.
     pub contact: Movement,
-    /// Motions of the masses asked for, in their order.
+    /// Motions of the requested masses, in their order.
     pub masses: Vec<Movement>,
 }
 
@@ -45,7 +45,7 @@ pub struct Movement {
     pub fundamental_phase: Option<f64>,
     /// The monoharmonic estimate of the amplitude.
     pub monoharmonic: Option<f64>,
-    /// The harmonics asked for, in ascending order.
+    /// The requested harmonics, in ascending order.
     pub harmonics: Vec<Complex<f64>>,
 }
 

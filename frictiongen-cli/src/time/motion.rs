@@ -18,7 +18,7 @@ pub struct Motion {
     pub course: Course,
     /// Samples and events.
     pub history: History,
-    /// Exact spectrum of each motion, if the spectrum of a steady state is asked for.
+    /// Exact spectrum of each motion, if the user requests the spectrum of a steady state.
     pub exact: Vec<Spectrum>,
     /// Start of the motion in words: from rest, from a state, or a steady state.
     kind: &'static str,

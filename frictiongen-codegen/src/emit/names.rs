@@ -3,7 +3,8 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
-/// Names that emitted code imports. A scene may have one of these names.
+/// Names that emitted code imports from the kernel. If a type of the scene has such a name, the emitted block refers to
+/// the scene's types by aliases.
 pub(super) const IMPORTED: [&str; 91] = [
     "Complex",
     "Scalar",

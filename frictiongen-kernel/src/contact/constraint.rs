@@ -108,8 +108,9 @@ impl<S: Float> Chain<S> {
         )
     }
 
-    /// Returns the constraint with the sum of each mode's own maximum in place of S (5.55, 7.37). The thesis prints
-    /// this form, which is an upper bound on S.
+    /// Returns the velocity constraint r²E·max(S, H_c + μm*/r²) with another S: the sum of each mode's own maximum
+    /// (5.55, 7.37). The thesis prints this sum. It is an upper bound on the exact S, the maximum of the sum over the
+    /// modes.
     pub fn constraint_per_mode<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,

@@ -28,7 +28,7 @@ pub struct Wave<S, D> {
 }
 
 impl<S: Float, D: Decay<S>> Wave<S, D> {
-    /// Creates a wave without any motion.
+    /// Creates a wave with all coefficients 0.
     pub fn at_rest(x: S, decay: D) -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -43,7 +43,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// Returns the mode's functions at an instant.
+    /// Returns the mode's functions of time at one instant.
     #[inline]
     pub(crate) fn basis(&self, at: &Instant<S>) -> Basis<S> {
         if self.mass_controlled {
@@ -63,7 +63,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         detuning * at.sine + loss * (at.cosine - basis.forced_slope) - x * x * basis.forced
     }
 
-    /// Creates a wave without any motion, as a placeholder for a mode.
+    /// Creates a wave with all coefficients 0, as a placeholder for a mode.
     pub fn idle(mode: &Mode<S>) -> Self {
         Self::at_rest(S::constant(0.0), D::of(mode))
     }

@@ -95,7 +95,7 @@ impl<T: ProvidesOrbit> At<T> {
     }
 }
 
-/// A scene with tables has the steady states of the exact formulas.
+/// Steady states of a scene with tables.  They come from the exact formulas.
 impl<T: Tabled + ProvidesOrbit> Compiled<T> {
     /// Returns the steady state at β = F/P that is reached from rest, in any regime.
     ///

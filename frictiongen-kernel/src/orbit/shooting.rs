@@ -22,10 +22,11 @@ pub const MAX_STEPS: u32 = 1 << 20;
 const MOST_TRIED: u32 = 3;
 /// Cycles after which the search looks for a subharmonic state.
 const FIRST_ASKED: u32 = 16;
-/// Largest distance, relative to the motion, to which a motion must come back after a period for that period to be
-/// tried.
+/// The search tries a number of cycles as a period only if the motion comes back this close to its state.  The distance
+/// is relative to the size of the motion.
 const NEARLY_BACK: f64 = 1e-2;
-/// Largest ratio of the distance after a period that is tried to the smallest distance after fewer cycles.
+/// The search tries a number of cycles as a period only if the distance after them is at most this fraction of every
+/// distance after fewer cycles.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {

@@ -5,8 +5,8 @@ use super::values::{
 };
 use crate::number::scalar::{Float, Scalar};
 
-/// Returns the functions for ζ = 1, the limit q → 0 from both sides, to first order in q² = 1 − ζ². The value of q² is
-/// 0, but its derivative with respect to ζ is not.
+/// Returns the mode's functions of the frequency for ζ = 1, the limit q → 0 from both sides, to first order in q² = 1 −
+/// ζ². The value of q² is 0, but its derivative with respect to ζ is not.
 #[inline]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -39,8 +39,8 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// Returns the functions at an instant, to first order in q² = 1 − ζ². The value of q² is 0; the first order is for
-/// derivatives with respect to ζ.
+/// Returns the mode's functions of time at one instant ([`Basis`]), to first order in q² = 1 − ζ². Derivatives with
+/// respect to ζ need the first order, although q² is 0.
 pub(super) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let one = S::constant(1.0);
     let time = x * at.tau;

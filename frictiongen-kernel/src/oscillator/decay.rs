@@ -58,7 +58,7 @@ pub trait Decay<S: Float>: Copy {
     fn kind(&self) -> Kind;
     /// Returns the modal damping ratio ζ.
     fn zeta(&self) -> S;
-    /// Returns the mode's functions at one instant, with x = 1/R.
+    /// Returns the mode's functions of time at one instant, with x = 1/R.
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S>;
     /// Returns p and p′ alone.
     fn free(&self, x: S, at: &Instant<S>) -> (S, S);

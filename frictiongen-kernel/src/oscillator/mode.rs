@@ -71,20 +71,20 @@ impl<S: Scalar> ModeResponse<S> {
 }
 
 impl<S: Scalar> Mode<S> {
-    /// Returns the functions of the mode at r = 1/`inverse_r`. `index` only names values in emitted code.
+    /// Returns the mode's functions of the frequency at r = 1/`inverse_r`. `index` only names values in emitted code.
     #[inline]
     pub fn response(&self, inverse_r: S, index: usize) -> ModeResponse<S> {
         self.functions_of(self.kind, inverse_r, true, index)
     }
 
-    /// Returns the functions of the mode, with g = 0 unless `with_g`. The limits do not need g, which is half of the
-    /// work.
+    /// Returns the mode's functions of the frequency, with g = 0 unless `with_g`. The limits do not need g, which is
+    /// half of the work.
     #[inline(always)]
     pub(crate) fn functions(&self, inverse_r: S, with_g: bool) -> ModeResponse<S> {
         self.functions_of(self.kind, inverse_r, with_g, 0)
     }
 
-    /// Returns the functions of a mode whose kind is known.
+    /// Returns the mode's functions of the frequency for the given kind of damping.
     #[inline(always)]
     pub(crate) fn functions_of(
         &self,
@@ -105,7 +105,7 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// Returns the functions of an undamped mode at x = √λ/r.
+    /// Returns the functions of the frequency of an undamped mode at x = √λ/r.
     #[inline(always)]
     pub(crate) fn undamped(x: S) -> ModeResponse<S> {
         undamped::response(x, None)

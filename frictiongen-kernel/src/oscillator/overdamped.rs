@@ -4,7 +4,8 @@ use super::values::{Basis, Instant, ModeResponse, Turn, denominator};
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
-/// Returns the functions for ζ > 1. The two real decays e^{−πx(ζ∓q)} are combined before they can overflow.
+/// Returns the mode's functions of the frequency for ζ > 1. The code combines the two real decays e^{−πx(ζ∓q)} before
+/// they can overflow.
 #[inline]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -46,7 +47,7 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// Returns the functions at an instant.
+/// Returns the mode's functions of time at one instant ([`Basis`]).
 pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> {
     let (one, half) = (S::constant(1.0), S::constant(0.5));
     let sum = zeta + q;

@@ -12,8 +12,9 @@ pub(super) fn detuning<S: Scalar>(x: S) -> S {
     ((x - one) * (x + one)).detuning_off_pole()
 }
 
-/// Returns the functions for ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0. v and u share a pole at x = 1, and u has a
-/// pole of its own at every other odd x. The exact zeros of both divisors are replaced, so that no quotient is 0/0.
+/// Returns the mode's functions of the frequency for ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0. v and u share a
+/// pole at x = 1, and u has a pole of its own at every other odd x. The code replaces exact zeros of both divisors, so
+/// that no quotient is 0/0.
 #[inline(always)]
 pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     let zero = S::constant(0.0);
@@ -33,7 +34,7 @@ pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     }
 }
 
-/// Returns the functions at an instant.
+/// Returns the mode's functions of time at one instant ([`Basis`]).
 #[inline]
 pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
     let half_turns = x * at.t;

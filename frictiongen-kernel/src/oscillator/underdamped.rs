@@ -7,8 +7,8 @@ use super::values::{
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::versine_beside;
 
-/// Returns the functions for 0 < ζ < 1, from section 3 of `docs/derivation.md`. The denominator 1 + e^{−πx(ζ−iq)} is
-/// written around its zeros: (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2) − i m sin(θ/2), θ = πqx.
+/// Returns the mode's functions of the frequency for 0 < ζ < 1, from section 3 of `docs/derivation.md`. The denominator
+/// 1 + e^{−πx(ζ−iq)} is written around its zeros: (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2) − i m sin(θ/2), θ = πqx.
 #[inline(always)]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -53,7 +53,7 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// Returns the functions at an instant for ζ < 1/2.
+/// Returns the mode's functions of time at one instant ([`Basis`]), for ζ < 1/2.
 pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>) -> Basis<S> {
     let (one, half) = (S::constant(1.0), S::constant(0.5));
     let decay = zeta * x * at.tau;
@@ -85,7 +85,7 @@ pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>)
     basis
 }
 
-/// Returns the functions at an instant for 1/2 ≤ ζ < 1.
+/// Returns the mode's functions of time at one instant ([`Basis`]), for 1/2 ≤ ζ < 1.
 pub(super) fn heavy<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> {
     let one = S::constant(1.0);
     let decay = zeta * x * at.tau;

@@ -234,8 +234,8 @@ impl<T: Scene> At<T> {
         self.limited(self.scene.break_away(&self.contact))
     }
 
-    /// Returns β_lim with S as the sum of each mode's own maximum, as the thesis prints it (5.55, 7.37). It is a lower
-    /// bound on β_lim, and takes one search per mode.
+    /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). The formula replaces S, the maximum of a
+    /// sum over the modes, by the sum of each mode's own maximum. The call makes one search per mode.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
         let numbers = self.scene.numbers();

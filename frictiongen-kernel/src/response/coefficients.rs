@@ -73,7 +73,7 @@ pub struct ModalCoefficients<S> {
 /// The factor 2^24, by which the smallest `f32` becomes a number with a finite reciprocal.
 const INTO_RANGE: f64 = (1_u32 << 24) as f64;
 
-/// Gives both components of a complex value their names in emitted code.
+/// Names the real and the imaginary part of a complex value. Emitted code binds each part to its name.
 #[inline(always)]
 fn named<S: Scalar>(
     value: Complex<S>,

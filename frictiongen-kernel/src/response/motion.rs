@@ -40,7 +40,7 @@ pub struct Largest<S> {
     pub effort: Effort,
 }
 
-/// Returns a mode's wave in a motion.
+/// Returns the [`Wave`] of a mode, its term in a motion.
 pub fn motion_wave<S: Float, D: Decay<S>>(
     x: S,
     decay: D,

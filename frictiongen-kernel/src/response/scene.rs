@@ -18,7 +18,7 @@ pub trait Scene: Clone {
     type Decay: Decay<Self::Scalar>;
     /// Storage for each mode's functions at one frequency.
     type Modes: AsRef<[ModeAt<Self::Scalar>]> + Clone + core::fmt::Debug;
-    /// Storage for each mode's wave in a motion.
+    /// Storage for the [`Wave`] of each mode, its term in a sum over the modes.
     type Waves: AsRef<[Wave<Self::Scalar, Self::Decay>]>
         + AsMut<[Wave<Self::Scalar, Self::Decay>]>
         + Clone;
@@ -54,7 +54,8 @@ pub trait Scene: Clone {
         self.frequency_stage(inverse_r).0
     }
 
-    /// Returns one wave at rest for each mode, as working space for the searches.
+    /// Returns one [`Wave`] for each mode, with all coefficients 0, as working space for the searches. A wave is the
+    /// term of one mode in a sum over the modes.
     fn idle(&self) -> Self::Waves;
 
     /// Copies the modes' functions, so that a motion can own them. A generator writes a plain copy. Optimised for size,
@@ -64,7 +65,8 @@ pub trait Scene: Clone {
         modes.clone()
     }
 
-    /// Runs a search with one wave at rest for each mode as working space. Nothing of the waves is kept.
+    /// Runs a search with one [`Wave`] for each mode as working space. All coefficients of the waves are 0 at the
+    /// start. The call drops the waves afterwards.
     #[inline]
     fn with_idle<R>(&self, search: impl FnOnce(&mut [Wave<Self::Scalar, Self::Decay>]) -> R) -> R {
         search(self.idle().as_mut())

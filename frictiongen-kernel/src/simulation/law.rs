@@ -54,7 +54,7 @@ fn between<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
     }
 }
 
-/// Index of the line on which a speed lies.
+/// Returns the index of the straight line of the law that contains a speed.
 pub(crate) fn place<S: Float>(points: &[[S; 2]], speed: S) -> usize {
     points.iter().take_while(|[v, _]| *v <= speed).count()
 }

@@ -35,7 +35,7 @@ pub struct Lines<'a, S> {
     points: &'a [[S; 2]],
     /// The velocity, in the scene's units, for which dz̄/dτ is 1.
     unit: S,
-    /// Index of the line on which the speed lies.
+    /// Index of the straight line of the law that contains the speed.
     place: usize,
     /// Crossing at the end of the piece that has been searched.
     next: Crossing,
@@ -124,7 +124,7 @@ impl<'a, S: Float> Lines<'a, S> {
         law::steepest(self.points) * self.unit
     }
 
-    /// Starts on the line on which this speed lies.
+    /// Selects the straight line of the law that contains this speed |dz̄/dτ|, before the first piece.
     pub(super) fn start(&mut self, speed: S) {
         self.place = law::place(self.points, speed * self.unit);
     }

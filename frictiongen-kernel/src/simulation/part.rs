@@ -32,7 +32,7 @@ pub struct Part<S> {
     /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}).  If `near`, it is the complex force
     /// instead.
     steady: Complex<S>,
-    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}), where φ is the share of the drive in u = (y′ − φ)/x.
+    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). φ is the drive of y′, which u = (y′ − φ)/x leaves out.
     direct: Complex<S>,
     /// Whether the excitation is so near the resonance that the forced motion is formed from differences.
     pub(super) near: bool,
@@ -41,12 +41,13 @@ pub struct Part<S> {
     /// y and u now, or at the start of the segment.
     pub(crate) y: S,
     pub(crate) u: S,
-    /// The free motion's share of y and u at the start of the segment.
+    /// y and u of the free motion at the start of the segment.
     pub(super) free: [S; 2],
     /// Coefficients of c and s in the searched function.  `slope` has those in its derivative.
     pub(super) value: [S; 2],
     pub(super) slope: [S; 2],
-    /// Upper bound on the oscillator's share in the third derivative.  For an oscillation it falls as e^{−ζxτ}.
+    /// Upper bound on the oscillator's term in the third derivative of the searched function.  For an oscillation it
+    /// falls as e^{−ζxτ}.
     pub(super) bound: S,
     /// Weights of y and u in the searched function.
     pub(crate) weight: [S; 2],
@@ -141,7 +142,8 @@ impl<S: Float> Part<S> {
         turn.moved(self.zeta, free)
     }
 
-    /// The steady share of y and u, from the sine and the cosine of the excitation's angle.
+    /// y and u of the steady motion, from the sine and the cosine of the excitation's angle.  Near the resonance they
+    /// contain no forced displacement, which `grown` returns instead.
     #[inline]
     fn carried(&self, (sine, cosine): (S, S)) -> [S; 2] {
         if self.near {
@@ -155,7 +157,8 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// Sets the free share at the start of a segment, from y and u there.
+    /// Sets y and u of the free motion at the start of a segment.  They are y and u at this instant less those of the
+    /// steady motion.
     #[inline]
     pub(super) fn start(&mut self, phase: (S, S)) {
         let [y, u] = self.carried(phase);

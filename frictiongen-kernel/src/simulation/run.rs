@@ -64,8 +64,9 @@ pub struct Simulation<'a, S, P, L = Constant> {
     passed: Total<S>,
 }
 
-/// Upper bound on the pieces that one call follows where the kinetic friction changes with the speed.  A piece ends at
-/// the next line of the friction law.  Beyond the bound the motion continues in another segment.
+/// Upper bound on the pieces of motion that one call follows if the kinetic friction changes with the speed.  A piece
+/// ends at an event, or where the speed reaches the next straight line of the friction law.  It also ends where the
+/// power series of the motion ends.  At the bound the call returns, and the motion continues in another segment.
 pub const MAX_STRETCHES: u32 = 4096;
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> {

@@ -26,7 +26,7 @@ pub(crate) struct ContactState<S> {
     pub wedged: bool,
 }
 
-/// The end of a segment.
+/// End of a segment: its length, its event, and the state of the contact after the event.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct End<S> {
     /// Length of the segment, in τ.
@@ -370,7 +370,7 @@ impl<S: Float> Sought<S> {
     }
 }
 
-/// The end of a segment without an event.
+/// Returns the [`End`] of a segment of length `tau` in which no event occurs.
 fn quiet<S: Float>(tau: S, contact_state: ContactState<S>, steps: u32) -> End<S> {
     let zero = S::constant(0.0);
     End {

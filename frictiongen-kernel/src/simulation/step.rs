@@ -8,8 +8,12 @@ const STEPS: usize = 12;
 /// tighter tolerance costs time and gains nothing.
 const CLOSE: f64 = 0.1;
 
-/// Returns the smallest positive root of p = f + f′h + f″h²/2 − Bh³/6 for f ≥ 0, and f′ > 0 if f = 0.  Up to the root
-/// the function is positive wherever |f‴| ≤ B.  The result never exceeds the root, to rounding, nor `most`.
+/// Returns a step over which a function f stays positive if |f‴| ≤ B.
+///
+/// `f`, `slope` and `curve` are f, f′ and f″ at the start, and `bound` is B.  The caller passes f ≥ 0, and f′ > 0 if
+/// f = 0.  The cubic p(h) = f + f′h + f″h²/2 − Bh³/6 is a lower bound on f.  The function f is therefore positive up to
+/// the smallest positive root of p.  The result approximates this root.  It exceeds neither the root, to rounding, nor
+/// `most`.
 pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     let (zero, half) = (S::constant(0.0), S::constant(0.5));
     let sixth = S::constant(1.0 / 6.0);

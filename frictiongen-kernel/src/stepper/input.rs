@@ -1,6 +1,6 @@
-//! The course of the input between samples.
+//! Interpolation of the input between samples.
 
-/// Course of the input between two samples.
+/// Interpolation of the input between two samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
     /// Zero-order hold: a force keeps its value, and the base its velocity, from the start of the step.

@@ -41,12 +41,13 @@ pub use scene::{StepScene, Units};
 pub use state::{FixedStore, Saved, Store, StoreMut, StoreRef};
 pub use table::{Channel, FixedTables, HeldLoad, Tables, View, fill, series_terms};
 
-/// Upper bound on the events that are followed in one sub-interval of a step.  For the rest of the sub-interval a
-/// contact at rest stays stuck, and a sliding contact slides without friction.
+/// Upper bound on the events that the stepper follows in one sub-interval of a step.  After that many events, a contact
+/// at rest stays stuck for the rest of the sub-interval, and a sliding contact slides without friction.
 pub const MAX_EVENTS: u32 = 8;
 
-/// Upper bound on the pieces of motion that are followed in one sub-interval of a step.  A piece ends at an event,
-/// where the next line of the friction law begins, or where the power series of a steep law stops converging.
+/// Upper bound on the pieces of motion that the stepper follows in one sub-interval of a step.  A piece ends at an
+/// event, or where the speed reaches the next straight line of the friction law.  It also ends where the power series
+/// of a steep law stops converging.
 pub const MAX_STRETCHES: u32 = 8 * MAX_EVENTS;
 
 /// Upper bound on the sub-intervals of one step.

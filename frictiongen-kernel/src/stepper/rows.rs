@@ -249,7 +249,7 @@ impl<S: Float, const D: usize> HeldRow<S, D> {
         }
     }
 
-    /// Returns the weighted sum over state and drive.
+    /// Returns the sum of y, u and the drive's coefficients, each multiplied by its weight in this row.
     #[inline]
     pub(super) fn times(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> S {
         let [first, second] = &self.drive;
@@ -260,7 +260,7 @@ impl<S: Float, const D: usize> HeldRow<S, D> {
 }
 
 impl<S: Float, const D: usize> Row<S, D> {
-    /// Returns the weighted sum over state and drive.
+    /// Returns the sum of y, u and the drive's coefficients, each multiplied by its weight in this row.
     #[inline]
     pub(super) fn times(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
         let sum = self.state[0] * y + self.state[1] * u;

@@ -28,7 +28,7 @@ pub struct StepScene<'a, S> {
     pub on_base: bool,
     /// Indices of the masses that a force acts on, in the description.  The excited mass is the first.
     pub forces: &'a [usize],
-    /// Course of the input between two samples.
+    /// Interpolation of the input between two samples.
     pub input: Input,
     /// Points (v, f) of Stribeck's law: speed, and kinetic friction over its value at zero speed, with v ascending.
     /// Empty for Coulomb's law.

@@ -149,7 +149,8 @@ impl<T: Tabled> Compiled<T> {
         self.exact().continuous_limit_without_search()
     }
 
-    /// Returns β_lim with S as the sum of each mode's own maximum (5.55, 7.37), from the exact formulas.
+    /// Returns a lower bound on β_lim (5.55, 7.37), from the exact formulas. It replaces S, the maximum of a sum over
+    /// the modes, by the sum of each mode's own maximum.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
         self.exact().continuous_limit_per_mode()

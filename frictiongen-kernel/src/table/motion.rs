@@ -142,7 +142,7 @@ impl<T: TabledMotion> Compiled<T> {
     }
 }
 
-/// Continuous motion at one frequency ratio and one friction ratio, of a scene with tables.
+/// Continuous motion of a [`TabledMotion`] scene at one frequency ratio and one friction ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving<T: TabledMotion> {
     at: Compiled<T>,

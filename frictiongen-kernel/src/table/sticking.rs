@@ -1,4 +1,4 @@
-//! Response of a scene with tables while its contact is stuck.
+//! Response of a [`TabledStuck`] scene while its contact is stuck.
 
 use super::compiled::{Compiled, Tabled};
 use crate::errors::StuckResonance;
@@ -68,7 +68,7 @@ impl<T: TabledStuck> Compiled<T> {
     }
 }
 
-/// Response at one frequency ratio while the contact is stuck, of a scene with tables.
+/// Response of a [`TabledStuck`] scene at one frequency ratio, while its contact is stuck.
 #[derive(Clone, Copy, Debug)]
 pub struct Sticking<T: TabledStuck> {
     at: Compiled<T>,

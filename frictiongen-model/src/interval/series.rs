@@ -10,7 +10,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// [`joined`](Self::joined) uses this.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Series<const N: usize> {
-    /// The coefficients, beginning with the value.
+    /// The Taylor coefficients f⁽ᵏ⁾/k!. The first is the value of f.
     pub terms: [Interval; N],
 }
 

@@ -22,7 +22,7 @@ pub struct Fitted<S> {
     pub from: S,
     /// The origin from which r is counted.
     pub origin: S,
-    /// Coefficients of each function, beginning with the constant.
+    /// Coefficients of each function's polynomial in r − `origin`. The first is the constant coefficient.
     pub coefficients: Vec<Vec<S>>,
 }
 
@@ -70,8 +70,8 @@ pub(super) struct Form {
     pub rounding: f64,
 }
 
-/// Fits a form over [low, high]. Near a zero, the quotient of β_lim and the distance from the zero
-/// is fitted.
+/// Fits one polynomial to each tabulated function over [low, high], with the settings `form`. If `zero` gives a zero r₀
+/// of β_lim, the quotients β_lim/(r − r₀) and |V|/(r − r₀) are fitted instead. This keeps the errors relative.
 pub(super) fn fit<S: Float>(
     exact: &mut Exact<'_>,
     (low, high): (f64, f64),

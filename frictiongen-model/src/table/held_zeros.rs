@@ -365,7 +365,8 @@ fn degree(simple: &[[Complex<Dd>; 2]]) -> Option<usize> {
     None
 }
 
-/// Corrects the zeros of Σ R/(s − z).
+/// Improves `roots`, estimates of the zeros of Σ R/(s − z), in the arithmetic of `S`. `simple` lists the pairs z and R.
+/// `most` has the largest number of steps, and the relative step at which the iteration ends.
 fn correct<S: Float>(simple: &[[Complex<Dd>; 2]], roots: &mut [Complex<Dd>], most: (usize, f64)) {
     let wide = |value: &Complex<Dd>| Complex::new(to::<S>(value.re), to::<S>(value.im));
     let simple = simple.iter();

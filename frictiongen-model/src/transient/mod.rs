@@ -19,8 +19,9 @@ use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned
 /// Damping ratio below which held modes are as far apart as free ones. Up to 64 masses then lose only some roundings.
 const NEAR_CRITICAL: f64 = 0.9;
 
-/// Returns the relative loss of a scene's motion in time, if it exceeds half of the digits of the scalar
-/// ([`Transient::excess_loss`]).
+/// Returns the largest relative change of a motion of the scene if the contact sticks and is released at once
+/// ([`Transient::excess_loss`]). Returns `None` if this change is at most √ε of the scene's scalar, so that half of the
+/// digits remain.
 #[must_use]
 pub fn excess_loss(scene: &Scene) -> Option<f64> {
     let near_critical = |ratio: f64| NEAR_CRITICAL <= ratio;
@@ -118,9 +119,10 @@ impl<S: Scalar> Transient<S> {
         }
     }
 
-    /// Returns the relative loss of a motion between the free modes and the held modes
-    /// ([`held_loss`](Dynamics::held_loss)). Returns `None` unless the loss exceeds half of the digits of the scalar.
-    /// With such a loss no time-domain result is useful. It occurs only with modes near critical damping or above.
+    /// Returns the largest relative change of a motion if the contact sticks and is released at once
+    /// ([`held_loss`](Dynamics::held_loss)). Returns `None` if this change is at most √ε of the scalar, so that half of
+    /// the digits remain. A larger change makes all results in the time domain useless. Only modes near critical
+    /// damping or above cause a larger change.
     #[must_use]
     pub fn excess_loss(&self) -> Option<S>
     where

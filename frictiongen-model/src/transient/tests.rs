@@ -95,7 +95,8 @@ fn many_masses_spread_over_twelve_decades() {
     }
 }
 
-/// A motion must survive the change to held modes and back. Where it does not, the transient must report the loss.
+/// The change from the modes of the sliding chain to the held modes (contact stuck) and back must keep half of the
+/// digits of a motion. Otherwise the transient must report the loss.
 #[test]
 fn a_loss_is_seen() {
     let uneven = |n: u32, zeta: f64| {

@@ -13,9 +13,9 @@ pub enum Reading {
     Amplitude,
     /// The phase of the motion in degrees.
     Phase,
-    /// The amplitude of a harmonic, by its index among those asked for.
+    /// The amplitude of a harmonic, by its index among the requested harmonics.
     Harmonic(usize),
-    /// The phase of a harmonic in degrees, by its index among those asked for.
+    /// The phase of a harmonic in degrees, by its index among the requested harmonics.
     HarmonicPhase(usize),
 }
 
@@ -32,7 +32,7 @@ pub struct Drawn<'a> {
 
 /// Largest difference of phase, rad, at which neighbouring points are joined.
 const TURN: f64 = 0.6;
-/// Least amplitude at which a phase is drawn, over the amplitude that the piece exceeds over half of its range.
+/// Smallest amplitude at which the plot shows a phase, relative to the median amplitude over the range of the piece.
 const VANISHING: f64 = 2e-3;
 
 /// Returns the stroke of a regime.
@@ -59,7 +59,7 @@ impl Reading {
         matches!(self, Self::Phase | Self::HarmonicPhase(_))
     }
 
-    /// Returns amplitude and phase of a motion, by its index among those asked for.
+    /// Returns amplitude and phase of a motion, by its index among the requested motions.
     fn polar(self, point: &CurvePoint, part: usize) -> Option<(f64, Option<f64>)> {
         let movement = point.movements.get(part)?;
         Some(match self {
@@ -72,7 +72,8 @@ impl Reading {
     }
 }
 
-/// Returns the curve of one motion by pieces, each with its regime and its points in the units of the axes.
+/// Returns the curve of one motion as a list of pieces. A piece has its regime, and its points in the units of the
+/// axes.
 fn traced(
     curve: &Curve,
     part: usize,
@@ -277,7 +278,7 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
     if largest > 0.0 { 1.06 * largest } else { 1.0 }
 }
 
-/// Returns the amplitude that is exceeded over this share of the range.
+/// Returns the amplitude that the curve exceeds over the fraction `share` of its range of r.
 fn exceeded(points: &[Point], share: f64) -> f64 {
     let mut parts: Vec<Point> = points
         .windows(2)
@@ -298,7 +299,7 @@ fn exceeded(points: &[Point], share: f64) -> f64 {
     0.0
 }
 
-/// Returns a figure with amplitude and phase of every motion asked for, one row for each.
+/// Returns a figure with amplitude and phase of every requested motion, one row for each motion.
 #[must_use]
 pub fn curve_figure(
     title: impl Into<Label>,

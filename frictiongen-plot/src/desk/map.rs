@@ -15,7 +15,7 @@ pub enum Shade {
     Stops,
     /// Fraction of the period during which the contact sticks.
     Stuck,
-    /// Amplitude of a motion, by its index among those asked for.
+    /// Amplitude of a motion, by its index among the requested motions.
     Amplitude(usize),
 }
 

@@ -17,7 +17,7 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// Makes scales in groups: r, β, x̄.
+    /// Makes scales of the non-dimensional groups r, β and x̄.
     #[must_use]
     pub fn groups(system: &System) -> Self {
         Self {

@@ -140,7 +140,8 @@ impl Measured {
         self.drive.fundamental().norm()
     }
 
-    /// Returns X_1 of a mass over the excitation, or `None` if the mass was not recorded.
+    /// Returns the complex amplitude X_1 of the fundamental component of a mass, divided by that of the excitation.
+    /// Returns `None` if the mass was not recorded.
     #[must_use]
     pub fn transmissibility(&self, mass: usize) -> Option<Transmissibility> {
         let tone = self.tone(mass)?;
@@ -153,8 +154,8 @@ impl Measured {
         })
     }
 
-    /// Returns X_n of a mass over the amplitude of the excitation, with τ = 0 at a maximum of the excitation. Returns
-    /// `None` if it was not recorded.
+    /// Returns the complex amplitude X_n of harmonic n of a mass, divided by the amplitude of the excitation. τ = 0 is
+    /// a maximum of the excitation. Returns `None` if the mass was not recorded.
     #[must_use]
     pub fn harmonic(&self, mass: usize, n: u32) -> Option<Complex<f64>> {
         let tone = self.tone(mass)?;
@@ -165,7 +166,7 @@ impl Measured {
         Some(value / (turn.powu(n) * drive.norm()))
     }
 
-    /// Returns the tone of a mass, or `None` if the mass was not recorded.
+    /// Returns mean and harmonics of the displacement of a mass, or `None` if the mass was not recorded.
     #[must_use]
     pub fn tone(&self, mass: usize) -> Option<&Tone> {
         let found = self.masses.iter().find(|(place, _)| *place == mass);
@@ -221,7 +222,7 @@ fn places<'r>(recording: &'r Recording, scene: &Scene) -> Result<Places<'r>, Mea
     Ok(Places { drive, masses })
 }
 
-/// Converts a measured tone to displacements in m, or to a force in N.
+/// Converts mean and harmonics of a channel to displacements in m, or to a force in N.
 fn in_metres(tone: Tone, channel: &Channel, omega: f64) -> Tone {
     let scale = channel.unit.scale();
     let derivatives = match channel.unit.dimension() {

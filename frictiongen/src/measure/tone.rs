@@ -22,7 +22,8 @@ const ENOUGH_BINS: usize = 64;
 /// Least number of bins that give a noise floor.
 const FEWEST_BINS: usize = 12;
 
-/// A frequency and its harmonics in one channel: x = Re Σ X_n e^{inωt}, with t = 0 in the middle of the samples.
+/// Mean and harmonics of one channel at a given frequency: x = mean + Re Σ X_n e^{inωt}, with t = 0 in the middle of
+/// the samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tone {
     /// Mean of the samples.
@@ -36,7 +37,7 @@ pub struct Tone {
 }
 
 impl Tone {
-    /// Returns X_1.
+    /// Returns X_1, the complex amplitude of the fundamental component.
     #[must_use]
     pub fn fundamental(&self) -> Complex<f64> {
         let zero = Complex::new(0.0, 0.0);
@@ -116,7 +117,7 @@ impl Basis {
         Some((*mean, harmonics.collect()))
     }
 
-    /// Returns the tone of samples with its uncertainty, or `None` where there are too few cycles.
+    /// Returns mean and harmonics of samples with their uncertainty, or `None` if the samples have too few cycles.
     pub(super) fn tone(&self, samples: &[f64]) -> Option<Tone> {
         let (mean, harmonics) = self.components(samples)?;
         let left: Vec<f64> = samples

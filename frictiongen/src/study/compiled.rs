@@ -290,7 +290,7 @@ impl<S: Float> FrictionSystem for CompiledSystem<'_, S> {
     }
 }
 
-/// A system with tables, at one frequency ratio.
+/// A [`CompiledSystem`] at one frequency ratio.
 #[derive(Clone, Debug)]
 pub struct CompiledAt<'a, S: Float = f64>(Compiled<&'a CompiledSystem<'a, S>>);
 
@@ -302,11 +302,11 @@ impl<'a, S: Float> Deref for CompiledAt<'a, S> {
     }
 }
 
-/// The continuous motion of a system with tables.
+/// Continuous motion of a [`CompiledSystem`] at one frequency ratio and one friction ratio.
 #[derive(Clone, Debug)]
 pub struct CompiledMotion<'a, S: Float = f64>(Moving<&'a CompiledSystem<'a, S>>);
 
-/// The motion of the contact of a system with tables.
+/// Relative motion of the contact of a [`CompiledSystem`], while the contact slides all the time.
 pub type CompiledContact<'a, S = f64> = SteadyContact<&'a CompiledSystem<'a, S>>;
 
 impl<'a, S: Float> CompiledMotion<'a, S> {

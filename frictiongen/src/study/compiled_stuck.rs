@@ -1,4 +1,4 @@
-//! The response of a run-time system with tables while its contact is stuck.
+//! Response of a [`CompiledSystem`] while its contact is stuck.
 
 use super::compiled::CompiledSystem;
 use super::error::UnknownMass;
@@ -31,7 +31,7 @@ impl<'a, S: Float> TabledStuck for &'a CompiledSystem<'a, S> {
     }
 }
 
-/// The response of a system with tables while its contact is stuck.
+/// Response of a [`CompiledSystem`] while its contact is stuck.
 #[derive(Clone, Debug)]
 pub struct CompiledStuck<'a, S: Float = f64>(Sticking<&'a CompiledSystem<'a, S>>);
 

@@ -32,11 +32,11 @@ pub enum OperatingPoint {
 pub enum Parameter {
     /// A number of the description, in its own unit.
     Quantity(Quantity),
-    /// The friction force F in N, or β in groups.
+    /// The friction force F in N under a load, else the friction ratio β.
     Friction,
-    /// The load, P in N or Y in m. Groups have no load.
+    /// The load, P in N or Y in m. A non-dimensional operating point has no load.
     Load,
-    /// The frequency in Hz, or r in groups.
+    /// The frequency in Hz under a load, else the frequency ratio r.
     Frequency,
 }
 

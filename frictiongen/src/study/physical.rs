@@ -53,7 +53,8 @@ struct Answers {
     sliding_limit: Sensitive,
 }
 
-/// An operating point in groups, with the units of length and force.
+/// Frequency ratio r and friction ratio β of an operating point, with the length and the force to which non-dimensional
+/// amplitudes and limits refer.
 struct Groups {
     r: Sensitive,
     beta: Sensitive,
@@ -270,7 +271,8 @@ fn stuck_swing(
     Ok((amplitude, Some(-(motion.im.atan2(motion.re)))))
 }
 
-/// Returns an operating point in groups in which `parameter` is the variable.
+/// Returns r, β, and the reference length and force of an operating point, with derivatives with respect to
+/// `parameter`.
 fn groups(system: &System, varied: &Varied, point: OperatingPoint, parameter: Parameter) -> Groups {
     let number = |value: f64, own: bool| {
         let value = Dd::from(value);
@@ -325,8 +327,8 @@ fn groups(system: &System, varied: &Varied, point: OperatingPoint, parameter: Pa
 /// remainder by rounding.
 const NOTHING: f64 = 1e-24;
 
-/// Returns a value with its derivative with respect to a parameter of the value `parameter`. `None` unless both are
-/// finite.
+/// Returns a value and its derivative with respect to one parameter. `parameter` is the value of this parameter.
+/// Returns `None` unless both results are finite.
 fn slope(answer: Sensitive, parameter: f64) -> Option<Slope> {
     let mut slope = Slope {
         value: answer.value.to_f64(),

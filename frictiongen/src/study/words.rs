@@ -216,7 +216,8 @@ pub fn condition(point: &InvariantPoint) -> &'static str {
     }
 }
 
-/// Returns the word for a bound of an inversion, a range in which friction enlarges a motion.
+/// Returns the word for the bound of an inversion. An inversion is a range of r in which more friction enlarges a
+/// motion.
 #[must_use]
 pub fn edge(edge: Edge) -> &'static str {
     match edge {

@@ -92,7 +92,7 @@ impl<'a, 'py, T> Sheet<'a, 'py, T> {
         self.numbers(&name, of)
     }
 
-    /// Adds the friction asked for.
+    /// Adds the requested friction.
     pub fn friction(&mut self, beta: impl Fn(&T) -> f64) -> PyResult<()> {
         let measure = self.counted.measure;
         if measure.scale().is_some() {

@@ -261,7 +261,8 @@ impl Observed {
         Ok(())
     }
 
-    /// Returns the quantities to compare: those asked for, or those that all motions have.
+    /// Returns the quantities to compare: amplitude, phase, or both. `by` names them. Without `by` the comparison uses
+    /// every quantity that all motions have.
     pub fn using(&self, by: Option<&str>) -> PyResult<Using> {
         let none = |without: Known| self.known.iter().all(|known| *known != without);
         let (amplitudes, phases) = (none(Known::Phase), none(Known::Amplitude));

@@ -34,7 +34,7 @@ impl Line<'_> {
     }
 }
 
-/// Returns a line for each motion of each observation.
+/// Returns measured and computed motions as columns, with one row for each motion of each observation.
 pub fn table<'py>(
     py: Python<'py>,
     system: &System,

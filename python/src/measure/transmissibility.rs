@@ -44,7 +44,7 @@ pub fn drive(system: &System) -> (&'static str, &'static str) {
     }
 }
 
-/// Returns a line for each recording.
+/// Returns the transmissibilities of the recorded masses as columns, with one row for each recording.
 #[pyfunction]
 pub fn transmissibility<'py>(
     py: Python<'py>,

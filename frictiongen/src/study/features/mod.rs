@@ -95,7 +95,7 @@ impl From<isolate::Crowded> for FeatureError {
     }
 }
 
-/// The features of a system, in groups or under a load: see [`System::features`].
+/// The features of a system, in non-dimensional form or under a load: see [`System::features`].
 ///
 /// Requests take frequencies as r and frictions as β. Every result has r, and a [`Sensed`] number in its unit with
 /// derivatives. Under a load the units are Hz, N and m, at constant forces and lengths. Otherwise they are r, β and

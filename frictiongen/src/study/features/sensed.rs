@@ -62,15 +62,15 @@ pub(super) struct Variation {
     pub parameter: Parameter,
     pub value: f64,
     pub varied: Varied,
-    /// Unit of force: P or k₁Y; 1 in groups.
+    /// Unit of force: P or k₁Y under a load, else 1.
     pub force: Sensitive,
-    /// Unit of length: P/k₁ or Y; 1 in groups.
+    /// Unit of length: P/k₁ or Y under a load, else 1.
     pub length: Sensitive,
-    /// Frequency in Hz over r; 1 in groups.
+    /// Frequency in Hz over r under a load, else 1.
     pub frequency: Sensitive,
 }
 
-/// The scene varied by each parameter, under a load or in groups.
+/// The scene varied by each parameter, under a load or in non-dimensional form.
 pub(super) struct Variations {
     pub scale: Option<LoadScale>,
     pub all: Vec<Variation>,
@@ -246,7 +246,7 @@ impl Variation {
     }
 }
 
-/// Returns the units of force (P or k₁Y) and of length (P/k₁ or Y) with their derivatives; 1 in groups.
+/// Returns the units of force (P or k₁Y) and of length (P/k₁ or Y) with their derivatives. Without a load both are 1.
 fn units(system: &System, load: Option<Load>, parameter: Parameter) -> [Sensitive; 2] {
     let number = |value: f64, own: bool| {
         if own {

@@ -34,9 +34,9 @@ pub(super) struct Tried {
     pub amplitude: f64,
     /// Derivative of the amplitude with respect to the value. NaN where it is not known.
     pub slope: f64,
-    /// β in groups of the scene as it is described.
+    /// Friction ratio β of the scene as the description gives it.
     pub beta: f64,
-    /// Frequencies of the peaks, as r of the scene as it is described.
+    /// Frequencies of the peaks, as frequency ratios r of the scene as the description gives it.
     pub peaks: Vec<f64>,
     pub found: Option<Least>,
 }
