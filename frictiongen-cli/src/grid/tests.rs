@@ -103,7 +103,7 @@ fn ranges_do_not_go_beyond_their_end() {
 #[test]
 fn as_many_points_as_there_may_be() {
     assert_eq!(ratios("1:1:10000000").len(), MOST_POINTS);
-    let most = "more than 10000000 points, the most there may be";
+    let most = "more than 10000000 points, the largest possible number";
     for text in [
         "0:1:10000000",
         "0:1e-300:1e300",
@@ -135,14 +135,11 @@ fn bad_grids() {
         ("1::3", "--r `1::3`: a number is missing"),
         ("x", "--r `x`: `x` is not a number"),
         ("1:x:3", "--r `1:x:3`: `x` is not a number"),
-        ("nan", "--r `nan`: NaN is not a number to compute with"),
-        (
-            "0:nan:1",
-            "--r `0:nan:1`: NaN is not a number to compute with",
-        ),
+        ("nan", "--r `nan`: a number is needed, not NaN"),
+        ("0:nan:1", "--r `0:nan:1`: a number is needed, not NaN"),
         (
             "1e999",
-            "--r `1e999`: `1e999` is too large; write inf if it is meant",
+            "--r `1e999`: `1e999` is too large; write inf for infinity",
         ),
         ("0:1:inf", "--r `0:1:inf`: a range needs finite numbers"),
         ("0:inf:1", "--r `0:inf:1`: a range needs finite numbers"),
@@ -156,9 +153,12 @@ fn bad_grids() {
             "1:0.1:0",
             "--r `1:0.1:0`: from 1.0 to 0.0 the step must be negative",
         ),
-        ("-1", "--r `-1`: a frequency ratio is not negative"),
-        ("-inf", "--r `-inf`: a frequency ratio is not negative"),
-        ("-1:1:1", "--r `-1:1:1`: a frequency ratio is not negative"),
+        ("-1", "--r `-1`: a frequency ratio must not be negative"),
+        ("-inf", "--r `-inf`: a frequency ratio must not be negative"),
+        (
+            "-1:1:1",
+            "--r `-1:1:1`: a frequency ratio must not be negative",
+        ),
     ];
     for (text, message) in cases {
         assert_eq!(error(text, Quantity::FrequencyRatio), message);
@@ -169,10 +169,10 @@ fn bad_grids() {
 fn friction_ratios_are_finite() {
     assert_eq!(
         error("0,inf", Quantity::FrictionRatio),
-        "--beta `inf`: a friction ratio is finite"
+        "--beta `inf`: a friction ratio must be finite"
     );
     assert_eq!(
         error("-0.1", Quantity::FrictionRatio),
-        "--beta `-0.1`: a friction ratio is not negative"
+        "--beta `-0.1`: a friction ratio must not be negative"
     );
 }
