@@ -22,10 +22,9 @@ pub const MAX_STEPS: u32 = 1 << 20;
 const MOST_TRIED: u32 = 3;
 /// Cycles after which the search looks for a subharmonic state.
 const FIRST_ASKED: u32 = 16;
-/// Largest distance, relative to the motion, to which a motion must come back after a period for that period to be
-/// tried.
+/// A period is tried if the motion comes back after it to within this distance of its start, relative to the motion.
 const NEARLY_BACK: f64 = 1e-2;
-/// Largest ratio of the distance after a period that is tried to the smallest distance after fewer cycles.
+/// A period is tried if the distance after it is below this fraction of the smallest distance after fewer cycles.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {
@@ -43,7 +42,7 @@ pub(super) enum Settled<S> {
     Found(Found<S>),
     /// The contact sticks for ever, with z̄ at this value.
     Stuck(S),
-    /// No cycle repeats within the bound, for this reason.
+    /// The search reached its upper bound on cycles without a steady state.  The value is the reason.
     Not(NoOrbit),
 }
 

@@ -112,10 +112,10 @@ impl<S: Float> Setting<'_, S> {
 }
 
 impl<S: Float> Dynamics<'_, S> {
-    /// Worst relative change of a motion of the free modes when the contact sticks and is released at once.  The tested
-    /// states move two modes and not the contact.  The change is of the order of rounding where the modes of the stuck
-    /// chain are well separated.  Where many modes are at or beyond critical damping, the modes of the stuck chain
-    /// crowd together, and their contributions cancel.
+    /// Returns the largest relative error that a motion gets when the contact sticks and is released at once.  In the
+    /// tested states two modes move, and the contact does not.  The error is of the order of rounding where the modes
+    /// of the stuck chain are well separated.  Where many modes are at or beyond critical damping, the modes of the
+    /// stuck chain crowd together, and their contributions cancel.
     ///
     /// `states` has room for the modes that the contact drives, and `held` for the modes of the stuck chain.
     pub fn held_loss(&self, states: &mut [[S; 2]], held: &mut [[S; 2]]) -> S {

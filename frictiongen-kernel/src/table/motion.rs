@@ -99,7 +99,7 @@ pub trait TabledMotion: Tabled + ProvidesMotion {
 }
 
 impl<T: TabledMotion> Compiled<T> {
-    /// Returns the continuous motion at the friction ratio β = F/P, where the tabled limits admit it.
+    /// Returns the continuous motion at the friction ratio β = F/P, where the table's limits admit it.
     ///
     /// # Errors
     /// [`NotContinuous`] names the regime if the motion is not continuous. It also reports an undamped resonance that
@@ -142,7 +142,7 @@ impl<T: TabledMotion> Compiled<T> {
     }
 }
 
-/// Continuous motion at one frequency ratio and one friction ratio, of a scene with tables.
+/// Continuous motion of a scene with tables, at one frequency ratio and one friction ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving<T: TabledMotion> {
     at: Compiled<T>,

@@ -68,7 +68,7 @@ impl<T: TabledStuck> Compiled<T> {
     }
 }
 
-/// Response at one frequency ratio while the contact is stuck, of a scene with tables.
+/// Response of a scene with tables at one frequency ratio, with the contact stuck.
 #[derive(Clone, Copy, Debug)]
 pub struct Sticking<T: TabledStuck> {
     at: Compiled<T>,

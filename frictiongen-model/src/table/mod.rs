@@ -1,9 +1,9 @@
 //! Tables with a declared accuracy, built from the exact functions of a scene.
 //!
-//! β_lim is fitted by pieces that are as long as the accuracy allows. Near its zeros, which are known, the quotient of
-//! β_lim and the distance from the zero is fitted. β*_lim, |V| and the responses while the contact is stuck are
-//! products over their zeros and poles. The tables are compared with the exact values in their own arithmetic, at
-//! points that the fit did not use. A proof can cover all r between those points.
+//! β_lim is a piecewise polynomial, with pieces as long as the accuracy allows. Near a known zero of β_lim, the fit
+//! is to the quotient of β_lim and the distance from the zero. β*_lim, |V| and the responses while the contact is
+//! stuck are products over their zeros and poles. The tables are compared with the exact values in their own
+//! arithmetic, at points that the fit did not use. A proof can cover all r between those points.
 
 mod check;
 mod cover;

@@ -118,9 +118,11 @@ impl<S: Scalar> Transient<S> {
         }
     }
 
-    /// Returns the relative loss of a motion between the free modes and the held modes
-    /// ([`held_loss`](Dynamics::held_loss)). Returns `None` unless the loss exceeds half of the digits of the scalar.
-    /// With such a loss no time-domain result is useful. It occurs only with modes near critical damping or above.
+    /// Returns the relative error that a motion gets when the contact sticks and is released at once
+    /// ([`held_loss`](Dynamics::held_loss)). The motion then changes to the modes of the chain with its contact stuck,
+    /// and back to the modes of the free chain. Returns `None` unless the error exceeds √ε, half of the digits of the
+    /// scalar. With such an error no time-domain result is useful. It occurs only with modes near critical damping or
+    /// above.
     #[must_use]
     pub fn excess_loss(&self) -> Option<S>
     where

@@ -72,7 +72,7 @@ impl Reading {
     }
 }
 
-/// Returns the curve of one motion by pieces, each with its regime and its points in the units of the axes.
+/// Returns the curve of one motion in pieces. Each piece has its regime and its points in the units of the axes.
 fn traced(
     curve: &Curve,
     part: usize,

@@ -165,7 +165,8 @@ impl Measured {
         Some(value / (turn.powu(n) * drive.norm()))
     }
 
-    /// Returns the tone of a mass, or `None` if the mass was not recorded.
+    /// Returns the mean and the harmonics of the measured motion of a mass. Returns `None` if the mass was not
+    /// recorded.
     #[must_use]
     pub fn tone(&self, mass: usize) -> Option<&Tone> {
         let found = self.masses.iter().find(|(place, _)| *place == mass);

@@ -116,7 +116,8 @@ impl Basis {
         Some((*mean, harmonics.collect()))
     }
 
-    /// Returns the tone of samples with its uncertainty, or `None` where there are too few cycles.
+    /// Returns mean and harmonics of samples, with their standard deviation. Returns `None` if there are too few
+    /// cycles.
     pub(super) fn tone(&self, samples: &[f64]) -> Option<Tone> {
         let (mean, harmonics) = self.components(samples)?;
         let left: Vec<f64> = samples
