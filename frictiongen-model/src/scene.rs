@@ -143,7 +143,7 @@ pub enum Proving {
     /// About a second. Tables that need longer are checked but not proven.
     #[default]
     Quick,
-    /// As long as a command would search: some seconds in code without optimisation.
+    /// The time that the command line takes for a proof: some seconds in code without optimisation.
     Whole,
 }
 

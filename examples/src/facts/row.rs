@@ -20,7 +20,7 @@ pub struct Entry {
 pub enum Verdict {
     /// Every printed number equals the computed one to its printed digits.
     Agrees,
-    /// At least one printed number differs, for this reason.
+    /// At least one printed number differs. The text gives the reason.
     Corrected(&'static str),
     /// At least one printed number differs, and no reason is given.
     Unexplained,

@@ -14,7 +14,7 @@ pub enum Ground {
     Exact,
     /// Interval arithmetic, which finds every feature of this type in the range.
     All,
-    /// Close samples, refined.
+    /// A search from closely spaced samples. It may miss one of two features that are closer than the samples.
     Sampled,
 }
 
@@ -38,17 +38,18 @@ pub struct Line {
     pub of: String,
     /// Further details in words.
     pub detail: String,
-    /// Frequency ratio at which it is or begins; `None` if it has no frequency.
+    /// Frequency ratio of the feature, or of its beginning. `None` if the feature has no frequency.
     pub r: Option<f64>,
-    /// Frequency ratio at which it ends.
+    /// Frequency ratio at which the feature ends.
     pub to: Option<f64>,
     /// Friction of the feature, or the friction up to which it is valid: N under a load.
     pub friction: Option<f64>,
     /// Amplitude at the feature: m under a load.
     pub amplitude: Option<f64>,
-    /// The method that found it.
+    /// The method that found the feature.
     pub ground: Ground,
-    /// Numbers of the feature with their derivatives, by name. The first is shown.
+    /// Numbers of the feature: the name of each, its value and its derivatives with respect to the parameters. The
+    /// printed table has the strongest derivative of the first number.
     pub sensed: Vec<(&'static str, Sensed)>,
 }
 

@@ -49,7 +49,8 @@ struct Tabled {
     operations: usize,
 }
 
-/// Upper bounds on the work of the answers, from the sizes of the scene.
+/// Upper bounds on evaluations, memory and operations of the solvers. They follow from the numbers of masses and modes
+/// of the scene.
 struct Bounds {
     /// Evaluations of the modal sum in a search for β_lim, and in a search for an amplitude.
     limit: u32,

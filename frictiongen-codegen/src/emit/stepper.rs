@@ -148,7 +148,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     }
 }
 
-/// Returns documentation lines on the cost of a step.
+/// Returns documentation lines about the cost of a step.
 fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
     let fastest = scene.fastest().to_f64();
     let shown = if (0.1..1e7).contains(&fastest) {
@@ -168,7 +168,7 @@ fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
     ]
 }
 
-/// Returns documentation lines on the number of operations of a step.
+/// Returns documentation lines about the number of operations of a step.
 fn operations(
     scene: &StepScene<'_, Dd>,
     step: Option<f64>,

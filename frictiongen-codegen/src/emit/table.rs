@@ -254,8 +254,7 @@ pub(super) fn factors<S: Float>(emission: &Emission<'_>, factors: &[Factor<S>]) 
     code!([#(#factors),*])
 }
 
-/// Returns documentation lines on the content of the table and on its distance from the exact
-/// values.
+/// Returns documentation lines that describe the table and its largest error.
 fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     let (low, high) = tables.request.r;
     let functions = match tables.functions {

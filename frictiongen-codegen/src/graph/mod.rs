@@ -140,7 +140,8 @@ impl Graph {
         }
     }
 
-    /// Removes all names. Formulas recorded afterwards name operations anew, including those already recorded.
+    /// Removes the names of all operations. Formulas that are recorded afterwards name operations again, even
+    /// operations that were recorded before.
     pub(crate) fn unname(&self) {
         self.inner.borrow_mut().names.fill(None);
     }

@@ -66,7 +66,7 @@ fn wrapped(places: &[usize]) -> String {
     lines.join("\n    ")
 }
 
-/// Returns lines on the content of the tables and on their distance from the exact values.
+/// Returns lines of text that describe the tables and their largest error.
 fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     let (low, high) = tables.request.r;
     let report = &tables.report;

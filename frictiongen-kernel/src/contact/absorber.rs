@@ -20,7 +20,8 @@ fn near<S: Float>() -> S {
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns true if H is so small that V may have the same zero. The argument `h` is the real part of H times r²E.
+    /// Returns true if H is so small that V may have the same zero. The argument `h` is the real part of H,
+    /// multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     pub(crate) fn may_absorb(&self, h: S) -> bool {
         !self.damped && !(h.abs() > near::<S>() * self.inverse_mass)

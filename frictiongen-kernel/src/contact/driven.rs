@@ -198,7 +198,8 @@ fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2];
 
 impl<S: Float> Chain<S> {
     /// Returns β_lim without search and β*_lim at 1/r, for an r that is neither 0 nor infinite, and without regard to
-    /// an absorber. It also returns H times r²E. `is_one` states that V = H and μ = 1, so that β*_lim is 1.
+    /// an absorber. It also returns H, multiplied by r² and by the scale E of [`ContactAt`]. `is_one` states that V = H
+    /// and μ = 1, so that β*_lim is 1.
     #[inline]
     pub fn limits_of_driven(
         &self,

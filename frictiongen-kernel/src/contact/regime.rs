@@ -16,8 +16,9 @@ pub fn check_ratio<S: Float>(value: S, argument: &'static str) -> Result<S, OutO
 /// Largest ratio between a resonance and 1 for which the range of r needs no reduction.
 const ROOM: f64 = 1024.0;
 
-/// Returns the smallest and the largest 1/r at which a chain with these resonances is evaluated. The range is that of
-/// the scalar, reduced where a resonance is so far from 1 that the square of √λ/r would overflow or underflow.
+/// Returns the smallest and the largest 1/r at which the formulas of a chain are evaluated. `resonances` are √λ of the
+/// modes. The range is [`Float::inverse_ratio_range`]. If a √λ is below 1/1024 or above 1024, the range is smaller, so
+/// that the square of √λ/r neither overflows nor underflows.
 pub fn inverse_ratio_range<S: Float>(resonances: impl Iterator<Item = S>) -> (S, S) {
     let (low, high) = S::inverse_ratio_range();
     let (mut smallest, mut largest) = (1.0 / ROOM, ROOM);

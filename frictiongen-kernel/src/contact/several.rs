@@ -21,7 +21,8 @@ pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
 pub(crate) struct Several<S> {
     pub continuous: [S; SIDE_BY_SIDE],
     pub sliding: [S; SIDE_BY_SIDE],
-    /// Real part of H times r²E, from which the caller decides whether masses may act as an absorber.
+    /// Real part of H, multiplied by r² and by the scale E of [`ContactAt`]. The caller decides from this number
+    /// whether masses may act as an absorber.
     pub h: [S; SIDE_BY_SIDE],
 }
 

@@ -8,7 +8,8 @@ macro_rules! locals {
     ($($name:ident)*) => {
         $(#[doc(hidden)] pub fn $name() {})*
 
-        /// All names in this list. A generator emits any other name that a scene needs together with the scene.
+        /// Names of the functions in this module. For any other name that a scene needs, the generator emits a function
+        /// together with the scene.
         #[doc(hidden)]
         pub const NAMES: &[&str] = &[$(stringify!($name)),*];
     };

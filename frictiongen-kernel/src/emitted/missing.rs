@@ -3,7 +3,7 @@
 //! Emitted code has a method of that name all the same, which requires one of the traits below. No type implements
 //! them. The compiler message therefore names what to add, and the field to add it to.
 
-/// Required by the methods that need `limits`, in a scene that provides only its motion in time.
+/// The methods that need `limits` require this trait, if the scene provides only its motion in time.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `limits`",
     label = "add `limits` to the scene's `provide: [...]`"
@@ -15,7 +15,7 @@ pub trait AddLimitsToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Required by `motion`, in a scene that does not list it under `provide`.
+/// The method `motion` requires this trait, if the scene does not list `motion` under `provide`.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `motion`",
     label = "add `motion` to the scene's `provide: [...]`"
@@ -27,7 +27,7 @@ pub trait AddMotionToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Required by the orbit methods, in a scene that does not list `orbit` under `provide`.
+/// The orbit methods require this trait, if the scene does not list `orbit` under `provide`.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `orbit`",
     label = "add `orbit` to the scene's `provide: [...]`"
@@ -39,7 +39,7 @@ pub trait AddOrbitToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Required by the simulation methods, in a scene that does not list `simulation` under `provide`.
+/// The simulation methods require this trait, if the scene does not list `simulation` under `provide`.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `simulation`",
     label = "add `simulation` to the scene's `provide: [...]`"
@@ -51,7 +51,7 @@ pub trait AddSimulationToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Required by the stepper methods, in a scene that does not list `stepper` under `provide`.
+/// The stepper methods require this trait, if the scene does not list `stepper` under `provide`.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `stepper`",
     label = "add `stepper` to the scene's `provide: [...]`"
@@ -63,7 +63,7 @@ pub trait AddStepperToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Required by `stuck`, in a scene that does not list it under `provide`.
+/// The method `stuck` requires this trait, if the scene does not list `stuck` under `provide`.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `stuck`",
     label = "add `stuck` to the scene's `provide: [...]`"
@@ -75,7 +75,7 @@ pub trait AddStuckToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Required by the motion of a mass that the scene's `motion(…)` leaves out.
+/// The method for the motion of a mass requires this trait, if the scene's `motion(…)` leaves out this mass.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide the motion of this mass",
     label = "add the mass to `motion(...)` in the scene's `provide: [...]`"

@@ -235,9 +235,10 @@ where
         mark.contact_state.t + S::constant(2.0) * (mark.cycle - self.origin_cycle - past)
     }
 
-    /// The intervals in which the contact sticks: start and length.  The start is τ of the excitation, from 0 to 2π
-    /// times the period.  That τ counts from a maximum of the excitation.  For a subharmonic state that is the maximum
-    /// next to [`origin`](Self::origin).
+    /// The intervals in which the contact sticks, each as its start and its length.  The start is the excitation's
+    /// angle, from 0 to 2π times the number of cycles in the period.  The angle is 0 at a maximum of the excitation.
+    /// In a subharmonic state, which has several maxima in a period, it is 0 at the maximum next to τ = 0 (see
+    /// [`origin`](Self::origin)).
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
         let stuck = |contact: &Contact| *contact == Contact::Stuck;
         let intervals = self

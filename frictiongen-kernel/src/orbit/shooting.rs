@@ -44,7 +44,7 @@ pub(super) enum Settled<S> {
     Found(Found<S>),
     /// The contact sticks for ever, with z̄ at this value.
     Stuck(S),
-    /// No cycle repeats within the bound, for this reason.
+    /// The search reached its upper bound on cycles without a steady state.  The value is the reason.
     Not(NoOrbit),
 }
 

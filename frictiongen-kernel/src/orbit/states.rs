@@ -8,7 +8,7 @@ use crate::response::{At, Scene};
 use crate::simulation::Part;
 use core::fmt;
 
-/// Upper bound on the starts that are tried.
+/// Upper bound on the number of starts in a search for steady states.
 const STARTS: usize = 9;
 /// Relative difference of amplitudes and stuck fractions below which two states are the same.
 const ALIKE: f64 = 1e-6;

@@ -6,7 +6,7 @@ use crate::errors::NotContinuous;
 use crate::response::coefficients::{Friction, Fundamental};
 use crate::response::motion::Motion;
 
-/// Motion of the contact, or of a mass, of a scene.
+/// Motion of the contact of a scene, or of one of its masses.
 pub type MotionOf<T> = Motion<<T as Scene>::Scalar, <T as Scene>::Decay, <T as Scene>::Waves>;
 
 /// A scene that provides `motion`.

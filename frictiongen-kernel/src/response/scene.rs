@@ -96,8 +96,8 @@ pub trait Scene: Clone {
     }
 
     /// Returns β_lim without search and β*_lim at 1/r, for an r that is neither 0 nor infinite, and without regard to
-    /// an absorber. It also returns the real part of H times r²E, from which the caller decides whether masses may act
-    /// as an absorber.
+    /// an absorber. It also returns the real part of H, multiplied by r² and by the scale E of [`ContactAt`]. The
+    /// caller decides from this number whether masses may act as an absorber.
     #[inline]
     fn limits_without_search(
         &self,

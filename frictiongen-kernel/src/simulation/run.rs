@@ -55,7 +55,7 @@ pub struct Simulation<'a, S, P, L = Constant> {
     level: L,
     /// State of the contact at the start of the segment.
     contact_state: ContactState<S>,
-    /// Phase of the excitation at the start of the segment, and now.
+    /// Phase of the excitation at the start of the segment, and at the present instant.
     start: Clock<S>,
     now: Clock<S>,
     /// The segment once its end has been found, and the length of it that has passed.  The search is made once, however
@@ -176,7 +176,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         }
     }
 
-    /// Relative displacement z̄ of the contact and its derivative dz̄/dτ, now.
+    /// Returns the present relative displacement z̄ of the contact, and its derivative dz̄/dτ.
     #[must_use]
     pub fn relative(&self) -> (S, S) {
         let at = segment::phase(self.now.t);

@@ -1,5 +1,6 @@
-//! A function of time between two events, with its derivatives and a bound on the third.  The function is a fundamental
-//! component at the excitation's frequency plus a sum over oscillators.
+//! A function of time between two events, with its derivatives and a bound on its third derivative.  The function is a
+//! fundamental component at the excitation's frequency plus a sum over oscillators.  Each oscillator is a mode of the
+//! chain with a free contact or with a stuck one.
 
 use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series};
 use super::part::Part;

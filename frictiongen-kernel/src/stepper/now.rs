@@ -226,7 +226,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         [y, u * mode.resonance]
     }
 
-    /// The contact now.
+    /// Returns displacement, velocity, state and friction force of the contact at the end of the last step.
     #[must_use]
     pub fn contact(&self) -> ContactNow<S> {
         let contact = self.status.contact;
@@ -245,7 +245,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// The friction force now, in the scene's unit of force.
+    /// Returns the friction force at the end of the last step, in the scene's unit of force.
     pub(super) fn force(&self) -> S {
         let zero = S::constant(0.0);
         let status = &self.status;

@@ -99,7 +99,7 @@ pub trait TabledMotion: Tabled + ProvidesMotion {
 }
 
 impl<T: TabledMotion> Compiled<T> {
-    /// Returns the continuous motion at the friction ratio β = F/P, where the tabled limits admit it.
+    /// Returns the continuous motion at the friction ratio β = F/P, where the table's limits admit it.
     ///
     /// # Errors
     /// [`NotContinuous`] names the regime if the motion is not continuous. It also reports an undamped resonance that

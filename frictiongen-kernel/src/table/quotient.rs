@@ -8,16 +8,16 @@ pub enum Factor<S> {
     /// Factor (r − y)(r + y). It stores y as a rounded value and a rest, so that r − y keeps its digits close to the
     /// zero.
     Zero {
-        /// y, rounded.
+        /// Imaginary part y of the zero, rounded to the scalar.
         at: S,
-        /// Rounding error of y: the exact y less the rounded one.
+        /// Rounding error of y: the exact y minus the rounded y.
         rest: S,
     },
     /// Factor ((r − y)(r + y) + x²)² + 4x²y² of a pair of zeros off the imaginary axis.
     Pair {
-        /// y, rounded.
+        /// Imaginary part y of the zero, rounded to the scalar.
         at: S,
-        /// Rounding error of y: the exact y less the rounded one.
+        /// Rounding error of y: the exact y minus the rounded y.
         rest: S,
         /// x², the square of the real part of the zeros.
         off: S,

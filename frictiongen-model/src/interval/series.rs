@@ -243,8 +243,8 @@ impl<const N: usize> Series<N> {
         root
     }
 
-    /// Returns sin(πz)/(πz) of a series z from the power series, for |z| ≤ 1. Returns `ALL` if the value of z exceeds
-    /// that.
+    /// Returns sin(πz)/(πz), where z is this series. The function is computed by its own power series, which needs
+    /// |z| ≤ 1. Returns `ALL` if |z| may exceed 1.
     #[must_use]
     pub fn sinc(&self) -> Self {
         let z = self.value();

@@ -114,7 +114,7 @@ impl<S: Float> Held<S> {
 struct Point {
     r: f64,
     at: HeldAt,
-    /// The exact responses some roundings of r further on.
+    /// The exact responses at an r that is larger by `ROUNDINGS` roundings.
     moved: HeldAt,
 }
 

@@ -88,7 +88,8 @@ impl HeldAt {
         }
     }
 
-    /// Returns x̄*_k = V_k − H_kV/H.
+    /// Returns the complex amplitude of mass k with the contact stuck, x̄*_k = V_k − H_kV/H (section 4 of
+    /// `docs/derivation.md`).
     pub fn mass(&self, modal: &Modal, mass: usize) -> Complex<Dd> {
         let mut sum = complex::real(Dd::ZERO);
         for (shape, moved) in modal.shapes.iter().zip(&self.modes) {

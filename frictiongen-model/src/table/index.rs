@@ -5,7 +5,8 @@ use frictiongen_kernel::Float;
 
 /// Smallest number of buckets, which is never too many.
 const FEWEST: usize = 8;
-/// Numbers of buckets that are tried. A power of two lets a lookup find its bucket without a comparison.
+/// Numbers of buckets that `Index::of` tries, one after the other. With a power of two a lookup finds its bucket
+/// without a comparison.
 const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
 /// Largest number of buckets for each number in the pieces. More buckets would need more memory than they are worth.
 const CROWDED: usize = 1;

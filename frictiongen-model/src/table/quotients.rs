@@ -125,7 +125,7 @@ pub(super) struct Products<S> {
     pub worst: Worst,
     /// Number of compared points.
     pub points: usize,
-    /// The proofs of both.
+    /// The proof of β*_lim and the proof of |V|.
     pub proofs: [Proof; 2],
 }
 

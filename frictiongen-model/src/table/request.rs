@@ -20,11 +20,11 @@ pub struct Request {
     pub r: (f64, f64),
     /// The largest relative error of an answer, or for a phase the largest error in radians.
     pub accuracy: f64,
-    /// The side of the exact limits on which the tabled limits may lie.
+    /// The side of the exact limits on which the table's limits may lie.
     pub side: Side,
-    /// True if the motion of the contact is tabled in addition to the limits.
+    /// True if the table contains the motion of the contact in addition to the limits.
     pub motion: bool,
-    /// True if the responses while the contact is stuck are tabled.
+    /// True if the table contains the responses with the contact stuck.
     pub stuck: bool,
 }
 

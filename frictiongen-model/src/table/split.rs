@@ -1,4 +1,4 @@
-//! The r at which a table must be divided, and those at which it must be checked closely.
+//! The r at which a table must be divided, and the r near zeros and resonances at which its error must be computed.
 
 use super::zeros::{Zeros, contact_modes};
 use crate::modal::Modal;
@@ -43,7 +43,8 @@ pub(super) struct Landmarks {
     pub zeros: Vec<Edge>,
     /// The resonances of undamped modes within the range, at which arg V jumps.
     pub jumps: Vec<f64>,
-    /// Further r to check, ascending, about zeros, resonances and sub-harmonics.
+    /// Further r at which the error of a table is computed, ascending. They are at and near zeros, resonances and
+    /// sub-harmonics.
     pub closely: Vec<f64>,
 }
 
@@ -54,7 +55,7 @@ impl Landmarks {
         zeros.find(|zero| to(zero.at) == origin)
     }
 
-    /// Adds an r to check.
+    /// Adds an r at which the error of a table is computed.
     pub fn look_at(&mut self, r: f64) {
         let place = self.closely.partition_point(|known| *known < r);
         self.closely.insert(place, r);

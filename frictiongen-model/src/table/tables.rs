@@ -247,8 +247,9 @@ impl<S: Float> Tables<S> {
         Self::built_within(exact, request, usize::MAX)
     }
 
-    /// Builds the tables, if necessary with polynomials of a higher degree. A mode may leave a trace some hundred
-    /// roundings of r wide, which the usual degree cannot follow.
+    /// Builds the tables, if necessary with polynomials of a higher degree. A mode may change
+    /// a function only over a range of r that is some hundred roundings of r wide. The usual degree cannot follow such
+    /// a change.
     fn built_within(
         exact: &mut Exact<'_>,
         request: Request,

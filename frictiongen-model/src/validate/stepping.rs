@@ -116,7 +116,7 @@ fn check_constant_level(scene: &Scene, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Reports an accuracy of a scene without limits or motion, because only those are tabled.
+/// Reports a declared accuracy or budget of a scene that provides only motion in time, for which no table exists.
 fn check_tables(scene: &Scene, errors: &mut Vec<SceneError>) {
     if scene.needs_frequency() || scene.provide.is_empty() {
         return;

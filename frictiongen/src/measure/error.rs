@@ -115,25 +115,25 @@ pub enum MeasureError {
     WrongUnit {
         /// The measured amplitude over the nearest amplitude of the scene, rounded to a power of 1000.
         factor: f64,
-        /// The mass.
+        /// Name of the mass.
         mass: String,
     },
     /// No friction force gives the scene this amplitude.
     NotExplained {
-        /// The mass.
+        /// Name of the mass.
         mass: String,
         /// Measured amplitude |x̄|.
         measured: f64,
-        /// The nearest amplitude of the scene.
+        /// The amplitude |x̄| of the scene that is nearest to the measured one.
         nearest: f64,
     },
     /// No friction force gives the scene this phase.
     PhaseNotExplained {
-        /// The mass.
+        /// Name of the mass.
         mass: String,
         /// Measured lag behind the excitation, degrees.
         measured: f64,
-        /// Lag of the scene at its best fit, degrees.
+        /// Lag of the mass behind the excitation with the best-fitting friction force, degrees.
         nearest: f64,
     },
     /// There are fewer data than unknowns.

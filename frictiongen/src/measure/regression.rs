@@ -164,7 +164,8 @@ struct Window {
     /// Coefficients of M, F_v, F_c and the offset.
     columns: [f64; 4],
     force: f64,
-    /// Least distance travelled within a quarter of the window; 0 if the axis turns.
+    /// Smallest distance between the mean positions of two neighbouring quarters of the window. It is 0 if the axis
+    /// reverses its direction within the window.
     slowest: f64,
 }
 

@@ -227,7 +227,7 @@ impl Band {
                 "step is {given:?}: it must be above 0 and finite"
             )));
         }
-        // As the command, this refuses more points than it could return.
+        // Like the command, this function refuses more points than it could return.
         if super::MOST_POINTS as f64 <= (self.to - self.from) / step {
             return Err(domain(format_args!(
                 "step is {given:?}: it gives more than {} points",

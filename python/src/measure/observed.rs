@@ -29,7 +29,7 @@ type Points<'py> = (
     Vec<Told<'py>>,
 );
 
-/// The quantities of a motion that were given.
+/// The quantities of a motion that the caller gave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Known {
     /// Amplitude and phase.
@@ -40,12 +40,12 @@ pub enum Known {
     Phase,
 }
 
-/// Observations, with the quantities that are known of each.
+/// Observations, and for each observation the quantities that the caller gave.
 #[derive(Default)]
 pub struct Observed {
     /// Observations in the form of the library.
     pub all: Vec<Observation>,
-    /// Known quantities of each observation.
+    /// The quantities that the caller gave for each observation.
     pub known: Vec<Known>,
 }
 

@@ -1,4 +1,4 @@
-//! `docs/trade.svg`: accuracy against cost, a panel for each question, from `trade.csv` alone.
+//! Draws `docs/trade.svg`, the error against the time of each method, from `trade.csv` alone.
 
 mod pools;
 mod questions;
@@ -16,19 +16,19 @@ const CAPTION: &str = "Down and to the left is better.  A mark is one way with o
     mode, monoharmonic and fundamental are shown compiled to f64 alone, per mode without one mass, where it is exact; \
     the stepper without a damped base, which is another scene to it.";
 
-/// How far apart the ends of an axis of errors are at least.
+/// Smallest ratio of the end points of an error axis.
 const LEAST_SPAN: f64 = 40.0;
 
-/// How a way is named and drawn.
+/// Name and mark of a method in the picture.
 struct Look {
-    /// How its name in the table begins.
+    /// First characters of the method's name in the table.
     by: &'static str,
     name: &'static str,
     series: usize,
     marker: Marker,
 }
 
-/// Ours round and cool, others angular and warm.
+/// Methods of this library have round marks in cool colours, other methods have angular marks in warm colours.
 const LOOKS: [Look; 9] = [
     Look::new("emitted f64", "ours: compiled, f64", 0, Marker::Dot),
     Look::new("emitted f32", "ours: compiled, f32", 5, Marker::Circle),
@@ -74,7 +74,7 @@ impl Look {
 /// Writes the picture of a table to a folder, wide and narrow.
 ///
 /// # Errors
-/// Where the table cannot be read or the folder not be written to.
+/// Fails if the table cannot be read, or if the folder cannot be written to.
 pub fn write(table: &str, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
     let figure = figure(&pools(table)?);
     std::fs::write(folder.join("trade.svg"), figure.svg())?;
@@ -85,7 +85,7 @@ pub fn write(table: &str, folder: &Path) -> Result<(), Box<dyn std::error::Error
 fn figure(pools: &[Pool]) -> Figure {
     let mut panels = Vec::new();
     for row in ALL.chunks(2) {
-        // Side by side, times are compared.
+        // Panels side by side share a time axis, so that their times can be compared.
         let times = row.iter().flat_map(|question| shown(question, pools));
         let times = Axis::fitted_log("time of a call, ns  (← faster)", times.map(|p| p.time));
         let with = row.iter().map(|question| panel(question, &times, pools));
@@ -123,7 +123,7 @@ fn panel(question: &Question, times: &Axis, pools: &[Pool]) -> Panel {
         let pieces = vec![points.clone()];
         panel = panel.with(Line::new(look.name, look.colour(), Stroke::Thin, pieces));
     }
-    // Dots over circles, which stay seen around them.
+    // Dots are drawn after circles, so that a circle around a dot stays visible.
     ways.sort_by_key(|(look, _)| look.marker == Marker::Dot);
     for (look, points) in ways {
         panel = panel.with(Markers::new(look.name, look.colour(), look.marker, points));
@@ -134,7 +134,7 @@ fn panel(question: &Question, times: &Axis, pools: &[Pool]) -> Panel {
     panel
 }
 
-/// An axis that shows all of them, and so much that errors of one size look alike.
+/// Returns an axis that shows all errors. It spans at least [`LEAST_SPAN`], so that similar errors look similar.
 fn errors(all: impl Iterator<Item = f64>) -> Axis {
     let mut axis = Axis::fitted_log("relative error  (← more exact)", all);
     let missing = (LEAST_SPAN / (axis.high / axis.low)).max(1.0).sqrt();
@@ -143,7 +143,7 @@ fn errors(all: impl Iterator<Item = f64>) -> Axis {
     axis
 }
 
-/// Words beside a mark, if it is there.
+/// Returns the note beside a mark, or `None` if the panel lacks the mark.
 fn note(beside: &Beside, inside: &[&Pool]) -> Option<Note> {
     let (by, answer, masses) = beside.of;
     let mark = inside

@@ -1,15 +1,15 @@
-//! The rows of `trade.csv`, taken together as the picture shows them.
+//! Rows of `trade.csv`, combined into the marks of the picture.
 
-/// One way to one answer with one number of masses, over all contacts and dampings.
+/// One method for one answer with one number of masses, over all contacts and dampings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pool {
-    /// Who.
+    /// Name of the method.
     pub by: String,
-    /// What.
+    /// Name of the answer.
     pub answer: String,
-    /// How many masses.
+    /// Number of masses.
     pub masses: usize,
-    /// The middle one of the scenes' times, ns.
+    /// Median of the scenes' times, ns.
     pub time: f64,
     /// The largest of the scenes' errors at usual points.
     pub error: f64,
@@ -34,10 +34,10 @@ struct Row {
     error: f64,
 }
 
-/// The pools in the order in which the table first has them, each way's by the number of masses.
+/// Returns a pool for each method, answer and number of masses, in the order of their first rows.
 ///
 /// # Errors
-/// Where a column is missing or no number.
+/// Fails if a column is missing, or if a cell is not a number.
 pub fn pools(table: &str) -> Result<Vec<Pool>, String> {
     let mut lines = table.lines();
     let head = cells(lines.next().unwrap_or_default());
@@ -72,7 +72,7 @@ pub fn pools(table: &str) -> Result<Vec<Pool>, String> {
     Ok(pools)
 }
 
-/// A row that has a time and an error and answers for its scene.
+/// Returns a row if it has a time and an error, and if its answer is for the scene of the row.
 fn row(line: &str, places: &[usize]) -> Result<Option<Row>, String> {
     let cells = cells(line);
     let cell = |index: usize| cells.get(places[index]).map_or("", String::as_str);
@@ -84,7 +84,7 @@ fn row(line: &str, places: &[usize]) -> Result<Option<Row>, String> {
     };
     let (scene, by, answer) = (cell(0), cell(3), cell(4));
     let (masses, zeta, time, error) = (number(1)?, number(2)?, number(5)?, number(6)?);
-    // Its damper moves with the base: another scene.
+    // The damping of the event stepper is relative to the base, which makes another scene.
     let other = by == "C event stepper" && scene.starts_with("Base") && zeta > 0.0;
     let shown = time > 0.0 && time.is_finite() && error.is_finite() && !other;
     Ok(shown.then(|| Row {
@@ -96,7 +96,7 @@ fn row(line: &str, places: &[usize]) -> Result<Option<Row>, String> {
     }))
 }
 
-/// The cells of a line; a comma within quotes is part of a cell.
+/// Returns the cells of a line. A comma within quotes is part of a cell.
 fn cells(line: &str) -> Vec<String> {
     let mut cells = vec![String::new()];
     let mut quoted = false;

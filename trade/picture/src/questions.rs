@@ -1,30 +1,30 @@
-//! What the panels ask, and the words in them.
+//! The panels of the picture: the answers that each panel shows, and its notes.
 
 use frictiongen_plot::Anchor;
 
-/// A panel: a question and who answers it.
+/// A panel of the picture.
 pub struct Question {
-    /// What stands over it.
+    /// Title above the panel.
     pub title: &'static str,
-    /// The height of its frame, in pixels.
+    /// Height of the panel's frame, in pixels.
     pub height: f64,
-    /// Whether it shows an answer: by whom, which, of how many masses.
+    /// Returns whether the panel shows a method, an answer and a number of masses.
     pub shows: fn(&str, &str, usize) -> bool,
-    /// The words in it.
+    /// Notes in the panel.
     pub notes: &'static [Beside],
 }
 
-/// Words beside a mark.
+/// A note beside a mark.
 pub struct Beside {
-    /// By whom, which answer, of how many masses.
+    /// Method, answer and number of masses of the mark.
     pub of: (&'static str, &'static str, usize),
-    /// What they say.
+    /// Text of the note.
     pub text: &'static str,
-    /// Where they stand, in times of the mark's place.
+    /// Factors by which time and error of the mark are multiplied to give the position of the note.
     pub off: (f64, f64),
-    /// On which side of it.
+    /// Side of the mark on which the note is.
     pub anchor: Anchor,
-    /// Whether they are about this way alone, and so in its colour.
+    /// True if the note is about this method alone and has its colour.
     pub coloured: bool,
 }
 
@@ -44,13 +44,13 @@ impl Beside {
         }
     }
 
-    /// Words about all ways nearby.
+    /// Makes this a note about all methods near the mark, without the colour of one method.
     const fn about_all(mut self) -> Self {
         self.coloured = false;
         self
     }
 
-    /// Over or under the mark.
+    /// Creates a note above or below the mark.
     const fn centred(
         of: (&'static str, &'static str, usize),
         text: &'static str,
@@ -77,7 +77,7 @@ fn is_balance(by: &str) -> bool {
     by.starts_with("harmonic balance")
 }
 
-/// All, two a row, which share an axis of times.
+/// All panels. The two panels of a row share a time axis.
 pub const ALL: [Question; 6] = [
     Question {
         title: "**(a)** both limits, exact and from tables",
@@ -93,7 +93,7 @@ pub const ALL: [Question; 6] = [
     Question {
         title: "**(b)** both limits, approximate",
         height: 300.0,
-        // Of one mass the sum of the modes' maxima is exact.
+        // With one mass the sum of the modes' maxima is exact.
         shows: |by, answer, masses| {
             answer == WITHOUT || (answer == PER_MODE && by == OURS && masses > 1)
         },
@@ -142,7 +142,7 @@ pub const ALL: [Question; 6] = [
     Question {
         title: "**(e)** amplitude in the contact, no stops",
         height: 230.0,
-        // Its amplitude is the contact's.
+        // The event stepper gives the amplitude of the contact.
         shows: |by, answer, _| answer == CONTACT || (answer == AMPLITUDE && by == STEPPER),
         notes: &[
             Beside::centred((STEPPER, AMPLITUDE, 1), "1", 8.0),

@@ -51,7 +51,7 @@ impl<S: Float> Tables<S> {
         limit
     }
 
-    /// Proves β_lim in one piece. Also proves amplitude and phase of the contact there, if they are tabled.
+    /// Proves β_lim in one piece. Also proves amplitude and phase of the contact there, if the table contains them.
     #[must_use]
     pub fn prove_piece(&self, modal: &Modal, place: usize, work: Work) -> [Proof; 2] {
         self.proof_of(modal, place..place + 1, work)

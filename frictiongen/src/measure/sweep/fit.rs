@@ -4,11 +4,11 @@ use super::model::{Form, Sweep};
 use crate::measure::MeasureError;
 use crate::measure::least_squares::{Fit, minimise};
 
-/// Range of the frequency factors that are tried as starts, over the scene's own frequencies.
+/// Range of the factors by which the scene's own frequencies are multiplied in the starts of a fit.
 const FACTORS: [f64; 2] = [0.5, 2.0];
 /// Number of intervals into which the range is divided.
 const TRIED: u32 = 40;
-/// Ratios of masses and springs that are tried with the frequency factors, over the scene's own: for two storeys, and
+/// Factors by which the scene's own ratios of masses and springs are multiplied in these starts: for two storeys, and
 /// for three.
 const TWO: [f64; 7] = [0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 3.3];
 const THREE: [f64; 3] = [0.7, 1.0, 1.4];
@@ -16,8 +16,8 @@ const THREE: [f64; 3] = [0.7, 1.0, 1.4];
 const STARTS: usize = 6;
 /// Sum of squares over the degrees of freedom below which a fit from the scene's own values is accepted.
 const GOOD: f64 = 2.0;
-/// Factors on each parameter that are tried again from the best fit. This repeats at most [`ROUNDS`] times, as long as
-/// it improves the fit.
+/// Factors by which each parameter of the best fit is multiplied for further starts. This repeats at most [`ROUNDS`]
+/// times, as long as it improves the fit.
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;

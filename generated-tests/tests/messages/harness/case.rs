@@ -5,15 +5,15 @@ use std::path::Path;
 /// Ways in which a description can be given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Door {
-    /// As text, and to the macro.
+    /// The description is given as text, and to the macro.
     Every,
-    /// As text only, because the compiler refuses such tokens itself.
+    /// The description is given as text only, because the compiler refuses such tokens itself.
     Text,
-    /// To the macro only, because the case concerns its tokens.
+    /// The description is given to the macro only, because the case concerns the macro's tokens.
     Macro,
-    /// As the path of a file.
+    /// The path of a file is given.
     File,
-    /// As a scene built in code.
+    /// A scene is built in code.
     Code,
 }
 
