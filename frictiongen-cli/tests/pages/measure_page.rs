@@ -1,6 +1,6 @@
 //! Tests that the commands of `docs/measure.md` print the text of the page, and that their results are right.
 //!
-//! `UPDATE_DOCS=1 cargo test -p frictiongen-cli --test cli measure_page::` rewrites the page.
+//! `UPDATE_DOCS=1 cargo test -p frictiongen-cli --test pages measure_page::` rewrites the page.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use std::path::Path;

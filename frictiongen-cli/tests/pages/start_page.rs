@@ -1,7 +1,7 @@
 //! Tests of three pages. The commands of docs/start.md print the text of the page, and its statements are right.
 //! docs/which.md names existing items. The commands of docs/desk.md without a picture run.
 //!
-//! `UPDATE_DOCS=1 cargo test -p frictiongen-cli --test cli start_page::` rewrites the output on docs/start.md.
+//! `UPDATE_DOCS=1 cargo test -p frictiongen-cli --test pages start_page::` rewrites the output on docs/start.md.
 #![allow(
     clippy::expect_used,
     clippy::unwrap_used,

@@ -1,0 +1,10 @@
+//! The pages of the documentation, whose commands print what the pages show, and random arguments. Published packages
+//! do not contain these tests, because they need pages and a crate of the repository.
+
+#[path = "../cli/common/mod.rs"]
+mod common;
+mod features_page;
+mod fuzz;
+mod measure_page;
+mod start_page;
+mod stick_slip_page;
