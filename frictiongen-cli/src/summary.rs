@@ -21,7 +21,7 @@ pub struct Summary {
     pub resonances: Vec<f64>,
     /// The contact, the excitation, the damping and the stiction, in words.
     description: String,
-    /// Whether the excitation is base motion.
+    /// True if the excitation is base motion.
     base_motion: bool,
     /// Natural frequencies in Hz, if a frequency is given in a unit.
     pub hertz: Option<Vec<f64>>,

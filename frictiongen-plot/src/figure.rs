@@ -148,7 +148,7 @@ impl Panel {
 pub struct Inset {
     /// Left edge, upper edge, width and height of the inset's frame, as fractions of the outer frame.
     pub place: (f64, f64, f64, f64),
-    /// Whether the outer panel marks the area that the inset shows.
+    /// True if the outer panel marks the area that the inset shows.
     pub marked: bool,
     /// Contents of the inset.
     pub panel: Panel,

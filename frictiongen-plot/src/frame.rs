@@ -28,7 +28,7 @@ pub(crate) struct Frame {
     y_ticks: Vec<Tick>,
     /// Sizes of tick labels and of axis labels.
     sizes: (f64, f64),
-    /// Whether text has a light edge, because lines may run under it.
+    /// True if text has a light edge, because lines may run under it.
     halo: bool,
 }
 

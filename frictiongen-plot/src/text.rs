@@ -16,9 +16,9 @@ pub(crate) struct Style {
     pub size: f64,
     pub anchor: Anchor,
     pub colour: Rgb,
-    /// Whether the text reads from bottom to top.
+    /// True if the text reads from bottom to top.
     pub upright: bool,
-    /// Whether a light edge keeps the text legible over lines.
+    /// True if a light edge keeps the text legible over lines.
     pub halo: bool,
 }
 

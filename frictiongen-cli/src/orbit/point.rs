@@ -27,9 +27,9 @@ pub struct Point {
 pub struct Steady {
     /// Data of the periodic motion, if the motion repeats.
     pub period: Option<Period>,
-    /// Whether motion from rest reaches it.
+    /// True if motion from rest reaches this state.
     pub from_rest: bool,
-    /// Whether it is a member of a continuum of steady states.
+    /// True if this state is a member of a continuum of steady states.
     pub marginal: bool,
     /// Mean of the contact's largest and smallest displacement, over P/k₁, for base motion over Y.
     pub offset: f64,
@@ -48,7 +48,7 @@ pub struct Steady {
 pub struct Period {
     /// Number of excitation cycles in the period.
     pub cycles: usize,
-    /// Whether the second half of the period is the first with the opposite sign.
+    /// True if the second half of the period is the first with the opposite sign.
     pub symmetric: bool,
     /// Number of stops of the contact in a period.
     pub stops: usize,
@@ -145,7 +145,7 @@ pub struct Question<'a> {
     pub masses: &'a [Mass],
     /// The orders of the harmonics.
     pub orders: &'a [u32],
-    /// Whether the sign of the contact's motion is reversed.
+    /// True if the sign of the contact's motion is reversed.
     pub turn_contact: bool,
 }
 

@@ -120,7 +120,7 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
                     p {
                         "With the best friction the largest amplitude over all regimes between "
                         (words.frequency(asked.band.from)) " and " (words.frequency(asked.band.to))
-                        " is as small as possible. The range of friction in the last but one column keeps that amplitude within a tenth of its minimum."
+                        " is as small as possible. The range of friction in the second last column keeps that amplitude within a tenth of its minimum."
                         @if all.len() < asked.parts.iter().filter(|part| part.of != Of::Contact).count() {
                             " The table lists the motions that are largest with the contact stuck. “frictiongen optimum” finds the others."
                         }

@@ -11,7 +11,7 @@ use serde_json::Value as Json;
 pub struct Words {
     /// Units of the axes.
     pub scales: Scales,
-    /// Whether frequencies are in Hz.
+    /// True if frequencies are in Hz.
     pub in_hertz: bool,
     /// The load and its units.
     pub measure: Measure,

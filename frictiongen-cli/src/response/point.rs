@@ -24,9 +24,9 @@ pub struct Point {
     pub answer: &'static str,
     /// Mean of the contact's largest and smallest displacement, over P/k₁, for base motion over Y.
     pub offset: Option<f64>,
-    /// Whether the state is a member of a continuum of steady states.
+    /// True if the state is a member of a continuum of steady states.
     pub marginal: Option<bool>,
-    /// Whether motion from rest reaches the state.
+    /// True if motion from rest reaches the state.
     pub from_rest: Option<bool>,
     /// The relative motion in the contact.
     pub contact: Movement,
@@ -81,7 +81,7 @@ pub struct Question<'a> {
     pub masses: &'a [Mass],
     /// The orders of the harmonics.
     pub orders: &'a [u32],
-    /// Whether the sign of the contact's motion is reversed.
+    /// True if the sign of the contact's motion is reversed.
     pub turn_contact: bool,
 }
 

@@ -19,9 +19,9 @@ pub struct Asked {
     pub skip: u32,
     /// Number of samples in a cycle.
     pub samples: u32,
-    /// Whether one period of the steady state is written instead.
+    /// True if one period of the steady state is written instead.
     pub steady: bool,
-    /// Whether the spectrum is written.
+    /// True if the spectrum is written.
     pub spectrum: bool,
 }
 

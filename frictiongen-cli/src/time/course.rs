@@ -17,6 +17,6 @@ pub struct Course {
     pub parts: Vec<Part>,
     /// Angular frequency, rad/s.
     pub omega: f64,
-    /// Whether times are given in seconds too.
+    /// True if times are given in seconds too.
     pub in_seconds: bool,
 }

@@ -10,7 +10,7 @@ const SINGLE: usize = 5;
 
 /// Coefficients of e_2m, m = 1, 2, …, in `f64`: powers of w = τ(π − τ) from the mth down to the first.
 pub(crate) const DOUBLE_TERMS: [f64; terms(DOUBLE)] = coefficients();
-/// The same coefficients in `f32`.
+/// Coefficients in `f32`, rounded from those above.
 pub(crate) const SINGLE_TERMS: [f32; terms(SINGLE)] = rounded(coefficients());
 
 const fn terms(orders: usize) -> usize {

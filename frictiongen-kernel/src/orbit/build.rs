@@ -314,8 +314,8 @@ pub(super) fn to_event<S: Float>(
     }
 }
 
-/// Whether half a period takes the state to its opposite.  For an even number of cycles the load has the same sign half
-/// a period later, so that no state is opposite.
+/// Returns true if half a period takes the state to its opposite.  For an even number of cycles the load has the same
+/// sign half a period later, so no state is opposite.
 fn is_symmetric<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,

@@ -48,13 +48,13 @@ const ONE_REVERSAL: Pattern = Pattern {
 /// Properties of a steady state that has been found.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found<S> {
-    /// Whether the motion repeats.
+    /// True if the motion repeats.
     pub settled: bool,
     /// Period in cycles of the excitation.
     pub period: u32,
-    /// Whether half a period repeats with the opposite sign.
+    /// True if half a period repeats with the opposite sign.
     pub symmetric: bool,
-    /// Whether the state is a member of a continuum, or at its end.
+    /// True if the state is a member of a continuum, or at its end.
     pub marginal: bool,
     /// Ratio of the offset of a continuum's last member to the offset of this member.
     pub reach: Option<S>,
@@ -87,7 +87,7 @@ pub(super) struct Candidate<S> {
     pub recent: Pattern,
     /// Number of successive half cycles whose pattern equals that of a cycle before.
     pub alike: u32,
-    /// Whether μ = 1.
+    /// True if μ = 1.
     pub monotone: bool,
     /// Number of cycles that the motion has gone through.
     pub cycles: u32,
@@ -135,8 +135,8 @@ impl<S: Float> Candidate<S> {
         Ok(Verdict::No)
     }
 
-    /// Whether the motion keeps its pattern and approaches the fixed point as fast as the multipliers promise.  At the
-    /// call the cycle map is at the fixed point.  With μ > 1 other steady states may be close.
+    /// Returns true if the motion keeps its pattern and approaches the fixed point as fast as the multipliers predict.
+    /// At the call the cycle map is at the fixed point.  With μ > 1 other steady states may be close.
     fn attracts(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S>,

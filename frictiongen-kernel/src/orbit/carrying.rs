@@ -2,8 +2,8 @@
 //!
 //! A steady state is a fixed point x = P(x) in a section at a fixed phase.  With dual numbers, a period from x gives
 //! P(x) and the derivative b of P at fixed x.  Every event then carries the derivatives of the numbers on which it
-//! depends.  A step of Newton's method then adds (1 − DP)⁻¹b to the derivative of x.  The segments are then followed
-//! once more from that x, and carry derivatives into every result.
+//! depends.  A step of Newton's method then adds (1 − DP)⁻¹b to the derivative of x.  A second pass follows the
+//! segments from that x and carries derivatives into every result.
 
 use super::build::{settle_free, stuck, to_event};
 use super::closed;
@@ -211,7 +211,7 @@ where
         Ok(orbit)
     }
 
-    /// Whether the contact never slides.
+    /// Returns true if the contact never slides.
     pub fn never_slides(&self) -> bool {
         let mut marks = self.marks().iter();
         self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
@@ -228,7 +228,7 @@ where
         }
     }
 
-    /// Whether the motion is that of the closed form: sliding all the time, with one reversal in half a cycle.
+    /// Returns true if the motion is that of the closed form: sliding all the time, with one reversal in half a cycle.
     fn is_closed(&self) -> bool {
         let (zero, own) = (self.setting.beta.is_zero(), self.period == 1);
         own && self.stops == 0 && self.reversals == 2 && self.symmetric && (zero || !self.marginal)
@@ -268,7 +268,7 @@ where
         Ok(())
     }
 
-    /// Whether an event is about to appear or to vanish.
+    /// Returns true if an event is about to appear or to vanish.
     fn grazes(&self) -> bool {
         let graze = S::constant(GRAZE);
         let setting = &self.setting;

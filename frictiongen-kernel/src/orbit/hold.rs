@@ -26,7 +26,7 @@ const ONE_SIDED: f64 = 0.1;
 pub(super) struct Hold<S> {
     /// |V/H|, the amplitude of the contact force in the forced motion.
     steady: S,
-    /// Whether μ = 1, so that slips shrink.
+    /// True if μ = 1, so that slips shrink.
     monotone: bool,
     /// Number of successive half cycles without an event.
     quiet: u32,

@@ -167,7 +167,7 @@ where
         self.period
     }
 
-    /// Whether the motion repeats.  Otherwise this is the motion of the last [`MAX_PERIOD`] cycles, after
+    /// Returns true if the motion repeats.  Otherwise this is the motion of the last [`MAX_PERIOD`] cycles, after
     /// [`MAX_CYCLES`] cycles that did not settle.  An amplitude is then the largest of those last cycles, and a
     /// harmonic the mean over them.
     #[must_use]
@@ -276,7 +276,7 @@ where
         (contact, force.local(since).value)
     }
 
-    /// Whether every motion repeats with the opposite sign after half a period.
+    /// Returns true if every motion repeats with the opposite sign after half a period.
     #[must_use]
     pub fn is_symmetric(&self) -> bool {
         self.symmetric
@@ -300,15 +300,15 @@ where
         })
     }
 
-    /// Whether no small deviation grows.  A marginal state is stable in this sense.
+    /// Returns true if no small deviation grows.  A marginal state is stable in this sense.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.settled
             && self.largest_multiplier() <= S::constant(1.0 + candidate::ON_CIRCLE * S::EPSILON)
     }
 
-    /// Whether some small deviation never decays, or decays more slowly than exponentially.  The state is then a member
-    /// of a continuum of steady states, or at the end of one.
+    /// Returns true if some small deviation never decays, or decays more slowly than exponentially.  The state is then
+    /// a member of a continuum of steady states, or at the end of one.
     #[must_use]
     pub fn is_marginal(&self) -> bool {
         self.marginal

@@ -189,7 +189,7 @@ where
         best
     }
 
-    /// Whether this is the relative motion in the contact.
+    /// Returns true if this is the relative motion in the contact.
     pub(super) fn is_contact(&self) -> bool {
         self.shape.is_none()
     }
@@ -226,7 +226,7 @@ where
         extremes.unwrap_or((S::constant(0.0), S::constant(0.0)))
     }
 
-    /// Whether the motion repeats with the opposite sign after half a period.
+    /// Returns true if the motion repeats with the opposite sign after half a period.
     pub(super) fn is_symmetric(&self) -> bool {
         self.orbit.symmetric
     }

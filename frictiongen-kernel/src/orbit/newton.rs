@@ -51,7 +51,7 @@ pub(super) struct Workspace<'m, S> {
 pub(super) struct Map {
     /// Period in cycles of the excitation.
     pub period: u32,
-    /// Whether the map is half a period times −1.
+    /// True if the map is half a period times −1.
     pub symmetric: bool,
 }
 

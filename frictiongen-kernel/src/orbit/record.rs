@@ -126,7 +126,7 @@ impl<'s, S: Float> Record<'s, S> {
         }
     }
 
-    /// Whether the next segment has a mark of its own.
+    /// Returns true if the next segment has a mark of its own.
     fn is_due(&self) -> bool {
         let last = self.count.checked_sub(1);
         let last = last.and_then(|last| self.marks.get(last));

@@ -15,7 +15,7 @@ pub(super) struct Segments<'o, 'a, S, P, V, C> {
     orbit: &'o Orbit<'a, S, P, V, C>,
     /// The oscillators for the segment returned last, once they have been requested.
     parts: Option<P>,
-    /// Whether the oscillators have the state at the start of the segment returned last.
+    /// True if the oscillators have the state at the start of the segment returned last.
     placed: bool,
     /// The segment returned last.
     last: Option<SegmentStart<S>>,
@@ -93,7 +93,7 @@ where
         parts.as_mut()
     }
 
-    /// Whether the next segment has to be computed from the last one.
+    /// Returns true if the next segment has to be computed from the last one.
     pub(super) fn follows(&self) -> bool {
         0 < self.more
     }

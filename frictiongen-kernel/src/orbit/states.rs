@@ -53,8 +53,8 @@ where
 }
 
 impl<S: Float> Print<S> {
-    /// Whether two states are the same.  All stuck states count as one, because they belong to one continuum with
-    /// various offsets.
+    /// Returns true if two states are the same.  All stuck states count as one, because they belong to one continuum
+    /// with various offsets.
     fn is_alike(&self, other: &Self) -> bool {
         let near = |(a, b): (&S, &S)| (*a - *b).abs() <= a.abs().max(b.abs()) * S::constant(ALIKE);
         let mut sizes = self.sizes.iter().zip(&other.sizes);

@@ -92,12 +92,12 @@ fn inverse_pi_low<S: Float>() -> S {
     })
 }
 
-/// Whether the scalar has the digits of an `f64`, or more.
+/// Returns true if the scalar has the digits of an `f64`, or more.
 fn is_double<S: Float>() -> bool {
     S::EPSILON < 1e-10
 }
 
-/// Whether the scalar has so many digits that no run is long enough to show its rounding.
+/// Returns true if the scalar has so many digits that no run is long enough to show its rounding.
 fn is_wide<S: Float>() -> bool {
     S::EPSILON < 1e-20
 }

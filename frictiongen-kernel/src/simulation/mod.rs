@@ -103,7 +103,7 @@ impl<'a, S: Float> Dynamics<'a, S> {
         shapes.nth(mass).unwrap_or_default()
     }
 
-    /// Whether this mass moves exactly as the contact does, because it rubs on a support at rest.
+    /// Returns true if this mass moves exactly as the contact does, because it rubs on a support at rest.
     pub(crate) fn moves_as_contact(&self, mass: usize) -> bool {
         self.chain.on_moving_base.is_none() && self.rubbing == Some(mass)
     }

@@ -34,7 +34,7 @@ pub struct Part<S> {
     steady: Complex<S>,
     /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). φ is the drive of y′, which u = (y′ − φ)/x leaves out.
     direct: Complex<S>,
-    /// Whether the excitation is so near the resonance that the forced motion is formed from differences.
+    /// True if the excitation is so near the resonance that the forced motion is formed from differences.
     pub(super) near: bool,
     /// Displacement about which the oscillator moves.
     pub(crate) centre: S,
@@ -289,7 +289,7 @@ impl<S: Float> Part<S> {
         }
     }
 
-    /// Whether the free vibration never decays.
+    /// Returns true if the free vibration never decays.
     pub(crate) fn is_undamped(&self) -> bool {
         self.kind == Kind::Undamped
     }
@@ -344,8 +344,8 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// Whether the motion is a decaying oscillation bounded by its amplitude, not a sum of exponentials that may
-    /// cancel.
+    /// Returns true if the motion is a decaying oscillation bounded by its amplitude, not a sum of exponentials that
+    /// may cancel.
     pub(super) fn oscillates(&self) -> bool {
         S::constant(OSCILLATES) < self.q2
     }

@@ -18,7 +18,7 @@ const ROUNDINGS: f64 = 8.0;
 pub(crate) struct ContactState<S> {
     /// The excitation's phase in half-turns, in [0, 2).
     pub t: S,
-    /// Whether the contact sticks, or its direction of sliding.
+    /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
     /// At an event, the relative acceleration in the direction of sliding, with which the contact leaves zero velocity.
     pub departing: Option<S>,
@@ -364,7 +364,7 @@ impl<S: Float> Sought<S> {
         }
     }
 
-    /// Whether the contact cannot leave zero velocity, and so continues to stick.
+    /// Returns true if the contact cannot leave zero velocity, and so continues to stick.
     pub(crate) fn holds(&self) -> bool {
         self.outcome == Outcome::Holds
     }

@@ -18,9 +18,9 @@ pub struct Extent {
     pub terms: u64,
     /// Number of sub-intervals into which a step is cut.
     pub parts: u64,
-    /// Whether the contact rubs on a moving base.
+    /// True if the contact rubs on a moving base.
     pub on_moving_base: bool,
-    /// Whether the friction law has more lines than the last one.  A second walk then looks for the end of each line.
+    /// True if the friction law has more lines than the last one.  A second walk then looks for the end of each line.
     pub lines: bool,
 }
 

@@ -28,7 +28,7 @@ pub(super) struct Through<'t, 'a, S, const D: usize> {
     pub place: S,
     /// Number of events in the sub-interval so far.
     pub events: u32,
-    /// Whether the bound on followed events or pieces was reached.
+    /// True if the bound on followed events or pieces was reached.
     pub exceeded: bool,
 }
 

@@ -24,7 +24,7 @@ pub struct StepScene<'a, S> {
     pub dynamics: Dynamics<'a, S>,
     /// Factors to the units of the scene.
     pub units: Units<S>,
-    /// Whether the base moves.
+    /// True if the base moves.
     pub on_base: bool,
     /// Indices of the masses that a force acts on, in the description.  The excited mass is the first.
     pub forces: &'a [usize],
@@ -117,7 +117,7 @@ impl<S: Float> StepScene<'_, S> {
         self.dynamics.chain.inverse_mass * force * pace.span * pace.span
     }
 
-    /// Whether the contact rubs on the moving base.
+    /// Returns true if the contact rubs on the moving base.
     pub(super) fn rubs_on_base(&self) -> bool {
         self.on_base && self.dynamics.chain.on_moving_base.is_some()
     }

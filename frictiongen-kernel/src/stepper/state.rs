@@ -115,7 +115,7 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
 /// State of a stepper apart from its oscillators.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Status<S> {
-    /// Whether the contact sticks, or its direction of sliding.
+    /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
     /// True while the contact's state must still be derived from its velocity and from the force in it.
     pub unknown: bool,

@@ -29,7 +29,7 @@ pub(super) struct Linearised {
 #[derive(Debug)]
 pub(super) struct Fit {
     pub(super) parameters: Vec<f64>,
-    /// Whether the steps converged.
+    /// True if the steps converged.
     pub(super) settled: bool,
     /// The sum of squares.
     pub(super) squares: f64,

@@ -61,7 +61,7 @@ impl<S: Float> Neighbour<S> {
         };
         let known = Some(Known { speed, place });
         self.known = match last {
-            // The same point of the sweep again: its position replaces the last one.
+            // The sweep repeats its last point. The new position replaces the old one.
             Some(last) if last.speed == speed => [known, second, None],
             // The position has jumped, so that the older ones no longer predict it.
             Some(last) if last.place.negative != place.negative => [known, None, None],

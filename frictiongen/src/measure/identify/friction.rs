@@ -26,7 +26,7 @@ pub(super) struct Problem<'a> {
     pub(super) using: Using,
     /// Range of the friction forces that are scanned, N.
     pub(super) range: (f64, f64),
-    /// Whether every friction force above the range gives the same response.
+    /// True if every friction force above the range gives the same response.
     pub(super) stuck_beyond: bool,
 }
 

@@ -107,7 +107,7 @@ pub struct Plain {
 /// Result of the brute-force search.
 pub struct Limit {
     pub beta: f64,
-    /// Whether the search mattered, which means that S is above the break-away term.
+    /// True if the search mattered, which means that S is above the break-away term.
     pub searched: bool,
     /// Relative change of β for relative changes of the resonances, and the relative loss in V.
     pub condition: f64,

@@ -38,7 +38,7 @@ pub struct Questions<'j, 'a, S, E> {
     /// Conversion of a scalar to double-double without loss.
     exact: E,
     epsilon: f64,
-    /// Whether double-double searches for every maximum itself.
+    /// True if double-double searches for every maximum itself.
     searched: bool,
     /// Ratio of the largest response to V. V is a difference of the masses' responses and keeps their rounding, which
     /// phase and limits inherit.

@@ -22,8 +22,8 @@ impl System {
     /// stays optimal. The values are in geometric steps, or in quadratic steps if the interval starts at 0 or below.
     ///
     /// Between two neighbours where the amplitude first falls and then rises, the search finds the minimum. It is the
-    /// zero of the derivative, or a crossing of two branches. Friction is searched for near that of the neighbours, and
-    /// once more over all friction at the end.
+    /// zero of the derivative, or a crossing of two branches. The search looks for the best friction near that
+    /// of the neighbours, and at the end over all friction.
     ///
     /// The result is the least of everything that the scan sees. It misses a valley between two neighbours if the
     /// amplitude rises from the first or falls to the second. Where the minimum is sharp, value and friction have 9

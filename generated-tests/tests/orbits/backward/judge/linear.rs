@@ -27,7 +27,7 @@ const OF_PLACE: usize = 3;
 pub(super) struct Linear {
     pub a: Vec<Vec<Dd>>,
     pub b: Vec<Dd>,
-    /// Whether the contact's motion vanishes at this r and β.
+    /// True if the contact's motion vanishes at this r and β.
     pub stands: bool,
 }
 

@@ -43,7 +43,7 @@ pub struct Answer {
     pub watched: Watched<Dd>,
     /// The answer that was returned.
     pub got: Complex<Dd>,
-    /// Whether double-double has searched for the instant itself.
+    /// True if double-double has searched for the instant itself.
     pub searched: bool,
     /// Size in whose roundings the error is counted where answers are explained.
     pub size: Dd,

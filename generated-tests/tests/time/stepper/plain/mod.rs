@@ -81,7 +81,7 @@ pub struct Plain {
     base_rate_size: f64,
     wedged: bool,
     order: usize,
-    /// Whether the run computes its work.
+    /// True if the run computes its work.
     pub metered: bool,
 }
 
