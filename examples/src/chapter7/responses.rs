@@ -183,7 +183,7 @@ fn limits(
 fn limit_keys() -> [Key; 2] {
     [
         Key::stroke("*β*_lim, continuous below", Stroke::Solid),
-        Key::stroke("*β*_lim^*, stuck above", Stroke::Dashed),
+        Key::stroke("*β*_lim^*, stuck state above", Stroke::Dashed),
     ]
 }
 

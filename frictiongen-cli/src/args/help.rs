@@ -194,8 +194,9 @@ Regions:
   subharmonic       the motion repeats after several cycles
   unsettled         the motion does not repeat
   other words       the reason why there is no answer, in the words of `orbit`
-The boundaries of the continuous and the stuck region are exact limits. --boundaries finds the other
-boundaries by bisection. Each further digit takes longer, because the motion settles more slowly near a
+A map shows the state that motion from rest ends in. With stiction 1 the boundaries of the continuous
+and the stuck region are the exact limits. With a larger stiction motion from rest may slide on above
+both limits. --boundaries finds the boundaries of the other regions by bisection. Each further digit takes longer, because the motion settles more slowly near a
 boundary. Pictures use 3 digits.
 Ctrl-C keeps the frequencies that are already computed.
 

@@ -33,7 +33,8 @@ pub struct Drawn<'a> {
 /// Largest difference of phase, rad, at which neighbouring points are joined.
 const TURN: f64 = 0.6;
 /// Smallest amplitude at which the plot shows a phase, relative to the median amplitude over the range of the piece.
-const VANISHING: f64 = 2e-3;
+/// Below it the phase is mostly rounding error: an amplitude has some 1e-13 of the largest term of its sum.
+const VANISHING: f64 = 1e-10;
 
 /// Returns the stroke of a regime.
 fn stroke(regime: Regime) -> Stroke {
@@ -319,4 +320,33 @@ pub fn curve_figure(
         panels.push(panel(part.clone(), drawn, index, Reading::Phase, scales));
     }
     Figure::new("", title, 2, panels).with_keys(keys())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Reading, Scales, traced};
+    use frictiongen::study::CurveRequest;
+    use frictiongen::{Of, System};
+
+    /// A phase has a line as far as it has numbers. The last mass of a long chain hardly moves at high frequency.
+    #[test]
+    fn phases_are_drawn_as_far_as_they_are_known() -> Result<(), Box<dyn std::error::Error>> {
+        let chain: System = "struct Chain {
+            masses: { a: 1.0, b: 1.0, c: 1.0, d: 1.0, e: 1.0, f: 1.0 },
+            springs: { base - a: 1.0, a - b: 1.0, b - c: 1.0, c - d: 1.0, d - e: 1.0, e - f: 1.0 },
+            contact: a - wall, excitation: base,
+        }"
+        .parse()?;
+        let request = CurveRequest {
+            widest: Some(0.1),
+            ..CurveRequest::new(0.1, 20.0, &[Of::Mass(5)])
+        };
+        let curve = chain.curve(&request, 0.0)?;
+        let scales = Scales::groups(&chain);
+        let drawn = traced(&curve, 0, Reading::Phase, &scales);
+        let last = drawn.iter().flat_map(|(_, runs)| runs).flatten();
+        let last = last.map(|(r, _)| *r).fold(0.0, f64::max);
+        assert!((last - 20.0).abs() < 1e-9, "the phase ends at r = {last}");
+        Ok(())
+    }
 }

@@ -27,7 +27,7 @@ pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour
             |continuous, _| continuous,
         ),
         line(
-            scales.limit_name("^*", "stuck above"),
+            scales.limit_name("^*", "stuck state above"),
             Stroke::Dashed,
             |_, sliding| sliding,
         ),
