@@ -119,10 +119,10 @@ pub fn regime_changes<F: FrictionSystem>(
 ) -> Result<RegimeChanges<'_, F>, OutOfDomain> {
     let [from, to] = range;
     if !(F::Scalar::constant(0.0) < from && from < to && to.is_finite()) {
-        return Err(OutOfDomain { argument: "r" });
+        return Err(OutOfDomain::Range);
     }
     if steps == 0 {
-        return Err(OutOfDomain { argument: "steps" });
+        return Err(OutOfDomain::Intervals);
     }
     Ok(RegimeChanges {
         system,

@@ -122,7 +122,8 @@ pub use frictiongen_kernel as kernel;
 pub use frictiongen_kernel::Complex;
 pub use frictiongen_kernel::contact::regime::Limits;
 pub use frictiongen_kernel::errors::{
-    Error, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance,
+    Error, Given, NoOrbit, NotContinuous, OutOfDomain, Ratio, Regime, Slice, StuckResonance,
+    Unsupported,
 };
 pub use frictiongen_kernel::modal_sum::search::{Effort, Neighbour};
 pub use frictiongen_kernel::response::motion::Largest;

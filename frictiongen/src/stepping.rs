@@ -87,13 +87,13 @@ impl<S: Float> StepLoad<'_, S> {
     #[doc(hidden)]
     pub fn spread(&self, masses: &[usize], on_base: bool, to: &mut [S]) -> Result<(), OutOfDomain> {
         if !on_base && !self.base.iter().all(|value| value.is_zero()) {
-            return Err(OutOfDomain { argument: "base" });
+            return Err(OutOfDomain::BaseAtRest);
         }
         to.fill(S::constant(0.0));
         for (mass, force) in self.forces {
             let place = masses.iter().position(|loaded| loaded == mass);
             let sum = place.and_then(|place| to.get_mut(place));
-            let sum = sum.ok_or(OutOfDomain { argument: "forces" })?;
+            let sum = sum.ok_or(OutOfDomain::Forces)?;
             *sum = *sum + *force;
         }
         Ok(())

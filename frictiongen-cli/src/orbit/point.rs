@@ -4,8 +4,8 @@ use crate::asked::Mass;
 use crate::frequency::Frequency;
 use crate::friction::Friction;
 use frictiongen::study::units::{fundamental_phase, reversed_phase};
-use frictiongen::study::{SystemAt, SystemMotion, SystemOrbit, SystemOrbitMotion, words};
-use frictiongen::{Complex, NoOrbit, NotContinuous, OutOfDomain, Regime};
+use frictiongen::study::{SystemAt, SystemOrbit, SystemOrbitMotion, words};
+use frictiongen::{Complex, Given, NoOrbit, NotContinuous, OutOfDomain, Regime};
 
 /// The steady state at one frequency ratio and one friction ratio.
 #[derive(Debug)]
@@ -210,23 +210,20 @@ fn none(
     Ok(Point {
         frequency,
         friction,
-        regime: regime(at, &at.motion(friction.beta))?,
+        regime: regime(at, friction.beta)?,
         state: words::reason(reason),
         orbit: None,
     })
 }
 
 /// Returns the regime in a word, where there is no steady state.
-fn regime(
-    at: &SystemAt<'_>,
-    motion: &Result<SystemMotion<'_>, NotContinuous>,
-) -> Result<&'static str, OutOfDomain> {
-    Ok(match motion {
+fn regime(at: &SystemAt<'_>, beta: f64) -> Result<&'static str, OutOfDomain> {
+    Ok(match at.motion(beta) {
         Ok(_) => words::regime(Regime::Continuous),
         Err(NotContinuous::StickSlip) => words::regime(Regime::StickSlip),
         Err(NotContinuous::Stuck) if at.stuck().is_ok() => words::regime(Regime::Stuck),
         // This is an undamped resonance of the chain, or of the chain with its contact stuck.
         Err(NotContinuous::Stuck | NotContinuous::Unbounded) => "unbounded",
-        Err(_) => return Err(OutOfDomain { argument: "beta" }),
+        Err(_) => return Err(OutOfDomain::FrictionRatio(Given::of(beta))),
     })
 }

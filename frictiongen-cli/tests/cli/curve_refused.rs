@@ -72,7 +72,7 @@ fn what_cannot_be_asked() {
         ),
         (
             vec!["map", "--r", "inf", "--beta", "1"],
-            "r is outside the domain: it must be a number, not negative and not NaN; a motion in time also needs it not too close to 0 or infinity".to_owned(),
+            "the frequency ratio r is infinite; it must be finite here".to_owned(),
         ),
     ];
     for (arguments, message) in cases {

@@ -193,7 +193,7 @@ impl<S: Float> Chain<S> {
         at: &[ModeAt<S>],
         waves: &mut [Wave<S, D>],
     ) -> Result<S, NotContinuous> {
-        let beta = check_beta(beta)?;
+        let beta = check_beta(beta).map_err(|_| NotContinuous::OutOfDomain)?;
         let refused = || {
             if beta < sliding {
                 NotContinuous::StickSlip

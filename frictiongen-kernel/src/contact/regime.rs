@@ -1,15 +1,15 @@
 //! Determines the regime from both limits, and checks the ranges of r and β.
 
-use crate::errors::{OutOfDomain, Regime};
+use crate::errors::{Given, OutOfDomain, Regime, Slice};
 use crate::number::scalar::{Float, Scalar};
 
 /// Checks r: NaN and negative values are outside the domain, 0 and ∞ are not.
 #[inline]
-pub fn check_ratio<S: Float>(value: S, argument: &'static str) -> Result<S, OutOfDomain> {
-    if value >= S::constant(0.0) {
-        Ok(value)
+pub fn check_ratio<S: Float>(r: S) -> Result<S, OutOfDomain> {
+    if r >= S::constant(0.0) {
+        Ok(r)
     } else {
-        Err(OutOfDomain { argument })
+        Err(OutOfDomain::FrequencyRatio(Given::of(r)))
     }
 }
 
@@ -39,7 +39,7 @@ pub fn check_beta<S: Float>(beta: S) -> Result<S, OutOfDomain> {
     if beta >= S::constant(0.0) && beta.is_finite() {
         Ok(beta)
     } else {
-        Err(OutOfDomain { argument: "beta" })
+        Err(OutOfDomain::FrictionRatio(Given::of(beta)))
     }
 }
 
@@ -119,9 +119,9 @@ pub(crate) fn check_rooms(
     continuous: usize,
     sliding: usize,
 ) -> Result<(), OutOfDomain> {
-    for (room, argument) in [(continuous, "continuous"), (sliding, "sliding")] {
+    for (room, slice) in [(continuous, Slice::Continuous), (sliding, Slice::Sliding)] {
         if room != ratios {
-            return Err(OutOfDomain { argument });
+            return Err(OutOfDomain::Length(slice));
         }
     }
     Ok(())

@@ -6,7 +6,7 @@ use super::newton::{Map, Workspace, multipliers, same};
 use super::record::{Record, Recorded};
 use super::shooting::{MAX_STEPS, Settled, settle};
 use super::{MAX_SEGMENTS, Orbit, SegmentStart, Start};
-use crate::errors::NoOrbit;
+use crate::errors::{NoOrbit, OutOfDomain, Slice};
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Plain};
 use crate::oscillator::mode::{Kind, Mode};
@@ -50,16 +50,16 @@ where
         let zero = S::constant(0.0);
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
         let driven = dynamics.in_contact();
-        for (found, needed, argument) in [
+        for (found, needed, slice) in [
             (
                 numbers.as_ref().len(),
                 super::numbers(dynamics.modes.len(), driven),
-                "numbers",
+                Slice::Storage,
             ),
-            (multipliers.as_ref().len(), 2 * driven, "multipliers"),
+            (multipliers.as_ref().len(), 2 * driven, Slice::Multipliers),
         ] {
             if found != needed {
-                return Err(crate::errors::OutOfDomain { argument }.into());
+                return Err(OutOfDomain::Length(slice).into());
             }
         }
         // From β*_lim on a stuck state exists.  The motion decides whether that state is reached.
@@ -280,7 +280,7 @@ pub(super) fn bounded_state<S: Float>(cycle_map: &CycleMap<'_, '_, S>) -> Result
     if parts.all(|part| part.y.is_finite() && part.u.is_finite()) {
         Ok(())
     } else {
-        Err(crate::errors::OutOfDomain { argument: "start" }.into())
+        Err(OutOfDomain::Start.into())
     }
 }
 

@@ -12,7 +12,7 @@ use super::newton::{Map, Workspace, newton};
 use super::record::{Record, Recorded};
 use super::shooting::MAX_STEPS;
 use super::{MAX_SEGMENTS, Orbit, SegmentStart};
-use crate::errors::{NoOrbit, OutOfDomain};
+use crate::errors::{NoOrbit, OutOfDomain, Ratio, Slice};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
@@ -114,23 +114,20 @@ where
         if !plain.settled {
             return Err(NoDerivative::Unsettled);
         }
-        for (given, known, argument) in [
-            (r, plain.setting.r, "r"),
-            (beta, plain.setting.beta, "beta"),
+        for (given, known, ratio) in [
+            (r, plain.setting.r, Ratio::Frequency),
+            (beta, plain.setting.beta, Ratio::Friction),
         ] {
             let known = S::constant(known.to_f64());
             if !((given - known).abs() <= known * S::constant(SAME)) {
-                return Err(OutOfDomain { argument }.into());
+                return Err(OutOfDomain::OtherPoint(ratio).into());
             }
         }
         let zero = S::constant(0.0);
         let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
         if numbers.as_ref().len() != super::numbers(modes, driven) || masses.len() != 2 * modes {
-            return Err(OutOfDomain {
-                argument: "numbers",
-            }
-            .into());
+            return Err(OutOfDomain::Length(Slice::Storage).into());
         }
         let clean = parts.clone();
         let (own, held) = setting.split(parts.as_mut());

@@ -75,7 +75,7 @@ impl<S: Float> Start<'_, S> {
     /// Returns the start, or an error if it does not exist at this β.
     pub(super) fn checked(self, holds: bool) -> Result<Self, OutOfDomain> {
         if self == Self::Stuck && !holds {
-            return Err(OutOfDomain { argument: "start" });
+            return Err(OutOfDomain::StuckStart);
         }
         Ok(self)
     }

@@ -35,7 +35,7 @@ pub struct MostEvaluations {
 /// Checks r and returns it with 1/r, clamped so that its square stays finite.
 #[inline]
 fn ratios<T: Scene>(scene: &T, r: T::Scalar) -> Result<(T::Scalar, T::Scalar), OutOfDomain> {
-    let r = regime::check_ratio(r, "r")?;
+    let r = regime::check_ratio(r)?;
     Ok((r, inverse_ratio(scene, r)))
 }
 
@@ -67,7 +67,7 @@ impl<T: Scene> At<T> {
     /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the limits take their limiting values.
     #[inline]
     pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
-        Ok(Self::known(scene, regime::check_ratio(r, "r")?))
+        Ok(Self::known(scene, regime::check_ratio(r)?))
     }
 
     /// Evaluates the scene at an r that is known to be neither NaN nor negative.

@@ -41,9 +41,7 @@ impl<S: Float> Setting<'_, S> {
         if steep <= most {
             Ok(())
         } else {
-            Err(OutOfDomain {
-                argument: "steepness",
-            })
+            Err(OutOfDomain::Steepness)
         }
     }
 

@@ -1,7 +1,7 @@
 //! The friction law of a simulation: one kinetic level, or straight lines over the speed.
 
 use super::law::{self, Line};
-use crate::errors::OutOfDomain;
+use crate::errors::{Given, OutOfDomain};
 use crate::number::scalar::Float;
 
 /// Kinetic friction as a simulation sees it.
@@ -104,9 +104,7 @@ impl<'a, S: Float> Lines<'a, S> {
         if self.points.is_empty() || unit && (0..=self.points.len()).all(sound) {
             Ok(())
         } else {
-            Err(OutOfDomain {
-                argument: "amplitude",
-            })
+            Err(OutOfDomain::LoadAmplitude(Given::of(self.unit)))
         }
     }
 

@@ -4,7 +4,7 @@ use super::clock::{Clock, Total};
 use super::lines::{Constant, Level, Lines};
 use super::segment::{self, ContactState, Sought, ended, place, seek};
 use super::{Contact, Dynamics, Event, Part, Setting, coupled};
-use crate::errors::OutOfDomain;
+use crate::errors::{Given, OutOfDomain};
 use crate::number::scalar::{Float, Plain};
 
 /// A segment of the motion, in which the contact sticks or slides in one direction.
@@ -96,8 +96,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P, 
     /// Creates a simulation whose kinetic friction changes with the speed, in straight `lines`.
     ///
     /// # Errors
-    /// Same errors as [`new`](Simulation::new).  [`OutOfDomain`] ("amplitude") for a load under which the law's speeds
-    /// leave the scalar's range.  [`OutOfDomain`] ("steepness") for a law that changes the motion more than
+    /// Same errors as [`new`](Simulation::new).  [`OutOfDomain::LoadAmplitude`] for a load under which the law's speeds
+    /// leave the scalar's range.  [`OutOfDomain::Steepness`] for a law that changes the motion more than
     /// [`MAX_STEEPNESS`](super::MAX_STEEPNESS) times as fast as the fastest mode does.
     pub fn along(
         dynamics: Dynamics<'a, S>,
@@ -231,7 +231,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN.  The simulation then keeps its state.
     pub fn advance(&mut self, reach: S) -> Result<Segment<S>, OutOfDomain> {
         if !(S::constant(0.0) <= reach && reach.is_finite()) {
-            return Err(OutOfDomain { argument: "reach" });
+            return Err(OutOfDomain::Duration(Given::of(reach)));
         }
         Ok(self.moved(reach))
     }

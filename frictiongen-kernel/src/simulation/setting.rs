@@ -3,7 +3,7 @@
 use super::part::{Part, lift};
 use super::{Dynamics, rotated};
 use crate::contact::regime::{check_beta, check_ratio};
-use crate::errors::OutOfDomain;
+use crate::errors::{Given, OutOfDomain, Slice};
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
@@ -41,13 +41,13 @@ impl<'a, S: Float> Setting<'a, S> {
     ) -> Result<Self, OutOfDomain> {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         if parts.len() != dynamics.modes.len() + dynamics.held.len() {
-            return Err(OutOfDomain { argument: "parts" });
+            return Err(OutOfDomain::Length(Slice::Oscillators));
         }
-        let r = check_ratio(r, "r")?;
+        let r = check_ratio(r)?;
         let (low, high) = S::inverse_ratio_range();
         let inverse = one / r;
         if !(low < inverse && inverse < high) {
-            return Err(OutOfDomain { argument: "r" });
+            return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)));
         }
         let beta = check_beta(beta)?;
         check_beta(dynamics.chain.stiction * beta)?;
@@ -120,7 +120,7 @@ impl<'a, S: Float> Setting<'a, S> {
         if sound(x) && sound(v) {
             Ok(())
         } else {
-            Err(OutOfDomain { argument: "state" })
+            Err(OutOfDomain::State)
         }
     }
 

@@ -47,7 +47,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         if work * self.scene.units.stiffness <= most * most {
             Ok(())
         } else {
-            Err(OutOfDomain { argument: "work" })
+            Err(OutOfDomain::Work)
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::input::Input;
 use super::scene::StepScene;
-use crate::errors::OutOfDomain;
+use crate::errors::{Given, OutOfDomain};
 use crate::number::scalar::Float;
 
 /// The input at one instant, in the scene's units.
@@ -30,21 +30,22 @@ impl<S: Float> Sample<'_, S> {
             size <= most && size * size < energy
         };
         if self.forces.len() != scene.forces.len() {
-            return Err(OutOfDomain { argument: "forces" });
+            return Err(OutOfDomain::Forces);
         }
-        if !self.forces.iter().all(|force| sound(*force)) {
-            return Err(OutOfDomain { argument: "force" });
+        if let Some(force) = self.forces.iter().find(|force| !sound(**force)) {
+            return Err(OutOfDomain::Force(Given::of(*force)));
         }
         let [place, velocity] = self.base;
         let (stiffness, rate) = (scene.units.stiffness, scene.units.rate);
-        if scene.on_base && !(sound(place * stiffness) && sound(velocity / rate * stiffness)) {
-            return Err(OutOfDomain { argument: "base" });
+        if scene.on_base && !sound(place * stiffness) {
+            return Err(OutOfDomain::BaseMotion(Given::of(place)));
+        }
+        if scene.on_base && !sound(velocity / rate * stiffness) {
+            return Err(OutOfDomain::BaseMotion(Given::of(velocity)));
         }
         let friction = self.friction;
         if !(S::constant(0.0) <= friction && sound(friction) && sound(friction * stiction)) {
-            return Err(OutOfDomain {
-                argument: "friction",
-            });
+            return Err(OutOfDomain::Friction(Given::of(friction)));
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use super::part::Through;
 use super::scene::StepScene;
 use super::state::{FixedStore, Status, Store};
 use super::table::{FixedTables, Tables};
-use crate::errors::OutOfDomain;
+use crate::errors::{Given, OutOfDomain};
 use crate::number::scalar::Float;
 use crate::simulation::{Contact, law};
 use core::marker::PhantomData;
@@ -79,7 +79,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             values.len() == masses && values.iter().all(|value| value.abs() <= most)
         };
         if !(sound(displacements) && sound(velocities)) {
-            return Err(OutOfDomain { argument: "state" });
+            return Err(OutOfDomain::State);
         }
         let dynamics = &self.scene.dynamics;
         let rate = self.scene.units.rate;
@@ -114,11 +114,11 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// velocity stays constant.
     ///
     /// # Errors
-    /// Same errors as [`advance`](Self::advance), and [`OutOfDomain`] ("steps") after the first step.
+    /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
     pub fn begin(&mut self, sample: Sample<'_, S>) -> Result<(), OutOfDomain> {
         sample.check(&self.scene, self.status.stiction)?;
         if self.status.steps != 0 {
-            return Err(OutOfDomain { argument: "steps" });
+            return Err(OutOfDomain::Begun);
         }
         self.keep(&sample);
         self.status.pull = self.pull();
@@ -154,12 +154,13 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// # Errors
     /// [`OutOfDomain`] in these cases.  The stepper then keeps its state.
     ///
-    /// - "force" for NaN and infinite forces, "base" for such motions of the base, and "friction" for such friction
-    ///   forces and for negative ones.  Numbers so large that their squares overflow have the same names.
-    /// - "friction" also for a friction force so large that the friction law would change the contact's velocity by
-    ///   more than 16 times that velocity in a sub-interval.
-    /// - "forces" for a wrong number of forces.
-    /// - "work" once the work exceeds the square of the largest permitted input, so that another step could overflow.
+    /// - [`Force`](OutOfDomain::Force), [`BaseMotion`](OutOfDomain::BaseMotion) and [`Friction`](OutOfDomain::Friction)
+    ///   for NaN, infinite numbers, numbers so large that their squares overflow, and a negative friction force.
+    /// - [`StepSteepness`](OutOfDomain::StepSteepness) for a friction force so large that the friction law would change
+    ///   the contact's velocity by more than 16 times that velocity in a sub-interval.
+    /// - [`Forces`](OutOfDomain::Forces) for a wrong number of forces.
+    /// - [`Work`](OutOfDomain::Work) once the work exceeds the square of the largest permitted input, so that another
+    ///   step could overflow.
     pub fn advance(&mut self, sample: Sample<'_, S>) -> Result<Stepped<S>, OutOfDomain> {
         sample.check(&self.scene, self.status.stiction)?;
         self.check_work()?;
@@ -171,9 +172,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             let seconds = pace.step / S::constant(f64::from(pace.parts));
             let rate = self.scene.acceleration(&pace, friction * steep / seconds);
             if !(rate <= S::constant(STEEPEST)) {
-                return Err(OutOfDomain {
-                    argument: "friction",
-                });
+                return Err(OutOfDomain::StepSteepness);
             }
         }
         let hold = self.scene.input == Input::Hold;
@@ -297,13 +296,11 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// Sets μ, static over kinetic friction force, from the next step on.
     ///
     /// # Errors
-    /// [`OutOfDomain`] ("stiction") for NaN, infinity, numbers beyond the scalar's safe range, and numbers less than 1.
+    /// [`OutOfDomain::Stiction`] for NaN, infinity, numbers beyond the scalar's safe range, and numbers less than 1.
     pub fn set_stiction(&mut self, mu: S) -> Result<(), OutOfDomain> {
         let (_, most) = S::inverse_ratio_range();
         if !(S::constant(1.0) <= mu && mu <= most) {
-            return Err(OutOfDomain {
-                argument: "stiction",
-            });
+            return Err(OutOfDomain::Stiction(Given::of(mu)));
         }
         self.status.stiction = mu;
         Ok(())

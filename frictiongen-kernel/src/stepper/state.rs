@@ -197,7 +197,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
     /// Returns to a saved state.  The same steps from there give the same bits.
     ///
     /// # Errors
-    /// [`OutOfDomain`] ("saved") if the state comes from a stepper of another scene or step, according to a hash of
+    /// [`OutOfDomain::Saved`] if the state comes from a stepper of another scene or step, according to a hash of
     /// both.
     pub fn restore(&mut self, saved: &Saved<S, V>) -> Result<(), OutOfDomain>
     where
@@ -208,7 +208,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
             (store.modes.len(), store.held.len(), store.last.len())
         };
         if size(&self.store) != size(&saved.store) || self.mark() != saved.mark {
-            return Err(OutOfDomain { argument: "saved" });
+            return Err(OutOfDomain::Saved);
         }
         self.status = saved.status;
         self.store = saved.store.clone();

@@ -4,7 +4,7 @@ use super::MAX_PARTS;
 use super::pace::Pace;
 use super::rows::{HeldStep, ModeStep};
 use super::scene::StepScene;
-use crate::errors::OutOfDomain;
+use crate::errors::{Given, OutOfDomain, Slice};
 use crate::number::scalar::Float;
 use crate::simulation::{TERMS, lift};
 
@@ -155,8 +155,8 @@ impl<S, const D: usize, T: Tables<S, D>> Tables<S, D> for &T {
 /// of mode and input, one for each pair of a stuck chain's mode and input, and one for each input.
 ///
 /// # Errors
-/// [`OutOfDomain`] ("dt") for a step that is not positive and finite, or in which the fastest oscillator turns by more
-/// than [`MAX_PARTS`] radians.  [`OutOfDomain`] ("tables") for slices of another length.
+/// [`OutOfDomain::Step`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
+/// than [`MAX_PARTS`] radians.  [`OutOfDomain::Length`] for slices of another length.
 pub fn fill<S: Float, const D: usize>(
     scene: &StepScene<'_, S>,
     step: S,
@@ -171,7 +171,7 @@ pub fn fill<S: Float, const D: usize>(
         && held_loads.len() == held.len() * inputs
         && channels.len() == inputs;
     if !fits {
-        return Err(OutOfDomain { argument: "tables" });
+        return Err(OutOfDomain::Length(Slice::StepTables));
     }
     let pace = pace(scene, step)?;
     for (index, (entry, mode)) in modes.iter_mut().zip(dynamics.modes).enumerate() {
@@ -251,7 +251,7 @@ fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDom
     let angle = rate * whole;
     let short = zero < step && zero < whole && one / most < angle;
     if !(short && angle <= S::constant(f64::from(MAX_PARTS))) {
-        return Err(OutOfDomain { argument: "dt" });
+        return Err(OutOfDomain::Step(Given::of(step)));
     }
     let mut parts = 1;
     while S::constant(f64::from(parts)) < angle {

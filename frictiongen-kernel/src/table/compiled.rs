@@ -1,7 +1,7 @@
 //! A scene at one frequency ratio, whose limits come from its tables.
 
 use crate::contact::regime::{self, Limits};
-use crate::errors::{OutOfDomain, Regime};
+use crate::errors::{OutOfDomain, Ratio, Regime};
 use crate::number::scalar::{Float, Scalar};
 use crate::response::{At, Scene};
 
@@ -58,7 +58,8 @@ impl<T: Tabled> Compiled<T> {
         if !within {
             let allowed = exact_beyond && r >= T::Scalar::constant(0.0);
             if !allowed {
-                return Err(OutOfDomain { argument: "r" });
+                regime::check_ratio(r)?;
+                return Err(OutOfDomain::OutsideTables(Ratio::Frequency));
             }
         }
         Ok(Self { scene, r, within })
@@ -164,7 +165,7 @@ impl<T: Tabled> Compiled<T> {
         if domain.exact_beyond || (low <= beta && beta <= high) {
             Ok(beta)
         } else {
-            Err(OutOfDomain { argument: "beta" })
+            Err(OutOfDomain::OutsideTables(Ratio::Friction))
         }
     }
 

@@ -108,7 +108,7 @@ impl<T: TabledMotion> Compiled<T> {
         let mut table = None;
         if !self.is_within() {
             // The exact formulas check β against their own limits.
-            let beta = self.checked(beta)?;
+            let beta = self.checked(beta).map_err(|_| NotContinuous::OutOfDomain)?;
             self.exact().admitted(beta)?;
         } else {
             // One lookup serves the check and the motion.
@@ -130,8 +130,8 @@ impl<T: TabledMotion> Compiled<T> {
     /// Returns the reason why there is no continuous motion within the tables' range.
     #[cold]
     fn refused(&self, beta: T::Scalar, limit: T::Scalar) -> NotContinuous {
-        if let Err(error) = self.checked(beta) {
-            error.into()
+        if self.checked(beta).is_err() {
+            NotContinuous::OutOfDomain
         } else if self.is_admitted(beta, limit) {
             NotContinuous::Unbounded
         } else if self.slides(beta) {

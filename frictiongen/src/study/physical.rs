@@ -11,7 +11,7 @@ use super::sensitivity::{Sensitive, Varied};
 use super::system::System;
 use super::units::{Load, angular_frequency, reversed_phase};
 use super::{NoDerivative, SystemHeld, SystemResponse};
-use crate::{Of, OutOfDomain, Regime};
+use crate::{Given, Of, OutOfDomain, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::{Float, Scalar};
@@ -179,7 +179,7 @@ impl System {
         if beta.is_finite() && 0.0 <= beta {
             Ok((r, beta))
         } else {
-            Err(OutOfDomain { argument: "beta" }.into())
+            Err(OutOfDomain::FrictionRatio(Given::of(beta)).into())
         }
     }
 

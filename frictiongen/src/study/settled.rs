@@ -5,7 +5,7 @@ use super::held::{SystemHeld, share_of_base};
 use super::motion::SystemMotion;
 use super::orbit::SystemOrbit;
 use super::response::SystemResponse;
-use crate::{Error, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
+use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
@@ -58,7 +58,9 @@ impl<'a> SystemAt<'a> {
         let motion = self.motion(beta);
         match motion {
             Ok(motion) if beta == 0.0 || self.is_unique() => Ok(SystemResponse::Continuous(motion)),
-            Err(NotContinuous::OutOfDomain) => Err(OutOfDomain { argument: "beta" }.into()),
+            Err(NotContinuous::OutOfDomain) => {
+                Err(OutOfDomain::FrictionRatio(Given::of(beta)).into())
+            }
             Err(NotContinuous::Unbounded) if beta < self.sliding_limit() => {
                 Err(NotContinuous::Unbounded.into())
             }
@@ -83,7 +85,7 @@ impl<'a> SystemAt<'a> {
     ) -> Result<(SystemResponse<'a>, Carried), Error> {
         let motion = match self.motion(beta) {
             Err(NotContinuous::OutOfDomain) => {
-                return Err(OutOfDomain { argument: "beta" }.into());
+                return Err(OutOfDomain::FrictionRatio(Given::of(beta)).into());
             }
             motion => motion.ok(),
         };

@@ -2,7 +2,7 @@
 
 use super::error::UnknownMass;
 use super::system::System;
-use crate::{OutOfDomain, Simulates, SimulatesUnder};
+use crate::{Given, OutOfDomain, Simulates, SimulatesUnder, Unsupported};
 use frictiongen_kernel::simulation::{Dynamics, Lines, Moment, Part, Segment, Simulation};
 use frictiongen_kernel::{Float, Plain};
 
@@ -24,9 +24,7 @@ impl<S: Plain> System<S> {
     /// Returns the data for a motion in time. Fails for a chain with too many modes at or beyond critical damping.
     pub(super) fn dynamics_in_time(&self) -> Result<Dynamics<'_, S>, OutOfDomain> {
         if self.loses_motion() {
-            return Err(OutOfDomain {
-                argument: "damping",
-            });
+            return Err(Unsupported::CriticalDamping.into());
         }
         Ok(self.dynamics())
     }
@@ -59,8 +57,8 @@ impl<S: Plain> System<S> {
     /// ```
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r is positive and finite, and β is finite and not negative. [`OutOfDomain`] ("stribeck")
-    /// for `friction: stribeck`, which needs [`simulation_under`](Self::simulation_under). [`OutOfDomain`] ("damping")
+    /// [`OutOfDomain`] unless r is positive and finite, and β is finite and not negative. [`Unsupported::FrictionLaw`](crate::Unsupported::FrictionLaw)
+    /// for `friction: stribeck`, which needs [`simulation_under`](Self::simulation_under). [`Unsupported::CriticalDamping`](crate::Unsupported::CriticalDamping)
     /// where too many modes are at or beyond critical damping, so that less than half of the digits would remain.
     pub fn simulation(&self, r: S, beta: S) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
         self.constant_level()?;
@@ -111,9 +109,9 @@ impl<S: Plain> System<S> {
     /// ```
     ///
     /// # Errors
-    /// Same errors as [`simulation`](Self::simulation), except for `friction: stribeck`. [`OutOfDomain`] ("amplitude")
+    /// Same errors as [`simulation`](Self::simulation), except for `friction: stribeck`. [`OutOfDomain::LoadAmplitude`]
     /// for an amplitude that is not positive and finite, or with which the law's speeds leave the scalar's range.
-    /// [`OutOfDomain`] ("steepness") for a law that changes the motion more than
+    /// [`OutOfDomain::Steepness`] for a law that changes the motion more than
     /// [`MAX_STEEPNESS`](frictiongen_kernel::simulation::MAX_STEEPNESS) times as fast as the fastest mode does.
     pub fn simulation_under(
         &self,
@@ -145,9 +143,7 @@ impl<S: Plain> System<S> {
         if S::constant(0.0) < amplitude && amplitude.is_finite() {
             Ok(self.steps().lines(r, amplitude))
         } else {
-            Err(OutOfDomain {
-                argument: "amplitude",
-            })
+            Err(OutOfDomain::LoadAmplitude(Given::of(amplitude)))
         }
     }
 
@@ -171,7 +167,7 @@ impl<S: Plain> System<S> {
         if x.len() == masses && v.len() == masses {
             Ok(())
         } else {
-            Err(OutOfDomain { argument: "state" })
+            Err(OutOfDomain::State)
         }
     }
 }

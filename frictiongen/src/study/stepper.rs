@@ -215,7 +215,7 @@ impl<S: Plain> System<S> {
     ///
     /// # Errors
     /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
-    /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians. [`OutOfDomain`] ("damping") where too many
+    /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians. [`Unsupported::CriticalDamping`](crate::Unsupported::CriticalDamping) where too many
     /// modes are at or beyond critical damping, so that less than half of the digits would remain.
     pub fn stepper(&self, dt: S) -> Result<SystemStepper<'_, S>, OutOfDomain> {
         self.stepping(dt, None)
@@ -292,8 +292,8 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
                 *excited = force;
                 [S::constant(0.0); 2]
             }
-            (Acting::Base(_), _) => return Err(OutOfDomain { argument: "base" }.into()),
-            (Acting::Force(_), _) => return Err(OutOfDomain { argument: "forces" }.into()),
+            (Acting::Base(_), _) => return Err(OutOfDomain::BaseAtRest.into()),
+            (Acting::Force(_), _) => return Err(OutOfDomain::Forces.into()),
         };
         for (name, force) in &input.more {
             let mass = self.system.mass_index(name)?;

@@ -2,7 +2,7 @@
 
 use super::error::{InvalidScene, UnknownMass};
 use super::large;
-use crate::OutOfDomain;
+use crate::{OutOfDomain, Unsupported};
 use frictiongen_codegen::{Diagnostics, parse_text};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::driven::DrivenModes;
@@ -275,9 +275,7 @@ impl<S: Float> System<S> {
     pub(super) fn constant_level(&self) -> Result<(), OutOfDomain> {
         match self.scene.friction {
             FrictionLaw::Coulomb => Ok(()),
-            FrictionLaw::Stribeck(_) => Err(OutOfDomain {
-                argument: "stribeck",
-            }),
+            FrictionLaw::Stribeck(_) => Err(Unsupported::FrictionLaw.into()),
         }
     }
 

@@ -6,7 +6,7 @@ use super::{
 };
 #[cfg(feature = "desk")]
 use super::{CurvePoint, CurveStart, Pattern};
-use crate::{Error, NoOrbit, Regime};
+use crate::{Error, NoOrbit, OutOfDomain, Regime, Unsupported};
 use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
 use std::borrow::Cow;
@@ -46,7 +46,7 @@ pub fn no_answer(error: Error) -> &'static str {
 #[must_use]
 pub fn reason(error: NoOrbit) -> &'static str {
     match error {
-        NoOrbit::OutOfDomain(error) if error.argument == "damping" => "no digits",
+        NoOrbit::OutOfDomain(OutOfDomain::Unsupported(Unsupported::CriticalDamping)) => "no digits",
         NoOrbit::OutOfDomain(_) => "no cycle",
         NoOrbit::TooManyEvents => "crowded",
         NoOrbit::Unbounded => "unbounded",

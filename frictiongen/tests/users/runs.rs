@@ -4,7 +4,7 @@ use core::fmt::Debug;
 use frictiongen::kernel::Plain;
 use frictiongen::kernel::simulation::{Contact, Event};
 use frictiongen::study::SystemSimulation;
-use frictiongen::{System, friction_system};
+use frictiongen::{Given, OutOfDomain, System, friction_system};
 use fuzzing::Random;
 
 const BLOCK: &str = "struct Block {
@@ -188,7 +188,7 @@ fn what_is_no_reach_changes_nothing() {
             f64::NEG_INFINITY,
         ] {
             let error = run.advance(reach).expect_err("no reach");
-            assert_eq!(error.argument, "reach");
+            assert_eq!(error, OutOfDomain::Duration(Given::of(reach)));
             assert!(
                 error.to_string().contains("finite number, not negative"),
                 "{error}"

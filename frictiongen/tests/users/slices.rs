@@ -7,7 +7,7 @@ use frictiongen::kernel::{
     contact::sums::Chain,
     oscillator::mode::{Kind, Mode},
 };
-use frictiongen::{NoOrbit, OutOfDomain, friction_system};
+use frictiongen::{NoOrbit, OutOfDomain, Slice, friction_system};
 
 friction_system! {
     struct Pair {
@@ -26,10 +26,10 @@ fn limits_into_slices_of_other_lengths() {
         for sliding in 0..5 {
             let (mut first, mut second) = (vec![-1.0; continuous], vec![-1.0; sliding]);
             let told = Pair::limits_into(&ratios, &mut first, &mut second);
-            let wrong = [(continuous, "continuous"), (sliding, "sliding")];
+            let wrong = [(continuous, Slice::Continuous), (sliding, Slice::Sliding)];
             match wrong.iter().find(|(room, _)| *room != 3) {
-                Some((_, argument)) => {
-                    assert_eq!(told, Err(OutOfDomain { argument }));
+                Some((_, slice)) => {
+                    assert_eq!(told, Err(OutOfDomain::Length(*slice)));
                     assert!(first.iter().chain(&second).all(|value| *value == -1.0));
                 }
                 None => {
@@ -41,10 +41,7 @@ fn limits_into_slices_of_other_lengths() {
         }
     }
     assert_eq!(compared, 25);
-    let told = OutOfDomain {
-        argument: "sliding",
-    }
-    .to_string();
+    let told = OutOfDomain::Length(Slice::Sliding).to_string();
     assert!(told.contains("one element for each r"), "{told}");
 }
 
@@ -84,13 +81,13 @@ fn room_of_another_size() {
         let parts = vec![Part::empty(); parts];
         Simulation::new(DYNAMICS, 0.3, 0.4, state, parts).map(|_| ())
     };
-    let out = |argument| Err(OutOfDomain { argument });
+    let oscillators = Err(OutOfDomain::Length(Slice::Oscillators));
     assert_eq!(run(1, None), Ok(()));
-    assert_eq!(run(0, None), out("parts"));
-    assert_eq!(run(2, None), out("parts"));
+    assert_eq!(run(0, None), oscillators);
+    assert_eq!(run(2, None), oscillators);
     assert_eq!(run(1, Some((&[0.1], &[0.2]))), Ok(()));
-    assert_eq!(run(1, Some((&[], &[0.2]))), out("state"));
-    assert_eq!(run(1, Some((&[0.1, 0.2], &[0.2]))), out("state"));
+    assert_eq!(run(1, Some((&[], &[0.2]))), Err(OutOfDomain::State));
+    assert_eq!(run(1, Some((&[0.1, 0.2], &[0.2]))), Err(OutOfDomain::State));
     let orbit = |room: usize, multipliers: usize, start: Start<'_, f64>| {
         let parts = vec![Part::empty(); 1];
         let room = vec![0.0; room];
@@ -108,11 +105,24 @@ fn room_of_another_size() {
         )
         .map(|_| ())
     };
-    let none = |argument| Err(NoOrbit::OutOfDomain(OutOfDomain { argument }));
+    let none = |error| Err(NoOrbit::OutOfDomain(error));
+    let (storage, multipliers) = (Slice::Storage, Slice::Multipliers);
     let room = numbers(1, 1);
     assert_eq!(orbit(room, 2, Start::Rest), Ok(()));
-    assert_eq!(orbit(room - 1, 2, Start::Rest), none("numbers"));
-    assert_eq!(orbit(room + 1, 2, Start::Rest), none("numbers"));
-    assert_eq!(orbit(room, 1, Start::Rest), none("multipliers"));
-    assert_eq!(orbit(room, 2, Start::State(&[0.1], &[])), none("state"));
+    assert_eq!(
+        orbit(room - 1, 2, Start::Rest),
+        none(OutOfDomain::Length(storage))
+    );
+    assert_eq!(
+        orbit(room + 1, 2, Start::Rest),
+        none(OutOfDomain::Length(storage))
+    );
+    assert_eq!(
+        orbit(room, 1, Start::Rest),
+        none(OutOfDomain::Length(multipliers))
+    );
+    assert_eq!(
+        orbit(room, 2, Start::State(&[0.1], &[])),
+        none(OutOfDomain::State)
+    );
 }

@@ -1,19 +1,18 @@
 //! Arguments outside the domain, at its bounds, and on the boundaries of the regimes.
 
-use frictiongen::{Error, NotContinuous, OutOfDomain, Regime, System};
+use frictiongen::{Error, Given, NotContinuous, OutOfDomain, Regime, System};
 use generated_tests::shown::{
     PairMasses, PairWall, SdofBase, SdofDamped, SdofWall, Single, Thesis,
 };
-
-fn out_of(argument: &'static str) -> OutOfDomain {
-    OutOfDomain { argument }
-}
 
 #[test]
 fn ratios_that_are_none() {
     let mut compared = 0;
     for r in [f64::NAN, -1.0, -0.1, f64::NEG_INFINITY] {
-        assert_eq!(SdofWall::at(r).err(), Some(out_of("r")));
+        assert_eq!(
+            SdofWall::at(r).err(),
+            Some(OutOfDomain::FrequencyRatio(Given::of(r)))
+        );
         compared += 1;
     }
     assert!(Single::at(f32::NAN).is_err());
@@ -24,8 +23,14 @@ fn ratios_that_are_none() {
     assert!(system.at(f64::NAN).is_err());
     let at = SdofWall::at(1.3).expect("in the domain");
     for beta in [f64::NAN, -0.1, f64::INFINITY] {
-        assert_eq!(at.regime(beta), Err(out_of("beta")));
-        assert_eq!(at.margin(beta), Err(out_of("beta")));
+        assert_eq!(
+            at.regime(beta),
+            Err(OutOfDomain::FrictionRatio(Given::of(beta)))
+        );
+        assert_eq!(
+            at.margin(beta),
+            Err(OutOfDomain::FrictionRatio(Given::of(beta)))
+        );
         assert_eq!(at.motion(beta).err(), Some(NotContinuous::OutOfDomain));
         compared += 3;
     }
@@ -34,11 +39,11 @@ fn ratios_that_are_none() {
     let error: Error = SdofWall::at(f64::NAN).expect_err("NaN").into();
     assert_eq!(
         error.to_string(),
-        "r is outside the domain: it must be a number, not negative and not NaN; a motion in time also needs it not too close to 0 or infinity"
+        "the frequency ratio r is NaN; it must be a number, not negative"
     );
     assert_eq!(
-        out_of("beta").to_string(),
-        "beta is outside the domain: it must be a finite number, not negative"
+        OutOfDomain::FrictionRatio(Given::Negative).to_string(),
+        "the friction ratio beta is negative; it must be a finite number, not negative"
     );
 }
 

@@ -2,7 +2,8 @@
 //! graph, and the run-time system.
 
 use frictiongen::{
-    ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, OutOfDomain, Steady, StuckAt, System,
+    ContinuousMotion, FrictionSystem, Given, LimitsAt, MotionAt, Of, OutOfDomain, Slice, Steady,
+    StuckAt, System,
 };
 use frictiongen_codegen::{Limits, parse_text, traces};
 use frictiongen_kernel::{Float, Scalar};
@@ -298,7 +299,11 @@ fn limits_without_search_are_those_of_at() {
             rs[at] = F::Scalar::constant(f64::NAN);
             let (mut continuous, mut sliding) = ([none; 20], [none; 20]);
             let done = system.limits_without_search_into(&rs, &mut continuous, &mut sliding);
-            assert_eq!(done, Err(OutOfDomain { argument: "r" }), "{name}");
+            assert_eq!(
+                done,
+                Err(OutOfDomain::FrequencyRatio(Given::NotANumber)),
+                "{name}"
+            );
             let filled = continuous
                 .iter()
                 .zip(&sliding)
@@ -310,10 +315,10 @@ fn limits_without_search_are_those_of_at() {
             );
         }
         let mut short = [none; 4];
-        for (length, argument) in [(4, "continuous"), (5, "sliding")] {
+        for (length, slice) in [(4, Slice::Continuous), (5, Slice::Sliding)] {
             let mut other = vec![none; length];
             let done = system.limits_without_search_into(&ratios[..5], &mut other, &mut short);
-            assert_eq!(done, Err(OutOfDomain { argument }), "{name}");
+            assert_eq!(done, Err(OutOfDomain::Length(slice)), "{name}");
             assert!(
                 other.iter().chain(&short).all(|limit| *limit == none),
                 "{name}"

@@ -2,7 +2,7 @@
 //! the run-time system.
 
 use frictiongen::study::SystemInput;
-use frictiongen::{OutOfDomain, StepLoad, Stepping, Steps, System};
+use frictiongen::{Given, OutOfDomain, StepLoad, Stepping, Steps, System};
 use frictiongen_kernel::simulation::Contact;
 use frictiongen_kernel::{Float, Scalar};
 use generated_tests::shown;
@@ -258,17 +258,18 @@ fn named_inputs_are_those_by_place() {
 /// The error for a wrong input has the name of that input, and the stepper does not change.
 #[test]
 fn faulty_inputs_are_refused_by_name() {
-    fn told<T: std::fmt::Debug>(result: Result<T, OutOfDomain>) -> &'static str {
-        result.expect_err("refused").argument
+    fn told<T: std::fmt::Debug>(result: Result<T, OutOfDomain>) -> OutOfDomain {
+        result.expect_err("refused")
     }
     for dt in [0.0, -1e-3, f64::NAN, f64::INFINITY, 1e9] {
-        assert_eq!(told(shown::Shaken::stepper(dt).map(|_| ())), "dt", "{dt}");
-        assert_eq!(told(system::<f64>("Shaken").stepper(dt).map(|_| ())), "dt");
+        let step = OutOfDomain::Step(Given::of(dt));
+        assert_eq!(told(shown::Shaken::stepper(dt).map(|_| ())), step, "{dt}");
+        assert_eq!(told(system::<f64>("Shaken").stepper(dt).map(|_| ())), step);
     }
     let state = (&[0.0, f64::NAN], &[0.0, 0.0]);
     assert_eq!(
         told(shown::Shaken::stepper_from(1e-3, state).map(|_| ())),
-        "state"
+        OutOfDomain::State
     );
     let mut stepper = shown::Bowed::stepper(shown::Bowed::STEP).expect("its step");
     let sound = shown::BowedInput {
@@ -278,51 +279,51 @@ fn faulty_inputs_are_refused_by_name() {
     };
     stepper.advance(sound).expect("sound");
     let before = (stepper.string(), stepper.bow(), stepper.work());
-    for (argument, input) in [
+    for (error, input) in [
         (
-            "force",
+            OutOfDomain::Force(Given::NotANumber),
             shown::BowedInput {
                 force: f64::NAN,
                 ..sound
             },
         ),
         (
-            "force",
+            OutOfDomain::Force(Given::Infinite),
             shown::BowedInput {
                 string: f64::INFINITY,
                 ..sound
             },
         ),
         (
-            "friction",
+            OutOfDomain::Friction(Given::Negative),
             shown::BowedInput {
                 friction: -1.0,
                 ..sound
             },
         ),
     ] {
-        assert_eq!(told(stepper.advance(input)), argument);
+        assert_eq!(told(stepper.advance(input)), error);
     }
     let system: System = system("Bowed");
     let mut run = system.stepper(1e-3).expect("a step");
-    for (argument, load) in [
+    for (error, load) in [
         (
-            "forces",
+            OutOfDomain::Forces,
             StepLoad {
                 forces: &[(2, 1.0)],
                 ..StepLoad::friction(1.0)
             },
         ),
         (
-            "base",
+            OutOfDomain::BaseAtRest,
             StepLoad {
                 base: [1.0, 0.0],
                 ..StepLoad::friction(1.0)
             },
         ),
     ] {
-        assert_eq!(told(stepper.step(&load)), argument);
-        assert_eq!(told(run.step(&load)), argument);
+        assert_eq!(told(stepper.step(&load)), error);
+        assert_eq!(told(run.step(&load)), error);
     }
     assert_eq!(before, (stepper.string(), stepper.bow(), stepper.work()));
     let refused = [
@@ -331,7 +332,7 @@ fn faulty_inputs_are_refused_by_name() {
     ];
     let refused = refused.map(|result| result.expect_err("refused").to_string());
     assert!(
-        refused[0].starts_with("base is outside the domain"),
+        refused[0].starts_with("the base of this scene rests"),
         "{}",
         refused[0]
     );

@@ -100,8 +100,7 @@ impl<'a> Refine<'a> {
         let response = at.and_then(|at| at.response(self.beta));
         let work = work(self.system, r, response.as_ref().map_err(|error| *error));
         let point = response.and_then(|response| {
-            CurvePoint::of(r, &response, self.request)
-                .ok_or_else(|| OutOfDomain { argument: "mass" }.into())
+            CurvePoint::of(r, &response, self.request).ok_or_else(|| OutOfDomain::Mass.into())
         });
         (point, work)
     }

@@ -78,8 +78,7 @@ impl Refine<'_> {
     fn step(&self, r: f64, start: Option<&Carried>) -> Step {
         let found = self.system.at(r).map_err(Error::from).and_then(|at| {
             let (response, carried) = at.response_from(self.beta, start)?;
-            let point = CurvePoint::of(r, &response, self.request)
-                .ok_or(OutOfDomain { argument: "mass" })?;
+            let point = CurvePoint::of(r, &response, self.request).ok_or(OutOfDomain::Mass)?;
             Ok((point, carried, work(self.system, r, Ok(&response))))
         });
         let (answer, carried, work) = match found {

@@ -2,7 +2,7 @@
 
 use super::{History, HistoryError, HistoryEvent, check, phase};
 use crate::study::{SystemHeld, SystemMotion, SystemOrbit, SystemResponse};
-use crate::{Complex, NoOrbit, Of, OutOfDomain};
+use crate::{Complex, Given, NoOrbit, Of, OutOfDomain};
 use frictiongen_kernel::simulation::{Contact, Event};
 use std::f64::consts::{PI, TAU};
 
@@ -59,7 +59,7 @@ impl SystemResponse<'_> {
         };
         check(of, masses, self.period(), samples)?;
         if !(0.0 < r && r.is_finite()) {
-            return Err(OutOfDomain { argument: "r" }.into());
+            return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)).into());
         }
         if !self.is_settled() {
             return Err(HistoryError::Solver(NoOrbit::Unsettled.into()));

@@ -30,7 +30,7 @@ impl System {
         accuracy: f64,
     ) -> Result<LimitLines, OutOfDomain> {
         if !(0.0 <= from && from < to && to.is_finite()) {
-            return Err(OutOfDomain { argument: "r" });
+            return Err(OutOfDomain::Range);
         }
         let step = (to - from) / PLACES as f64;
         let mut places: Vec<f64> = (0..PLACES).map(|i| from + step * i as f64).collect();

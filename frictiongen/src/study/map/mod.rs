@@ -8,7 +8,7 @@ pub use lines::LimitLines;
 
 use super::response::SystemResponse;
 use super::system::System;
-use crate::{Error, Limits, Of, OutOfDomain, Regime};
+use crate::{Error, Given, Limits, Of, OutOfDomain, Regime};
 use rayon::prelude::*;
 
 /// The grid and the motions of a map.
@@ -162,7 +162,7 @@ impl System {
     ///
     /// # Errors
     /// [`OutOfDomain`] for a frequency ratio or a friction ratio that is negative, NaN or infinite, and for a mass that
-    /// the scene does not have. [`OutOfDomain`] ("stribeck") for `friction: stribeck`. A point without a response
+    /// the scene does not have. [`Unsupported::FrictionLaw`](crate::Unsupported::FrictionLaw) for `friction: stribeck`. A point without a response
     /// contains the reason.
     pub fn map(
         &self,
@@ -172,14 +172,14 @@ impl System {
         let usable = |value: &f64| 0.0 <= *value && value.is_finite();
         let masses = self.scene().masses.len();
         let known = |of: &Of| !matches!(of, Of::Mass(index) if masses <= *index);
-        for (good, argument) in [
-            (request.r.iter().all(usable), "r"),
-            (request.beta.iter().all(usable), "beta"),
-            (request.of.iter().all(known), "mass"),
-        ] {
-            if !good {
-                return Err(OutOfDomain { argument });
-            }
+        if let Some(r) = request.r.iter().find(|r| !usable(r)) {
+            return Err(OutOfDomain::FrequencyRatio(Given::of(*r)));
+        }
+        if let Some(beta) = request.beta.iter().find(|beta| !usable(beta)) {
+            return Err(OutOfDomain::FrictionRatio(Given::of(*beta)));
+        }
+        if !request.of.iter().all(known) {
+            return Err(OutOfDomain::Mass);
         }
         let done = std::sync::atomic::AtomicUsize::new(0);
         let stopped = std::sync::atomic::AtomicBool::new(!go_on(0));
@@ -219,8 +219,7 @@ impl System {
             let point = at
                 .response(*beta)
                 .map(|response| MapPoint::of(&response, &request.of));
-            points
-                .push(point.and_then(|point| point.ok_or(OutOfDomain { argument: "mass" }.into())));
+            points.push(point.and_then(|point| point.ok_or(OutOfDomain::Mass.into())));
         }
         Ok(Some(MapColumn { r, limits, points }))
     }

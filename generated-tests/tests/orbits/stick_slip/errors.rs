@@ -1,6 +1,6 @@
 //! Every reason for which no steady state is returned, provoked on purpose, emitted and at run time.
 
-use frictiongen::{NoOrbit, OutOfDomain, System};
+use frictiongen::{Given, NoOrbit, OutOfDomain, System};
 
 /// Emits a scene, and asks it and the run-time system of the same text.
 macro_rules! refused {
@@ -35,14 +35,27 @@ macro_rules! refused {
 /// Returns the first words of the message.
 fn first_words(error: NoOrbit) -> &'static str {
     match error {
-        NoOrbit::OutOfDomain(_) => "beta is outside",
+        NoOrbit::OutOfDomain(_) => "the friction ratio beta is",
         _ => "no steady state",
     }
 }
 
 refused!(
-    out_of_domain, NoOrbit::OutOfDomain(OutOfDomain { argument: "beta" }),
-    ((0.5, f64::NAN), (0.5, -1.0), (0.5, f64::INFINITY)),
+    no_number, NoOrbit::OutOfDomain(OutOfDomain::FrictionRatio(Given::NotANumber)), ((0.5, f64::NAN)),
+    struct Block {
+        masses: { block: 1.0 }, springs: { base - block: 1.0 },
+        contact: block - wall, excitation: block,
+    }
+);
+refused!(
+    negative, NoOrbit::OutOfDomain(OutOfDomain::FrictionRatio(Given::Negative)), ((0.5, -1.0)),
+    struct Block {
+        masses: { block: 1.0 }, springs: { base - block: 1.0 },
+        contact: block - wall, excitation: block,
+    }
+);
+refused!(
+    infinite, NoOrbit::OutOfDomain(OutOfDomain::FrictionRatio(Given::Infinite)), ((0.5, f64::INFINITY)),
     struct Block {
         masses: { block: 1.0 }, springs: { base - block: 1.0 },
         contact: block - wall, excitation: block,
@@ -95,11 +108,11 @@ fn a_state_out_of_domain() {
         contact: block - wall, excitation: block }";
     let system: System = text.parse().expect("a scene");
     let at = system.at(0.5).expect("in the domain");
-    let wanted = Err(NoOrbit::OutOfDomain(OutOfDomain { argument: "state" }));
+    let wanted = Err(NoOrbit::OutOfDomain(OutOfDomain::State));
     for (x, v) in [(f64::NAN, 0.0), (0.0, f64::INFINITY)] {
         let found = at.orbit_from(0.3, (&[x], &[v])).map(|orbit| orbit.stops());
         assert_eq!(found, wanted);
-        let emitted = out_of_domain::Block::at(0.5).expect("in the domain");
+        let emitted = negative::Block::at(0.5).expect("in the domain");
         let found = emitted
             .orbit_from(0.3, (&[x], &[v]))
             .map(|orbit| orbit.stops());

@@ -5,7 +5,8 @@ use frictiongen::kernel::table::Tabled;
 use frictiongen::study::scene::Side;
 use frictiongen::study::table::Request;
 use frictiongen::{
-    FrictionSystem, LimitsAt, NotContinuous, Of, OutOfDomain, Regime, System, friction_system,
+    FrictionSystem, Given, LimitsAt, NotContinuous, Of, OutOfDomain, Ratio, Regime, System,
+    friction_system,
 };
 
 /// Passes a scene to the macro, and keeps its text.
@@ -184,7 +185,7 @@ fn out_of_reach() {
         }
         for beta in [-1e-3, 0.150_1, f64::NAN] {
             let at = Sliding::at(r).unwrap();
-            assert_eq!(at.regime(beta), Err(OutOfDomain { argument: "beta" }));
+            assert_eq!(at.regime(beta), Err(friction_error(beta)));
             assert!(at.motion(beta).is_err(), "{beta}");
         }
     }
@@ -262,23 +263,32 @@ fn the_rest_is_exact() {
     }
 }
 
+/// The error for a friction ratio that the tables do not contain.
+fn friction_error(beta: f64) -> OutOfDomain {
+    match Given::of(beta) {
+        Given::Positive | Given::Zero => OutOfDomain::OutsideTables(Ratio::Friction),
+        given => OutOfDomain::FrictionRatio(given),
+    }
+}
+
 #[test]
 fn beyond_the_range() {
-    let out = |argument| Err(OutOfDomain { argument });
-    assert_eq!(Damped::at(0.199_999).map(drop), out("r"));
-    assert_eq!(Damped::at(2.500_001).map(drop), out("r"));
-    assert_eq!(Damped::at(f64::NAN).map(drop), out("r"));
-    assert_eq!(Damped::at(f64::INFINITY).map(drop), out("r"));
+    let out = Err(OutOfDomain::OutsideTables(Ratio::Frequency));
+    assert_eq!(Damped::at(0.199_999).map(drop), out);
+    assert_eq!(Damped::at(2.500_001).map(drop), out);
+    let none = Err(OutOfDomain::FrequencyRatio(Given::NotANumber));
+    assert_eq!(Damped::at(f64::NAN).map(drop), none);
+    assert_eq!(Damped::at(f64::INFINITY).map(drop), out);
     assert!(Damped::at(0.2).is_ok() && Damped::at(2.5).is_ok());
     // β beyond the declared range is an error.
     let at = Undamped::at(0.9).unwrap();
-    assert_eq!(at.regime(1.5), Err(OutOfDomain { argument: "beta" }));
-    assert_eq!(at.margin(f64::NAN), Err(OutOfDomain { argument: "beta" }));
+    assert_eq!(at.regime(1.5), Err(friction_error(1.5)));
+    assert_eq!(at.margin(f64::NAN), Err(friction_error(f64::NAN)));
     assert_eq!(at.motion(1.5).map(drop), Err(NotContinuous::OutOfDomain));
     let (mut continuous, mut sliding) = ([0.0; 2], [0.0; 2]);
     assert_eq!(
         Damped::limits_into(&[1.0, 3.0], &mut continuous, &mut sliding),
-        out("r")
+        out
     );
     assert!(continuous[0] > 0.0 && continuous[1] == 0.0);
     // With `beyond: exact` the exact formulas are used.

@@ -1,6 +1,6 @@
 //! Tests the responses while the contact is stuck, of scenes that declare an accuracy, through the macro.
 
-use frictiongen::{OutOfDomain, StuckAt, StuckResonance, System, friction_system};
+use frictiongen::{Given, OutOfDomain, Ratio, StuckAt, StuckResonance, System, friction_system};
 use frictiongen_kernel::Complex;
 use fuzzing::Random;
 
@@ -241,9 +241,10 @@ fn beyond_the_range() {
         close(stuck.b(), reference.mass("b").unwrap());
         assert_eq!(stuck.a(), at.stuck().unwrap().exact().mass(0));
     }
-    let out = Err(OutOfDomain { argument: "r" });
+    let out = Err(OutOfDomain::OutsideTables(Ratio::Frequency));
     assert_eq!(Five::at(0.19).map(drop), out);
-    assert_eq!(Five::at(f64::NAN).map(drop), out);
+    let none = Err(OutOfDomain::FrequencyRatio(Given::NotANumber));
+    assert_eq!(Five::at(f64::NAN).map(drop), none);
 }
 
 /// If the products do not fit, the exact formulas are used, to the bit.

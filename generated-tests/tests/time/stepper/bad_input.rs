@@ -3,6 +3,7 @@
 use crate::stepper::independent::loads;
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, begin, rig, scene, try_rig};
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL};
+use frictiongen::{Given, OutOfDomain};
 use frictiongen_kernel::stepper::{Input, Sample};
 
 /// Returns every number of the state as text, whose digits distinguish all values.
@@ -24,38 +25,40 @@ fn refused_and_unchanged() {
             }
             let before = bits(&rig);
             let sound = next();
-            let mut cases: Vec<(&str, Load)> = Vec::new();
-            let mut case = |name, change: &dyn Fn(&mut Load)| {
+            let mut cases: Vec<(OutOfDomain, Load)> = Vec::new();
+            let mut case = |error, change: &dyn Fn(&mut Load)| {
                 let mut load = sound.clone();
                 change(&mut load);
-                cases.push((name, load));
+                cases.push((error, load));
             };
             for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300] {
-                let last = scene.masses.len() - 1;
-                case("force", &|load| load.forces[last] = bad);
-                case("friction", &|load| load.friction = bad);
+                let (last, given) = (scene.masses.len() - 1, Given::of(bad));
+                case(OutOfDomain::Force(given), &|load| load.forces[last] = bad);
+                case(OutOfDomain::Friction(given), &|load| load.friction = bad);
                 if scene.excitation == frictiongen_model::scene::Excitation::Base {
-                    case("base", &|load| load.base[0] = bad);
-                    case("base", &|load| load.base[1] = bad);
+                    case(OutOfDomain::BaseMotion(given), &|load| load.base[0] = bad);
+                    case(OutOfDomain::BaseMotion(given), &|load| load.base[1] = bad);
                 }
             }
-            case("friction", &|load| load.friction = -1e-9);
-            case("forces", &|load| load.forces.push(0.0));
-            case("forces", &|load| load.forces.clear());
-            for (name, load) in cases {
+            case(OutOfDomain::Friction(Given::Negative), &|load| {
+                load.friction = -1e-9
+            });
+            case(OutOfDomain::Forces, &|load| load.forces.push(0.0));
+            case(OutOfDomain::Forces, &|load| load.forces.clear());
+            for (wanted, load) in cases {
                 let sample = Sample {
                     base: load.base,
                     forces: &load.forces,
                     friction: load.friction,
                 };
                 let error = rig.advance(sample).expect_err("a bad load");
-                assert_eq!(error.argument, name, "{load:?}");
+                assert_eq!(error, wanted, "{load:?}");
                 assert!(rig.begin(sample).is_err());
                 assert_eq!(bits(&rig), before, "{load:?}");
             }
             for mu in [0.5, 0.0, -1.0, f64::NAN, f64::INFINITY] {
                 let error = rig.set_stiction(mu).expect_err("a bad stiction");
-                assert_eq!(error.argument, "stiction");
+                assert_eq!(error, OutOfDomain::Stiction(Given::of(mu)));
                 assert_eq!(bits(&rig), before);
             }
             // After the first step `begin` is too late.
@@ -64,7 +67,7 @@ fn refused_and_unchanged() {
                 forces: &sound.forces,
                 friction: sound.friction,
             };
-            assert_eq!(rig.begin(sample).expect_err("too late").argument, "steps");
+            assert_eq!(rig.begin(sample).expect_err("too late"), OutOfDomain::Begun);
             assert_eq!(bits(&rig), before);
             // A valid load is then accepted as if the refused ones had not been given.
             advance(&mut rig, &sound);
@@ -88,7 +91,7 @@ fn steps_that_cannot_be_taken() {
             1e-300,
         ] {
             let error = try_rig::<f64>(&scene, LINEAR, dt).expect_err("a bad step");
-            assert_eq!(error.argument, "dt", "{dt}");
+            assert_eq!(error, OutOfDomain::Step(Given::of(dt)), "{dt}");
         }
     }
 }
@@ -126,7 +129,7 @@ fn saved_and_restored() {
     let mut one = rig::<f64>(&scene(ONE), LINEAR, 0.02);
     let before = bits(&one);
     let error = one.restore(&rig::<f64>(&scene(PAIR), LINEAR, 0.02).save());
-    assert_eq!(error.expect_err("another scene").argument, "saved");
+    assert_eq!(error.expect_err("another scene"), OutOfDomain::Saved);
     assert_eq!(bits(&one), before);
 }
 
@@ -169,7 +172,7 @@ fn the_state_of_another_stepper_is_refused() {
         let mut one = of(PAIR, LINEAR, 0.02);
         let before = bits(&one);
         let error = one.restore(&of(&text, kind, dt).save());
-        assert_eq!(error.expect_err(what).argument, "saved");
+        assert_eq!(error.expect_err(what), OutOfDomain::Saved);
         assert_eq!(bits(&one), before, "{what}");
         one.restore(&of(PAIR, LINEAR, 0.02).save())
             .expect("its own");

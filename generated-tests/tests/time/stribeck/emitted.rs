@@ -2,7 +2,7 @@
 
 use frictiongen::kernel::simulation::Segment;
 use frictiongen::kernel::{Float, Scalar};
-use frictiongen::{OutOfDomain, Run, SimulatesUnder, System};
+use frictiongen::{Given, OutOfDomain, Run, SimulatesUnder, System};
 
 /// A segment, and the numbers after it as bits.
 type Passed<S> = (Segment<S>, [u64; 5]);
@@ -59,14 +59,14 @@ macro_rules! same {
             }
             println!("{events} events");
             assert!(100 < events);
-            let refused = |amplitude| said(&$test::$name, [1.0, 0.3, amplitude], 0).expect_err("none").argument;
+            let refused = |amplitude| said(&$test::$name, [1.0, 0.3, amplitude], 0).expect_err("none");
             for amplitude in [0.0, -1.0, <$scalar>::NAN, <$scalar>::INFINITY] {
-                assert_eq!(refused(amplitude), "amplitude");
+                assert_eq!(refused(amplitude), OutOfDomain::LoadAmplitude(Given::of(amplitude)));
             }
-            let refused = |r, beta| said(&$test::$name, [r, beta, 1.0], 0).expect_err("none").argument;
-            assert_eq!(refused(<$scalar>::NAN, 0.3), "r");
-            assert_eq!(refused(0.0, 0.3), "r");
-            assert_eq!(refused(1.0, -0.3), "beta");
+            let refused = |r, beta| said(&$test::$name, [r, beta, 1.0], 0).expect_err("none");
+            assert_eq!(refused(<$scalar>::NAN, 0.3), OutOfDomain::FrequencyRatio(Given::NotANumber));
+            assert_eq!(refused(0.0, 0.3), OutOfDomain::FrequencyRatioInTime(Given::Zero));
+            assert_eq!(refused(1.0, -0.3), OutOfDomain::FrictionRatio(Given::Negative));
         }
     };
 }

@@ -1,5 +1,9 @@
 //! Regimes of the contact's motion, and the errors of solvers.
 
+mod domain;
+
+pub use domain::{Given, OutOfDomain, Ratio, Slice, Unsupported};
+
 use core::fmt;
 
 /// Regime of the steady state: the way in which the contact moves.
@@ -18,24 +22,6 @@ pub enum Regime {
     Stuck,
     /// Bistable: β*_lim ≤ β < β_lim, only with μ > 1.  The closed form and a stuck state both exist.
     Bistable,
-}
-
-/// An argument outside its domain: NaN, negative, or infinite where infinity has no meaning.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct OutOfDomain {
-    /// Name of the argument that is outside its domain.
-    ///
-    /// - "r", "beta", "state", "start" or "reach" of an orbit, a response or a simulation.
-    /// - "parts", "numbers", "multipliers", "tables", "continuous" or "sliding" for a slice that is too short or too
-    ///   long.
-    /// - "dt", "force", "forces", "base", "friction", "stiction", "steps", "saved" or "work" of a stepper.
-    /// - "mass" of a map or a curve.
-    /// - "amplitude" and "steepness" of a simulation under a friction law that depends on the speed.
-    /// - "damping" where free and stuck modes cannot be distinguished in the scalar.
-    /// - "stribeck" where the friction law has no constant kinetic level.  A stepper and `simulation_under` accept such
-    ///   a law.
-    pub argument: &'static str,
 }
 
 /// Reason why a continuous motion does not exist.
@@ -60,7 +46,7 @@ pub struct StuckResonance;
 
 /// Reason why there is no steady state to report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum NoOrbit {
     /// r, β, or the state to start from is outside its domain.
@@ -81,7 +67,7 @@ pub enum NoOrbit {
 
 /// Any error of a solver.  A function that calls several solvers can use `?` on each of their results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Error {
     /// An argument is outside its domain: see [`OutOfDomain`].
@@ -94,58 +80,13 @@ pub enum Error {
     NoOrbit(NoOrbit),
 }
 
-impl fmt::Display for OutOfDomain {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.argument == "stribeck" {
-            return f.write_str(
-                "the exact continuous response needs a constant kinetic level, but this scene has `friction: stribeck`; use its stepper, or `simulation_under` with the amplitude of the load",
-            );
-        }
-        let needed = match self.argument {
-            "r" => {
-                "it must be a number, not negative and not NaN; a motion in time also needs it not too close to 0 or infinity"
-            }
-            "state" => "it must have a finite displacement and velocity for each mass",
-            "continuous" | "sliding" => "the slice must have one element for each r",
-            "parts" | "numbers" | "multipliers" | "tables" => {
-                "the slice for the results has the wrong length"
-            }
-            "dt" => {
-                "a step must be greater than zero, and so short that no oscillator turns by more than 1024 rad in it"
-            }
-            "force" | "base" => "it must be finite, and its square within the range of the scalar",
-            "forces" => {
-                "there must be one force for each mass that may be loaded, and for no other"
-            }
-            "stiction" => "it must be a finite number, 1 or more",
-            "damping" => {
-                "with this number of modes at or beyond critical damping, the modes of the stuck and of the sliding chain cannot be separated in this scalar: fewer than half of the digits would be correct"
-            }
-            "steps" => "the input at the start must be set before the first step",
-            "amplitude" => {
-                "it must be positive and finite, and so large that the speeds of the friction law stay distinct when they are divided by the speed of the load"
-            }
-            "steepness" => {
-                "with this load the slope of the kinetic level acts more than 4096 times as fast as the fastest mode"
-            }
-            "saved" => "it belongs to another scene or step",
-            "work" => {
-                "another step could make the work too large for the scalar; reduce the force, or begin anew"
-            }
-            "mass" => "the scene has no mass with this index; the first has the index 0",
-            _ => "it must be a finite number, not negative",
-        };
-        write!(f, "{} is outside the domain: {needed}", self.argument)
-    }
-}
-
 impl fmt::Display for NotContinuous {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::StickSlip => f.write_str("no continuous motion: the friction ratio is between the continuous and the sliding limit, and the contact sticks and slips"),
             Self::Stuck => f.write_str("no continuous motion: the friction ratio is at or above both limits, where the contact can stay stuck"),
             Self::Unbounded => f.write_str("no steady motion: on an undamped resonance this friction ratio does not bound the amplitude"),
-            Self::OutOfDomain => OutOfDomain { argument: "beta" }.fmt(f),
+            Self::OutOfDomain => f.write_str("the friction ratio beta must be a finite number, not negative"),
         }
     }
 }
@@ -190,7 +131,6 @@ impl fmt::Display for Error {
     }
 }
 
-impl core::error::Error for OutOfDomain {}
 impl core::error::Error for NotContinuous {}
 impl core::error::Error for StuckResonance {}
 impl core::error::Error for NoOrbit {}
@@ -199,12 +139,6 @@ impl core::error::Error for Error {}
 impl From<OutOfDomain> for Error {
     fn from(error: OutOfDomain) -> Self {
         Self::OutOfDomain(error)
-    }
-}
-
-impl From<OutOfDomain> for NotContinuous {
-    fn from(_: OutOfDomain) -> Self {
-        Self::OutOfDomain
     }
 }
 

@@ -1,0 +1,303 @@
+//! Arguments outside their domain: a variant for each cause.
+
+use crate::number::scalar::Float;
+use core::fmt;
+
+/// An argument outside its domain, or a request that the scene does not support.
+///
+/// Variants with a [`Given`] name one number and say what was given in its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum OutOfDomain {
+    /// Frequency ratio r of a steady response.
+    FrequencyRatio(Given),
+    /// Frequency ratio r of a motion in time.  Its reciprocal must be finite too.
+    FrequencyRatioInTime(Given),
+    /// Friction ratio β.
+    FrictionRatio(Given),
+    /// A ratio outside the declared range of a scene whose answers come from tables.
+    OutsideTables(Ratio),
+    /// A ratio that differs from that of the orbit whose derivatives are computed.
+    OtherPoint(Ratio),
+    /// State of the masses: displacements and velocities.
+    State,
+    /// Start of an orbit that is not finite.
+    Start,
+    /// Start of an orbit with a stuck contact, at a β at which the contact cannot stick.
+    StuckStart,
+    /// Duration of an advance of a simulation.
+    Duration(Given),
+    /// Length of a slice.
+    Length(Slice),
+    /// Range of frequency ratios, from one number to a larger one.
+    Range,
+    /// Number of intervals of a search.
+    Intervals,
+    /// Index of a mass.
+    Mass,
+    /// Step dt of a stepper, s.
+    Step(Given),
+    /// Force on a mass in one step.
+    Force(Given),
+    /// Set of masses that a sample loads.
+    Forces,
+    /// Displacement or velocity of the base in one step.
+    BaseMotion(Given),
+    /// Base motion for a scene whose base rests.
+    BaseAtRest,
+    /// Friction force F of one step.
+    Friction(Given),
+    /// Stiction μ.
+    Stiction(Given),
+    /// Input at the start, given after the first step.
+    Begun,
+    /// State saved by a stepper of another scene or step.
+    Saved,
+    /// Work of the load, which another step could make too large for the scalar.
+    Work,
+    /// Amplitude of the load of a simulation whose kinetic friction depends on the speed.
+    LoadAmplitude(Given),
+    /// Slope of a friction law that depends on the speed, in a simulation.
+    Steepness,
+    /// Slope of a friction law that depends on the speed, in one step of a stepper.
+    StepSteepness,
+    /// Request that the scene does not support.
+    Unsupported(Unsupported),
+}
+
+/// Kind of number that was given for an argument outside its domain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Given {
+    /// NaN.
+    NotANumber,
+    /// A number below zero, −∞ included.
+    Negative,
+    /// Zero.
+    Zero,
+    /// A finite number above zero.
+    Positive,
+    /// ∞.
+    Infinite,
+}
+
+/// One of the two ratios of an operating point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Ratio {
+    /// Frequency ratio r.
+    Frequency,
+    /// Friction ratio β.
+    Friction,
+}
+
+/// A slice that a function fills, or reads as working storage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Slice {
+    /// Limits β_lim, one for each r.
+    Continuous,
+    /// Limits β*_lim, one for each r.
+    Sliding,
+    /// Oscillators of a simulation or an orbit.
+    Oscillators,
+    /// Working storage of an orbit.
+    Storage,
+    /// Floquet multipliers of an orbit.
+    Multipliers,
+    /// Tables of a stepper.
+    StepTables,
+}
+
+/// A request that the scene does not support.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Unsupported {
+    /// A motion in time of a scene with so many modes near critical damping that the modes of the sliding and of the
+    /// stuck chain cannot be separated in the scalar.
+    CriticalDamping,
+    /// A steady response of a scene whose kinetic friction depends on the speed.
+    FrictionLaw,
+}
+
+impl Given {
+    /// Returns the kind of a number.
+    pub fn of<S: Float>(value: S) -> Self {
+        let zero = S::constant(0.0);
+        if value < zero {
+            Self::Negative
+        } else if value.is_finite() {
+            if value > zero {
+                Self::Positive
+            } else {
+                Self::Zero
+            }
+        } else if value > zero {
+            Self::Infinite
+        } else {
+            Self::NotANumber
+        }
+    }
+}
+
+impl fmt::Display for Given {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotANumber => "NaN",
+            Self::Negative => "negative",
+            Self::Zero => "zero",
+            Self::Positive => "positive",
+            Self::Infinite => "infinite",
+        })
+    }
+}
+
+impl fmt::Display for Ratio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Frequency => "frequency ratio r",
+            Self::Friction => "friction ratio beta",
+        })
+    }
+}
+
+impl fmt::Display for Slice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Continuous => {
+                "slice `continuous` has another length than the slice of r; give one element for each r"
+            }
+            Self::Sliding => {
+                "slice `sliding` has another length than the slice of r; give one element for each r"
+            }
+            Self::Oscillators => {
+                "slice of oscillators has the wrong length; it needs one for each mode of the sliding and of the stuck chain"
+            }
+            Self::Storage => "working storage of an orbit has the wrong length",
+            Self::Multipliers => {
+                "slice of multipliers has the wrong length; it needs two for each mode that the contact drives"
+            }
+            Self::StepTables => "tables of a stepper have the wrong length for this scene",
+        })
+    }
+}
+
+impl fmt::Display for Unsupported {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::CriticalDamping => {
+                "with this number of modes at or beyond critical damping, the modes of the stuck and of the sliding chain cannot be separated in this scalar: fewer than half of the digits would be correct"
+            }
+            Self::FrictionLaw => {
+                "the exact continuous response needs a constant kinetic level, but this scene has `friction: stribeck`; use its stepper, or `simulation_under` with the amplitude of the load"
+            }
+        })
+    }
+}
+
+impl fmt::Display for OutOfDomain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::FrequencyRatio(Given::Infinite) => {
+                f.write_str("the frequency ratio r is infinite; it must be finite here")
+            }
+            Self::FrequencyRatio(given) => write!(
+                f,
+                "the frequency ratio r is {given}; it must be a number, not negative"
+            ),
+            Self::FrequencyRatioInTime(given) => write!(
+                f,
+                "the frequency ratio r is {given}; a motion in time needs a positive number that is not too close to 0 or infinity"
+            ),
+            Self::FrictionRatio(given) => write!(
+                f,
+                "the friction ratio beta is {given}; it must be a finite number, not negative"
+            ),
+            Self::OutsideTables(ratio) => write!(
+                f,
+                "the {ratio} is outside the declared range of the tables; declare a wider `range`, or `beyond: exact` for the formulas outside it"
+            ),
+            Self::OtherPoint(ratio) => write!(
+                f,
+                "the {ratio} differs from that of the orbit; derivatives need the r and beta of the orbit"
+            ),
+            Self::State => f.write_str(
+                "the state must have one finite displacement and one finite velocity for each mass",
+            ),
+            Self::Start => f.write_str(
+                "the state at the start of the orbit leaves the range of the scalar; start nearer to rest",
+            ),
+            Self::StuckStart => f.write_str(
+                "the contact cannot stick at this beta, so that no orbit starts stuck; start from rest, or above the sliding limit",
+            ),
+            Self::Duration(given) => write!(
+                f,
+                "the time to advance is {given}; it must be a finite number, not negative"
+            ),
+            Self::Length(slice) => write!(f, "the {slice}"),
+            Self::Range => f.write_str(
+                "the range of frequency ratios must have two finite ends, not negative, the lower one first",
+            ),
+            Self::Intervals => f.write_str("the search has 0 intervals; it needs one at least"),
+            Self::Mass => {
+                f.write_str("the scene has no mass with this index; the first mass has the index 0")
+            }
+            Self::Step(given) => write!(
+                f,
+                "the step dt is {given}; it must be greater than zero, and so short that no oscillator turns by more than 1024 rad in it"
+            ),
+            Self::Force(given) => write!(
+                f,
+                "a force is {given}; it must be finite, and its square within the range of the scalar"
+            ),
+            Self::Forces => f.write_str(
+                "the sample needs one force for each mass that may be loaded, and none for another mass; the field `force` of the description names these masses",
+            ),
+            Self::BaseMotion(given) => write!(
+                f,
+                "the displacement or velocity of the base is {given}; both must be finite, and their squares within the range of the scalar"
+            ),
+            Self::BaseAtRest => f.write_str(
+                "the base of this scene rests, because a force on a mass excites it; leave out the motion of the base",
+            ),
+            Self::Friction(given) => write!(
+                f,
+                "the friction force F is {given}; it must be a finite number, not negative, and its square within the range of the scalar"
+            ),
+            Self::Stiction(given) => write!(
+                f,
+                "the stiction mu is {given}; it must be a finite number, 1 or more"
+            ),
+            Self::Begun => f.write_str(
+                "the stepper has advanced already; call `begin` before the first step, or make a new stepper",
+            ),
+            Self::Saved => f.write_str(
+                "the saved state belongs to another scene or to another step dt; restore it in the stepper that saved it",
+            ),
+            Self::Work => f.write_str(
+                "another step could make the work too large for the scalar; reduce the force, or make a new stepper",
+            ),
+            Self::LoadAmplitude(given) => write!(
+                f,
+                "the amplitude of the load is {given}; it must be positive and finite, and so large that the speeds of the friction law stay distinct when they are divided by the speed of the load"
+            ),
+            Self::Steepness => f.write_str(
+                "the slope of the friction law acts more than 4096 times as fast as the fastest mode; use a flatter law, or a smaller friction force",
+            ),
+            Self::StepSteepness => f.write_str(
+                "the friction law would change the contact's velocity by more than 16 times that velocity within a step; use a shorter step, a flatter law or a smaller friction force",
+            ),
+            Self::Unsupported(unsupported) => unsupported.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for OutOfDomain {}
+
+impl From<Unsupported> for OutOfDomain {
+    fn from(unsupported: Unsupported) -> Self {
+        Self::Unsupported(unsupported)
+    }
+}
