@@ -12,6 +12,8 @@ mod csv;
 mod curve;
 mod decimal;
 mod destination;
+mod diff;
+mod emitted;
 mod expand;
 mod failure;
 mod features;
@@ -97,6 +99,7 @@ pub fn run(
         Command::Report(arguments) => report::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
+        Command::Diff(arguments) => diff::run(arguments, out),
         Command::Check(arguments) => check::run(arguments, out),
         Command::New(arguments) => new::run(arguments, out),
         Command::Completions(arguments) => shell::completions(arguments, out),

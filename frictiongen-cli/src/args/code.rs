@@ -60,6 +60,18 @@ pub struct ExpandArguments {
     pub output: Option<PathBuf>,
 }
 
+/// Arguments of `frictiongen diff`.
+#[derive(Debug, Args)]
+pub struct DiffArguments {
+    /// File with the old description; standard input if it is -
+    pub old: PathBuf,
+    /// File with the new description; standard input if it is -
+    pub new: PathBuf,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// Arguments of `frictiongen check`.
 #[derive(Debug, Args)]
 pub struct CheckArguments {

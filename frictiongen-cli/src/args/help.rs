@@ -202,6 +202,18 @@ Ctrl-C keeps the frequencies that are already computed.
 
 ";
 
+pub const DIFFERENCES: &str = "\
+Comparison:
+  parameters   every field that differs, with its relative change
+  answers      limits and amplitudes of both scenes at the same frequencies in Hz and the same friction
+               force. Each line has the largest difference, relative to the larger of both values.
+  code         lines, bytes and counted operations of the code that the macro emits
+A description with errors cannot be compared as a scene. The command then prints the errors and the lines
+that differ.
+
+Exit status:
+  0 if both descriptions are valid. Otherwise 2.";
+
 pub const OPTIMA: &str = "\
 What is searched:
   For one friction the search finds the largest amplitude over the band a:b, over all regimes. It looks

@@ -11,8 +11,8 @@ mod shared;
 
 use clap::{Parser, Subcommand};
 pub use code::{
-    CheckArguments, CompileArguments, CompletionsArguments, ExpandArguments, ManArguments,
-    NewArguments, TableFormat,
+    CheckArguments, CompileArguments, CompletionsArguments, DiffArguments, ExpandArguments,
+    ManArguments, NewArguments, TableFormat,
 };
 #[cfg(feature = "pictures")]
 pub use desk::Shade;
@@ -21,8 +21,8 @@ pub use desk::{
     StartFrom, TimeArguments,
 };
 use help::{
-    CURVES, FEATURES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA, ORBITS, RANGES,
-    RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
+    CURVES, DIFFERENCES, FEATURES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA, ORBITS,
+    RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
 };
 pub use points::{LimitsArguments, OrbitArguments, ResponseArguments};
 pub use recorded::{
@@ -96,6 +96,9 @@ pub enum Command {
     Compile(CompileArguments),
     /// Print the Rust code that the macro emits for a description
     Expand(ExpandArguments),
+    /// Say what differs between two descriptions: parameters, natural frequencies, answers and emitted code
+    #[command(after_help = DIFFERENCES)]
+    Diff(DiffArguments),
     /// List every error of a description, each with its line
     Check(CheckArguments),
     /// Write a commented description as a starting point

@@ -2,6 +2,7 @@
 
 use super::asked::Asked;
 use super::words::{digits, number};
+use crate::emitted::{self, Function};
 use frictiongen::System;
 use frictiongen::kernel::Float;
 use frictiongen::kernel::number::dd::Dd;
@@ -21,13 +22,6 @@ const DECLARED: f64 = 1e-4;
 
 /// Number of steps in a period of the highest resonance.
 const STEPS_OF_A_PERIOD: f64 = 20.0;
-
-/// An emitted function.
-struct Function {
-    name: String,
-    about: String,
-    operations: String,
-}
 
 /// Largest differences of the answers from those in double-double.
 struct Measured {
@@ -241,32 +235,7 @@ fn functions(text: &str) -> Result<Vec<Function>, String> {
             .to_owned()
     })?;
     let source = pretty(&description)?;
-    let (mut found, mut about, mut operations) = (Vec::new(), String::new(), None);
-    for line in source.lines().map(str::trim) {
-        if let Some(words) = line.strip_prefix("///").map(str::trim) {
-            match words.strip_prefix("Operations: ") {
-                Some(counts) => operations = Some(counts.trim_end_matches('.').to_owned()),
-                None if about.is_empty() => words.clone_into(&mut about),
-                None => {}
-            }
-            continue;
-        }
-        if let Some((name, _)) = line
-            .split_once("fn ")
-            .and_then(|(_, rest)| rest.split_once(['(', '<']))
-            && let Some(operations) = operations.take()
-        {
-            found.push(Function {
-                name: name.to_owned(),
-                about: about.clone(),
-                operations,
-            });
-        }
-        if !line.starts_with("#[") {
-            about.clear();
-            operations = None;
-        }
-    }
+    let found = emitted::functions(&source);
     if found.is_empty() {
         return Err("No emitted function counts its operations.".to_owned());
     }

@@ -5,6 +5,7 @@ mod common;
 mod compile;
 mod curve;
 mod curve_refused;
+mod diff;
 mod drive;
 mod expand;
 mod features;

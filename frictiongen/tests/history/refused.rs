@@ -82,7 +82,10 @@ fn steady_states() {
                 continue;
             };
             let error = response.history(&[Of::Contact], 20).expect_err("no cycle");
-            assert!(error.to_string().starts_with("the frequency ratio r is "), "{error}");
+            assert!(
+                error.to_string().starts_with("the frequency ratio r is "),
+                "{error}"
+            );
         }
     }
     let response = block.at(0.5).unwrap().response(0.3).unwrap();

@@ -1,0 +1,235 @@
+//! Largest differences between the answers of two scenes at the same frequencies and friction forces.
+
+use frictiongen::System;
+use frictiongen::study::scene::{Excitation, FrictionLaw};
+use frictiongen::study::units::hertz;
+
+/// Number of frequencies at which answers are compared.
+pub const FREQUENCIES: u32 = 400;
+/// Lowest frequency, over the lowest natural frequency, and highest, over the highest one.
+const BAND: (f64, f64) = (0.2, 1.5);
+/// Friction of the compared motions, over the smaller limit of the old scene.
+const FRICTION: f64 = 0.5;
+
+/// Largest difference of an answer over the frequencies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Name of the answer.
+    pub name: String,
+    /// Unit of both values.
+    pub unit: &'static str,
+    /// Frequency of the largest difference, Hz.
+    pub hertz: f64,
+    /// Values there, old and new.
+    pub values: (f64, f64),
+    /// Difference there, over the larger of both values.
+    pub relative: f64,
+    /// Median of the relative differences.
+    pub median: f64,
+    /// Number of frequencies at which both scenes answer.
+    pub compared: usize,
+}
+
+/// Natural frequencies of both scenes in Hz, mode by mode.
+pub type Modes = Vec<(Option<f64>, Option<f64>)>;
+
+/// Comparison of the answers of two scenes.
+#[derive(Clone, Debug, Default)]
+pub struct Answers {
+    /// Natural frequencies.
+    pub modes: Modes,
+    /// Compared frequencies, lowest and highest, Hz.
+    pub band: Option<(f64, f64)>,
+    /// Differences, answer by answer.
+    pub differences: Vec<Difference>,
+    /// Reasons why answers could not be compared.
+    pub left_out: Vec<String>,
+}
+
+/// Compares two scenes.
+pub fn compare(old: &System, new: &System) -> Answers {
+    let frequencies = |system: &System| -> Vec<f64> {
+        system
+            .natural_frequencies()
+            .into_iter()
+            .map(hertz)
+            .collect()
+    };
+    let (before, after) = (frequencies(old), frequencies(new));
+    let mut answers = Answers {
+        modes: (0..before.len().max(after.len()))
+            .map(|mode| (before.get(mode).copied(), after.get(mode).copied()))
+            .collect(),
+        ..Answers::default()
+    };
+    let scenes = [old.scene(), new.scene()];
+    if scenes
+        .iter()
+        .any(|scene| scene.friction != FrictionLaw::Coulomb)
+    {
+        let reason = "limits and amplitudes: a scene has `friction: stribeck`, and these need a constant kinetic level";
+        answers.left_out.push(reason.to_owned());
+        return answers;
+    }
+    let on_base = |index: usize| {
+        scenes
+            .get(index)
+            .map(|scene| scene.excitation == Excitation::Base)
+    };
+    if on_base(0) != on_base(1) {
+        let reason = "limits and amplitudes: a force drives one scene, and the base the other";
+        answers.left_out.push(reason.to_owned());
+        return answers;
+    }
+    let (Some(lowest), Some(highest)) = (
+        before.iter().chain(&after).copied().reduce(f64::min),
+        before.iter().chain(&after).copied().reduce(f64::max),
+    ) else {
+        return answers;
+    };
+    let (from, to) = (BAND.0 * lowest, BAND.1 * highest);
+    answers.band = Some((from, to));
+    let ratio = (to / from).powf(1.0 / f64::from(FREQUENCIES - 1));
+    let band: Vec<f64> = (0..FREQUENCIES)
+        .map(|index| from * ratio.powf(f64::from(index)))
+        .collect();
+    answers.differences = differences(old, new, &band);
+    answers.left_out.extend(unshared(old, new));
+    answers
+}
+
+/// Returns the masses that one of the scenes does not have.
+fn unshared(old: &System, new: &System) -> Option<String> {
+    let has =
+        |system: &System, name: &str| system.scene().masses.iter().any(|mass| mass.name == name);
+    let only = |one: &System, other: &System| -> Vec<String> {
+        let masses = one.scene().masses.iter();
+        let missing = masses.filter(|mass| !has(other, &mass.name));
+        missing.map(|mass| mass.name.clone()).collect()
+    };
+    let mut names = only(old, new);
+    names.extend(only(new, old));
+    (!names.is_empty()).then(|| format!("motions of {}: only one scene has them", names.join(", ")))
+}
+
+/// Numbers of one answer over the frequencies.
+struct Series {
+    name: String,
+    unit: &'static str,
+    values: Vec<(f64, f64, f64)>,
+}
+
+impl Series {
+    fn new(name: impl Into<String>, unit: &'static str) -> Self {
+        Self {
+            name: name.into(),
+            unit,
+            values: Vec::new(),
+        }
+    }
+
+    fn push(&mut self, hertz: f64, old: f64, new: f64) {
+        if old.is_finite() && new.is_finite() {
+            self.values.push((hertz, old, new));
+        }
+    }
+
+    fn difference(self) -> Option<Difference> {
+        let relative = |old: f64, new: f64| {
+            let size = old.abs().max(new.abs());
+            if size == 0.0 {
+                0.0
+            } else {
+                (new - old).abs() / size
+            }
+        };
+        let values = self.values.iter();
+        let largest = values.max_by(|a, b| relative(a.1, a.2).total_cmp(&relative(b.1, b.2)))?;
+        let mut all: Vec<f64> = self
+            .values
+            .iter()
+            .map(|(_, old, new)| relative(*old, *new))
+            .collect();
+        all.sort_by(f64::total_cmp);
+        Some(Difference {
+            name: self.name,
+            unit: self.unit,
+            hertz: largest.0,
+            values: (largest.1, largest.2),
+            relative: relative(largest.1, largest.2),
+            median: all.get(all.len() / 2).copied().unwrap_or(0.0),
+            compared: all.len(),
+        })
+    }
+}
+
+fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
+    let on_base = old.scene().excitation == Excitation::Base;
+    let first = |system: &System| {
+        system
+            .scene()
+            .springs
+            .first()
+            .map_or(1.0, |spring| spring.stiffness)
+    };
+    let (stiffness, stiffness_new) = (first(old), first(new));
+    // Limits over the load's amplitude, and displacements over it: P for a force, Y for base motion.
+    let (force, force_new) = if on_base {
+        (stiffness, stiffness_new)
+    } else {
+        (1.0, 1.0)
+    };
+    let (length, length_new) = if on_base {
+        (1.0, 1.0)
+    } else {
+        (1.0 / stiffness, 1.0 / stiffness_new)
+    };
+    let (of_force, of_length) = if on_base { ("N/m", "") } else { ("", "m/N") };
+    let load = if on_base { "Y" } else { "P" };
+    let mut continuous = Series::new(format!("limit of continuous motion F_lim/{load}"), of_force);
+    let mut sliding = Series::new(format!("limit of sliding F*_lim/{load}"), of_force);
+    let names = new.scene().masses.iter().map(|mass| &mass.name);
+    let names: Vec<&String> = names.collect();
+    let shared = old.scene().masses.iter().map(|mass| &mass.name);
+    let shared: Vec<&String> = shared.filter(|name| names.contains(name)).collect();
+    let mut motions: Vec<Series> = std::iter::once("contact".to_owned())
+        .chain(shared.iter().map(|name| (*name).clone()))
+        .map(|name| Series::new(format!("amplitude of {name} over {load}"), of_length))
+        .collect();
+    for hertz in band {
+        let ratio = |system: &System| system.frequency_ratio_at_hertz(*hertz);
+        let (Ok(at), Ok(at_new)) = (old.at(ratio(old)), new.at(ratio(new))) else {
+            continue;
+        };
+        let (limits, limits_new) = (at.limits(), at_new.limits());
+        continuous.push(
+            *hertz,
+            force * limits.continuous,
+            force_new * limits_new.continuous,
+        );
+        sliding.push(
+            *hertz,
+            force * limits.sliding,
+            force_new * limits_new.sliding,
+        );
+        let beta = FRICTION * limits.continuous.min(limits.sliding);
+        let (Ok(motion), Ok(motion_new)) =
+            (at.motion(beta), at_new.motion(beta * force / force_new))
+        else {
+            continue;
+        };
+        let masses = shared
+            .iter()
+            .filter_map(|name| Some((motion.mass(name).ok()?, motion_new.mass(name).ok()?)));
+        let pairs = std::iter::once((motion.contact(), motion_new.contact())).chain(masses);
+        for (series, (one, other)) in motions.iter_mut().zip(pairs) {
+            series.push(
+                *hertz,
+                length * one.amplitude(),
+                length_new * other.amplitude(),
+            );
+        }
+    }
+    let all = [continuous, sliding].into_iter().chain(motions);
+    all.filter_map(Series::difference).collect()
+}

@@ -1,0 +1,79 @@
+//! Differences of the code that the macro emits for two descriptions.
+
+use crate::emitted::functions;
+use frictiongen_codegen::{Description, Limits, SceneTables, parse_text, pretty};
+use similar::{ChangeTag, TextDiff};
+
+/// Sizes of the emitted code, old and new, and its differences.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Code {
+    /// Lines of source.
+    pub lines: (usize, usize),
+    /// Lines of the old source that are absent from the new one, and the reverse.
+    pub differing: (usize, usize),
+    /// Bytes of source.
+    pub bytes: (usize, usize),
+    /// Bytes of tables with a declared accuracy.
+    pub tables: (usize, usize),
+    /// Functions with other operations: name, old and new operations. A side without the function has none.
+    pub functions: Vec<(String, Option<String>, Option<String>)>,
+}
+
+/// Compares the emitted code of two descriptions.
+///
+/// # Errors
+/// Returns the reason why there is no code for one of them.
+pub fn compare(old: &str, new: &str) -> Result<Code, String> {
+    let (old, new) = (emitted(old, "old")?, emitted(new, "new")?);
+    let difference = TextDiff::from_lines(&old.0, &new.0);
+    let count = |tag| {
+        difference
+            .iter_all_changes()
+            .filter(|change| change.tag() == tag)
+            .count()
+    };
+    let operations = |source: &str| -> Vec<(String, String)> {
+        let all = functions(source).into_iter();
+        all.map(|function| (function.name, function.operations))
+            .collect()
+    };
+    let (before, after) = (operations(&old.0), operations(&new.0));
+    let mut names: Vec<&String> = before.iter().map(|(name, _)| name).collect();
+    let added = after.iter().map(|(name, _)| name);
+    names.extend(added.filter(|name| !before.iter().any(|(other, _)| other == *name)));
+    names.dedup();
+    let of = |all: &[(String, String)], name: &str| {
+        let mut all = all.iter().filter(|(other, _)| other == name);
+        all.next().map(|(_, operations)| operations.clone())
+    };
+    let functions = names.into_iter().filter_map(|name| {
+        let (one, other) = (of(&before, name), of(&after, name));
+        (one != other).then(|| (name.clone(), one, other))
+    });
+    Ok(Code {
+        lines: (old.0.lines().count(), new.0.lines().count()),
+        differing: (count(ChangeTag::Delete), count(ChangeTag::Insert)),
+        bytes: (old.0.len(), new.0.len()),
+        tables: (old.1, new.1),
+        functions: functions.collect(),
+    })
+}
+
+/// Returns the emitted source and the bytes of its tables.
+fn emitted(text: &str, which: &str) -> Result<(String, usize), String> {
+    let description = parse_text(text, &Limits::MACRO).map_err(|diagnostics| {
+        let first = diagnostics.list.first();
+        let first = first.map_or_else(String::new, |error| format!(": {}", error.message));
+        format!("the macro refuses the {which} description{first}")
+    })?;
+    let source = pretty(&description)?;
+    Ok((source, table_bytes(&description)))
+}
+
+fn table_bytes(description: &Description) -> usize {
+    match &description.tables {
+        None => 0,
+        Some(SceneTables::Double(tables)) => tables.report.bytes,
+        Some(SceneTables::Single(tables)) => tables.report.bytes,
+    }
+}

@@ -1,0 +1,311 @@
+//! `frictiongen diff`: says what changed between two descriptions, and what that changes in answers and emitted code.
+
+mod answers;
+mod code;
+mod parameters;
+
+use crate::args::{DiffArguments, FileArgument};
+use crate::failure::Failure;
+use crate::json::object;
+use crate::number::{Value, computed};
+use answers::{Answers, Difference, FREQUENCIES};
+use code::Code;
+use frictiongen::System;
+use frictiongen_codegen::{Limits, parse_text};
+use parameters::{Change, Field};
+use serde_json::{Value as Json, json};
+use similar::TextDiff;
+use std::io::Write;
+
+/// Everything that differs between two descriptions.
+struct Differences {
+    names: [String; 2],
+    changes: Vec<Change>,
+    answers: Answers,
+    code: Result<Code, String>,
+}
+
+/// Runs the command.
+pub fn run(arguments: &DiffArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let files = [&arguments.old, &arguments.new].map(|path| FileArgument {
+        file: Some(path.clone()),
+    });
+    if files.iter().all(|file| file.path().is_none()) {
+        return Err(Failure::new(
+            "diff: only one of both descriptions can come from standard input",
+        ));
+    }
+    let [old, new] = &files;
+    let texts = [old.text()?, new.text()?];
+    let found = compare([old.name(), new.name()], &texts);
+    let found = match found {
+        Ok(found) => found,
+        Err(failure) => {
+            // A description that cannot be read is still a text.
+            unified(&files, &texts, out)?;
+            return Err(failure);
+        }
+    };
+    if arguments.json {
+        writeln!(out, "{:#}", found.json())?;
+    } else {
+        found.write(out)?;
+    }
+    Ok(out.flush()?)
+}
+
+/// Compares two descriptions. A description with errors gives these errors.
+fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failure> {
+    let mut errors = Vec::new();
+    let mut systems = Vec::new();
+    for (name, text) in names.iter().zip(texts) {
+        match parse_text(text, &Limits::RUN_TIME) {
+            Err(diagnostics) => {
+                let list = diagnostics.list.iter();
+                errors.extend(list.map(|error| format!("{name}:{error}")));
+            }
+            Ok(description) => match System::<f64>::try_from(description.scene) {
+                Ok(system) => systems.push(system),
+                Err(error) => errors.push(format!("{name}: {error}")),
+            },
+        }
+    }
+    let ([old, new], [old_text, new_text]) = (systems.as_slice(), texts) else {
+        return Err(Failure::Lines(errors));
+    };
+    Ok(Differences {
+        names,
+        changes: parameters::changes(old.scene(), new.scene()),
+        answers: answers::compare(old, new),
+        code: code::compare(old_text, new_text),
+    })
+}
+
+/// Writes the lines that differ between two texts.
+fn unified(
+    files: &[FileArgument; 2],
+    texts: &[String; 2],
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let [old, new] = texts;
+    let name = |index: usize| files.get(index).map(FileArgument::name).unwrap_or_default();
+    let difference = TextDiff::from_lines(old, new);
+    let text = difference
+        .unified_diff()
+        .header(&name(0), &name(1))
+        .to_string();
+    out.write_all(text.as_bytes())?;
+    Ok(out.flush()?)
+}
+
+/// Formats a relative change in per cent, with its sign.
+fn per_cent(relative: f64) -> String {
+    let value = 100.0 * relative;
+    match value.abs() {
+        size if size < 5e-4 || 1e4 <= size => format!("{value:+.1e} %"),
+        size if size < 1.0 => format!("{value:+.3} %"),
+        _ => format!("{value:+.2} %"),
+    }
+}
+
+impl Differences {
+    fn write(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let [old, new] = &self.names;
+        writeln!(out, "{old} -> {new}")?;
+        if self.changes.is_empty() {
+            writeln!(out, "\nThe descriptions describe the same scene.")?;
+            return Ok(());
+        }
+        writeln!(out, "\nparameters")?;
+        let width = self
+            .changes
+            .iter()
+            .map(|change| change.name.chars().count());
+        let width = width.max().unwrap_or(0);
+        for change in &self.changes {
+            let text = |field: &Option<Field>| {
+                let text = field.as_ref().map(|field| field.text.clone());
+                text.unwrap_or_else(|| "none".to_owned())
+            };
+            let relative = change
+                .relative()
+                .map(|relative| format!(" ({})", per_cent(relative)));
+            writeln!(
+                out,
+                "  {:<width$}  {} -> {}{}",
+                change.name,
+                text(&change.old),
+                text(&change.new),
+                relative.unwrap_or_default()
+            )?;
+        }
+        self.write_answers(out)?;
+        self.write_code(out)
+    }
+
+    fn write_answers(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        writeln!(out, "\nnatural frequencies (Hz)")?;
+        for (mode, pair) in self.answers.modes.iter().enumerate() {
+            let mode = mode + 1;
+            match *pair {
+                (Some(old), Some(new)) => {
+                    let change = per_cent((new - old) / old);
+                    writeln!(
+                        out,
+                        "  mode {mode}  {} -> {} ({change})",
+                        computed(old),
+                        computed(new)
+                    )?;
+                }
+                (old, new) => {
+                    let text =
+                        |value: Option<f64>| value.map_or_else(|| "none".to_owned(), computed);
+                    writeln!(out, "  mode {mode}  {} -> {}", text(old), text(new))?;
+                }
+            }
+        }
+        if let Some((from, to)) = self.answers.band {
+            writeln!(
+                out,
+                "\nanswers at {FREQUENCIES} frequencies from {} to {} Hz; amplitudes with half the friction of the old limits",
+                computed(from),
+                computed(to)
+            )?;
+        }
+        for found in &self.answers.differences {
+            let Difference {
+                name,
+                unit,
+                hertz,
+                values,
+                relative,
+                median,
+                compared,
+            } = found;
+            let unit = if unit.is_empty() {
+                String::new()
+            } else {
+                format!(" {unit}")
+            };
+            writeln!(out, "  {name}")?;
+            writeln!(
+                out,
+                "    differs by {} at most, at {} Hz: {} -> {}{unit}; median {}, {compared} compared",
+                per_cent(*relative).trim_start_matches('+'),
+                computed(*hertz),
+                computed(values.0),
+                computed(values.1),
+                per_cent(*median).trim_start_matches('+')
+            )?;
+        }
+        for reason in &self.answers.left_out {
+            writeln!(out, "  not compared: {reason}")?;
+        }
+        Ok(())
+    }
+
+    fn write_code(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        writeln!(out, "\nemitted code")?;
+        let code = match &self.code {
+            Err(reason) => {
+                writeln!(out, "  not compared: {reason}")?;
+                return Ok(());
+            }
+            Ok(code) => code,
+        };
+        let (removed, added) = code.differing;
+        writeln!(
+            out,
+            "  lines            {} -> {}; the change removes {removed} and adds {added}",
+            code.lines.0, code.lines.1
+        )?;
+        writeln!(
+            out,
+            "  bytes of source  {} -> {}",
+            code.bytes.0, code.bytes.1
+        )?;
+        if code.tables != (0, 0) {
+            writeln!(
+                out,
+                "  bytes of tables  {} -> {}",
+                code.tables.0, code.tables.1
+            )?;
+        }
+        if code.functions.is_empty() {
+            writeln!(out, "  operations       each function counts the same")?;
+        }
+        for (name, old, new) in &code.functions {
+            let text = |operations: &Option<String>| {
+                operations.clone().unwrap_or_else(|| "none".to_owned())
+            };
+            writeln!(out, "  operations of {name}")?;
+            writeln!(out, "    {}", text(old))?;
+            writeln!(out, "    -> {}", text(new))?;
+        }
+        Ok(())
+    }
+
+    fn json(&self) -> Json {
+        let [old, new] = &self.names;
+        let number = |value: f64| Value::from(value).json();
+        let field = |field: &Option<Field>| match field {
+            None => Json::Null,
+            Some(Field {
+                number: Some(value),
+                ..
+            }) => number(*value),
+            Some(field) => field.text.as_str().into(),
+        };
+        let changes = self.changes.iter().map(|change| {
+            json!({
+                "name": change.name,
+                "old": field(&change.old),
+                "new": field(&change.new),
+                "relative": change.relative().map(number),
+            })
+        });
+        let modes = self.answers.modes.iter();
+        let modes =
+            modes.map(|(old, new)| json!({ "old": old.map(number), "new": new.map(number) }));
+        let answers = self.answers.differences.iter().map(|found| {
+            json!({
+                "name": found.name,
+                "unit": found.unit,
+                "frequency_Hz": number(found.hertz),
+                "old": number(found.values.0),
+                "new": number(found.values.1),
+                "relative": number(found.relative),
+                "median": number(found.median),
+                "compared": found.compared,
+            })
+        });
+        let mut left_out: Vec<Json> = self
+            .answers
+            .left_out
+            .iter()
+            .map(|reason| reason.as_str().into())
+            .collect();
+        let code = match &self.code {
+            Err(reason) => {
+                left_out.push(reason.as_str().into());
+                Json::Null
+            }
+            Ok(code) => json!({
+                "lines": { "old": code.lines.0, "new": code.lines.1, "removed": code.differing.0, "added": code.differing.1 },
+                "source_bytes": { "old": code.bytes.0, "new": code.bytes.1 },
+                "table_bytes": { "old": code.tables.0, "new": code.tables.1 },
+                "functions": code.functions.iter().map(|(name, old, new)| json!({ "name": name, "old": old, "new": new })).collect::<Json>(),
+            }),
+        };
+        Json::Object(object([
+            ("version", 1.into()),
+            ("old", old.as_str().into()),
+            ("new", new.as_str().into()),
+            ("parameters", changes.collect()),
+            ("natural_frequencies_Hz", modes.collect()),
+            ("answers", answers.collect()),
+            ("code", code),
+            ("not_compared", Json::Array(left_out)),
+        ]))
+    }
+}

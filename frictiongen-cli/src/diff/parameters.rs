@@ -1,0 +1,187 @@
+//! Parameters of two descriptions, field by field.
+
+use frictiongen::study::scene::{
+    Accuracy, Beyond, Damping, Excitation, FrictionLaw, Precision, Provide, Scene, Side, StepInput,
+};
+
+/// A field of a description as text, with its number if it has one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// Name of the field, with the name of its mass or spring.
+    pub name: String,
+    /// Value in the language of descriptions.
+    pub text: String,
+    /// Value as a number.
+    pub number: Option<f64>,
+}
+
+/// A field that two descriptions do not have alike. A missing side has no such field.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// Name of the field.
+    pub name: String,
+    /// Value in the old description.
+    pub old: Option<Field>,
+    /// Value in the new description.
+    pub new: Option<Field>,
+}
+
+impl Change {
+    /// Returns the change relative to the old number, where both are numbers.
+    pub fn relative(&self) -> Option<f64> {
+        let (old, new) = (self.old.as_ref()?.number?, self.new.as_ref()?.number?);
+        (old != 0.0).then(|| (new - old) / old)
+    }
+}
+
+/// Returns the fields that differ, in the order of the old description.
+pub fn changes(old: &Scene, new: &Scene) -> Vec<Change> {
+    let (old, new) = (fields(old), fields(new));
+    let find =
+        |fields: &[Field], name: &str| fields.iter().find(|field| field.name == name).cloned();
+    let kept = old.iter().map(|field| Change {
+        name: field.name.clone(),
+        old: Some(field.clone()),
+        new: find(&new, &field.name),
+    });
+    let added = new.iter().filter(|field| find(&old, &field.name).is_none());
+    let added = added.map(|field| Change {
+        name: field.name.clone(),
+        old: None,
+        new: Some(field.clone()),
+    });
+    let text = |field: &Option<Field>| field.as_ref().map(|field| field.text.clone());
+    kept.chain(added)
+        .filter(|change| text(&change.old) != text(&change.new))
+        .collect()
+}
+
+/// Returns every field of a scene that differs from its default or has none.
+fn fields(scene: &Scene) -> Vec<Field> {
+    let mut fields = vec![word("name", scene.name.clone())];
+    for mass in &scene.masses {
+        fields.push(number(format!("mass {}", mass.name), mass.value));
+    }
+    if let Some(first) = scene.masses.first() {
+        fields.push(word("first mass (m1)", first.name.clone()));
+    }
+    let ends = |from, to| format!("{} - {}", scene.node_name(from), scene.node_name(to));
+    for spring in &scene.springs {
+        let name = format!("spring {}", ends(spring.from, spring.to));
+        fields.push(number(name, spring.stiffness));
+    }
+    if let Some(first) = scene.springs.first() {
+        fields.push(word("first spring (k1)", ends(first.from, first.to)));
+    }
+    fields.push(word("contact", ends(scene.contact.from, scene.contact.to)));
+    let mass = |index: &usize| {
+        scene
+            .masses
+            .get(*index)
+            .map_or("?", |mass| mass.name.as_str())
+    };
+    fields.push(word(
+        "excitation",
+        match scene.excitation {
+            Excitation::Base => "base",
+            Excitation::Force(index) => mass(&index),
+        },
+    ));
+    damping(&scene.damping, &mut fields);
+    fields.push(number("stiction".to_owned(), scene.stiction));
+    let list = |indices: &[usize]| indices.iter().map(mass).collect::<Vec<_>>().join(", ");
+    let provided = scene.provide.iter().map(|item| match item {
+        Provide::Limits => "limits".to_owned(),
+        Provide::Motion(None) => "motion".to_owned(),
+        Provide::Motion(Some(masses)) => format!("motion({})", list(masses)),
+        Provide::Stuck => "stuck".to_owned(),
+        Provide::Orbit => "orbit".to_owned(),
+        Provide::Simulation => "simulation".to_owned(),
+        Provide::Stepper => "stepper".to_owned(),
+    });
+    fields.push(word("provide", provided.collect::<Vec<_>>().join(", ")));
+    fields.push(word(
+        "scalar",
+        match scene.precision {
+            Precision::F64 => "f64",
+            Precision::F32 => "f32",
+        },
+    ));
+    tables(scene, &mut fields);
+    if let FrictionLaw::Stribeck(points) = &scene.friction {
+        let points = points
+            .iter()
+            .map(|[speed, level]| format!("{speed:?}: {level:?}"));
+        let points = points.collect::<Vec<_>>().join(", ");
+        fields.push(word("friction", format!("stribeck({points})")));
+    }
+    if let Some(step) = scene.stepping.step {
+        fields.push(number("step".to_owned(), step));
+    }
+    if scene.stepping.input == StepInput::Hold {
+        fields.push(word("input", "hold"));
+    }
+    if !scene.stepping.forces.is_empty() {
+        fields.push(word("force", list(&scene.stepping.forces)));
+    }
+    fields
+}
+
+fn damping(damping: &Damping, fields: &mut Vec<Field>) {
+    match damping {
+        Damping::None => fields.push(word("damping", "none")),
+        Damping::Uniform(ratio) => {
+            fields.push(word("damping", "modal"));
+            fields.push(number("damping of all modes".to_owned(), *ratio));
+        }
+        Damping::Modal(ratios) => {
+            fields.push(word("damping", "modal"));
+            for (mode, ratio) in ratios.iter().enumerate() {
+                fields.push(number(format!("damping of mode {}", mode + 1), *ratio));
+            }
+        }
+        Damping::Rayleigh { mass, stiffness } => {
+            fields.push(word("damping", "rayleigh"));
+            fields.push(number("damping a of aM".to_owned(), *mass));
+            fields.push(number("damping b of bK".to_owned(), *stiffness));
+        }
+    }
+}
+
+/// Adds the fields of tables with a declared accuracy.
+fn tables(scene: &Scene, fields: &mut Vec<Field>) {
+    let declared = &scene.declared;
+    if let Accuracy::Relative(accuracy) = declared.accuracy {
+        fields.push(number("accuracy".to_owned(), accuracy));
+    }
+    if let Some(bytes) = declared.budget {
+        fields.push(number("budget".to_owned(), bytes));
+    }
+    if let Some(range) = declared.range {
+        for (name, (from, to)) in [("range of r", range.r), ("range of beta", range.beta)] {
+            fields.push(word(name, format!("{from:?}..{to:?}")));
+        }
+    }
+    if declared.side == Side::Safe {
+        fields.push(word("side", "safe"));
+    }
+    if declared.beyond == Beyond::Exact {
+        fields.push(word("beyond", "exact"));
+    }
+}
+
+fn number(name: String, value: f64) -> Field {
+    Field {
+        name,
+        text: format!("{value:?}"),
+        number: Some(value),
+    }
+}
+
+fn word(name: &str, text: impl Into<String>) -> Field {
+    Field {
+        name: name.to_owned(),
+        text: text.into(),
+        number: None,
+    }
+}

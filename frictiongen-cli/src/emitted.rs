@@ -1,0 +1,43 @@
+//! Emitted code as text: its functions with their counted operations.
+
+/// An emitted function.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Function {
+    /// Name of the function.
+    pub name: String,
+    /// First line of its documentation.
+    pub about: String,
+    /// Counted operations, as its documentation lists them.
+    pub operations: String,
+}
+
+/// Returns the functions whose documentation counts operations.
+pub fn functions(source: &str) -> Vec<Function> {
+    let (mut found, mut about, mut operations) = (Vec::new(), String::new(), None);
+    for line in source.lines().map(str::trim) {
+        if let Some(words) = line.strip_prefix("///").map(str::trim) {
+            match words.strip_prefix("Operations: ") {
+                Some(counts) => operations = Some(counts.trim_end_matches('.').to_owned()),
+                None if about.is_empty() => words.clone_into(&mut about),
+                None => {}
+            }
+            continue;
+        }
+        if let Some((name, _)) = line
+            .split_once("fn ")
+            .and_then(|(_, rest)| rest.split_once(['(', '<']))
+            && let Some(operations) = operations.take()
+        {
+            found.push(Function {
+                name: name.to_owned(),
+                about: about.clone(),
+                operations,
+            });
+        }
+        if !line.starts_with("#[") {
+            about.clear();
+            operations = None;
+        }
+    }
+    found
+}

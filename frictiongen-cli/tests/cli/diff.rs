@@ -1,0 +1,181 @@
+//! Tests of `frictiongen diff`.
+
+use crate::common::{BLOCK, FRAME, output, run_with};
+use serde_json::Value;
+use std::path::PathBuf;
+use std::{fs, process};
+
+/// A description in a file that is deleted at the end.
+struct Written(PathBuf);
+
+impl Written {
+    fn new(name: &str, text: &str) -> Self {
+        let name = format!("frictiongen-diff-{}-{name}", process::id());
+        let path = std::env::temp_dir().join(name);
+        fs::write(&path, text).unwrap();
+        Self(path)
+    }
+
+    fn path(&self) -> &str {
+        self.0.to_str().unwrap()
+    }
+}
+
+impl Drop for Written {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.0);
+    }
+}
+
+fn frame() -> String {
+    fs::read_to_string(FRAME).unwrap()
+}
+
+/// Compares two texts as JSON.
+fn json(name: &str, old: &str, new: &str) -> Value {
+    let new = Written::new(name, new);
+    let text = output(old, &["diff", "-", new.path(), "--json"]);
+    serde_json::from_str(&text).unwrap()
+}
+
+#[test]
+fn a_changed_spring() {
+    let found = json("spring", &frame(), &frame().replace("1190.0", "1201.9"));
+    let parameters = found["parameters"].as_array().unwrap();
+    assert_eq!(parameters.len(), 1);
+    assert_eq!(parameters[0]["name"], "spring base - lower");
+    assert_eq!(parameters[0]["old"], 1190.0);
+    assert_eq!(parameters[0]["new"], 1201.9);
+    assert!((parameters[0]["relative"].as_f64().unwrap() - 0.01).abs() < 1e-12);
+    assert_eq!(found["natural_frequencies_Hz"].as_array().unwrap().len(), 2);
+    assert!(found["code"]["lines"]["removed"].as_u64().unwrap() > 0);
+    assert!(found["not_compared"].as_array().unwrap().is_empty());
+}
+
+/// Twice every mass and every spring leaves frequencies and shapes alone. A force of the base is twice as large, so that
+/// twice the friction limits the motion. The difference is relative to the larger value.
+#[test]
+fn twice_the_masses_and_springs() {
+    let old = "struct S { masses: { a: 1, b: 2 }, springs: { base - a: 100, a - b: 50 }, contact: b - wall,
+               excitation: base, damping: modal(0.02) }";
+    let new = old
+        .replace("a: 1, b: 2", "a: 2, b: 4")
+        .replace("base - a: 100, a - b: 50", "base - a: 200, a - b: 100");
+    let found = json("twice", old, &new);
+    for pair in found["natural_frequencies_Hz"].as_array().unwrap() {
+        let (old, new) = (pair["old"].as_f64().unwrap(), pair["new"].as_f64().unwrap());
+        assert!((old / new - 1.0).abs() < 1e-14);
+    }
+    let answers = found["answers"].as_array().unwrap();
+    assert_eq!(answers.len(), 5);
+    for answer in &answers[..2] {
+        assert_eq!(answer["unit"], "N/m");
+        assert!(
+            (answer["relative"].as_f64().unwrap() - 0.5).abs() < 1e-12,
+            "{answer}"
+        );
+        assert!(
+            (answer["median"].as_f64().unwrap() - 0.5).abs() < 1e-12,
+            "{answer}"
+        );
+        assert_eq!(answer["compared"], 400);
+    }
+    // The same motion would need twice the friction, so that the same friction damps the contact less.
+    assert_eq!(answers[2]["name"], "amplitude of contact over Y");
+    assert!(answers[2]["new"].as_f64() > answers[2]["old"].as_f64());
+}
+
+#[test]
+fn the_same_scene_in_other_words() {
+    let other = frame().replace("1190.0", "1000.0 + 190.0");
+    let other = Written::new("words", &other);
+    let text = output("", &["diff", FRAME, other.path()]);
+    assert!(
+        text.ends_with("\nThe descriptions describe the same scene.\n"),
+        "{text}"
+    );
+}
+
+#[test]
+fn scenes_of_different_kinds() {
+    let found = json("kinds", &frame(), BLOCK);
+    let reasons = found["not_compared"].to_string();
+    assert!(
+        reasons.contains("a force drives one scene, and the base the other"),
+        "{reasons}"
+    );
+    assert!(found["natural_frequencies_Hz"][1]["new"].is_null());
+    assert!(found["code"]["lines"]["old"].as_u64() > found["code"]["lines"]["new"].as_u64());
+    let falling = BLOCK.replace(
+        "excitation: block,",
+        "excitation: block, friction: stribeck(0.1: 0.8), provide: [stepper],",
+    );
+    let found = json("law", BLOCK, &falling);
+    assert!(
+        found["not_compared"]
+            .to_string()
+            .contains("constant kinetic level")
+    );
+    let grown = frame().replace("upper: 3.25 }", "upper: 3.25, top: 1.0 }");
+    let grown = grown.replace(
+        "lower - upper: 1323.0 }",
+        "lower - upper: 1323.0, upper - top: 500.0 }",
+    );
+    let grown = grown.replace("modal[0.010, 0.012]", "modal(0.01)");
+    let found = json("grown", &frame(), &grown);
+    assert!(found["not_compared"].to_string().contains("motions of top"));
+    assert_eq!(found["answers"].as_array().unwrap().len(), 5);
+}
+
+/// More masses than a macro accepts have answers, but no code.
+#[test]
+fn scenes_without_code() {
+    let masses: Vec<String> = (0..65).map(|index| format!("m{index}: 1")).collect();
+    let springs: Vec<String> = (0..65).map(|index| format!("base - m{index}: 1")).collect();
+    let comb = format!(
+        "struct Comb {{ masses: {{ {} }}, springs: {{ {} }}, contact: m0 - wall, excitation: m0 }}",
+        masses.join(", "),
+        springs.join(", ")
+    );
+    let found = json("comb", &comb, &comb.replace("m3: 1,", "m3: 1.1,"));
+    assert!(found["code"].is_null());
+    assert!(
+        found["not_compared"]
+            .to_string()
+            .contains("the macro refuses the old description")
+    );
+    assert_eq!(found["parameters"].as_array().unwrap().len(), 2);
+}
+
+/// A faulty description is compared as a text. All its errors are printed.
+#[test]
+fn a_description_with_errors() {
+    let faulty = frame()
+        .replace("springs", "sprungs")
+        .replace("stiction", "friktion");
+    let faulty = Written::new("faulty", &faulty);
+    let run = run_with("", &["diff", FRAME, faulty.path()]);
+    assert_eq!(run.status, Some(2));
+    assert!(
+        run.out.contains("-    springs:") && run.out.contains("+    sprungs:"),
+        "{}",
+        run.out
+    );
+    let errors: Vec<&str> = run.err.lines().collect();
+    assert!(
+        errors.iter().all(|error| error.starts_with(faulty.path())),
+        "{errors:?}"
+    );
+    assert!(run.err.contains("did you mean `springs`?"), "{errors:?}");
+    for (arguments, message) in [
+        (["diff", "-", "-"], "only one of both descriptions"),
+        (
+            ["diff", FRAME, "nowhere.friction"],
+            "cannot read nowhere.friction",
+        ),
+    ] {
+        let run = run_with(BLOCK, &arguments);
+        assert_eq!((run.status, run.out.as_str()), (Some(2), ""));
+        assert!(run.err.contains(message), "{}", run.err);
+    }
+}
