@@ -5,7 +5,7 @@ use crate::figure::Panel;
 use crate::geometry::Rect;
 use crate::layer::{Anchor, Cells, Layer};
 use crate::palette::{FRAME, Fill, GRID, INK};
-use crate::svg::Canvas;
+use crate::svg::{Canvas, Grid};
 use crate::text::Style;
 use crate::ticks::{Tick, ticks};
 
@@ -224,6 +224,7 @@ impl Frame {
             };
             canvas.cells(
                 &[cell],
+                Grid::PIXELS,
                 Fill::Map((f64::from(step) + 0.5) / f64::from(steps)).rgb(),
             );
         }

@@ -167,6 +167,17 @@ pub struct Raster {
     pub cells: Cells,
 }
 
+impl Raster {
+    /// Returns the number of rows.
+    pub(crate) fn rows(&self) -> usize {
+        let cells = match &self.cells {
+            Cells::Classes { cells, .. } => cells.len(),
+            Cells::Values { cells, .. } => cells.len(),
+        };
+        cells / self.columns.max(1)
+    }
+}
+
 /// Contents of the cells of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cells {

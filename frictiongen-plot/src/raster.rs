@@ -7,8 +7,10 @@ use crate::geometry::Rect;
 use crate::layer::{Cells, Raster};
 use crate::legend::Legend;
 use crate::palette::Fill;
-use crate::svg::Canvas;
+use crate::svg::{Canvas, Grid};
 
+/// Smallest part of a cell that the frame cuts off.
+const CUT: f64 = 0.01;
 /// Number of colours of a map of values.
 const SHADES: f64 = 96.0;
 
@@ -19,15 +21,18 @@ pub(crate) fn draw(
     frame: &Frame,
     legend: &mut Legend,
 ) -> bool {
+    let Some(grid) = grid(raster, frame) else {
+        return false;
+    };
     match &raster.cells {
         Cells::Classes { classes, cells } => {
             let mut any = false;
             for (index, (name, fill)) in classes.iter().enumerate() {
                 let shown: Vec<bool> = cells.iter().map(|cell| *cell == Some(index)).collect();
-                let runs = runs(raster, &shown, frame);
+                let runs = runs(raster, &shown, grid, frame);
                 if !runs.is_empty() {
                     any = true;
-                    canvas.cells(&runs, fill.rgb());
+                    canvas.cells(&runs, grid, fill.rgb());
                     legend.add(name, Sample::Fill(*fill));
                 }
             }
@@ -44,49 +49,68 @@ pub(crate) fn draw(
             let mut any = false;
             for index in 0..=SHADES as i32 {
                 let shown: Vec<bool> = shades.iter().map(|shade| *shade == Some(index)).collect();
-                let runs = runs(raster, &shown, frame);
+                let runs = runs(raster, &shown, grid, frame);
                 any |= !runs.is_empty();
-                canvas.cells(&runs, Fill::Map(f64::from(index) / SHADES).rgb());
+                canvas.cells(&runs, grid, Fill::Map(f64::from(index) / SHADES).rgb());
             }
             any
         }
     }
 }
 
-/// Returns the rectangles of neighbouring cells that are shown, within the frame.
-fn runs(raster: &Raster, shown: &[bool], frame: &Frame) -> Vec<Rect> {
+/// Returns the grid of a map on the page, or `None` if an axis cannot show an end of the map.
+fn grid(raster: &Raster, frame: &Frame) -> Option<Grid> {
+    let (columns, rows) = (raster.columns.max(1), raster.rows());
+    let (left, right) = (frame.x.at(raster.x.0)?, frame.x.at(raster.x.1)?);
+    let (bottom, top) = (frame.y.at(raster.y.0)?, frame.y.at(raster.y.1)?);
+    let cell = (
+        (right - left) / columns as f64,
+        (top - bottom) / rows.max(1) as f64,
+    );
+    (cell.0 != 0.0 && cell.1 != 0.0).then_some(Grid {
+        origin: (left, bottom),
+        cell,
+    })
+}
+
+/// Returns the rectangles of neighbouring cells that are shown, within the frame and in units of a cell.
+fn runs(raster: &Raster, shown: &[bool], grid: Grid, frame: &Frame) -> Vec<Rect> {
     let columns = raster.columns.max(1);
-    let rows = shown.len() / columns;
-    let ends = [
-        frame.x.at(raster.x.0),
-        frame.x.at(raster.x.1),
-        frame.y.at(raster.y.0),
-        frame.y.at(raster.y.1),
-    ];
-    let [Some(left), Some(right), Some(bottom), Some(top)] = ends else {
-        return Vec::new();
-    };
     let (outer, mut found) = (frame.rect, Vec::new());
-    let x = |column: usize| {
-        (left + (right - left) * column as f64 / columns as f64).clamp(outer.left, outer.right())
+    let within = |index: usize, origin: f64, cell: f64, (low, high): (f64, f64)| {
+        let (low, high) = ((low - origin) / cell, (high - origin) / cell);
+        let (low, high) = (low.min(high), low.max(high));
+        // An end of the frame that misses an end of a cell by rounding does not cut the cell.
+        let inside = (index as f64).clamp(low, high);
+        if (inside - index as f64).abs() < CUT {
+            index as f64
+        } else {
+            inside
+        }
     };
-    let y = |row: usize| {
-        (bottom + (top - bottom) * row as f64 / rows as f64).clamp(outer.top, outer.bottom())
+    let x = |column| {
+        within(
+            column,
+            grid.origin.0,
+            grid.cell.0,
+            (outer.left, outer.right()),
+        )
     };
+    let y = |row| within(row, grid.origin.1, grid.cell.1, (outer.top, outer.bottom()));
     for (row, cells) in shown.chunks_exact(columns).enumerate() {
         let mut start = None;
         for (column, shown) in cells.iter().copied().chain([false]).enumerate() {
             match (start, shown) {
                 (None, true) => start = Some(column),
                 (Some(first), false) => {
-                    let (a, b) = (x(first), x(column));
+                    let (from, to) = (x(first), x(column));
                     let (low, high) = (y(row), y(row + 1));
-                    if a != b && low != high {
+                    if from < to && low < high {
                         found.push(Rect {
-                            left: a.min(b),
-                            top: low.min(high),
-                            width: (b - a).abs(),
-                            height: (high - low).abs(),
+                            left: from,
+                            top: low,
+                            width: to - from,
+                            height: high - low,
                         });
                     }
                     start = None;

@@ -10,6 +10,23 @@ use std::fmt::Write as _;
 const FAMILY: &str =
     "'STIX Two Text','Times New Roman',Times,'Liberation Serif','Noto Serif',serif";
 
+/// A grid of cells on the page.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid {
+    /// Corner of the first cell of the first row.
+    pub(crate) origin: Point,
+    /// Width and height of a cell. The height is negative if the rows ascend on the page.
+    pub(crate) cell: Point,
+}
+
+impl Grid {
+    /// Grid whose unit is a pixel.
+    pub(crate) const PIXELS: Self = Self {
+        origin: (0.0, 0.0),
+        cell: (1.0, 1.0),
+    };
+}
+
 /// An SVG document under construction.
 #[derive(Debug, Default)]
 pub(crate) struct Canvas {
@@ -74,18 +91,29 @@ impl Canvas {
         }
     }
 
-    /// Draws rectangles of one colour, which meet without a seam.
-    pub(crate) fn cells(&mut self, cells: &[Rect], fill: Rgb) {
+    /// Draws rectangles of one colour, which meet without a seam. The rectangles are in units of the cells of a grid,
+    /// because most of these numbers are then small integers and the file is a third as long.
+    pub(crate) fn cells(&mut self, cells: &[Rect], grid: Grid, fill: Rgb) {
         let mut data = String::new();
+        let mut pen = (0.0, 0.0);
         for cell in cells {
-            let (x, y) = (number(cell.left), number(cell.top));
-            let (right, bottom) = (number(cell.right()), number(cell.bottom()));
-            let _ = write!(data, "M{x} {y}H{right}V{bottom}H{x}Z");
+            let Rect {
+                left,
+                top,
+                width,
+                height,
+            } = *cell;
+            let step = (number(left - pen.0), number(top - pen.1));
+            let (wide, high) = (number(width), number(height));
+            let _ = write!(data, "m{} {}h{wide}v{high}h-{wide}z", step.0, step.1);
+            pen = (left, top);
         }
         if !data.is_empty() {
+            let Grid { origin, cell } = grid;
             let _ = writeln!(
                 self.body,
-                "<path d=\"{data}\" fill=\"{fill}\" shape-rendering=\"crispEdges\"/>"
+                "<path d=\"{data}\" transform=\"matrix({:.4} 0 0 {:.4} {:.2} {:.2})\" fill=\"{fill}\" shape-rendering=\"crispEdges\"/>",
+                cell.0, cell.1, origin.0, origin.1
             );
         }
     }
