@@ -2,6 +2,7 @@
 
 use super::emission::{Emission, Part, rounded};
 use super::limits;
+use super::names::TypeNames;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_model::scene::{Beyond, Declared, Excitation, FrictionLaw, Scene, Stepping};
 use proc_macro2::{Literal, TokenStream};
@@ -13,8 +14,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         modal,
         precision,
         scalar,
-        name,
         facade,
+        names: TypeNames { name, .. },
         ..
     } = emission;
     let attributes = &description.attributes;
@@ -26,7 +27,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     );
     let source = " Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.";
     let at_about = format!(" [`{name}`] at one frequency ratio: {}.", answers(emission));
-    let at = &emission.at;
+    let at = &emission.names.at;
     let inner = if emission.is_tabled() {
         code!(table::Compiled)
     } else {
@@ -128,9 +129,8 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
     let Emission {
         scene,
         scalar,
-        name,
-        at,
         facade,
+        names: TypeNames { name, at, .. },
         ..
     } = emission;
     let slices = limits::slices(emission);
@@ -187,7 +187,11 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
 
 /// Emits `at`, which evaluates the scene at a frequency ratio.
 fn constructor(emission: &Emission<'_>) -> TokenStream {
-    let Emission { at, scalar, .. } = emission;
+    let Emission {
+        scalar,
+        names: TypeNames { at, .. },
+        ..
+    } = emission;
     if !emission.is_tabled() {
         return code! {
             /// The scene at the frequency ratio r = ω√(m₁/k₁).
