@@ -1,10 +1,11 @@
 //! Emits the scene's type and all constants that do not depend on the frequency.
 
 use super::emission::{Emission, Part, rounded};
+use super::fingerprint::fingerprint;
 use super::limits;
 use super::names::TypeNames;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
-use frictiongen_model::scene::{Beyond, Declared, Excitation, FrictionLaw, Scene, Stepping};
+use frictiongen_model::scene::{Beyond, Excitation};
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
@@ -322,24 +323,4 @@ fn chain(emission: &Emission<'_>) -> TokenStream {
             stiction: #stiction,
         }
     }
-}
-
-/// Returns the FNV-1a hash of the parsed scene. Texts that differ only in layout have the same
-/// hash.
-fn fingerprint(scene: &Scene) -> u64 {
-    // A scene without declarations keeps the fingerprint from versions that did not have
-    // declarations.
-    let exact = format!("declared: {:?}", Declared::default());
-    let text = format!("{scene:?}").replace(&exact, "accuracy: Exact, range: None");
-    let plain = format!(
-        ", friction: {:?}, stepping: {:?}",
-        FrictionLaw::default(),
-        Stepping::default()
-    );
-    let text = text.replace(&plain, "");
-    let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-    for byte in text.bytes() {
-        hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    }
-    hash
 }

@@ -4,6 +4,7 @@ mod arm;
 mod constants;
 mod dynamics;
 mod emission;
+mod fingerprint;
 mod frequency;
 mod held;
 mod legend;
