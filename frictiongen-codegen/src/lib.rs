@@ -1,7 +1,7 @@
-//! Parses scene descriptions and emits specialised Rust solvers for them.
+//! Emits specialised Rust solvers for scene descriptions.
 //!
-//! `parse` reads text or tokens into a spanned syntax tree, and `lower` turns that tree into a
-//! scene. `graph` records the closed forms as code, and `emit` writes the items of a solver.
+//! `tokens` passes a macro's tokens to the parser of `frictiongen-syntax`, and `lower` adds tables to
+//! the scene. `graph` records the closed forms as code, and `emit` writes the items of a solver.
 
 /// Emits code as `quote!` does, with names that neither capture the user's names nor are captured
 /// by them.
@@ -15,13 +15,15 @@ mod diagnostics;
 mod emit;
 mod expand;
 pub mod graph;
+mod header;
 mod lower;
-mod parse;
 pub mod standalone;
+mod tokens;
 
-pub use diagnostics::{Diagnostic, Diagnostics, Failure, Partial};
+pub use diagnostics::{Failure, Partial};
 pub use emit::{PASSES_FROM, emit, emit_in_passes, traces};
 pub use expand::expand;
+pub use frictiongen_syntax::{Diagnostic, Diagnostics};
 pub use lower::{Description, Limits, SceneTables, parse_text, parse_tokens};
 
 #[cfg(feature = "pretty")]

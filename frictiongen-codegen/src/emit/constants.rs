@@ -1,9 +1,11 @@
 //! Emits the scene's type and all constants that do not depend on the frequency.
 
 use super::emission::{Emission, Part, rounded};
+use super::fingerprint::fingerprint;
 use super::limits;
+use super::names::TypeNames;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
-use frictiongen_model::scene::{Beyond, Declared, Excitation, FrictionLaw, Scene, Stepping};
+use frictiongen_model::scene::{Beyond, Excitation};
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
@@ -13,8 +15,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         modal,
         precision,
         scalar,
-        name,
         facade,
+        names: TypeNames { name, .. },
         ..
     } = emission;
     let attributes = &description.attributes;
@@ -26,7 +28,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     );
     let source = " Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.";
     let at_about = format!(" [`{name}`] at one frequency ratio: {}.", answers(emission));
-    let at = &emission.at;
+    let at = &emission.names.at;
     let inner = if emission.is_tabled() {
         code!(table::Compiled)
     } else {
@@ -128,9 +130,8 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
     let Emission {
         scene,
         scalar,
-        name,
-        at,
         facade,
+        names: TypeNames { name, at, .. },
         ..
     } = emission;
     let slices = limits::slices(emission);
@@ -187,7 +188,11 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
 
 /// Emits `at`, which evaluates the scene at a frequency ratio.
 fn constructor(emission: &Emission<'_>) -> TokenStream {
-    let Emission { at, scalar, .. } = emission;
+    let Emission {
+        scalar,
+        names: TypeNames { at, .. },
+        ..
+    } = emission;
     if !emission.is_tabled() {
         return code! {
             /// The scene at the frequency ratio r = ω√(m₁/k₁).
@@ -318,24 +323,4 @@ fn chain(emission: &Emission<'_>) -> TokenStream {
             stiction: #stiction,
         }
     }
-}
-
-/// Returns the FNV-1a hash of the parsed scene. Texts that differ only in layout have the same
-/// hash.
-fn fingerprint(scene: &Scene) -> u64 {
-    // A scene without declarations keeps the fingerprint from versions that did not have
-    // declarations.
-    let exact = format!("declared: {:?}", Declared::default());
-    let text = format!("{scene:?}").replace(&exact, "accuracy: Exact, range: None");
-    let plain = format!(
-        ", friction: {:?}, stepping: {:?}",
-        FrictionLaw::default(),
-        Stepping::default()
-    );
-    let text = text.replace(&plain, "");
-    let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-    for byte in text.bytes() {
-        hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    }
-    hash
 }

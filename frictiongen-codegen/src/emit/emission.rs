@@ -1,6 +1,6 @@
 //! Defines the data that all emitted items share, and `Part`, the output of one file of this folder.
 
-use super::names::{local, names};
+use super::names::{TypeNames, local};
 use crate::Description;
 use crate::graph::literal::{literal, scalar};
 use frictiongen_kernel::number::dd::Dd;
@@ -25,14 +25,7 @@ pub(super) struct Emission<'a> {
     pub scalar: TokenStream,
     /// The kernel type for the decay of the modes: `Undamped` or `Damped<f64>`.
     pub decay: TokenStream,
-    pub name: Ident,
-    pub at: Ident,
-    pub motion: Ident,
-    pub stuck: Ident,
-    pub simulation: Ident,
-    pub orbit: Ident,
-    pub stepper: Ident,
-    pub input: Ident,
+    pub names: TypeNames,
     pub facade: &'a syn::Path,
     /// From this number of modes on, the frequency stage is emitted as passes.
     pub passes_from: usize,
@@ -67,7 +60,6 @@ impl<'a> Emission<'a> {
         } else {
             code!(Undamped)
         };
-        let [name, at, motion, stuck, simulation, orbit, stepper, input] = names(&description.name);
         Self {
             description,
             scene,
@@ -76,43 +68,10 @@ impl<'a> Emission<'a> {
             precision,
             scalar,
             decay,
-            name,
-            at,
-            motion,
-            stuck,
-            simulation,
-            orbit,
-            stepper,
-            input,
+            names: TypeNames::of(&description.name),
             facade: &description.facade,
             passes_from,
         }
-    }
-
-    pub fn names(&self) -> [Ident; 8] {
-        [
-            self.name.clone(),
-            self.at.clone(),
-            self.motion.clone(),
-            self.stuck.clone(),
-            self.simulation.clone(),
-            self.orbit.clone(),
-            self.stepper.clone(),
-            self.input.clone(),
-        ]
-    }
-
-    pub fn rename(&mut self, scene: &Ident) {
-        [
-            self.name,
-            self.at,
-            self.motion,
-            self.stuck,
-            self.simulation,
-            self.orbit,
-            self.stepper,
-            self.input,
-        ] = names(scene);
     }
 
     pub fn modes(&self) -> usize {

@@ -1,6 +1,7 @@
 //! Emits the stuck responses of a scene with a declared accuracy.
 
 use super::emission::{Emission, Part};
+use super::names::TypeNames;
 use super::table::{factors, quotient_over};
 use crate::lower::SceneTables;
 use frictiongen_kernel::Float;
@@ -21,9 +22,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
 
 fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Part {
     let Emission {
-        name,
-        stuck,
         scalar,
+        names: TypeNames { name, stuck, .. },
         ..
     } = emission;
     let Some(held) = &tables.held else {

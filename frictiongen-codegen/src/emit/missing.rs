@@ -1,15 +1,16 @@
 //! Emits uncallable methods for everything that the scene does not provide. Their messages state what to add to
 //! `provide`.
 
-use super::emission::{Emission, Wanted};
+use super::emission::{Emission, Part, Wanted};
+use super::names::TypeNames;
 use proc_macro2::{Ident, TokenStream};
 
-pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream {
+pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
     let Emission {
-        name,
-        at,
-        motion,
         facade,
+        names: TypeNames {
+            name, at, motion, ..
+        },
         ..
     } = emission;
     let needs_frequency = emission.scene.needs_frequency();
@@ -49,5 +50,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> TokenStream 
             items.extend(code!(#facade::kernel::left_out!(#motion: #(#names),*);));
         }
     }
-    items
+    Part {
+        items,
+        ..Part::default()
+    }
 }

@@ -4,6 +4,7 @@ mod arm;
 mod constants;
 mod dynamics;
 mod emission;
+mod fingerprint;
 mod frequency;
 mod held;
 mod legend;
@@ -25,8 +26,8 @@ mod trace;
 
 use crate::Description;
 use emission::{Emission, Part};
-use names::IMPORTED;
-use proc_macro2::TokenStream;
+use names::TypeNames;
+use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
 pub use trace::traces;
@@ -46,36 +47,18 @@ pub fn emit(description: &Description) -> TokenStream {
 #[must_use]
 pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStream {
     let mut emission = Emission::of(description, passes_from);
-    let wanted = emission.wanted();
-    let has = [
-        true,
-        emission.scene.needs_frequency(),
-        wanted.motion.is_some(),
-        wanted.stuck,
-        wanted.simulation,
-        wanted.orbit,
-        wanted.stepper,
-        wanted.stepper,
-    ];
-    let (types, mut items) = parts(&emission);
-    let own = emission.names();
-    let clashes = own
-        .iter()
-        .any(|name| IMPORTED.iter().any(|imported| *name == imported));
+    let own = groups(&emission);
+    let clashes = emission.names.clash();
     let mut aliases = TokenStream::new();
+    let (types, mut items) = joined(&emission, &own);
     if clashes {
         // The scene's own names clash with imported names, so the block uses aliases.
-        emission.rename(&format_ident!("Emitted{}", description.name));
-        (_, items) = parts(&emission);
-        for ((alias, own), _) in emission
-            .names()
-            .into_iter()
-            .zip(&own)
-            .zip(has)
-            .filter(|(_, has)| *has)
-        {
+        emission.names = TypeNames::of(&format_ident!("Emitted{}", description.name));
+        let renamed = groups(&emission);
+        for (alias, own) in types_of(&renamed).zip(types_of(&own)) {
             aliases.extend(code!(type #alias = #own;));
         }
+        (_, items) = joined(&emission, &renamed);
     }
     let facade = emission.facade;
     let shield = shield::emit(&items);
@@ -107,40 +90,66 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     }
 }
 
-/// Returns all emitted code: the types, then the hidden items.
-fn parts(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
+/// Emitted code of one kind of answer, with the names of its types.
+struct Group {
+    types: Vec<Ident>,
+    part: Part,
+}
+
+/// Returns the groups that the scene provides, in the order of the emitted code.
+fn groups(emission: &Emission<'_>) -> Vec<Group> {
     let wanted = emission.wanted();
-    let mut all = constants::emit(emission);
+    let names = &emission.names;
+    let mut groups = Vec::new();
+    let mut add = |types: &[&Ident], part: Part| {
+        let types = types.iter().copied().cloned().collect();
+        groups.push(Group { types, part });
+    };
+    add(&[&names.name], constants::emit(emission));
     if emission.scene.needs_frequency() {
-        all.join(scene::emit(emission, &wanted));
-        all.join(table::emit(emission, wanted.motion.is_some()));
+        add(&[&names.at], scene::emit(emission, &wanted));
+        add(&[], table::emit(emission, wanted.motion.is_some()));
     }
-    all.items.extend(missing::emit(emission, &wanted));
+    add(&[], missing::emit(emission, &wanted));
     if let Some(masses) = &wanted.motion {
-        all.join(motion::emit(emission, masses));
+        add(&[&names.motion], motion::emit(emission, masses));
     }
     if wanted.stuck {
-        all.join(stuck::emit(emission));
-        all.join(held::emit(emission));
+        add(&[&names.stuck], stuck::emit(emission));
+        add(&[], held::emit(emission));
     }
     if wanted.simulation || wanted.orbit || wanted.stepper {
         let dynamics = dynamics::emit(emission, &wanted);
-        all.associated.extend(dynamics.associated.clone());
+        let constants = Part {
+            associated: dynamics.associated.clone(),
+            ..Part::default()
+        };
+        add(&[], constants);
         if wanted.simulation {
-            all.join(simulation::emit(emission, &dynamics));
+            add(&[&names.simulation], simulation::emit(emission, &dynamics));
         }
         if wanted.orbit {
-            all.join(orbit::emit(emission, &dynamics));
+            add(&[&names.orbit], orbit::emit(emission, &dynamics));
         }
         if wanted.stepper {
-            all.join(stepper::emit(emission, &dynamics));
+            let types = [&names.stepper, &names.input];
+            add(&types, stepper::emit(emission, &dynamics));
         }
     }
-    let Part {
-        types,
-        associated,
-        items,
-    } = all;
-    let name = &emission.name;
-    (types, code!(impl #name { #associated } #items))
+    groups
+}
+
+/// Returns the names of the types of all groups.
+fn types_of(groups: &[Group]) -> impl Iterator<Item = &Ident> {
+    groups.iter().flat_map(|group| &group.types)
+}
+
+/// Returns all emitted code: the types, then the hidden items.
+fn joined(emission: &Emission<'_>, groups: &[Group]) -> (TokenStream, TokenStream) {
+    let parts = || groups.iter().map(|group| &group.part);
+    let types = parts().map(|part| part.types.clone()).collect();
+    let associated = parts().map(|part| &part.associated);
+    let items = parts().map(|part| &part.items);
+    let name = &emission.names.name;
+    (types, code!(impl #name { #(#associated)* } #(#items)*))
 }

@@ -2,7 +2,7 @@
 
 use super::arm::{self, Arm};
 use super::emission::{Emission, Part};
-use super::names::{field, local};
+use super::names::{TypeNames, field, local};
 use super::trace::Tracer;
 use crate::graph::alternatives::{self, Alternative};
 use crate::graph::print::Printed;
@@ -26,9 +26,8 @@ const TAKEN: [&str; 8] = [
 pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part {
     let Emission {
         description,
-        name,
-        motion,
         facade,
+        names: TypeNames { name, motion, .. },
         ..
     } = emission;
     let visibility = &description.visibility;

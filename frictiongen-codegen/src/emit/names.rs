@@ -5,7 +5,7 @@ use quote::format_ident;
 
 /// Names that emitted code imports from the kernel. If a type of the scene has such a name, the emitted block refers to
 /// the scene's types by aliases.
-pub(super) const IMPORTED: [&str; 91] = [
+const IMPORTED: [&str; 91] = [
     "Complex",
     "Scalar",
     "Chain",
@@ -99,18 +99,50 @@ pub(super) const IMPORTED: [&str; 91] = [
     "Transfer",
 ];
 
-/// Returns the names of the emitted types.
-pub(super) fn names(scene: &Ident) -> [Ident; 8] {
-    [
-        scene.clone(),
-        suffixed(scene, "At"),
-        suffixed(scene, "Motion"),
-        suffixed(scene, "Stuck"),
-        suffixed(scene, "Simulation"),
-        suffixed(scene, "Orbit"),
-        suffixed(scene, "Stepper"),
-        suffixed(scene, "Input"),
-    ]
+/// The names of the emitted types.
+pub(super) struct TypeNames {
+    pub name: Ident,
+    pub at: Ident,
+    pub motion: Ident,
+    pub stuck: Ident,
+    pub simulation: Ident,
+    pub orbit: Ident,
+    pub stepper: Ident,
+    pub input: Ident,
+}
+
+impl TypeNames {
+    /// Returns the names for a scene of this name.
+    pub fn of(scene: &Ident) -> Self {
+        let suffixed = |suffix| suffixed(scene, suffix);
+        Self {
+            name: scene.clone(),
+            at: suffixed("At"),
+            motion: suffixed("Motion"),
+            stuck: suffixed("Stuck"),
+            simulation: suffixed("Simulation"),
+            orbit: suffixed("Orbit"),
+            stepper: suffixed("Stepper"),
+            input: suffixed("Input"),
+        }
+    }
+
+    /// Returns whether a name, of an emitted type or not, is one that emitted code imports.
+    pub fn clash(&self) -> bool {
+        let Self {
+            name,
+            at,
+            motion,
+            stuck,
+            simulation,
+            orbit,
+            stepper,
+            input,
+        } = self;
+        [name, at, motion, stuck, simulation, orbit, stepper, input]
+            .into_iter()
+            .any(|name| IMPORTED.iter().any(|imported| name == imported))
+    }
 }
 
 fn suffixed(name: &Ident, suffix: &str) -> Ident {

@@ -2,6 +2,7 @@
 
 use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part};
+use super::names::TypeNames;
 use frictiongen_kernel::orbit::numbers;
 use proc_macro2::TokenStream;
 
@@ -9,10 +10,9 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let Emission {
         description,
         scene,
-        name,
-        orbit,
         scalar,
         facade,
+        names: TypeNames { name, orbit, .. },
         ..
     } = emission;
     let visibility = &description.visibility;

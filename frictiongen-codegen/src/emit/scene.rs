@@ -1,16 +1,16 @@
 //! Emits the implementation of the kernel's `Scene`: constants and specialised formulas.
 
 use super::emission::{Emission, Part, Wanted};
+use super::names::TypeNames;
 use super::{frequency, limits, mode, shapes};
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
     let Emission {
-        name,
-        at,
         scalar,
         decay,
         facade,
+        names: TypeNames { name, at, .. },
         ..
     } = emission;
     let modes = Literal::usize_unsuffixed(emission.modes());

@@ -2,6 +2,7 @@
 
 use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part, rounded};
+use super::names::TypeNames;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::scene::FrictionLaw;
 use frictiongen_model::stepping::Steps;
@@ -11,10 +12,11 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let Emission {
         description,
         scene,
-        name,
-        simulation,
         scalar,
         facade,
+        names: TypeNames {
+            name, simulation, ..
+        },
         ..
     } = emission;
     let visibility = &description.visibility;
@@ -90,10 +92,11 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
 /// Emits the constructors of a run where the kinetic friction force is constant.
 fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
     let Emission {
-        name,
-        simulation,
         scalar,
         facade,
+        names: TypeNames {
+            name, simulation, ..
+        },
         ..
     } = emission;
     let masses = count(emission.scene.masses.len());
@@ -139,10 +142,11 @@ fn starts_under(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
         scene,
         modal,
         precision,
-        name,
-        simulation,
         scalar,
         facade,
+        names: TypeNames {
+            name, simulation, ..
+        },
         ..
     } = emission;
     let masses = count(scene.masses.len());

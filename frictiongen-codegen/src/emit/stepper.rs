@@ -2,7 +2,7 @@
 
 use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part, rounded};
-use super::names::local;
+use super::names::{TypeNames, local};
 use super::step_table::{self, Sizes};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{
@@ -18,11 +18,15 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         scene,
         modal,
         precision,
-        name,
-        stepper,
-        input,
         scalar,
         facade,
+        names:
+            TypeNames {
+                name,
+                stepper,
+                input,
+                ..
+            },
         ..
     } = emission;
     let steps = Steps::of(scene, modal, std::iter::empty(), |value| value);
@@ -271,11 +275,15 @@ fn types(
     let Emission {
         description,
         scene,
-        name,
-        stepper,
-        input,
         scalar,
         facade,
+        names:
+            TypeNames {
+                name,
+                stepper,
+                input,
+                ..
+            },
         ..
     } = emission;
     let visibility = &description.visibility;

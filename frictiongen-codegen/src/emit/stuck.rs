@@ -2,6 +2,7 @@
 
 use super::arm::{self, Arm};
 use super::emission::{Emission, Part};
+use super::names::TypeNames;
 use super::trace::Tracer;
 use crate::graph::alternatives::{self, Alternative};
 use crate::graph::{Expr, Graph};
@@ -12,10 +13,9 @@ use proc_macro2::{Literal, TokenStream};
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
     let Emission {
         description,
-        name,
-        stuck,
         scalar,
         facade,
+        names: TypeNames { name, stuck, .. },
         ..
     } = emission;
     let visibility = &description.visibility;

@@ -1,6 +1,7 @@
 //! Emits the tables of a declared accuracy.
 
 use super::emission::{Emission, Part};
+use super::names::TypeNames;
 use crate::lower::SceneTables;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
@@ -21,7 +22,11 @@ pub(super) fn emit(emission: &Emission<'_>, motion: bool) -> Part {
 }
 
 fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -> Part {
-    let Emission { name, scalar, .. } = emission;
+    let Emission {
+        scalar,
+        names: TypeNames { name, .. },
+        ..
+    } = emission;
     let number = |value: S| emission.literal(value.to_f64());
     let functions = Literal::usize_unsuffixed(tables.functions);
     let terms = Literal::usize_unsuffixed(tables.terms);
@@ -116,9 +121,8 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
 /// Emits the motion of the contact.
 fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream {
     let Emission {
-        name,
-        motion,
         scalar,
+        names: TypeNames { name, motion, .. },
         ..
     } = emission;
     let table = match tables.functions {

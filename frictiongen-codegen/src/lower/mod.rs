@@ -1,25 +1,21 @@
-//! Turns a syntax tree into a scene that makes physical sense.
+//! Turns a parsed description into a scene with the tables and names that emitted code needs.
 
 mod limits;
-mod places;
-mod resolve;
-mod settings;
-mod stepping;
 
 use core::fmt;
-use std::collections::HashSet;
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Precision, Proving, Scene};
 use frictiongen_model::stepping::refused_step;
 use frictiongen_model::table::{TableError, Tables, Work};
 use frictiongen_model::transient::excess_loss;
-use frictiongen_model::validate::may_name;
-use proc_macro2::{Ident, Span, TokenStream};
+use frictiongen_model::validate::Path;
+use frictiongen_syntax::{Diagnostics, Located, Problems, Readable, Syntax};
+use proc_macro2::{Ident, TokenStream};
 
-use crate::diagnostics::{Diagnostics, Failure, Partial, Problems};
-use crate::parse;
-use crate::parse::syntax::{AccuracyEntry, Syntax};
+use crate::diagnostics::{Failure, Partial};
+use crate::header::Header;
+use crate::tokens::{self, Sources};
 
 pub use limits::Limits;
 
@@ -119,9 +115,9 @@ impl fmt::Debug for Description {
 )]
 pub fn parse_tokens(tokens: TokenStream, limits: &Limits) -> Result<Description, Failure> {
     let mut problems = Problems::default();
-    let syntax = parse::tokens(tokens, &mut problems);
-    lower(syntax, limits, &mut problems).map_err(|partial| Failure {
-        errors: problems.into_error(),
+    let (syntax, sources) = tokens::parse(tokens, &mut problems);
+    lower(&syntax, &sources, limits, &mut problems).map_err(|partial| Failure {
+        errors: sources.error(problems),
         partial: *partial,
     })
 }
@@ -133,134 +129,102 @@ pub fn parse_tokens(tokens: TokenStream, limits: &Limits) -> Result<Description,
 /// Returns all errors of the text, with line and column.
 pub fn parse_text(text: &str, limits: &Limits) -> Result<Description, Diagnostics> {
     let mut problems = Problems::default();
-    match parse::text(text, &mut problems) {
-        Some(syntax) => lower(syntax, limits, &mut problems).ok(),
-        None => None,
-    }
-    .ok_or_else(|| problems.into_diagnostics())
+    frictiongen_syntax::parse_text(text, &mut problems)
+        .and_then(|syntax| lower(&syntax, &Sources::default(), limits, &mut problems).ok())
+        .ok_or_else(|| problems.into_diagnostics())
 }
 
 /// Returns the scene. If `problems` has errors, returns the fields from which a macro can still
 /// emit a type.
 fn lower(
-    mut syntax: Syntax,
+    syntax: &Syntax,
+    sources: &Sources,
     limits: &Limits,
     problems: &mut Problems,
 ) -> Result<Description, Box<Partial>> {
-    let scene = if syntax.has_body {
-        Some(resolve::resolve(&syntax, limits, problems))
-    } else {
-        None
-    };
-    let facade = syntax.fields.facade.take().unwrap_or_else(default_facade);
-    let fields = &syntax.fields;
-    let entries = syntax
-        .fields
-        .masses
-        .given()
-        .map_or(&[][..], |masses| &masses.list.entries);
-    let names = entries.iter().map(|entry| &entry.name);
+    let header = Header::of(syntax, sources, problems);
+    let located = syntax.lower(limits.masses, problems);
     let mut tables = None;
-    if let Some(scene) = scene
-        .as_ref()
-        .filter(|_| limits.tables && problems.is_empty())
+    if let Some(located) = &located
+        && limits.tables
+        && problems.is_empty()
     {
-        match SceneTables::of(scene) {
+        match SceneTables::of(&located.scene) {
             Ok(built) => tables = built,
             Err(error) => {
-                let number = match fields.accuracy.given() {
-                    Some(AccuracyEntry::Relative(number)) => Some(number.place),
-                    _ => fields.budget.given().map(|number| number.place),
-                };
-                problems.report(number.unwrap_or(syntax.place), error.to_string());
+                let accuracy = located.written(Path::Accuracy);
+                let place = accuracy.unwrap_or_else(|| located.place(Path::Budget));
+                problems.report(place, error.to_string());
             }
         }
+        check_motion_in_time(located, problems);
     }
-    if let Some(scene) = scene
-        .as_ref()
-        .filter(|_| limits.tables && problems.is_empty())
-        && scene.stepping.step.is_some()
-        && let Some((angle, [least, most])) = refused_step(scene, &Modal::of(scene))
-    {
-        let place = fields.step.given().map_or(syntax.place, |step| step.place);
-        let message = format!(
-            "the fastest oscillator turns by {angle:.1e} rad in this step, outside the range of a stepper, {least:.0e} to {most} rad; write a step within this range"
-        );
-        problems.report(place, message);
-    }
-    if let Some(scene) = scene
-        .as_ref()
-        .filter(|_| limits.tables && problems.is_empty())
-        && scene.moves_in_time()
-        && let Some(loss) = excess_loss(scene)
-    {
-        let place = fields
-            .damping
-            .given()
-            .map_or(syntax.place, |damping| damping.place);
-        let message = format!(
-            "with this number of modes at or beyond critical damping, a motion in time has a relative error of {loss:.0e}; write damping ratios below 1, or `scalar: f64` instead of `f32`, or leave simulation, orbit and stepper out"
-        );
-        problems.report(place, message);
-    }
-    match (scene, syntax.name) {
-        (Some(scene), Some(name)) if problems.is_empty() => Ok(Description {
+    match (located, &syntax.name) {
+        (Some(Located { scene, .. }), Some(name)) if problems.is_empty() => Ok(Description {
             // The proof takes longest, so it runs after all checks.
             tables: tables.map(|tables| match scene.declared.proof {
                 _ if !limits.proof => tables,
                 Proving::Quick => tables.proven_if_small(&scene, Work::AT_EXPANSION),
                 Proving::Whole => tables.proven(&scene, Work::WHOLE),
             }),
-            attributes: syntax.attributes,
-            visibility: syntax.visibility,
-            name: name.ident,
-            facade,
+            attributes: header.attributes,
+            visibility: header.visibility,
+            name: sources.ident(name),
+            facade: header.facade,
             scene,
-            mass_names: names.map(|name| name.ident.clone()).collect(),
+            mass_names: syntax
+                .mass_names()
+                .map(|name| sources.ident(name))
+                .collect(),
         }),
-        (_, name) => {
-            let mut seen = HashSet::new();
-            let mass_names: Vec<Ident> = names
-                .filter(|name| may_name(&name.text))
-                .filter(|name| seen.insert(name.text.as_str()))
-                .map(|name| name.ident.clone())
-                .collect();
-            let excitation = fields.excitation.given().map(|name| name.text.as_str());
-            let loaded = fields.force.given();
-            let loaded = loaded.map_or(&[][..], |force| &force.list.entries);
-            let mut forces: Vec<usize> = loaded
-                .iter()
-                .filter(|name| excitation != Some(name.text.as_str()))
-                .filter_map(|name| mass_names.iter().position(|mass| *mass == name.text))
-                .collect();
-            forces.sort_unstable();
-            forces.dedup();
-            Err(Box::new(Partial {
-                on_base: excitation == Some("base"),
-                forces,
-                has_step: !fields.step.is_missing(),
-                attributes: syntax.attributes,
-                visibility: syntax.visibility,
-                name: name.map(|name| name.ident),
-                facade,
-                mass_names,
-                precision: syntax
-                    .fields
-                    .scalar
-                    .given()
-                    .copied()
-                    .unwrap_or(Precision::F64),
-            }))
-        }
+        _ => Err(Box::new(partial(syntax, sources, header))),
     }
 }
 
-fn default_facade() -> syn::Path {
-    let span = Span::call_site();
-    let mut segments = syn::punctuated::Punctuated::new();
-    segments.push_value(syn::PathSegment::from(Ident::new("frictiongen", span)));
-    syn::Path {
-        leading_colon: Some(syn::Token![::]([span, span])),
-        segments,
+/// Reports a step and a damping with which the emitted motion in time would lose its digits.
+fn check_motion_in_time(located: &Located<'_>, problems: &mut Problems) {
+    let scene = &located.scene;
+    if !problems.is_empty() {
+        return;
+    }
+    if scene.stepping.step.is_some()
+        && let Some((angle, [least, most])) = refused_step(scene, &Modal::of(scene))
+    {
+        let message = format!(
+            "the fastest oscillator turns by {angle:.1e} rad in this step, outside the range of a stepper, {least:.0e} to {most} rad; write a step within this range"
+        );
+        problems.report(located.place(Path::Step), message);
+    } else if scene.moves_in_time()
+        && let Some(loss) = excess_loss(scene)
+    {
+        let message = format!(
+            "with this number of modes at or beyond critical damping, a motion in time has a relative error of {loss:.0e}; write damping ratios below 1, or `scalar: f64` instead of `f32`, or leave simulation, orbit and stepper out"
+        );
+        problems.report(located.place(Path::Damping(None)), message);
+    }
+}
+
+/// Returns the fields of a faulty description from which a macro can still emit a type.
+fn partial(syntax: &Syntax, sources: &Sources, header: Header) -> Partial {
+    let Readable {
+        mass_names,
+        precision,
+        on_base,
+        forces,
+        has_step,
+    } = syntax.readable();
+    Partial {
+        attributes: header.attributes,
+        visibility: header.visibility,
+        name: syntax.name.as_ref().map(|name| sources.ident(name)),
+        facade: header.facade,
+        mass_names: mass_names
+            .into_iter()
+            .map(|name| sources.ident(name))
+            .collect(),
+        precision,
+        on_base,
+        forces,
+        has_step,
     }
 }

@@ -1,6 +1,7 @@
 //! Requests for tables, and the errors of requests that cannot be met.
 
 use crate::scene::Side;
+use core::fmt;
 use frictiongen_kernel::Float;
 
 /// The coarsest accuracy that is useful.
@@ -29,14 +30,12 @@ pub struct Request {
 }
 
 /// The reasons why a table cannot be built.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TableError {
     /// The range is empty or reversed, or contains r = 0 or infinity.
-    #[error("a table needs a range of frequency ratios 0 < a < b, both finite, not {0:?}..{1:?}")]
     Range(f64, f64),
     /// The accuracy is outside the possible range.
-    #[error("an accuracy must be between {finest:?} and 0.1, not {value:?}")]
     Accuracy {
         /// The requested accuracy.
         value: f64,
@@ -44,7 +43,6 @@ pub enum TableError {
         finest: f64,
     },
     /// No table that was tried meets the accuracy.
-    #[error("{}", not_met(.accuracy, .reached, .at))]
     NotMet {
         /// The requested accuracy.
         accuracy: f64,
@@ -54,9 +52,6 @@ pub enum TableError {
         at: f64,
     },
     /// Even the coarsest accuracy does not fit into the allowed bytes.
-    #[error(
-        "no table fits into {bytes} bytes; the coarsest takes {least}; allow more, or narrow the range"
-    )]
     TooFewBytes {
         /// The allowed bytes.
         bytes: usize,
@@ -65,15 +60,40 @@ pub enum TableError {
     },
 }
 
-fn not_met(accuracy: &f64, reached: &Option<f64>, at: &f64) -> String {
-    let closest = match reached {
-        Some(reached) => format!("{reached:?} can be met"),
-        None => "not even 0.1 can be met".to_owned(),
-    };
-    format!(
-        "no table meets the accuracy {accuracy:?} at r = {at:?}; {closest}; declare a coarser accuracy, or leave this r out of the range"
-    )
+impl fmt::Display for TableError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Range(low, high) => write!(
+                f,
+                "a table needs a range of frequency ratios 0 < a < b, both finite, not {low:?}..{high:?}"
+            ),
+            Self::Accuracy { value, finest } => write!(
+                f,
+                "an accuracy must be between {finest:?} and 0.1, not {value:?}"
+            ),
+            Self::NotMet {
+                accuracy,
+                reached,
+                at,
+            } => {
+                let closest = match reached {
+                    Some(reached) => format!("{reached:?} can be met"),
+                    None => "not even 0.1 can be met".to_owned(),
+                };
+                write!(
+                    f,
+                    "no table meets the accuracy {accuracy:?} at r = {at:?}; {closest}; declare a coarser accuracy, or leave this r out of the range"
+                )
+            }
+            Self::TooFewBytes { bytes, least } => write!(
+                f,
+                "no table fits into {bytes} bytes; the coarsest takes {least}; allow more, or narrow the range"
+            ),
+        }
+    }
 }
+
+impl core::error::Error for TableError {}
 
 impl Request {
     /// Checks that the request is possible in a scalar.

@@ -1,9 +1,9 @@
 //! Errors at run time.
 
 use crate::{Error, NoOrbit, NotContinuous, OutOfDomain, StuckResonance};
-use frictiongen_codegen::Diagnostics;
 use frictiongen_kernel::orbit::NoDerivative;
 use frictiongen_model::validate::SceneError;
+use frictiongen_syntax::Diagnostics;
 
 /// The error that no mass has this name.
 #[derive(Clone, Debug, PartialEq, Eq)]

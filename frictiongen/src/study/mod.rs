@@ -45,8 +45,8 @@ pub use features::{
     InvariantPoint, Inversion, LimitsAtEnd, Measured, ParameterSlope, RegimeEnd, RegimeRange,
     Resonance, ResonantPeak, Sensed, SlidingRange, TruePeak,
 };
-pub use frictiongen_codegen::{Diagnostic, Diagnostics};
 pub use frictiongen_kernel::orbit::NoDerivative;
+pub use frictiongen_syntax::{Diagnostic, Diagnostics};
 pub use held::SystemHeld;
 #[cfg(feature = "desk")]
 pub use history::{

@@ -3,7 +3,6 @@
 use super::error::{InvalidScene, UnknownMass};
 use super::large;
 use crate::{OutOfDomain, Unsupported};
-use frictiongen_codegen::{Diagnostics, parse_text};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::driven::DrivenModes;
 use frictiongen_kernel::contact::regime::Limits;
@@ -15,6 +14,7 @@ use frictiongen_model::scene::{FrictionLaw, Scene};
 use frictiongen_model::stepping::Steps;
 use frictiongen_model::transient::Transient;
 use frictiongen_model::validate::validate;
+use frictiongen_syntax::{Diagnostics, read_scene};
 use std::sync::OnceLock;
 
 /// A scene at run time, with its modal data.
@@ -58,9 +58,7 @@ impl<S: Float> std::str::FromStr for System<S> {
     type Err = Diagnostics;
 
     fn from_str(text: &str) -> Result<Self, Diagnostics> {
-        Ok(Self::from_scene(
-            parse_text(text, &frictiongen_codegen::Limits::RUN_TIME)?.scene,
-        ))
+        Ok(Self::from_scene(read_scene(text)?))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Scenes that are assembled from macro fragments.
 
+use frictiongen as facade;
 use frictiongen::friction_system;
 
 /// Defines a scene from the fragments of a macro.
@@ -36,6 +37,23 @@ macro_rules! frame {
     };
 }
 
+/// Defines a scene that finds the facade through `$crate`.
+macro_rules! through_own_crate {
+    ($name:ident) => {
+        friction_system! {
+            struct $name {
+                crate: $crate::fragments::facade,
+                masses: { lower: 3.27, upper: 3.25 },
+                springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+                contact: upper - wall,
+                excitation: base,
+                damping: modal[0.010, 0.012],
+                provide: [limits, motion, stuck, orbit, simulation, stepper],
+            }
+        }
+    };
+}
+
 /// Passes a whole description to `friction_system!`.
 macro_rules! handed_on {
     ($($tokens:tt)*) => { friction_system! { $($tokens)* } };
@@ -43,6 +61,7 @@ macro_rules! handed_on {
 
 scene! { pub(crate) Fragments { below: 3.0 + 0.27, above: 3.25 } (500.0 + 95.0) ::frictiongen }
 frame! { Named }
+through_own_crate! { ThroughOwnCrate }
 handed_on! {
     struct HandedOn {
         masses: { lower: 3.27, upper: 3.25 },
@@ -58,5 +77,6 @@ handed_on! {
 fn scenes_come_out_of_macros() {
     same_as_frame!(Fragments, above);
     same_as_frame!(Named, upper);
+    same_as_frame!(ThroughOwnCrate, upper);
     same_as_frame!(HandedOn, upper);
 }

@@ -1,6 +1,6 @@
 /// Two masses that rub on each other, both loaded, with friction that falls with the speed.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 0a7957a4aa6ba74a.
+/// Emitted by frictiongen 0.1.0 from scene c81bd2c91e74e45a.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

@@ -1,6 +1,6 @@
 /// A spring graph with a wall spring, a second base spring and Rayleigh damping.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 940c42c5168d6887.
+/// Emitted by frictiongen 0.1.0 from scene e83b5dca6752b54f.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

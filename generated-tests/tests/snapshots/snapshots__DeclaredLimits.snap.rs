@@ -1,6 +1,6 @@
 /// Two masses and their limits, to a hundredth.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 64dcabdd8b0b235b.
+/// Emitted by frictiongen 0.1.0 from scene 54434a175b3a66b5.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

@@ -1,6 +1,6 @@
 /// One mass and its motion, to a thousandth.
 ///
-/// Emitted by frictiongen 0.1.0 from scene b936b377f86fed24.
+/// Emitted by frictiongen 0.1.0 from scene b7c8152cebe163ce.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

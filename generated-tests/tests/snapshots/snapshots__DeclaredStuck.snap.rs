@@ -1,6 +1,6 @@
 /// Two masses while their contact is stuck, to a hundredth.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 0cc1c94d757103b2.
+/// Emitted by frictiongen 0.1.0 from scene 3a27ff1f80224919.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

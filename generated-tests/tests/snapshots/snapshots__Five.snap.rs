@@ -1,6 +1,6 @@
 /// Five masses, damped: sums over modes are calls, the frequency stage is straight lines.
 ///
-/// Emitted by frictiongen 0.1.0 from scene b9320e7b53704e7d.
+/// Emitted by frictiongen 0.1.0 from scene fea12f32a4a7d13c.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

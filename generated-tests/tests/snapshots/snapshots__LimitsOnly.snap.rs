@@ -1,6 +1,6 @@
 /// The two limits alone.
 ///
-/// Emitted by frictiongen 0.1.0 from scene ee4afe73a37929c8.
+/// Emitted by frictiongen 0.1.0 from scene c884e1ff1edbc4b7.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

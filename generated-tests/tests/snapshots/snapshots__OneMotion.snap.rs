@@ -1,6 +1,6 @@
 /// The motion of one of three masses.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 9146bbbba7576cea.
+/// Emitted by frictiongen 0.1.0 from scene ea06a74d57d04d3a.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

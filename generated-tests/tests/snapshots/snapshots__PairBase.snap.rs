@@ -1,6 +1,6 @@
 /// Two masses, the contact on the moving base.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 3b246ecbdfd6bce2.
+/// Emitted by frictiongen 0.1.0 from scene 46d1480df675f043.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

@@ -1,6 +1,6 @@
 /// Two masses, rubbing on each other, with static friction above kinetic.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 6373491ffc7a3bdb.
+/// Emitted by frictiongen 0.1.0 from scene 06c755b1a07e51ab.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

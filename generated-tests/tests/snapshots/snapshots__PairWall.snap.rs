@@ -1,6 +1,6 @@
 /// Two masses, the contact on a wall.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 849ab92d3d755eea.
+/// Emitted by frictiongen 0.1.0 from scene 604203b7d94dc96c.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

@@ -1,6 +1,6 @@
 /// One mass under a force that is held over a step, in single precision.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 23e5550161844410.
+/// Emitted by frictiongen 0.1.0 from scene 41220f0eb63f241c.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

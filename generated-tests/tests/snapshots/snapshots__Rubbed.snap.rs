@@ -1,6 +1,6 @@
 /// A block whose kinetic friction falls with the speed, from event to event.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 7f1e2947be03d688.
+/// Emitted by frictiongen 0.1.0 from scene 0c93a0f50ccc50b4.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

@@ -1,6 +1,6 @@
 /// One mass, rubbing on the base that moves it.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 11f1c98470145371.
+/// Emitted by frictiongen 0.1.0 from scene 8a2d714fb11ee18d.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

@@ -1,6 +1,6 @@
 /// One mass, damped: the exponentials appear.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 170fa09e6787cb82.
+/// Emitted by frictiongen 0.1.0 from scene d0657647b2ae48c0.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

@@ -1,6 +1,6 @@
 /// One mass, over-critically damped: no oscillation is left.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 98d65aa65f99f9c9.
+/// Emitted by frictiongen 0.1.0 from scene 249fdf28d14e7e62.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

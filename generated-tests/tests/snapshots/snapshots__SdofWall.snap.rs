@@ -1,6 +1,6 @@
 /// One mass on a spring, rubbing on a wall: no sums, no damping.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 63f03dd183c2a0cd.
+/// Emitted by frictiongen 0.1.0 from scene c6a0013aa6d29f2b.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

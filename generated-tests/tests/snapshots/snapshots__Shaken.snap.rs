@@ -1,6 +1,6 @@
 /// Two masses on a moving base, by steps of a millisecond: constant tables, and nothing at a frequency.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 8eb06ef0e7892d65.
+/// Emitted by frictiongen 0.1.0 from scene 091ff501af35821c.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

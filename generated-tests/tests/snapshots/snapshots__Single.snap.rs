@@ -1,6 +1,6 @@
 /// Single precision.
 ///
-/// Emitted by frictiongen 0.1.0 from scene e8e4aa8c2b361ed7.
+/// Emitted by frictiongen 0.1.0 from scene 3c6b3b16c9451275.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

@@ -1,6 +1,6 @@
 /// The motion in time and the steady state in any regime.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 27219d70b100dc24.
+/// Emitted by frictiongen 0.1.0 from scene eedbe5be51e36513.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

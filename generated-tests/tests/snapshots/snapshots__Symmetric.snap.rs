@@ -1,7 +1,7 @@
 /// A symmetric chain whose second mode the load at its middle does not drive, and the contact
 /// there does not touch: the mode is gone from the emitted code.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 867fafa6755ee914.
+/// Emitted by frictiongen 0.1.0 from scene c3a9898ece97a2c6.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

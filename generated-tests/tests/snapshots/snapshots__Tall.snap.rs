@@ -1,6 +1,6 @@
 /// Seventeen masses: passes over the modes instead of straight lines.
 ///
-/// Emitted by frictiongen 0.1.0 from scene c0a274c56a3baf99.
+/// Emitted by frictiongen 0.1.0 from scene fc6191d9cb991d4e.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

@@ -1,6 +1,6 @@
 /// The thesis's three masses (figure 6.1).
 ///
-/// Emitted by frictiongen 0.1.0 from scene 88abb9d9db2471d6.
+/// Emitted by frictiongen 0.1.0 from scene a809981133b08615.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

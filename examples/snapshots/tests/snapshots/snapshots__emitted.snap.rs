@@ -1,6 +1,6 @@
 /// A machine on a mount whose damper rubs on the frame.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 405b5e1bd797e81d.
+/// Emitted by frictiongen 0.1.0 from scene 8c1821ad589d1450.
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,

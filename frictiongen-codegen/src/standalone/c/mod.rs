@@ -1,4 +1,5 @@
-//! Writes tables as C99.
+//! Writes tables as C99. The templates `header.h.in` and `source.c.in` are format strings: a field has its name in
+//! braces, and a brace of C is doubled.
 
 mod contact;
 mod stuck;
@@ -43,22 +44,19 @@ pub fn c_header<S: Float>(scene: &Scene, tables: &Tables<S>, name: &str) -> Stri
         stuck_declared(name, real, &asked, (scene, tables)),
     );
     format!(
-        "/* Emitted by frictiongen {version} for the scene {scene}.\n * {about} */\n\
-         #if defined({guard}) && {guard} != {mark}\n\
-         #error \"two different tables are both called {name}: compile one of them with --name\"\n\
-         #endif\n\
-         #ifndef {guard}\n#define {guard} {mark}\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n\
-         /* What every function returns.  Unless it is {ok} no value is written. */\n\
-         enum {name}_status {{\n{statuses}}};\n\n\
-         /* Both limits of beta = {beta} at the frequency ratio r = omega sqrt(m1/k1).  Below `continuous` (beta_lim) a motion\n \
-         * exists in which the contact slides all the time; from `sliding` (beta*_lim) on a stuck state exists. */\n\
-         enum {name}_status {name}_limits({real} r, {real} *continuous, {real} *sliding);\n\
-         {contact}{stuck}\n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n",
-        version = env!("CARGO_PKG_VERSION"),
-        scene = scene.name,
-        ok = status(name, "Ok"),
+        include_str!("header.h.in"),
+        about = about,
         beta = asked.beta,
+        contact = contact,
+        guard = guard,
         mark = mark(tables),
+        name = name,
+        ok = status(name, "Ok"),
+        real = real,
+        scene = scene.name,
+        statuses = statuses,
+        stuck = stuck,
+        version = env!("CARGO_PKG_VERSION"),
     )
 }
 
@@ -156,45 +154,42 @@ pub fn c_source<S: Float>(
         let stuck = Stuck::of(numbers, scene, held);
         stuck::source(name, (real, letter), &asked, &stuck)
     });
-    Some(format!(
-        "{include}\n#include <math.h>\n#include <stddef.h>\n\n\
-         /* The digits are those of separate multiplications and additions: compile without contraction (-std=c99 or\n \
-         * -ffp-contract=off) where they must agree with the Rust to the last one. */\n\n\
-         {lookup}\
-         /* (r - y)(r + y), y in two parts. */\n\
-         static inline {real} zero({real} r, {real} at, {real} rest)\n{{\n    \
-         return ((r - at) - rest) * (r + at);\n}}\n\n\
-         /* Of a pair of zeros x + iy beside the axis: off = x^2, least = 4 x^2 y^2. */\n\
-         static inline {real} pair({real} r, {real} at, {real} rest, {real} off, {real} least)\n{{\n    \
-         const {real} beside = ((r - at) - rest) * (r + at) + off;\n    \
-         return beside * beside + least;\n}}\n\n\
-         /* beta*_lim at an r in the range. */\n\
-         static {real} sliding_limit({real} r)\n{{\n    \
-         (void)r;\n    (void)zero;\n    (void)pair;\n    return fabs{letter}({sliding});\n}}\n\n\
-         enum {name}_status {name}_limits({real} r, {real} *continuous, {real} *sliding)\n{{\n    \
-         if ({outside})\n        return {};\n    \
-         const struct piece *piece = found(r);\n    \
-         *continuous = polynomial(piece->c[0], r - piece->origin);\n    \
-         *sliding = sliding_limit(r);\n    return {};\n}}\n{contact}{stuck}",
-        status(name, "OutOfDomain"),
-        status(name, "Ok"),
-        lookup = lookup(numbers, real, tables),
-        outside = asked.r_outside,
-        contact = contact.unwrap_or_default(),
-        stuck = stuck.unwrap_or_default(),
-    ))
-}
-
-/// Writes the pieces of the table, the search for a piece, and its evaluation.
-fn lookup<S: Float>(numbers: Numbers, real: &str, tables: &Tables<S>) -> String {
     let write = |value: S| numbers.write(value.to_f64());
     let index = &tables.index;
-    let (functions, terms) = (tables.functions, tables.terms);
-    let narrow = if tables.pieces.len() <= 256 {
-        "unsigned char"
-    } else {
-        "unsigned short"
-    };
+    let mut source = format!(
+        include_str!("source.c.in"),
+        buckets = wrapped(&index.buckets),
+        buckets_count = index.buckets.len(),
+        count = tables.pieces.len(),
+        density = write(index.density),
+        functions = tables.functions,
+        halvings = index.halvings,
+        include = include,
+        index_low = write(index.low),
+        last = 2 * (tables.terms / 2 - 1),
+        letter = letter,
+        name = name,
+        narrow = if tables.pieces.len() <= 256 {
+            "unsigned char"
+        } else {
+            "unsigned short"
+        },
+        ok = status(name, "Ok"),
+        out_of_domain = status(name, "OutOfDomain"),
+        outside = asked.r_outside,
+        pieces = pieces(numbers, tables),
+        real = real,
+        sliding = sliding,
+        terms = tables.terms,
+    );
+    source.extend(contact);
+    source.extend(stuck);
+    Some(source)
+}
+
+/// Writes the pieces of the table.
+fn pieces<S: Float>(numbers: Numbers, tables: &Tables<S>) -> String {
+    let write = |value: S| numbers.write(value.to_f64());
     let mut pieces = String::new();
     for piece in &tables.pieces {
         let (from, origin) = (write(piece.from), write(piece.origin));
@@ -208,33 +203,5 @@ fn lookup<S: Float>(numbers: Numbers, real: &str, tables: &Tables<S>) -> String 
             of.join(",\n        ")
         ));
     }
-    format!(
-        "#define PIECES {count}\n#define BUCKETS {buckets_count}\n\n\
-         struct piece {{\n    {real} from;      /* the smallest r of the piece */\n    \
-         {real} origin;    /* from where r is counted */\n    \
-         {real} c[{functions}][{terms}];\n}};\n\n\
-         /* The piece in which each bucket begins. */\n\
-         static const {narrow} buckets[BUCKETS] = {{\n    {buckets}\n}};\n\n\
-         static const struct piece pieces[PIECES] = {{\n{pieces}}};\n\n\
-         static const struct piece *found({real} r)\n{{\n    \
-         const size_t bucket = (size_t)((r - {index_low}) * {density});\n    \
-         size_t index = buckets[bucket & (BUCKETS - 1)];\n    \
-         for (size_t step = (size_t)1 << {halvings} >> 1; step > 0; step >>= 1) {{\n        \
-         const size_t further = index + step;\n        \
-         if (further < PIECES && pieces[further].from <= r)\n            index = further;\n    }}\n    \
-         return &pieces[index];\n}}\n\n\
-         static {real} polynomial(const {real} *c, {real} t)\n{{\n    \
-         const {real} square = t * t;\n    \
-         {real} sum = c[{last}] + c[{last} + 1] * t;\n    \
-         for (int k = {last} - 2; k >= 0; k -= 2)\n        \
-         sum = (c[k] + c[k + 1] * t) + sum * square;\n    \
-         return sum;\n}}\n\n",
-        count = tables.pieces.len(),
-        buckets_count = index.buckets.len(),
-        buckets = wrapped(&index.buckets),
-        index_low = write(index.low),
-        density = write(index.density),
-        halvings = index.halvings,
-        last = 2 * (terms / 2 - 1),
-    )
+    pieces
 }

@@ -215,4 +215,17 @@ struct Frame {
 }
 }
 
+mod case_220_attribute_and_more {
+frictiongen::friction_system! {
+#[doc hidden]
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
 fn main() {}

@@ -90,7 +90,11 @@ fn pieces(text: &str) -> Vec<String> {
 pub fn texts() -> Vec<Text> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut texts: Vec<Text> = Vec::new();
-    for folder in ["frictiongen-codegen/src", "frictiongen-model/src/validate"] {
+    for folder in [
+        "frictiongen-syntax/src",
+        "frictiongen-codegen/src",
+        "frictiongen-model/src/validate",
+    ] {
         let mut files = Vec::new();
         sources(&root.join(folder), &mut files);
         for file in files {

@@ -26,7 +26,8 @@ impl Places<'_> {
         self.find(path).unwrap_or(self.syntax.place)
     }
 
-    fn find(&self, path: Path) -> Option<Place> {
+    /// Returns the position of an item; `None` if the item was not written.
+    pub(super) fn find(&self, path: Path) -> Option<Place> {
         let fields = &self.syntax.fields;
         let mass = |index: usize| {
             fields

@@ -9,9 +9,9 @@ use super::forms;
 use super::reader::{Name, Read, Reader};
 use super::stepping;
 use super::suggest;
-use super::syntax::{Fields, Slot};
+use super::syntax::{Fields, RustPath, Slot};
 use super::token::{Kind, Token};
-use crate::diagnostics::{Problems, Reported};
+use crate::diagnostics::{Place, Problems, Reported};
 
 /// A field of the description.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -74,7 +74,7 @@ fn names() -> impl Iterator<Item = &'static str> {
 /// Returns whether a known field begins here. `crate:` and `crate: ::path` begin one, but
 /// `crate::path` does not.
 pub(crate) fn begins(reader: &Reader<'_>) -> bool {
-    matches!(reader.peek(0), Some(Token { kind: Kind::Word { text, .. }, .. }) if known(text).is_some())
+    matches!(reader.peek(0), Some(Token { kind: Kind::Word(text), .. }) if known(text).is_some())
         && reader.is_punct(1, ':')
         && (!reader.is_punct(2, ':') || reader.is_punct(3, ':'))
 }
@@ -258,7 +258,7 @@ fn scalar(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Precision> {
 }
 
 /// Parses the path under which the user's crate imports the facade.
-fn facade(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<syn::Path> {
+fn facade(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<RustPath> {
     let place = reader.place();
     path(reader).map_or_else(
         || {
@@ -274,39 +274,38 @@ fn facade(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<syn::Path> {
 }
 
 /// Parses words joined by `::`. Returns `None` where Rust accepts no path.
-pub(crate) fn path(reader: &mut Reader<'_>) -> Option<syn::Path> {
-    let leading = colons(reader);
-    let mut path = syn::Path {
-        leading_colon: leading,
-        segments: syn::punctuated::Punctuated::new(),
+pub(crate) fn path(reader: &mut Reader<'_>) -> Option<RustPath> {
+    let mut path = RustPath {
+        segments: Vec::new(),
     };
+    let mut before = colons(reader);
     loop {
         if reader.peek(0).is_some_and(in_no_path) {
             return None;
         }
-        let word = reader.take_word()?;
-        path.segments.push_value(syn::PathSegment::from(word.ident));
-        match colons(reader) {
-            Some(sign) => path.segments.push_punct(sign),
-            None => return Some(path),
+        path.segments.push((before, reader.take_word()?));
+        before = colons(reader);
+        if before.is_none() {
+            return Some(path);
         }
     }
 }
 
 /// Returns whether the token is a keyword that Rust accepts in no path.
 fn in_no_path(token: &Token) -> bool {
-    let Kind::Word { text, .. } = &token.kind else {
+    let Kind::Word(text) = &token.kind else {
         return false;
     };
     is_keyword(text) && !["crate", "self", "super"].contains(&text.as_str())
 }
 
-fn colons(reader: &mut Reader<'_>) -> Option<syn::Token![::]> {
-    let span = reader.place().span();
+/// Reads `::` and returns its position.
+fn colons(reader: &mut Reader<'_>) -> Option<Place> {
+    let place = reader.place();
     if reader.is_punct(0, ':') && reader.is_punct(1, ':') {
         reader.next();
         reader.next();
-        Some(syn::Token![::]([span, span]))
+        Some(place)
     } else {
         None
     }

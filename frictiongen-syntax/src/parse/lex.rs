@@ -5,9 +5,9 @@
 
 use core::str::Chars;
 
-use proc_macro2::{Delimiter, Ident, Literal, Span};
+use unicode_ident::{is_xid_continue, is_xid_start};
 
-use super::token::{DEEPEST, Kind, TOO_DEEP, Token};
+use super::token::{DEEPEST, Delimiter, Kind, TOO_DEEP, Token};
 use crate::diagnostics::{Place, Problems, Reported};
 
 /// Returns the tokens of a text and the position of its end. Fails only if brackets or comments are
@@ -114,12 +114,9 @@ impl Lexer<'_, '_> {
             None => format!("this `{found}` closes nothing; delete it"),
             Some(Open { bracket, place, .. }) => {
                 let (sign, close) = signs(bracket);
-                let at = match place {
-                    Place::Text { line, column } => format!(" (line {line}, column {column})"),
-                    Place::Span(_) => String::new(),
-                };
                 format!(
-                    "this `{found}` comes before the `{sign}`{at} is closed; write `{close}` first"
+                    "this `{found}` comes before the `{sign}` (line {}, column {}) is closed; write `{close}` first",
+                    place.line, place.column
                 )
             }
         };
@@ -188,29 +185,13 @@ impl Lexer<'_, '_> {
             self.bump();
         }
         let name = self.take_while(is_continue);
-        let span = Span::call_site();
-        // `Ident::new` panics on an invalid identifier. The test here is exact for ASCII. `syn`
-        // decides for all other letters.
-        let ident = if !name.is_ascii() {
-            match syn::parse_str::<Ident>(&name) {
-                Ok(mut ident) => {
-                    ident.set_span(span);
-                    ident
-                }
-                Err(_) => {
-                    return Err(self.problems.report(
-                        place,
-                        format!("`{name}` is not a name; make names of letters, digits and `_`"),
-                    ));
-                }
-            }
-        } else if raw && !["_", "crate", "self", "Self", "super"].contains(&name.as_str()) {
-            Ident::new_raw(&name, span)
-        } else {
-            Ident::new(&name, span)
-        };
-        let text = if raw { format!("r#{name}") } else { name };
-        Ok(Kind::Word { text, ident })
+        if !is_identifier(&name) {
+            return Err(self.problems.report(
+                place,
+                format!("`{name}` is not a name; make names of letters, digits and `_`"),
+            ));
+        }
+        Ok(Kind::Word(if raw { format!("r#{name}") } else { name }))
     }
 
     /// Reads a number as Rust does: `0..2` contains two numbers, and `1.5.x` a number and a point.
@@ -244,10 +225,7 @@ impl Lexer<'_, '_> {
             text.push(next);
             match next {
                 '"' => {
-                    return Ok(Kind::Quoted {
-                        text,
-                        literal: Literal::string(&value),
-                    });
+                    return Ok(Kind::Quoted { text, value });
                 }
                 '\\' => {
                     let Some(escaped) = self.bump() else { break };
@@ -352,9 +330,10 @@ impl Lexer<'_, '_> {
     }
 
     fn place(&self) -> Place {
-        Place::Text {
+        Place {
             line: self.line,
             column: self.column,
+            token: None,
         }
     }
 }
@@ -365,6 +344,15 @@ fn is_start(letter: char) -> bool {
 
 fn is_continue(letter: char) -> bool {
     is_start(letter) || letter.is_ascii_digit()
+}
+
+/// Returns whether the compiler reads a word of letters, digits and `_` as one identifier.
+fn is_identifier(word: &str) -> bool {
+    let mut letters = word.chars();
+    letters
+        .next()
+        .is_some_and(|first| first == '_' || is_xid_start(first))
+        && letters.all(is_xid_continue)
 }
 
 fn opening(sign: char) -> Option<Delimiter> {
@@ -389,6 +377,6 @@ fn signs(bracket: Delimiter) -> (char, char) {
     match bracket {
         Delimiter::Bracket => ('[', ']'),
         Delimiter::Brace => ('{', '}'),
-        Delimiter::Parenthesis | Delimiter::None => ('(', ')'),
+        Delimiter::Parenthesis => ('(', ')'),
     }
 }

@@ -1,11 +1,10 @@
 //! Parses the fields for damping and for the items to provide.
 
-use proc_macro2::Delimiter;
-
 use super::number::{Number, number};
 use super::reader::{Inside, List, Name, Read, Reader};
 use super::suggest;
 use super::syntax::{DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind};
+use super::token::Delimiter;
 use crate::diagnostics::{Place, Problems, Reported};
 
 const DAMPING: [&str; 3] = ["none", "modal", "rayleigh"];

@@ -7,47 +7,25 @@ mod chain;
 mod declared;
 mod fields;
 mod forms;
-mod header;
+pub(crate) mod header;
 mod lex;
 mod number;
-mod reader;
+pub(crate) mod reader;
 mod stepping;
 pub(crate) mod suggest;
 pub(crate) mod syntax;
-mod token;
+pub(crate) mod token;
 
-use proc_macro2::{Delimiter, Span, TokenStream};
-
+pub(crate) use self::lex::lex;
 pub(crate) use self::number::Number;
 use self::reader::Reader;
 pub(crate) use self::reader::{List, Name};
 use self::syntax::{Fields, Syntax};
-use self::token::Token;
+use self::token::{Delimiter, Token};
 use crate::diagnostics::{Place, Problems};
 
-/// Parses the tokens of a macro call. If brackets nest too deep, no other error is reported.
-pub(crate) fn tokens(stream: TokenStream, problems: &mut Problems) -> Syntax {
-    let mut tokens = Vec::new();
-    let sound = token::from_stream(stream, 0, &mut tokens, problems);
-    let end = tokens
-        .last()
-        .map_or(Place::Span(Span::call_site()), |last| last.place);
-    if sound {
-        syntax(&tokens, end, problems)
-    } else {
-        let mut syntax = syntax(&tokens, end, &mut Problems::default());
-        syntax.has_body = false;
-        syntax
-    }
-}
-
-/// Parses a text. If its brackets or comments are not closed, no other error is reported.
-pub(crate) fn text(text: &str, problems: &mut Problems) -> Option<Syntax> {
-    let (tokens, end) = lex::lex(text, problems).ok()?;
-    Some(syntax(&tokens, end, problems))
-}
-
-fn syntax(tokens: &[Token], end: Place, problems: &mut Problems) -> Syntax {
+/// Parses the tokens of a description. `end` is the position of errors at the end of the tokens.
+pub fn parse_tokens(tokens: &[Token], end: Place, problems: &mut Problems) -> Syntax {
     let mut reader = Reader::new(tokens, end);
     let mut reader = call(&mut reader, problems).unwrap_or(reader);
     let reader = &mut reader;
@@ -83,6 +61,15 @@ fn syntax(tokens: &[Token], end: Place, problems: &mut Problems) -> Syntax {
             problems.report(reader.place(), message);
         }
     }
+    syntax
+}
+
+/// Parses the names of a description with a reported error that makes others meaningless. The
+/// result has no scene.
+#[must_use]
+pub fn parse_faulty(tokens: &[Token], end: Place) -> Syntax {
+    let mut syntax = parse_tokens(tokens, end, &mut Problems::default());
+    syntax.has_body = false;
     syntax
 }
 

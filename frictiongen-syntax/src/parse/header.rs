@@ -1,13 +1,51 @@
 //! Parses the text before the braces: doc comments, visibility, `struct` and the name.
 
 use frictiongen_model::validate::is_keyword;
-use proc_macro2::Delimiter;
-use syn::parse::Parser;
 
 use super::fields;
 use super::reader::{Name, Reader};
-use super::token::{Kind, Token, to_stream};
+use super::syntax::RustPath;
+use super::token::{Delimiter, Kind, Token};
 use crate::diagnostics::{Place, Problems};
+
+/// A doc comment or an attribute before the struct.
+#[derive(Clone, Debug)]
+pub enum Attribute {
+    /// A doc comment in a text.
+    Doc {
+        /// The text of the comment.
+        text: String,
+        /// The position of the comment.
+        place: Place,
+    },
+    /// An attribute, of which only the name and the outer form are checked.
+    Other {
+        /// The group in square brackets.
+        group: Token,
+        /// The position of the `#`.
+        place: Place,
+    },
+}
+
+/// The visibility of the struct.
+#[derive(Clone, Debug)]
+pub enum Visibility {
+    /// No visibility is written.
+    Inherited,
+    /// `pub`, at this position.
+    Public(Place),
+    /// `pub(path)` or `pub(in path)`.
+    Restricted {
+        /// The position of `pub`.
+        place: Place,
+        /// The position of the bracket.
+        bracket: Place,
+        /// True if `in` is written.
+        is_in: bool,
+        /// The path.
+        path: RustPath,
+    },
+}
 
 const FORM: &str =
     "write `struct Name { masses: { … }, springs: { … }, contact: …, excitation: … }`";
@@ -25,14 +63,17 @@ const ATTRIBUTES: [&str; 7] = [
 ];
 
 /// Parses doc comments and attributes.
-pub(crate) fn attributes(reader: &mut Reader<'_>, problems: &mut Problems) -> Vec<syn::Attribute> {
+pub(crate) fn attributes(reader: &mut Reader<'_>, problems: &mut Problems) -> Vec<Attribute> {
     let mut attributes = Vec::new();
     loop {
         let place = reader.place();
         match reader.peek(0).map(|token| &token.kind) {
             Some(Kind::Doc(text)) => {
                 reader.next();
-                attributes.push(doc(text, place));
+                attributes.push(Attribute::Doc {
+                    text: text.clone(),
+                    place,
+                });
             }
             Some(Kind::InnerDoc) => {
                 reader.next();
@@ -50,30 +91,12 @@ pub(crate) fn attributes(reader: &mut Reader<'_>, problems: &mut Problems) -> Ve
     }
 }
 
-/// Turns `/// text` into `#[doc = "text"]`, as the compiler does.
-fn doc(text: &str, place: Place) -> syn::Attribute {
-    let span = place.span();
-    syn::Attribute {
-        pound_token: syn::Token![#](span),
-        style: syn::AttrStyle::Outer,
-        bracket_token: syn::token::Bracket(span),
-        meta: syn::Meta::NameValue(syn::MetaNameValue {
-            path: syn::Path::from(syn::Ident::new("doc", span)),
-            eq_token: syn::Token![=](span),
-            value: syn::Expr::Lit(syn::ExprLit {
-                attrs: Vec::new(),
-                lit: syn::Lit::Str(syn::LitStr::new(text, span)),
-            }),
-        }),
-    }
-}
-
 /// Parses an attribute after its `#`.
 fn attribute(
     reader: &mut Reader<'_>,
     place: Place,
     problems: &mut Problems,
-    attributes: &mut Vec<syn::Attribute>,
+    attributes: &mut Vec<Attribute>,
 ) {
     if reader.take_punct('!') {
         reader.take_group(Delimiter::Bracket);
@@ -83,8 +106,8 @@ fn attribute(
         );
         return;
     }
-    let token = reader.peek(0);
-    let Some(inside) = reader.take_group(Delimiter::Bracket) else {
+    let group = reader.peek(0);
+    let (Some(group), Some(inside)) = (group, reader.take_group(Delimiter::Bracket)) else {
         problems.report(
             place,
             "`#` means nothing here; a comment begins with `//`, a line of documentation with `///`",
@@ -93,7 +116,7 @@ fn attribute(
     };
     let name = match inside.reader.peek(0) {
         Some(Token {
-            kind: Kind::Word { text, .. },
+            kind: Kind::Word(text),
             ..
         }) => text.as_str(),
         _ => "",
@@ -103,62 +126,67 @@ fn attribute(
             place,
             "only doc comments, lint levels and `deprecated` are allowed before a scene; put this attribute on a module around it",
         );
-        return;
+    } else if let Some(reason) = fault(inside.reader) {
+        problems.report(place, format!("this attribute cannot be read: {reason}"));
+    } else {
+        attributes.push(Attribute::Other {
+            group: group.clone(),
+            place,
+        });
     }
-    let span = place.span();
-    let stream = to_stream(token.map(core::slice::from_ref).unwrap_or_default());
-    let stream = core::iter::once(proc_macro2::TokenTree::from({
-        let mut pound = proc_macro2::Punct::new('#', proc_macro2::Spacing::Alone);
-        pound.set_span(span);
-        pound
-    }))
-    .chain(stream)
-    .collect();
-    match syn::Attribute::parse_outer.parse2(stream) {
-        Ok(mut parsed) => attributes.append(&mut parsed),
-        Err(error) => {
-            problems.report(place, format!("this attribute cannot be read: {error}"));
-        }
+}
+
+/// Returns why the form of an attribute is wrong, in the words of `syn`. Numbers and comments do not
+/// count. The expression after `=` is not read, because only emitted code needs it.
+fn fault(mut reader: Reader<'_>) -> Option<&'static str> {
+    reader.next();
+    let ignored =
+        |token: &&Token| matches!(token.kind, Kind::Number(_) | Kind::Doc(_) | Kind::InnerDoc);
+    let mut rest = reader.rest().iter().filter(|token| !ignored(token));
+    match (rest.next().map(|token| &token.kind), rest.next()) {
+        (Some(Kind::Punct('=')), None) => Some("unexpected end of input, expected an expression"),
+        (None | Some(Kind::Punct('=' | ':')), _) | (Some(Kind::Group { .. }), None) => None,
+        _ => Some("unexpected token, expected `]`"),
     }
 }
 
 /// Returns whether Rust accepts the path in a visibility without `in`.
-fn is_short(path: &syn::Path) -> bool {
-    ["crate", "self", "super"]
-        .iter()
-        .any(|word| path.is_ident(word))
+fn is_short(path: &RustPath) -> bool {
+    match path.segments.as_slice() {
+        [(None, word)] => ["crate", "self", "super"].contains(&word.text.as_str()),
+        _ => false,
+    }
 }
 
 /// Parses `pub`, `pub(crate)`, `pub(in path)` or nothing.
-pub(crate) fn visibility(reader: &mut Reader<'_>, problems: &mut Problems) -> syn::Visibility {
+pub(crate) fn visibility(reader: &mut Reader<'_>, problems: &mut Problems) -> Visibility {
     let place = reader.place();
     if !is_word(reader, 0, "pub") {
-        return syn::Visibility::Inherited;
+        return Visibility::Inherited;
     }
     reader.next();
-    let pub_token = syn::Token![pub](place.span());
     let Some(mut inside) = reader.take_group(Delimiter::Parenthesis) else {
-        return syn::Visibility::Public(pub_token);
+        return Visibility::Public(place);
     };
-    let in_token = is_word(&inside.reader, 0, "in").then(|| {
+    let is_in = is_word(&inside.reader, 0, "in");
+    if is_in {
         inside.reader.next();
-        syn::Token![in](inside.place.span())
-    });
+    }
     match fields::path(&mut inside.reader) {
-        Some(path) if inside.reader.is_empty() && (in_token.is_some() || is_short(&path)) => {
-            syn::Visibility::Restricted(syn::VisRestricted {
-                pub_token,
-                paren_token: syn::token::Paren(inside.place.span()),
-                in_token,
-                path: Box::new(path),
-            })
+        Some(path) if inside.reader.is_empty() && (is_in || is_short(&path)) => {
+            Visibility::Restricted {
+                place,
+                bracket: inside.place,
+                is_in,
+                path,
+            }
         }
         _ => {
             problems.report(
                 inside.place,
                 "a visibility is `pub`, `pub(crate)`, `pub(super)` or `pub(in path)`; write one of these",
             );
-            syn::Visibility::Public(pub_token)
+            Visibility::Public(place)
         }
     }
 }
@@ -221,5 +249,5 @@ pub(crate) fn name(reader: &mut Reader<'_>, problems: &mut Problems) -> Option<O
 }
 
 fn is_word(reader: &Reader<'_>, ahead: usize, word: &str) -> bool {
-    matches!(reader.peek(ahead), Some(Token { kind: Kind::Word { text, .. }, .. }) if text == word)
+    matches!(reader.peek(ahead), Some(Token { kind: Kind::Word(text), .. }) if text == word)
 }

@@ -1,12 +1,12 @@
 //! Parses the fields that declare the accuracy of the emitted code and its range.
 
 use frictiongen_model::scene::{Beyond, Proving, Side};
-use proc_macro2::Delimiter;
 
 use super::number::number;
 use super::reader::{Read, Reader};
 use super::suggest;
 use super::syntax::{AccuracyEntry, Choice, RangeEntry, Span};
+use super::token::Delimiter;
 use crate::diagnostics::{Problems, Reported};
 
 /// Parses `exact` or a number.

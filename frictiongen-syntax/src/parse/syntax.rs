@@ -2,6 +2,7 @@
 
 use frictiongen_model::scene::{Beyond, Precision, Proving, Side, StepInput};
 
+use super::header::{Attribute, Visibility};
 use super::number::Number;
 use super::reader::{List, Name};
 use crate::diagnostics::Place;
@@ -21,14 +22,6 @@ pub(crate) enum Slot<T> {
 impl<T> Slot<T> {
     pub(crate) fn given(&self) -> Option<&T> {
         match self {
-            Self::Given(value) => Some(value),
-            Self::Missing | Self::Broken => None,
-        }
-    }
-
-    /// Takes the value out of the slot.
-    pub(crate) fn take(&mut self) -> Option<T> {
-        match core::mem::take(self) {
             Self::Given(value) => Some(value),
             Self::Missing | Self::Broken => None,
         }
@@ -126,16 +119,41 @@ pub(crate) struct Choice<T> {
     pub(crate) place: Place,
 }
 
+/// A path of Rust, as written.
+#[derive(Clone, Debug)]
+pub struct RustPath {
+    /// The words of the path. Each has the position of the `::` before it, if there is one.
+    pub segments: Vec<(Option<Place>, Name)>,
+}
+
 /// A whole description, as far as it could be read.
-pub(crate) struct Syntax {
-    pub(crate) attributes: Vec<syn::Attribute>,
-    pub(crate) visibility: syn::Visibility,
-    pub(crate) name: Option<Name>,
+pub struct Syntax {
+    /// The doc comments and attributes before the struct.
+    pub attributes: Vec<Attribute>,
+    /// The visibility of the struct.
+    pub visibility: Visibility,
+    /// The name of the struct; `None` if it is not usable.
+    pub name: Option<Name>,
     /// Position at which missing fields are reported.
     pub(crate) place: Place,
     /// True if the description has braces with fields.
     pub(crate) has_body: bool,
     pub(crate) fields: Fields,
+}
+
+impl Syntax {
+    /// Returns the path of the facade crate, if the description gives one.
+    #[must_use]
+    pub fn facade(&self) -> Option<&RustPath> {
+        self.fields.facade.given()
+    }
+
+    /// Returns the names of the masses that could be read, in the order of the text.
+    pub fn mass_names(&self) -> impl Iterator<Item = &Name> {
+        let masses = self.fields.masses.given();
+        let entries = masses.map_or(&[][..], |masses| &masses.list.entries);
+        entries.iter().map(|entry| &entry.name)
+    }
 }
 
 #[derive(Default)]
@@ -158,5 +176,5 @@ pub(crate) struct Fields {
     pub(crate) step: Slot<Number>,
     pub(crate) input: Slot<Choice<StepInput>>,
     pub(crate) force: Slot<Placed<Name>>,
-    pub(crate) facade: Slot<syn::Path>,
+    pub(crate) facade: Slot<RustPath>,
 }

@@ -1,16 +1,15 @@
 //! Walks over the tokens of one bracket, and finds the next entry after an error.
 
-use proc_macro2::{Delimiter, Ident};
-
-use super::token::{Kind, Token};
+use super::token::{Delimiter, Kind, Token};
 use crate::diagnostics::{Place, Problems, Reported};
 
 /// A word with its position.
 #[derive(Clone, Debug)]
-pub(crate) struct Name {
-    pub(crate) text: String,
-    pub(crate) ident: Ident,
-    pub(crate) place: Place,
+pub struct Name {
+    /// The word, with the `r#` of a raw identifier.
+    pub text: String,
+    /// The position of the word.
+    pub place: Place,
 }
 
 /// The unread tokens of one bracket or of the whole description.
@@ -75,6 +74,10 @@ impl<'t> Reader<'t> {
         Some(first)
     }
 
+    pub(crate) fn rest(&self) -> &'t [Token] {
+        self.rest
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.rest.is_empty()
     }
@@ -103,7 +106,7 @@ impl<'t> Reader<'t> {
         matches!(
             self.peek(ahead),
             Some(Token {
-                kind: Kind::Word { .. },
+                kind: Kind::Word(_),
                 ..
             })
         )
@@ -119,13 +122,12 @@ impl<'t> Reader<'t> {
 
     pub(crate) fn take_word(&mut self) -> Option<Name> {
         let token = self.peek(0)?;
-        let Kind::Word { text, ident } = &token.kind else {
+        let Kind::Word(text) = &token.kind else {
             return None;
         };
         self.next();
         Some(Name {
             text: text.clone(),
-            ident: ident.clone(),
             place: token.place,
         })
     }

@@ -1,11 +1,9 @@
 //! Parses the fields that define the chain: masses, springs, contact, excitation.
 
-use proc_macro2::Delimiter;
-
 use super::number::number;
 use super::reader::{List, Name, Read, Reader};
 use super::syntax::{ContactEntry, MassEntry, Placed, SpringEntry};
-use super::token::{Kind, Token};
+use super::token::{Delimiter, Kind, Token};
 use crate::diagnostics::{Problems, Reported};
 
 /// Parses `{ name: number, … }`.

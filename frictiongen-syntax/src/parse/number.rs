@@ -1,9 +1,7 @@
 //! Parses numbers: literals joined by `+ - * / ( )`, evaluated in double precision.
 
-use proc_macro2::Delimiter;
-
 use super::reader::{Read, Reader};
-use super::token::{Kind, Token};
+use super::token::{Delimiter, Kind, Token};
 use crate::diagnostics::{Place, Problems, Reported};
 
 /// A number and the position at which it begins. A number that could not be read has no value.
@@ -104,12 +102,12 @@ fn single(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repor
             reader.next();
             return literal(text, place, problems);
         }
-        Some(Kind::Word { text, .. })
+        Some(Kind::Word(text))
             if ["inf", "infinity", "nan", "∞"].contains(&text.to_lowercase().as_str()) =>
         {
             format!("`{text}` is not finite; write a finite number")
         }
-        Some(Kind::Word { text, .. }) => format!(
+        Some(Kind::Word(text)) => format!(
             "`{text}` is not a number, and a description cannot use constants of Rust; write the number itself, or literals joined by `+ - * / ( )`, for example `2.0 * 3.27`"
         ),
         Some(Kind::Quoted { .. }) => "a number has no quotation marks; delete them".to_owned(),
@@ -146,7 +144,7 @@ fn check_after(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<(), R
             "a percentage is written as a fraction, for example `0.01` for 1 %".to_owned()
         }
         // A name before a colon or a hyphen begins the next entry, so only a comma is missing.
-        Kind::Word { text, .. } if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => format!(
+        Kind::Word(text) if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => format!(
             "`{text}` does not belong after a number; delete it, because a description has no units (use a consistent set, for example kg and N/m)"
         ),
         _ => return Ok(()),

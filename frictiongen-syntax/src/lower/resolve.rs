@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use frictiongen_model::scene::{Contact, Excitation, Mass, Node, Scene, Spring};
 use frictiongen_model::validate::{Checks, Path, validate_known};
 
-use super::limits::Limits;
+use super::Located;
 use super::places::Places;
 use crate::diagnostics::{Problems, Reported};
 use crate::parse::suggest;
@@ -13,7 +13,11 @@ use crate::parse::syntax::{Fields, SpringEntry, Syntax};
 use crate::parse::{Name, Number};
 
 /// Returns the scene of a description and reports all errors.
-pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems) -> Scene {
+pub(super) fn resolve<'s>(
+    syntax: &'s Syntax,
+    most_masses: usize,
+    problems: &mut Problems,
+) -> Located<'s> {
     let fields = &syntax.fields;
     report_missing(syntax, problems);
     let names = Names::new(fields);
@@ -21,7 +25,7 @@ pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems)
         names,
         problems,
         checks: Checks {
-            most_masses: limits.masses,
+            most_masses,
             ..Checks::default()
         },
         unread: HashSet::new(),
@@ -63,13 +67,13 @@ pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems)
         unread,
         ..
     } = lowering;
+    let places = Places {
+        syntax,
+        springs: spring_entries,
+        provide: provide_entries,
+        force: force_entries,
+    };
     if let Err(errors) = validate_known(&scene, &checks) {
-        let places = Places {
-            syntax,
-            springs: spring_entries,
-            provide: provide_entries,
-            force: force_entries,
-        };
         for error in errors {
             // A number that could not be read is NaN in the scene, and its error is already
             // reported.
@@ -78,7 +82,7 @@ pub(super) fn resolve(syntax: &Syntax, limits: &Limits, problems: &mut Problems)
             }
         }
     }
-    scene
+    Located { scene, places }
 }
 
 fn report_missing(syntax: &Syntax, problems: &mut Problems) {

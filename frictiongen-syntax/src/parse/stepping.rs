@@ -1,7 +1,6 @@
 //! Parses the friction law and the fields of the stepper.
 
 use frictiongen_model::scene::StepInput;
-use proc_macro2::Delimiter;
 
 use super::chain::braces;
 use super::declared::choice;
@@ -10,6 +9,7 @@ use super::number::{Number, number};
 use super::reader::{Name, Read, Reader};
 use super::suggest;
 use super::syntax::{Choice, FrictionEntry, LawEntry, Placed};
+use super::token::Delimiter;
 use crate::diagnostics::{Place, Problems, Reported};
 
 /// The message for a friction force in a description.

@@ -1,0 +1,231 @@
+//! Passes the compiler's tokens to the parser, and keeps their spans.
+
+use frictiongen_syntax::{
+    DEEPEST, Delimiter, Kind, Name, Place, Problem, Problems, Syntax, TOO_DEEP, Token,
+    parse_faulty, parse_tokens,
+};
+use proc_macro2::{Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+
+/// The compiler's tokens, which places refer to by index. Empty for a text.
+#[derive(Default)]
+pub(crate) struct Sources {
+    list: Vec<Source>,
+}
+
+/// A span, with the token if it is a word or a literal.
+struct Source {
+    span: Span,
+    tree: Option<TokenTree>,
+}
+
+/// Parses the tokens of a macro call. If brackets nest too deep, no other error is reported.
+pub(crate) fn parse(stream: TokenStream, problems: &mut Problems) -> (Syntax, Sources) {
+    let mut sources = Sources::default();
+    let mut tokens = Vec::new();
+    let sound = sources.read(stream, 0, &mut tokens, problems);
+    let end = match tokens.last() {
+        Some(last) => last.place,
+        None => sources.place(Span::call_site(), None),
+    };
+    let syntax = if sound {
+        parse_tokens(&tokens, end, problems)
+    } else {
+        parse_faulty(&tokens, end)
+    };
+    (syntax, sources)
+}
+
+impl Sources {
+    /// Returns the span of a position. A text has the span of the call.
+    pub(crate) fn span(&self, place: Place) -> Span {
+        self.source(place)
+            .map_or_else(Span::call_site, |source| source.span)
+    }
+
+    fn source(&self, place: Place) -> Option<&Source> {
+        self.list.get(place.token?)
+    }
+
+    /// Returns a word as an identifier. The compiler's own identifier is preferred, because it may
+    /// be `$crate`, which cannot be made from its text.
+    pub(crate) fn ident(&self, name: &Name) -> Ident {
+        self.word(&name.text, name.place)
+    }
+
+    fn word(&self, text: &str, place: Place) -> Ident {
+        if let Some(TokenTree::Ident(ident)) = self.source(place).and_then(|one| one.tree.as_ref())
+        {
+            return ident.clone();
+        }
+        let span = self.span(place);
+        let plain = text.strip_prefix("r#").unwrap_or(text);
+        // `Ident::new` panics on letters that the present compiler does not know.
+        if !plain.is_ascii() {
+            let mut ident = syn::parse_str(plain).unwrap_or_else(|_| Ident::new("_", span));
+            ident.set_span(span);
+            return ident;
+        }
+        let is_raw = plain != text && !["_", "crate", "self", "Self", "super"].contains(&plain);
+        if is_raw {
+            Ident::new_raw(plain, span)
+        } else {
+            Ident::new(plain, span)
+        }
+    }
+
+    /// Returns the errors as one `syn::Error`, which becomes a `compile_error!` for each, in the
+    /// order of the source.
+    pub(crate) fn error(&self, problems: Problems) -> syn::Error {
+        problems
+            .into_sorted()
+            .into_iter()
+            .map(|Problem { place, message }| syn::Error::new(self.span(place), message))
+            .reduce(|mut all, next| {
+                all.combine(next);
+                all
+            })
+            .unwrap_or_else(|| syn::Error::new(Span::call_site(), "this is not a scene"))
+    }
+
+    /// Keeps a token and returns its position.
+    fn place(&mut self, span: Span, tree: Option<TokenTree>) -> Place {
+        let start = span.start();
+        self.list.push(Source { span, tree });
+        Place {
+            line: start.line,
+            column: start.column + 1,
+            token: Some(self.list.len() - 1),
+        }
+    }
+
+    /// Converts the compiler's tokens. Returns false after reporting that brackets nest too deep.
+    fn read(
+        &mut self,
+        stream: TokenStream,
+        depth: usize,
+        out: &mut Vec<Token>,
+        problems: &mut Problems,
+    ) -> bool {
+        let mut sound = true;
+        for tree in stream {
+            match tree {
+                TokenTree::Ident(ident) => {
+                    let kind = Kind::Word(ident.to_string());
+                    let place = self.place(ident.span(), Some(ident.into()));
+                    out.push(Token { kind, place });
+                }
+                TokenTree::Punct(punct) => out.push(Token {
+                    kind: Kind::Punct(punct.as_char()),
+                    place: self.place(punct.span(), None),
+                }),
+                TokenTree::Literal(literal) => self.read_literal(literal, out),
+                TokenTree::Group(group) => sound &= self.read_group(&group, depth, out, problems),
+            }
+        }
+        sound
+    }
+
+    fn read_literal(&mut self, literal: Literal, out: &mut Vec<Token>) {
+        let text = literal.to_string();
+        let place = self.place(literal.span(), Some(literal.into()));
+        // Another macro may create a negative literal, which no source text can contain.
+        let (sign, text) = match text.strip_prefix('-') {
+            Some(rest) => (true, rest.to_owned()),
+            None => (false, text),
+        };
+        if sign {
+            out.push(Token {
+                kind: Kind::Punct('-'),
+                place,
+            });
+        }
+        let is_number = text.starts_with(|first: char| first.is_ascii_digit());
+        let kind = if is_number {
+            Kind::Number(text)
+        } else {
+            Kind::Quoted {
+                text,
+                value: String::new(),
+            }
+        };
+        out.push(Token { kind, place });
+    }
+
+    fn read_group(
+        &mut self,
+        group: &Group,
+        depth: usize,
+        out: &mut Vec<Token>,
+        problems: &mut Problems,
+    ) -> bool {
+        let place = self.place(group.span_open(), None);
+        if depth >= DEEPEST {
+            problems.report(place, TOO_DEEP);
+            return false;
+        }
+        let mut tokens = Vec::new();
+        let sound = self.read(group.stream(), depth + 1, &mut tokens, problems);
+        // A group of tokens from `macro_rules!` keeps its invisible brackets only around
+        // arithmetic, where they matter.
+        let is_sum = || {
+            tokens.iter().any(|token| {
+                ['+', '-', '*', '/']
+                    .iter()
+                    .any(|&sign| token.is_punct(sign))
+            })
+        };
+        let bracket = match group.delimiter() {
+            proc_macro2::Delimiter::None if !is_sum() => {
+                out.append(&mut tokens);
+                return sound;
+            }
+            proc_macro2::Delimiter::None | proc_macro2::Delimiter::Parenthesis => {
+                Delimiter::Parenthesis
+            }
+            proc_macro2::Delimiter::Bracket => Delimiter::Bracket,
+            proc_macro2::Delimiter::Brace => Delimiter::Brace,
+        };
+        let close = self.place(group.span_close(), None);
+        let kind = Kind::Group {
+            bracket,
+            tokens,
+            close,
+        };
+        out.push(Token { kind, place });
+        sound
+    }
+
+    /// Converts tokens back to the compiler's, for the attributes that `syn` parses. Attributes
+    /// contain no numbers.
+    pub(crate) fn stream(&self, tokens: &[Token]) -> TokenStream {
+        let trees = tokens.iter().filter_map(|token| {
+            let mut tree = match &token.kind {
+                Kind::Word(text) => self.word(text, token.place).into(),
+                Kind::Punct(sign) => Punct::new(*sign, Spacing::Joint).into(),
+                Kind::Quoted { value, .. } => self.literal(value, token.place).into(),
+                Kind::Group {
+                    bracket, tokens, ..
+                } => Group::new(delimiter(*bracket), self.stream(tokens)).into(),
+                Kind::Number(_) | Kind::Doc(_) | Kind::InnerDoc => return None,
+            };
+            TokenTree::set_span(&mut tree, self.span(token.place));
+            Some(tree)
+        });
+        trees.collect()
+    }
+
+    fn literal(&self, value: &str, place: Place) -> Literal {
+        match self.source(place).and_then(|one| one.tree.as_ref()) {
+            Some(TokenTree::Literal(literal)) => literal.clone(),
+            _ => Literal::string(value),
+        }
+    }
+}
+
+fn delimiter(bracket: Delimiter) -> proc_macro2::Delimiter {
+    match bracket {
+        Delimiter::Parenthesis => proc_macro2::Delimiter::Parenthesis,
+        Delimiter::Bracket => proc_macro2::Delimiter::Bracket,
+        Delimiter::Brace => proc_macro2::Delimiter::Brace,
+    }
+}

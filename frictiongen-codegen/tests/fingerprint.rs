@@ -1,0 +1,115 @@
+//! Tests that the fingerprint in emitted code depends on every field of a scene, and on nothing else.
+#![allow(clippy::expect_used, reason = "a test may fail")]
+
+use frictiongen_codegen::{Limits, emit, parse_text};
+use std::collections::HashSet;
+
+/// Returns the fingerprint in the code of a description.
+fn fingerprint(text: &str) -> String {
+    let limits = Limits {
+        tables: false,
+        ..Limits::CHECK
+    };
+    let code = emit(&parse_text(text, &limits).expect(text)).to_string();
+    let (_, rest) = code.split_once("from scene ").expect("a fingerprint");
+    rest.chars().take(16).collect()
+}
+
+const SCENE: &str = "struct S { masses: { a: 1, b: 2 }, springs: { base - a: 1, a - b: 1 }, contact: b - wall, \
+    excitation: a, provide: [limits, motion(a), stuck, simulation, stepper], stiction: 1.5 }";
+
+#[test]
+fn every_field_counts() {
+    let mut seen = HashSet::from([fingerprint(SCENE)]);
+    for (from, to) in [
+        ("struct S", "struct T"),
+        ("a: 1, b: 2 }", "a: 1, b: 3 }"),
+        ("a: 1, b: 2 }", "b: 2, a: 1 }"),
+        ("base - a: 1", "base - a: 2"),
+        ("base - a: 1", "a - base: 1"),
+        ("base - a: 1", "wall - a: 1"),
+        ("b - wall", "wall - b"),
+        ("b - wall", "b - base"),
+        ("b - wall", "a - wall"),
+        ("excitation: a", "excitation: b"),
+        ("excitation: a", "excitation: base"),
+        ("excitation: a", "excitation: a, damping: modal(0.1)"),
+        ("excitation: a", "excitation: a, damping: modal[0.1, 0.1]"),
+        ("excitation: a", "excitation: a, damping: modal[0.1, 0.2]"),
+        (
+            "excitation: a",
+            "excitation: a, damping: rayleigh(0.1, 0.1)",
+        ),
+        (
+            "excitation: a",
+            "excitation: a, damping: rayleigh(0.1, 0.2)",
+        ),
+        ("1.5", "1.6"),
+        ("1.5", "1.5, scalar: f32"),
+        ("motion(a)", "motion"),
+        ("motion(a)", "motion(b)"),
+        ("motion(a)", "motion(a, b)"),
+        ("motion(a), ", ""),
+        ("stuck, ", ""),
+        ("stuck", "orbit"),
+        ("simulation, ", ""),
+        (", stepper", ""),
+        ("1.5", "1.5, accuracy: 1e-4, range: { r: 0.2..2.5 }"),
+        ("1.5", "1.5, accuracy: 1e-5, range: { r: 0.2..2.5 }"),
+        ("1.5", "1.5, accuracy: 1e-4, range: { r: 0.3..2.5 }"),
+        ("1.5", "1.5, accuracy: 1e-4, range: { r: 0.2..2.6 }"),
+        (
+            "1.5",
+            "1.5, accuracy: 1e-4, range: { r: 0.2..2.5, beta: 0..1 }",
+        ),
+        (
+            "1.5",
+            "1.5, accuracy: 1e-4, range: { r: 0.2..2.5, beta: 0..2 }",
+        ),
+        (
+            "1.5",
+            "1.5, accuracy: 1e-4, range: { r: 0.2..2.5 }, side: safe",
+        ),
+        (
+            "1.5",
+            "1.5, accuracy: 1e-4, range: { r: 0.2..2.5 }, beyond: exact",
+        ),
+        (
+            "1.5",
+            "1.5, accuracy: 1e-4, range: { r: 0.2..2.5 }, proof: whole",
+        ),
+        ("1.5", "1.5, budget: 4096, range: { r: 0.2..2.5 }"),
+        ("1.5", "1.5, budget: 4097, range: { r: 0.2..2.5 }"),
+        ("1.5", "1.5, step: 0.1"),
+        ("1.5", "1.5, step: 0.2"),
+        ("1.5", "1.5, input: hold"),
+        ("1.5", "1.5, force: { b }"),
+        (
+            "provide: [limits, motion(a), stuck, simulation, stepper]",
+            "provide: [stepper], friction: stribeck(0.1: 0.8)",
+        ),
+        (
+            "provide: [limits, motion(a), stuck, simulation, stepper]",
+            "provide: [stepper], friction: stribeck(0.1: 0.7)",
+        ),
+        (
+            "provide: [limits, motion(a), stuck, simulation, stepper]",
+            "provide: [stepper], friction: stribeck(0.1: 0.8, 0.2: 0.8)",
+        ),
+        (
+            "provide: [limits, motion(a), stuck, simulation, stepper]",
+            "provide: [stepper]",
+        ),
+    ] {
+        assert!(SCENE.contains(from), "{from}");
+        let changed = fingerprint(&SCENE.replacen(from, to, 1));
+        assert!(seen.insert(changed), "{from} -> {to}");
+    }
+}
+
+#[test]
+fn the_layout_does_not_count() {
+    let same = format!("/// A scene.\npub {}", SCENE.replace(", ", ",\n"))
+        .replace("stiction: 1.5", "stiction: 3 / 2, damping: none,");
+    assert_eq!(fingerprint(SCENE), fingerprint(&same));
+}

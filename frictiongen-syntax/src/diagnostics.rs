@@ -1,0 +1,116 @@
+//! Errors of a description. The reader collects them and returns all at once.
+
+use core::fmt;
+
+/// An error in a text, with its position.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// The line of the error, counted from 1.
+    pub line: usize,
+    /// The column of the error, counted in characters from 1.
+    pub column: usize,
+    /// The message: the error and what to write instead.
+    pub message: String,
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: {}", self.line, self.column, self.message)
+    }
+}
+
+/// All errors in a text, in the order of the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostics {
+    /// The errors of the text, at least one.
+    pub list: Vec<Diagnostic>,
+}
+
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, diagnostic) in self.list.iter().enumerate() {
+            if index > 0 {
+                writeln!(f)?;
+            }
+            write!(f, "{diagnostic}")?;
+        }
+        Ok(())
+    }
+}
+
+impl core::error::Error for Diagnostics {}
+
+/// Position of a token.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The line, counted from 1.
+    pub line: usize,
+    /// The column, counted in characters from 1.
+    pub column: usize,
+    /// Index of the token in a list that the caller keeps; `None` for a text.
+    pub token: Option<usize>,
+}
+
+/// An error at a position.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// The position of the token that caused the error.
+    pub place: Place,
+    /// The message: the error and what to write instead.
+    pub message: String,
+}
+
+/// Marks an error as reported, so that the caller does not report it again.
+#[derive(Clone, Copy, Debug)]
+pub struct Reported;
+
+/// The errors found so far.
+#[derive(Debug, Default)]
+pub struct Problems {
+    list: Vec<Problem>,
+}
+
+impl Problems {
+    /// Adds an error to the list.
+    pub fn report(&mut self, place: Place, message: impl Into<String>) -> Reported {
+        self.list.push(Problem {
+            place,
+            message: message.into(),
+        });
+        Reported
+    }
+
+    /// Returns whether the list has no error.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// Returns whether the list has more than 100 errors. Advice for further errors would then help
+    /// nobody.
+    pub(crate) fn are_many(&self) -> bool {
+        self.list.len() > 100
+    }
+
+    /// Returns the errors in the order of the source.
+    #[must_use]
+    pub fn into_sorted(mut self) -> Vec<Problem> {
+        self.list
+            .sort_by_key(|Problem { place, .. }| (place.line, place.column));
+        self.list
+    }
+
+    /// Returns the errors with lines and columns, in the order of the text.
+    #[must_use]
+    pub fn into_diagnostics(self) -> Diagnostics {
+        let list = self.into_sorted().into_iter();
+        let list = list.map(|Problem { place, message }| Diagnostic {
+            line: place.line,
+            column: place.column,
+            message,
+        });
+        Diagnostics {
+            list: list.collect(),
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! Reads scene descriptions: text to tokens, tokens to a syntax tree, the tree to a scene.
+//!
+//! `parse` reads tokens into a syntax tree with positions. `lower` resolves the names of that tree
+//! and checks the scene. A macro passes its own tokens to [`parse_tokens`].
+
+mod diagnostics;
+mod lower;
+mod parse;
+
+use frictiongen_model::scene::Scene;
+use frictiongen_model::validate::MOST_MASSES;
+
+pub use diagnostics::{Diagnostic, Diagnostics, Place, Problem, Problems, Reported};
+pub use lower::{Located, Readable};
+pub use parse::header::{Attribute, Visibility};
+pub use parse::reader::Name;
+pub use parse::syntax::{RustPath, Syntax};
+pub use parse::token::{DEEPEST, Delimiter, Kind, TOO_DEEP, Token};
+pub use parse::{parse_faulty, parse_tokens};
+
+/// Reads a scene of at most [`MOST_MASSES`] masses from a text.
+///
+/// # Errors
+/// Returns all errors of the text, with line and column.
+pub fn read_scene(text: &str) -> Result<Scene, Diagnostics> {
+    let mut problems = Problems::default();
+    let scene = parse_text(text, &mut problems)
+        .and_then(|syntax| Some(syntax.lower(MOST_MASSES, &mut problems)?.scene));
+    match scene {
+        Some(scene) if problems.is_empty() => Ok(scene),
+        _ => Err(problems.into_diagnostics()),
+    }
+}
+
+/// Parses a text. Returns `None` if its brackets or comments are not closed. No other error is then
+/// reported.
+pub fn parse_text(text: &str, problems: &mut Problems) -> Option<Syntax> {
+    let (tokens, end) = parse::lex(text, problems).ok()?;
+    Some(parse_tokens(&tokens, end, problems))
+}

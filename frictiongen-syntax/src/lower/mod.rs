@@ -1,0 +1,46 @@
+//! Turns a syntax tree into a scene that makes physical sense.
+
+mod places;
+mod readable;
+mod resolve;
+mod settings;
+mod stepping;
+
+use frictiongen_model::scene::Scene;
+use frictiongen_model::validate::Path;
+
+use self::places::Places;
+use crate::diagnostics::{Place, Problems};
+use crate::parse::syntax::Syntax;
+
+pub use readable::Readable;
+
+/// A scene with the positions of its items in the description.
+pub struct Located<'s> {
+    /// The scene that the description defines. It is valid if no error was reported.
+    pub scene: Scene,
+    places: Places<'s>,
+}
+
+impl Located<'_> {
+    /// Returns the position of an item, or the position of the scene's name if the item was not
+    /// written.
+    #[must_use]
+    pub fn place(&self, path: Path) -> Place {
+        self.places.of(path)
+    }
+
+    /// Returns the position of an item; `None` if the item was not written.
+    #[must_use]
+    pub fn written(&self, path: Path) -> Option<Place> {
+        self.places.find(path)
+    }
+}
+
+impl Syntax {
+    /// Returns the scene and reports all errors. Returns `None` for a description without fields.
+    pub fn lower(&self, most_masses: usize, problems: &mut Problems) -> Option<Located<'_>> {
+        self.has_body
+            .then(|| resolve::resolve(self, most_masses, problems))
+    }
+}

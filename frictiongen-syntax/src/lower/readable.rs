@@ -1,0 +1,54 @@
+//! Collects what a faulty description says about the type that it describes.
+
+use std::collections::HashSet;
+
+use frictiongen_model::scene::Precision;
+use frictiongen_model::validate::may_name;
+
+use crate::parse::Name;
+use crate::parse::syntax::Syntax;
+
+/// The fields of a faulty description that decide the methods of its type.
+pub struct Readable<'s> {
+    /// The masses whose names are valid method names.
+    pub mass_names: Vec<&'s Name>,
+    /// The scalar type of the scene.
+    pub precision: Precision,
+    /// True if the base is excited.
+    pub on_base: bool,
+    /// The masses that the stepper may load, as indices into `mass_names`.
+    pub forces: Vec<usize>,
+    /// True if the description declares a step.
+    pub has_step: bool,
+}
+
+impl Syntax {
+    /// Returns the fields that could be read in spite of the errors.
+    #[must_use]
+    pub fn readable(&self) -> Readable<'_> {
+        let fields = &self.fields;
+        let mut seen = HashSet::new();
+        let mass_names: Vec<&Name> = self
+            .mass_names()
+            .filter(|name| may_name(&name.text))
+            .filter(|name| seen.insert(name.text.as_str()))
+            .collect();
+        let excitation = fields.excitation.given().map(|name| name.text.as_str());
+        let loaded = fields.force.given();
+        let loaded = loaded.map_or(&[][..], |force| &force.list.entries);
+        let mut forces: Vec<usize> = loaded
+            .iter()
+            .filter(|name| excitation != Some(name.text.as_str()))
+            .filter_map(|name| mass_names.iter().position(|mass| mass.text == name.text))
+            .collect();
+        forces.sort_unstable();
+        forces.dedup();
+        Readable {
+            mass_names,
+            precision: fields.scalar.given().copied().unwrap_or_default(),
+            on_base: excitation == Some("base"),
+            forces,
+            has_step: !fields.step.is_missing(),
+        }
+    }
+}

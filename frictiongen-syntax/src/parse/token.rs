@@ -1,0 +1,84 @@
+//! Defines tokens with positions, from the compiler or from a text.
+
+use crate::Place;
+
+/// Largest nesting depth of brackets, so that no input can exhaust the stack.
+pub const DEEPEST: usize = 64;
+
+/// The message for brackets that nest too deep.
+pub const TOO_DEEP: &str = "brackets are nested more than 64 deep here; compute the innermost numbers and write their results";
+
+/// A token or a bracketed group of tokens.
+#[derive(Clone, Debug)]
+pub struct Token {
+    /// What the token is.
+    pub kind: Kind,
+    /// The position of the token. For a group it is the position of the opening bracket.
+    pub place: Place,
+}
+
+/// The kinds of tokens.
+#[derive(Clone, Debug)]
+pub enum Kind {
+    /// A word, which may be a keyword. It keeps the `r#` of a raw identifier.
+    Word(String),
+    /// A number as written.
+    Number(String),
+    /// A string, a character or a byte.
+    Quoted {
+        /// The token as written.
+        text: String,
+        /// The value of a string in a text. A caller that passes tokens has the value in its own list.
+        value: String,
+    },
+    /// A single character of punctuation.
+    Punct(char),
+    /// A bracketed group.
+    Group {
+        /// The brackets of the group.
+        bracket: Delimiter,
+        /// The tokens between the brackets.
+        tokens: Vec<Token>,
+        /// The position of the closing bracket.
+        close: Place,
+    },
+    /// A doc comment on the following item, in a text.
+    Doc(String),
+    /// A doc comment on the enclosing item, in a text.
+    InnerDoc,
+}
+
+/// The kinds of brackets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Delimiter {
+    /// `( … )`
+    Parenthesis,
+    /// `[ … ]`
+    Bracket,
+    /// `{ … }`
+    Brace,
+}
+
+impl Token {
+    /// Returns the description of the token for a message.
+    pub(crate) fn describe(&self) -> String {
+        match &self.kind {
+            Kind::Word(text) | Kind::Number(text) | Kind::Quoted { text, .. } => {
+                format!("`{text}`")
+            }
+            Kind::Punct(sign) => format!("`{sign}`"),
+            Kind::Group { bracket, .. } => match bracket {
+                Delimiter::Brace => "`{`".to_owned(),
+                Delimiter::Bracket => "`[`".to_owned(),
+                Delimiter::Parenthesis => "`(`".to_owned(),
+            },
+            Kind::Doc(_) | Kind::InnerDoc => "a doc comment".to_owned(),
+        }
+    }
+
+    /// Returns whether this token is the given punctuation.
+    #[must_use]
+    pub fn is_punct(&self, sign: char) -> bool {
+        matches!(self.kind, Kind::Punct(own) if own == sign)
+    }
+}
