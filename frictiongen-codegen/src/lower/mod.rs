@@ -12,7 +12,9 @@ use std::collections::HashSet;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Precision, Proving, Scene};
 use frictiongen_model::stepping::refused_step;
-use frictiongen_model::table::{TableError, Tables, Work};
+#[cfg(feature = "proof")]
+use frictiongen_model::table::Work;
+use frictiongen_model::table::{TableError, Tables};
 use frictiongen_model::transient::excess_loss;
 use frictiongen_model::validate::may_name;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -21,7 +23,10 @@ use crate::diagnostics::{Diagnostics, Failure, Partial, Problems};
 use crate::parse;
 use crate::parse::syntax::{AccuracyEntry, Syntax};
 
-pub use limits::Limits;
+pub use limits::{Limits, ProofAt};
+
+/// The error of `proof: whole` in a build without the feature `proof`.
+const WITHOUT_PROOF: &str = "`proof: whole` needs the feature `proof` of frictiongen, which is off; write `frictiongen = { version = \"0.1\", features = [\"proof\"] }` in Cargo.toml, or leave `proof` out, so that the table is checked but not proven";
 
 /// A description that was read and that makes physical sense.
 pub struct Description {
@@ -81,22 +86,32 @@ impl SceneTables {
         })
     }
 
-    /// Returns the tables with a proof of their accuracy, as far as `work` allows.
-    #[must_use]
-    pub fn proven(self, scene: &Scene, work: Work) -> Self {
+    /// Adds a proof of the accuracy, as far as `work` allows.
+    #[cfg(feature = "proof")]
+    pub fn prove(&mut self, scene: &Scene, work: Work) {
         let modal = Modal::of(scene);
         match self {
-            Self::Double(tables) => Self::Double(tables.proven(&modal, work)),
-            Self::Single(tables) => Self::Single(tables.proven(&modal, work)),
+            Self::Double(tables) => frictiongen_proof::prove(tables, &modal, work),
+            Self::Single(tables) => frictiongen_proof::prove(tables, &modal, work),
         }
     }
 
-    /// Returns the tables with a proof if `work` is likely to suffice, and otherwise without.
-    fn proven_if_small(self, scene: &Scene, work: Work) -> Self {
+    /// Adds a proof of the accuracy if `work` is likely to suffice.
+    #[cfg(feature = "proof")]
+    fn prove_if_small(&mut self, scene: &Scene, work: Work) {
         let modal = Modal::of(scene);
         match self {
-            Self::Double(tables) => Self::Double(tables.proven_if_small(&modal, work)),
-            Self::Single(tables) => Self::Single(tables.proven_if_small(&modal, work)),
+            Self::Double(tables) => frictiongen_proof::prove_if_small(tables, &modal, work),
+            Self::Single(tables) => frictiongen_proof::prove_if_small(tables, &modal, work),
+        }
+    }
+
+    /// Adds the proof that a scene requests from the macro.
+    #[cfg(feature = "proof")]
+    fn prove_requested(&mut self, scene: &Scene) {
+        match scene.declared.proof {
+            Proving::Quick => self.prove_if_small(scene, Work::AT_EXPANSION),
+            Proving::Whole => self.prove(scene, Work::WHOLE),
         }
     }
 }
@@ -160,6 +175,17 @@ fn lower(
         .given()
         .map_or(&[][..], |masses| &masses.list.entries);
     let names = entries.iter().map(|entry| &entry.name);
+    if let Some(scene) = scene
+        .as_ref()
+        .filter(|_| limits.proof == ProofAt::Missing && problems.is_empty())
+        && scene.declared.proof == Proving::Whole
+    {
+        let place = fields
+            .proof
+            .given()
+            .map_or(syntax.place, |proof| proof.place);
+        problems.report(place, WITHOUT_PROOF);
+    }
     let mut tables = None;
     if let Some(scene) = scene
         .as_ref()
@@ -206,11 +232,7 @@ fn lower(
     match (scene, syntax.name) {
         (Some(scene), Some(name)) if problems.is_empty() => Ok(Description {
             // The proof takes longest, so it runs after all checks.
-            tables: tables.map(|tables| match scene.declared.proof {
-                _ if !limits.proof => tables,
-                Proving::Quick => tables.proven_if_small(&scene, Work::AT_EXPANSION),
-                Proving::Whole => tables.proven(&scene, Work::WHOLE),
-            }),
+            tables: proven(tables, &scene, limits),
             attributes: syntax.attributes,
             visibility: syntax.visibility,
             name: name.ident,
@@ -253,6 +275,19 @@ fn lower(
             }))
         }
     }
+}
+
+/// Returns the tables with the requested proof, as far as the limits allow one.
+fn proven(tables: Option<SceneTables>, scene: &Scene, limits: &Limits) -> Option<SceneTables> {
+    #[cfg(feature = "proof")]
+    if limits.proof == ProofAt::Requested {
+        return tables.map(|mut tables| {
+            tables.prove_requested(scene);
+            tables
+        });
+    }
+    let _ = (scene, limits);
+    tables
 }
 
 fn default_facade() -> syn::Path {

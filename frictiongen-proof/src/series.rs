@@ -1,6 +1,6 @@
 //! Taylor series with intervals as coefficients.
 
-use super::{Interval, TINY};
+use frictiongen_model::interval::{Interval, TINY};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The first `N` Taylor coefficients f⁽ᵏ⁾/k! of a function of one variable, at a point or over an interval.
@@ -411,3 +411,7 @@ impl<const N: usize> Div for Series<N> {
         quotient
     }
 }
+
+#[cfg(test)]
+#[path = "series_tests.rs"]
+mod tests;

@@ -5,13 +5,14 @@
 //! witness as r changes. In each cell the value, the slope and a bound of the second derivative bound D from below.
 //! About the witness, where D nearly vanishes, a single parabola bounds it.
 
-use super::cells::{BENT, Cells, Flank, Part, ROUNDING};
-use super::force;
-use super::found::Budget;
-use super::ridge::Region;
-use super::stage::{ModeStage, ORDER};
-use super::witness::Witness;
-use crate::interval::{Interval, Series};
+use crate::cells::{BENT, Cells, Flank, Part, ROUNDING};
+use crate::force;
+use crate::found::Budget;
+use crate::ridge::Region;
+use crate::series::Series;
+use crate::stage::{ModeStage, ORDER};
+use crate::witness::Witness;
+use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
 /// Length of the first cell, in radians of the fastest mode.
@@ -35,7 +36,7 @@ const EARLY_STEPS: usize = 6;
 const EARLY_STEP: f64 = 0.7;
 
 /// Returns whether every velocity constraint over the interval is below that of the witness, up to the margin.
-pub(super) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
+pub(crate) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
     // Without damping and with every x ≤ 2, the sum is largest at the start of the half period.
     let slow = |mode: &ModeStage<ORDER>| mode.x.value().high <= 2.0;
     let is_start = matches!(part.witness, Witness::BreakAway);

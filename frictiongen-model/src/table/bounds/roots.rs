@@ -5,7 +5,7 @@
 //! remainders at zeros that are right up to their last digits. q is a constant up to terms that are roundings. The
 //! proof does not rely on the zeros. If they were wrong, the N(z_j) would be large.
 
-use super::super::super::zeros::{ContactMode, Zero};
+use super::super::zeros::{ContactMode, Zero};
 use super::ball::{Ball, Disc};
 use frictiongen_kernel::number::dd::Dd;
 

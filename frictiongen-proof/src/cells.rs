@@ -1,10 +1,11 @@
 //! Functions that all cells of a half period share: the velocity constraint over an interval of r.
 
-use super::force;
-use super::found::Budget;
-use super::stage::{Chain, ORDER, Stage};
-use super::witness::{Seen, Witness};
-use crate::interval::{Interval, Series};
+use crate::force;
+use crate::found::Budget;
+use crate::series::Series;
+use crate::stage::{Chain, ORDER, Stage};
+use crate::witness::{Seen, Witness};
+use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
 /// Length of a step that widens the region about a witness, relative to √(N/D″), and the largest number of steps.
@@ -14,13 +15,13 @@ const TUBE_STEPS: usize = 8;
 const TUBE_FIRST: f64 = 0.2;
 const TUBE_MOST: f64 = 0.9;
 /// Allowance for the rounding of an end of a region.
-pub(super) const ROUNDING: f64 = 1e-12;
+pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// Smallest D″ in the region, relative to D″ at the witness or at a second maximum.
-pub(super) const BENT: f64 = 0.15;
+pub(crate) const BENT: f64 = 0.15;
 
 /// Data over an interval of r: at its centre, and over the whole interval.
-pub(super) struct Part<'a> {
+pub(crate) struct Part<'a> {
     pub chain: &'a Chain,
     pub witness: &'a Witness,
     /// The interval minus its centre.
@@ -35,13 +36,13 @@ pub(super) struct Part<'a> {
 
 /// A side of the witness. A position on it is a `share` of the way from the end of the half period to the witness.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Flank {
+pub(crate) enum Flank {
     Before,
     After,
 }
 
 /// Data over an interval of r, in the forms that the cells of its half period need.
-pub(super) struct Cells<'a> {
+pub(crate) struct Cells<'a> {
     /// The chain at the centre of the interval.
     pub thin: Stage<1>,
     /// The chain over the interval, with its slope in r.

@@ -11,15 +11,15 @@ mod roots;
 #[cfg(test)]
 mod tests;
 
-use super::super::exact::Exact;
-use super::super::product::Product;
-use super::super::request::Request;
-use super::super::worst::Worst;
-use super::super::zeros::{ContactMode, Zero, Zeros};
 use super::evidence::{Evidence, Proof, Work};
+use super::exact::Exact;
+use super::product::Product;
+use super::request::Request;
+use super::worst::Worst;
+use super::zeros::{ContactMode, Zero, Zeros};
 use crate::scene::Side;
 use ball::Ball;
-pub(in crate::table) use factor::unit;
+pub(super) use factor::unit;
 use factor::{Cell, Known, beside};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
@@ -50,7 +50,7 @@ struct Meant {
 }
 
 /// V and H as products with bounds.
-pub(in super::super) struct Receptances {
+pub(super) struct Receptances {
     damped: bool,
     zeros: Zeros,
     stiction: Dd,

@@ -1,13 +1,14 @@
 //! Other instants with a velocity constraint close to that of the witness. Near a kink of β_lim there are two such
 //! instants.
 
-use super::cells::{BENT, Cells, Flank, ROUNDING};
-use super::force;
-use super::found::{Budget, OF_STAGE};
-use super::stage::{ORDER, Stage};
-use super::witness::polynomial;
-use crate::interval::{Interval, Series};
+use crate::cells::{BENT, Cells, Flank, ROUNDING};
+use crate::force;
+use crate::found::{Budget, OF_STAGE};
+use crate::series::Series;
+use crate::stage::{ORDER, Stage};
+use crate::witness::polynomial;
 use frictiongen_kernel::Scalar;
+use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
 /// Number of Newton steps towards such an instant.
@@ -21,7 +22,7 @@ const PARTS: usize = 6;
 
 /// Instants about a local minimum of D at which D is positive for all r of an interval.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Region {
+pub(crate) struct Region {
     from: f64,
     to: f64,
 }

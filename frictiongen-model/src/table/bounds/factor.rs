@@ -1,7 +1,7 @@
 //! Bounds the error of an emitted factor relative to its exact zero, over a cell of r.
 
-use super::super::super::request::is_single;
-use super::super::super::zeros::Zero;
+use super::super::request::is_single;
+use super::super::zeros::Zero;
 use super::ball::Ball;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;

@@ -1,52 +1,17 @@
-//! Proof that a table of β_lim is within its accuracy at every r, and not only at the checked points.
-//!
-//! The proof divides the range into intervals of r. In each it chooses a *witness*: an instant near the largest
-//! velocity constraint, as a polynomial in r. [`certify`] shows that no other instant has a constraint larger by more
-//! than a small margin. This bounds β_lim from both sides by a smooth function. [`compare`] shows that the polynomial
-//! of the table, with all roundings of its evaluation, is near that function. Both use intervals with outward rounding.
-//! [`motion`] shows the same of amplitude and phase of the contact. An undecided interval is halved, and in the end
-//! left open. There the table is checked, not proven.
-//!
-//! Products over zeros and poles, β*_lim and |V|, have a proof of their own: [`product`].
+//! Walks over a piece and proves it, interval by interval.
 
-mod asked;
-mod candidates;
-mod cells;
-mod certify;
-mod compare;
-mod early;
-mod ends;
-mod evidence;
-mod force;
-mod found;
-mod motion;
-mod product;
-mod ridge;
-mod side_by_side;
-mod stage;
-mod witness;
-
-#[cfg(test)]
-mod moved;
-#[cfg(test)]
-pub(super) mod tests;
-
-use super::exact::Exact;
-use super::fit::Fitted;
-use super::request::{FINEST_PROVEN, Request};
-use super::split::Edge;
-use crate::interval::{Interval, Series};
-use candidates::candidates;
-use cells::Part as Asked;
-pub(super) use compare::rounding;
-pub use evidence::{Evidence, Proof, Work};
-use found::{Budget, OF_STAGE, Part, Piece};
+use crate::candidates::candidates;
+use crate::cells::Part as Asked;
+use crate::found::{Budget, OF_STAGE, Part, Piece};
+use crate::motion::Moving;
+use crate::series::Series;
+use crate::stage::{Chain, ORDER, Stage, singular};
+use crate::witness::{Seen, Witness};
+use crate::{certify, compare, early};
 use frictiongen_kernel::Float;
-use motion::Moving;
-pub(super) use product::{Receptances, unit};
-use stage::{Chain, ORDER, Stage, singular};
-pub(super) use witness::polynomial;
-use witness::{Seen, Witness};
+use frictiongen_model::interval::Interval;
+use frictiongen_model::table::building::{Edge, Exact};
+use frictiongen_model::table::{FINEST_PROVEN, Fitted, Request, Work};
 
 /// Share of the accuracy that a larger constraint elsewhere may use.
 const ELSEWHERE: f64 = 1.0 / 32.0;
@@ -68,7 +33,7 @@ const NO_STUB: f64 = 1.2;
 const VANISHES: f64 = 1e-14;
 
 /// State of the proof of one piece.
-struct Prover<'a, 'm> {
+pub(crate) struct Prover<'a, 'm> {
     exact: &'a mut Exact<'m>,
     chain: &'a Chain,
     request: Request,
@@ -81,7 +46,7 @@ struct Prover<'a, 'm> {
 }
 
 impl<'a, 'm> Prover<'a, 'm> {
-    fn new(
+    pub fn new(
         exact: &'a mut Exact<'m>,
         chain: &'a Chain,
         request: Request,
@@ -102,7 +67,7 @@ impl<'a, 'm> Prover<'a, 'm> {
 
     /// Proves a piece from one r to another. `kinks` are those of β_lim within it, and `zero` is the zero that is its
     /// origin.
-    fn piece<S: Float>(
+    pub fn piece<S: Float>(
         mut self,
         piece: &Fitted<S>,
         (from, to): (f64, f64),

@@ -1,12 +1,13 @@
 //! Chooses candidates for a witness over an interval of r, from the instants at which the exact search finds the
 //! largest constraint.
 
-use super::super::exact::Exact;
-use super::super::fit::interpolated;
-use super::force;
-use super::stage::{Chain, ORDER, Stage};
-use super::witness::Witness;
-use crate::interval::{Interval, Series};
+use crate::force;
+use crate::series::Series;
+use crate::stage::{Chain, ORDER, Stage};
+use crate::witness::Witness;
+use frictiongen_model::interval::Interval;
+use frictiongen_model::table::building::Exact;
+use frictiongen_model::table::building::interpolated;
 use std::f64::consts::PI;
 
 /// Number of instants that a witness interpolates.
@@ -22,7 +23,7 @@ const SURELY: f64 = 0.3;
 const START: f64 = 0.05;
 
 /// Returns the candidates for the largest constraint, from the exact search at several r.
-pub(super) fn candidates(
+pub(crate) fn candidates(
     exact: &mut Exact<'_>,
     chain: &Chain,
     (from, to): (f64, f64),

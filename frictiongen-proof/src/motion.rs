@@ -5,15 +5,16 @@
 //! up to a small margin, and α is the witness's α up to the same margin. The margin changes the difference by no more
 //! than itself.
 
-use super::super::errors::FRICTION_SHARES;
-use super::super::exact::{ANGLE, SIZE};
-use super::super::fit::Fitted;
-use super::super::worst::Worst;
-use super::compare::{CELLS, Compared, SHORT, divided, rounding};
-use super::stage::{ORDER, Stage};
-use super::witness::{Seen, polynomial};
-use crate::interval::{Interval, Series};
+use crate::compare::{CELLS, Compared, SHORT, divided};
+use crate::series::Series;
+use crate::stage::{ORDER, Stage};
+use crate::witness::{Seen, polynomial};
 use frictiongen_kernel::{Float, Scalar};
+use frictiongen_model::interval::Interval;
+use frictiongen_model::table::FRICTION_SHARES;
+use frictiongen_model::table::Fitted;
+use frictiongen_model::table::Worst;
+use frictiongen_model::table::building::{ANGLE, SIZE, rounding};
 use std::f64::consts::PI;
 
 /// Bounds of the intervals of the friction ratio, over its largest value. Towards the largest value the root vanishes
@@ -40,7 +41,7 @@ const OVER_SINE: f64 = 1.01;
 const UP: f64 = 1.0 + 1e-9;
 
 /// Data for the comparison of the motion over an interval of r.
-pub(super) struct Moving<'a, S> {
+pub(crate) struct Moving<'a, S> {
     pub piece: &'a Fitted<S>,
     /// Largest relative error of |V|, if |V| is a product.
     pub excitation: f64,

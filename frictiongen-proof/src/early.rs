@@ -1,9 +1,10 @@
 //! The velocity constraint F/sin τ near the start of the half period, where both vanish, from the Taylor series of F/τ
 //! in τ.
 
-use super::force;
-use super::stage::Stage;
-use crate::interval::{Interval, Series};
+use crate::force;
+use crate::series::Series;
+use crate::stage::Stage;
+use frictiongen_model::interval::Interval;
 
 /// Number of terms of F/τ. [`rest`] bounds the remainder, so fewer terms would only leave more open.
 const TERMS: usize = 13;
@@ -20,7 +21,7 @@ const UP: f64 = 1.0 + 1e-15;
 const FAR_UP: f64 = 1.0 + 1e-14;
 
 /// Returns sin τ/τ and its slope for |τ| ≤ 1.3, by their series. [`SINC_REST`] bounds the remainder.
-pub(super) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
+pub(crate) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
     let square = tau.squared();
     let zero = Series::fixed(Interval::ZERO);
     let (mut value, mut slope) = (zero, zero);
@@ -42,7 +43,7 @@ pub(super) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
 }
 
 /// Returns F/τ and its slope at τ = πt, up to the remainder of [`rest`].
-pub(super) fn over_tau<const N: usize>(
+pub(crate) fn over_tau<const N: usize>(
     stage: &Stage<N>,
     tau: &Series<N>,
 ) -> (Series<N>, Series<N>) {
@@ -83,7 +84,7 @@ pub(super) fn over_tau<const N: usize>(
 }
 
 /// Returns bounds on the difference of F/τ and its slope from [`over_tau`], for τ from 0 to πt.
-pub(super) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
+pub(crate) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
     let stage = stage.truncated::<1>();
     let all = Interval::new(0.0, t);
     let motions = force::motions(&stage, &Series::fixed(all));
