@@ -26,6 +26,8 @@ mod stage;
 mod witness;
 
 #[cfg(test)]
+mod formulas;
+#[cfg(test)]
 mod moved;
 #[cfg(test)]
 mod tests;
