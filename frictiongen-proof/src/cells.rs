@@ -8,16 +8,21 @@ use crate::witness::{Seen, Witness};
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of a step that widens the region about a witness, relative to √(N/D″), and the largest number of steps.
+/// Length of a step that widens the region about a witness, relative to √(N/D″). Tuned: a longer step widens faster,
+/// but the bounds of D″ over it are wider.
 const TUBE_STEP: f64 = 0.3;
+/// Largest number of these steps. Tuned: it bounds the work of one region.
 const TUBE_STEPS: usize = 8;
-/// Largest first step and largest sum of all steps, as fractions of the way to the end of the half period.
+/// Largest first step, as a fraction of the way to the end of the half period. Tuned: about a flat maximum the
+/// relative step alone would be too long.
 const TUBE_FIRST: f64 = 0.2;
+/// Largest sum of all steps, as a fraction of the same way. The region must end before the half period does.
 const TUBE_MOST: f64 = 0.9;
-/// Allowance for the rounding of an end of a region.
+/// Allowance for the rounding of a position, of an end of a region or of r: thousands of roundings.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// Smallest D″ in the region, relative to D″ at the witness or at a second maximum.
+/// Smallest D″ in the region, relative to D″ at the witness or at a second maximum. Tuned: a smaller fraction makes
+/// the region wider and its parabola flatter.
 pub(crate) const BENT: f64 = 0.15;
 
 /// Data over an interval of r: at its centre, and over the whole interval.

@@ -13,12 +13,17 @@ use frictiongen_model::table::building::rounding;
 
 /// Number of terms after a division by the distance from a zero, which costs one term.
 pub(crate) const SHORT: usize = ORDER - 1;
-/// Number of cells into which an interval is divided to bound a polynomial.
+/// Number of cells into which an interval is divided to bound a polynomial. Tuned: more cells have narrower bounds,
+/// at more work.
 pub(crate) const CELLS: usize = 8;
-/// Largest share of the accuracy that the uncertain position of a zero of β_lim may use.
+/// Largest share of the accuracy that the uncertain position of a zero of β_lim may use. Tuned: the open neighbourhood
+/// of the zero grows with its inverse.
 const UNCERTAIN: f64 = 0.01;
-/// Smallest distance from a zero, relative to r, at which anything is proven.
+/// Smallest distance from a zero, relative to r, at which anything is proven: hundreds of roundings of r.
 const NEAREST: f64 = 1e-13;
+/// Largest relative rounding error or angle that counts as small. With a larger error no comparison can pass, because
+/// no accuracy is coarser.
+pub(crate) const SMALL: f64 = 0.1;
 
 /// Result of a proof over an interval of r.
 #[derive(Clone, Copy, Debug)]
@@ -139,7 +144,7 @@ pub(crate) fn compared<S: Float>(
     }
     let least = own.low.abs().min(own.high.abs());
     let rounding = rounding::<S>(&coefficients, origin, (from, to), zero.map(|_| away)) / least;
-    if !(rounding < 0.1) {
+    if !(rounding < SMALL) {
         return None;
     }
     let (up, down) = (

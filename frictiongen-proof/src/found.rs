@@ -10,7 +10,7 @@ pub(crate) struct Budget {
     pub spent: usize,
 }
 
-/// Work of a stage over an interval, in evaluations of each mode.
+/// Work of a stage over an interval, in evaluations of each mode. It is an estimate and only counts work.
 pub(crate) const OF_STAGE: usize = 20;
 
 impl Budget {

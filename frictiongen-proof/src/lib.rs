@@ -7,6 +7,9 @@
 //! `motion` shows the same of amplitude and phase of the contact. An undecided interval is halved, and in the end
 //! left open. There the table is checked, not proven.
 //!
+//! A constant called *tuned* decides how much work a proof takes and how much of r stays open. No tuned constant
+//! decides whether a proof is true.
+//!
 //! The builder itself bounds products over zeros and poles, β*_lim and |V|.
 
 mod candidates;
@@ -41,12 +44,13 @@ use prover::Prover;
 use stage::Chain;
 use std::ops::Range;
 
-/// Approximate work to prove a piece for each mode, with all modes damped and otherwise. It decides whether a complete
-/// proof is worth starting.
+/// Estimate of the work to prove a piece for each mode, where every mode is damped. It decides only whether a proof
+/// that may stay incomplete is started.
 const PIECE_WORK: usize = 1800;
+/// The same estimate with an undamped mode, next to whose poles intervals are shorter.
 const PIECE_WORK_UNDAMPED: usize = 2600;
-
-/// Largest work for one piece, relative to its equal share of the total.
+/// Largest work for one piece, relative to its equal share of the total. Tuned: one piece must not use the work of
+/// all others.
 const FAIR: usize = 8;
 
 /// Adds to tables a proof of β_lim, and of amplitude and phase of the contact, as far as the work allows.

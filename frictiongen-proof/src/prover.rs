@@ -1,7 +1,7 @@
 //! Walks over a piece and proves it, interval by interval.
 
 use crate::candidates::candidates;
-use crate::cells::Part as Asked;
+use crate::cells::{Part as Asked, ROUNDING};
 use crate::found::{Budget, OF_STAGE, Part, Piece};
 use crate::motion::Moving;
 use crate::series::Series;
@@ -13,23 +13,28 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::table::building::{Edge, Exact};
 use frictiongen_model::table::{FINEST_PROVEN, Fitted, Request, Work};
 
-/// Share of the accuracy that a larger constraint elsewhere may use.
+/// Share of the accuracy that a larger constraint elsewhere may use. Tuned: the rest is left to the polynomial, of which
+/// the check leaves a tenth of the accuracy.
 const ELSEWHERE: f64 = 1.0 / 32.0;
-/// Shortest interval, as a fraction of r.
+/// Shortest interval, as a fraction of r. Tuned: it bounds the work next to zeros and poles.
 const SHORTEST: f64 = 1e-7;
-/// Relative distance below which two r are the same.
-const SAME: f64 = 1e-12;
-/// Shortest interval for the motion, as a fraction of its piece, or of its distance from the zero of a piece.
+/// Shortest interval for the motion, as a fraction of its piece. Tuned: where β_lim alone passes, the motion stays open
+/// rather than shorten every interval.
 const SHORTEST_OF_MOTION: f64 = 2e-3;
+/// The same limit next to the zero of a piece, as a fraction of the distance from it.
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
-/// Length of a piece over that of its first interval, and growth of the next interval after a proven one.
+/// Length of a piece over that of its first interval. Tuned: an interval that is too long fails and is halved.
 const FIRST: f64 = 4.0;
+/// Growth of the next interval after a proven one. Tuned: fast growth saves intervals, but an interval that fails is
+/// lost work.
 const LONGER: f64 = 1.15;
-/// Shortest trial interval after an open one, as a fraction of the next open length.
+/// Shortest trial interval after an open one, as a fraction of the next open length. Tuned: it limits the trials to
+/// four halvings of that length.
 const FINER: f64 = 1.0 / 16.0;
-/// An interval takes all of the rest if the rest is at most this many times its length.
+/// An interval takes all of the rest if the rest is at most this many times its length. Tuned: a short last interval
+/// takes as much work as a long one.
 const NO_STUB: f64 = 1.2;
-/// Largest κ at a zero of β_lim at which κ counts as zero.
+/// Largest κ at a zero of β_lim at which κ counts as zero. It is tens of roundings of a cosine.
 const VANISHES: f64 = 1e-14;
 
 /// State of the proof of one piece.
@@ -81,7 +86,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             return self.found;
         }
         // A kink at an end of the piece, up to rounding, divides nothing.
-        let apart = SAME * to;
+        let apart = ROUNDING * to;
         let within = |kink: &f64| from + apart < *kink && *kink < to - apart;
         let mut ends = vec![from];
         ends.extend(kinks.iter().copied().filter(within));

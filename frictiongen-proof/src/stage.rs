@@ -10,7 +10,8 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::table::building::contact_modes;
 
-/// Number of terms of the Taylor series in r in a proof.
+/// Number of terms of the Taylor series in r in a proof. Tuned: more terms allow longer intervals, but the work of a
+/// product grows with their square.
 pub(crate) const ORDER: usize = 8;
 
 /// The decay of a mode.
@@ -129,9 +130,11 @@ pub(crate) struct Stage<const N: usize> {
     pub break_away: Series<N>,
 }
 
-/// Cosine of an undamped mode below which it is multiplied out.
+/// Cosine of an undamped mode below which it is multiplied out. Tuned: a quotient by a smaller cosine is wide over an
+/// interval of r, but each factor of κ costs products.
 const SINGULAR: f64 = 0.2;
-/// Distance from x = 1 below which the pole of V is divided out together with the cosine.
+/// Distance from x = 1 below which the pole of V is divided out together with the cosine. Farther away x² − 1 is not
+/// small.
 const RESONANT: f64 = 0.5;
 
 /// Returns, for each mode, whether its cosine is multiplied out near an r.

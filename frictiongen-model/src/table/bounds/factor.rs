@@ -8,8 +8,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 
 /// Factor on sums of small relative errors, for their products.
-const UP: f64 = 1.03;
-/// Largest sum of relative errors that counts as small.
+pub(super) const UP: f64 = 1.03;
+/// Largest sum of relative errors that counts as small. [`UP`] covers the products of errors that large.
 const SMALL: f64 = 0.02;
 /// Smallest normal number, up to rounding, in single and in double precision.
 const NORMAL_SINGLE: f64 = 1.2e-38;
