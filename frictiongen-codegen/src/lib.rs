@@ -24,7 +24,7 @@ pub use diagnostics::{Failure, Partial};
 pub use emit::{PASSES_FROM, emit, emit_in_passes, traces};
 pub use expand::expand;
 pub use frictiongen_syntax::{Diagnostic, Diagnostics};
-pub use lower::{Description, Limits, SceneTables, parse_text, parse_tokens};
+pub use lower::{Description, Limits, ProofAt, SceneTables, parse_text, parse_tokens};
 
 #[cfg(feature = "pretty")]
 /// Returns the solver of a description as formatted source text.

@@ -10,7 +10,7 @@ use frictiongen_kernel::number::dd::Dd;
 
 /// A mode that the contact drives: σ = √λ, ζ, and its contribution c to the inverse effective mass of the contact.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Driven {
+pub struct Driven {
     pub sigma: Dd,
     pub zeta: Dd,
     pub inverse_mass: Dd,

@@ -38,6 +38,9 @@ pub struct CompileArguments {
     /// Keep limits on the safe side: beta_lim never above the exact one, beta*_lim never below
     #[arg(long)]
     pub safe: bool,
+    /// Prove the accuracy at every r, which may take some seconds. Without a proof it is checked at points
+    #[arg(long)]
+    pub prove: bool,
     /// Print code or data instead of the figures
     #[arg(long, value_enum)]
     pub format: Option<TableFormat>,

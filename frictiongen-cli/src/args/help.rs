@@ -312,7 +312,9 @@ pub const TABLES: &str = "\
 The accuracy, range, side and budget of the description apply unless an option replaces them.
 
 Without --format the output describes the tables: their accuracy, pieces and bytes, the largest errors
-and their frequencies, and the operations. With --format it is code or data:
+and their frequencies, and the operations. The tables are compared with exact values at many points.
+With --prove their accuracy is proven between the points as well, where it is 1e-6 or coarser. The
+output says which of the two holds. With --format it is code or data:
   rust  a file without dependencies: limits(r); contact(r, beta) if the scene provides a motion;
         stuck_<mass>(r) and holding_force(r) if it provides stuck
   c     the same functions in C99; -o name.c also writes the header name.h next to it

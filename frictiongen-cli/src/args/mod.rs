@@ -94,7 +94,7 @@ pub enum Command {
     /// Write tables of the limits, the contact motion and stuck responses, to a declared accuracy
     #[command(after_help = TABLES)]
     Compile(CompileArguments),
-    /// Print the Rust code that the macro emits for a description
+    /// Print the Rust code that the macro with the feature `proof` emits for a description
     Expand(ExpandArguments),
     /// Say what differs between two descriptions: parameters, natural frequencies, answers and emitted code
     #[command(after_help = DIFFERENCES)]

@@ -9,7 +9,7 @@ use crate::progress;
 use frictiongen::System;
 use frictiongen::study::InvalidScene;
 use frictiongen::study::scene::{Accuracy, Provide, Proving, Range, Scene, Side};
-use frictiongen::study::table::{Tables, Work};
+use frictiongen::study::table::{Evidence, FINEST_PROVEN, Proof, Tables, Work};
 use frictiongen_codegen::standalone::{c_header, c_name, c_source, rust_source};
 use frictiongen_codegen::{Limits, SceneTables};
 use std::io::Write;
@@ -26,8 +26,11 @@ pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Fail
     let mut scene = arguments.file.constant_level(&LIMITS)?.scene;
     declare(&mut scene, arguments)?;
     let name = c_prefix(&scene, arguments)?;
-    let tables = SceneTables::of(&scene).map_err(Failure::new)?;
-    match tables.map(|tables| tables.proven(&scene, Work::WHOLE)) {
+    let mut tables = SceneTables::of(&scene).map_err(Failure::new)?;
+    if let Some(tables) = tables.as_mut().filter(|_| arguments.prove) {
+        tables.prove(&scene, Work::WHOLE);
+    }
+    match tables {
         Some(SceneTables::Double(tables)) => write(&scene, &tables, (arguments, &name), out)?,
         Some(SceneTables::Single(tables)) => write(&scene, &tables, (arguments, &name), out)?,
         None => {
@@ -88,7 +91,7 @@ fn say_what_is_left_out(scene: &Scene) {
 /// Replaces the declarations of the description by those of the options.
 fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failure> {
     let declared = &mut scene.declared;
-    // This command always computes the whole proof.
+    // The option --prove decides, not the proof that the description requests from the macro.
     declared.proof = Proving::Quick;
     if let Some(accuracy) = &arguments.accuracy {
         declared.accuracy = Accuracy::Relative(number(accuracy, "--accuracy")?);
@@ -152,7 +155,7 @@ fn write<S: frictiongen::kernel::Float>(
         ));
     }
     let text = match arguments.format {
-        None => figures(scene, tables),
+        None => figures(scene, tables, arguments.prove),
         Some(TableFormat::Rust) => rust_source(scene, tables).ok_or_else(no_form)?,
         Some(TableFormat::Json) => format!("{}\n", data::of(scene, tables)),
         Some(TableFormat::C) => {
@@ -176,8 +179,26 @@ fn write<S: frictiongen::kernel::Float>(
     }
 }
 
-/// Returns the figures, one per line.
-fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> String {
+/// Returns the sentence about the accuracy between the points of the check.
+fn told<S: frictiongen::kernel::Float>(tables: &Tables<S>, proof: &Proof, proves: bool) -> String {
+    if proves || proof.evidence != Evidence::Checked {
+        return proof.told();
+    }
+    let points = tables.report.points;
+    let remedy = if FINEST_PROVEN <= tables.request.accuracy {
+        "; --prove proves it".to_owned()
+    } else {
+        format!("; --prove proves accuracies down to {FINEST_PROVEN:e}")
+    };
+    format!("Checked at {points} points, not proven: between them an error may be larger{remedy}.")
+}
+
+/// Returns the figures, one per line. `proves` is true if a proof was requested.
+fn figures<S: frictiongen::kernel::Float>(
+    scene: &Scene,
+    tables: &Tables<S>,
+    proves: bool,
+) -> String {
     let report = &tables.report;
     let (low, high) = tables.request.r;
     let sliding = match &tables.sliding {
@@ -191,7 +212,10 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
         None => "by the exact formulas".to_owned(),
     };
     let motion = if tables.moves() {
-        format!("motion          {}\n", tables.motion_proof.told())
+        format!(
+            "motion          {}\n",
+            told(tables, &tables.motion_proof, proves)
+        )
     } else {
         String::new()
     };
@@ -258,7 +282,7 @@ fn figures<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> 
         report.worst.error,
         report.worst.at,
         report.points,
-        tables.proof.told(),
+        told(tables, &tables.proof, proves),
         tables.index.halvings,
         tables.additions_and_multiplications(),
         report.evaluations,

@@ -27,7 +27,6 @@ fn the_figures() {
         lines[5].starts_with("largest error   ") && lines[5].contains("checked at"),
         "{text}"
     );
-    assert!(!text.contains("proven"));
     let safe = output(
         "",
         &[
@@ -43,6 +42,42 @@ fn the_figures() {
     assert!(
         safe.contains("accuracy        1e-4, never above\n"),
         "{safe}"
+    );
+}
+
+/// Without --prove the figures say that the tables are checked, at how many points, and which option proves them.
+#[test]
+fn checked_or_proven() {
+    let with = |more: &[&str]| {
+        let asked = ["compile", FRAME, "--accuracy", "1e-4", "--r", "0.2:2.5"];
+        output("", &[&asked, more].concat())
+    };
+    let (checked, proven) = (with(&[]), with(&["--prove"]));
+    let line = |text: &str, name: &str| {
+        let line = text.lines().find_map(|line| line.strip_prefix(name));
+        line.unwrap_or_else(|| panic!("no {name}: {text}"))
+            .trim()
+            .to_owned()
+    };
+    let largest = line(&checked, "largest error");
+    let points = largest.split_once("checked at ").unwrap().1;
+    let points = points.split_whitespace().next().unwrap();
+    for name in ["beta_lim", "motion"] {
+        let expected = format!(
+            "Checked at {points} points, not proven: between them an error may be larger; --prove proves it."
+        );
+        assert_eq!(line(&checked, name), expected);
+        assert!(
+            line(&proven, name).starts_with("Proven at every r: "),
+            "{proven}"
+        );
+    }
+    assert!(!proven.contains("not proven"), "{proven}");
+    let asked = ["compile", FRAME, "--accuracy", "1e-8", "--r", "0.2:2.5"];
+    let fine = output("", &asked);
+    assert!(
+        line(&fine, "beta_lim").ends_with("; --prove proves accuracies down to 1e-6."),
+        "{fine}"
     );
 }
 
@@ -100,7 +135,7 @@ fn a_description_that_declares() {
     );
     // β_lim cannot be proven to 1e-9, whatever proof the description requests from the macro.
     let proven = declared.replace("0.5..2 }", "0.5..2 }, proof: whole");
-    let text = output(&proven, &["compile", "--accuracy", "1e-9"]);
+    let text = output(&proven, &["compile", "--accuracy", "1e-9", "--prove"]);
     assert!(
         text.contains("beta_lim        Checked, not proven"),
         "{text}"
@@ -124,6 +159,7 @@ fn the_data() {
             "1e-3",
             "--r",
             "0.2:2.5",
+            "--prove",
             "--format",
             "json",
         ],

@@ -292,10 +292,12 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
 fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     // No work was spent on a proof, and more work might prove the table.
     let untried = tables.proof.work == Work(0) && FINEST_PROVEN <= tables.request.accuracy;
-    let remedy = if untried {
-        "  `proof: whole` in the scene asks for a proof."
-    } else {
-        ""
+    let remedy = match (untried, cfg!(feature = "proof")) {
+        (true, true) => "  `proof: whole` in the scene asks for a proof.",
+        (true, false) => {
+            "  With the feature `proof` of frictiongen, `proof: whole` in the scene asks for a proof."
+        }
+        (false, _) => "",
     };
     vec![
         " β_lim (5.65, 5.80, 5.96, 7.49) from the table.".to_owned(),

@@ -9,8 +9,29 @@ pub struct Limits {
     pub masses: usize,
     /// True if the tables of a declared accuracy are built.
     pub tables: bool,
-    /// True if the tables are proven. A check of the description needs no proof.
-    pub proof: bool,
+    /// The proof of the tables.
+    pub proof: ProofAt,
+}
+
+/// The proof of tables, as a caller of the parser wants it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ProofAt {
+    /// The tables are not proven. A check of a description needs no proof.
+    Never,
+    /// The tables are proven as far as the description requests. It needs the feature `proof`.
+    Requested,
+    /// The tables are not proven, and `proof: whole` is an error that names the feature `proof`.
+    Missing,
+}
+
+impl ProofAt {
+    /// The proof in a macro of this build.
+    pub const MACRO: Self = if cfg!(feature = "proof") {
+        Self::Requested
+    } else {
+        Self::Missing
+    };
 }
 
 impl Limits {
@@ -18,17 +39,17 @@ impl Limits {
     pub const MACRO: Self = Self {
         masses: 64,
         tables: true,
-        proof: true,
+        proof: ProofAt::MACRO,
     };
     /// Limits of a macro expansion without a proof, for checks that discard the emitted code.
     pub const CHECK: Self = Self {
-        proof: false,
+        proof: ProofAt::Never,
         ..Self::MACRO
     };
     /// Limits of a scene that is solved at run time, without tables.
     pub const RUN_TIME: Self = Self {
         masses: MOST_MASSES,
         tables: false,
-        proof: false,
+        proof: ProofAt::Never,
     };
 }

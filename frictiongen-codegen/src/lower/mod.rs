@@ -7,7 +7,9 @@ use core::fmt;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Precision, Proving, Scene};
 use frictiongen_model::stepping::refused_step;
-use frictiongen_model::table::{TableError, Tables, Work};
+#[cfg(feature = "proof")]
+use frictiongen_model::table::Work;
+use frictiongen_model::table::{TableError, Tables};
 use frictiongen_model::transient::excess_loss;
 use frictiongen_model::validate::Path;
 use frictiongen_syntax::{Diagnostics, Located, Problems, Readable, Syntax};
@@ -17,7 +19,10 @@ use crate::diagnostics::{Failure, Partial};
 use crate::header::Header;
 use crate::tokens::{self, Sources};
 
-pub use limits::Limits;
+pub use limits::{Limits, ProofAt};
+
+/// The error of `proof: whole` in a build without the feature `proof`.
+const WITHOUT_PROOF: &str = "`proof: whole` needs the feature `proof` of frictiongen, which is off; write `frictiongen = { version = \"0.1\", features = [\"proof\"] }` in Cargo.toml, or leave `proof` out, so that the table is checked but not proven";
 
 /// A description that was read and that makes physical sense.
 pub struct Description {
@@ -77,22 +82,32 @@ impl SceneTables {
         })
     }
 
-    /// Returns the tables with a proof of their accuracy, as far as `work` allows.
-    #[must_use]
-    pub fn proven(self, scene: &Scene, work: Work) -> Self {
+    /// Adds a proof of the accuracy, as far as `work` allows.
+    #[cfg(feature = "proof")]
+    pub fn prove(&mut self, scene: &Scene, work: Work) {
         let modal = Modal::of(scene);
         match self {
-            Self::Double(tables) => Self::Double(tables.proven(&modal, work)),
-            Self::Single(tables) => Self::Single(tables.proven(&modal, work)),
+            Self::Double(tables) => frictiongen_proof::prove(tables, &modal, work),
+            Self::Single(tables) => frictiongen_proof::prove(tables, &modal, work),
         }
     }
 
-    /// Returns the tables with a proof if `work` is likely to suffice, and otherwise without.
-    fn proven_if_small(self, scene: &Scene, work: Work) -> Self {
+    /// Adds a proof of the accuracy if `work` is likely to suffice.
+    #[cfg(feature = "proof")]
+    fn prove_if_small(&mut self, scene: &Scene, work: Work) {
         let modal = Modal::of(scene);
         match self {
-            Self::Double(tables) => Self::Double(tables.proven_if_small(&modal, work)),
-            Self::Single(tables) => Self::Single(tables.proven_if_small(&modal, work)),
+            Self::Double(tables) => frictiongen_proof::prove_if_small(tables, &modal, work),
+            Self::Single(tables) => frictiongen_proof::prove_if_small(tables, &modal, work),
+        }
+    }
+
+    /// Adds the proof that a scene requests from the macro.
+    #[cfg(feature = "proof")]
+    fn prove_requested(&mut self, scene: &Scene) {
+        match scene.declared.proof {
+            Proving::Quick => self.prove_if_small(scene, Work::AT_EXPANSION),
+            Proving::Whole => self.prove(scene, Work::WHOLE),
         }
     }
 }
@@ -144,6 +159,13 @@ fn lower(
 ) -> Result<Description, Box<Partial>> {
     let header = Header::of(syntax, sources, problems);
     let located = syntax.lower(limits.masses, problems);
+    if let Some(located) = &located
+        && limits.proof == ProofAt::Missing
+        && located.scene.declared.proof == Proving::Whole
+        && problems.is_empty()
+    {
+        problems.report(located.place(Path::Proof), WITHOUT_PROOF);
+    }
     let mut tables = None;
     if let Some(located) = &located
         && limits.tables
@@ -162,11 +184,7 @@ fn lower(
     match (located, &syntax.name) {
         (Some(Located { scene, .. }), Some(name)) if problems.is_empty() => Ok(Description {
             // The proof takes longest, so it runs after all checks.
-            tables: tables.map(|tables| match scene.declared.proof {
-                _ if !limits.proof => tables,
-                Proving::Quick => tables.proven_if_small(&scene, Work::AT_EXPANSION),
-                Proving::Whole => tables.proven(&scene, Work::WHOLE),
-            }),
+            tables: proven(tables, &scene, limits),
             attributes: header.attributes,
             visibility: header.visibility,
             name: sources.ident(name),
@@ -227,4 +245,17 @@ fn partial(syntax: &Syntax, sources: &Sources, header: Header) -> Partial {
         forces,
         has_step,
     }
+}
+
+/// Returns the tables with the requested proof, as far as the limits allow one.
+fn proven(tables: Option<SceneTables>, scene: &Scene, limits: &Limits) -> Option<SceneTables> {
+    #[cfg(feature = "proof")]
+    if limits.proof == ProofAt::Requested {
+        return tables.map(|mut tables| {
+            tables.prove_requested(scene);
+            tables
+        });
+    }
+    let _ = (scene, limits);
+    tables
 }

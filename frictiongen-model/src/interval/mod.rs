@@ -1,11 +1,9 @@
 //! Interval arithmetic with outward rounding. An interval contains every value that a function takes. Intervals are
-//! also combined with a slope, or into Taylor series.
+//! also combined with a slope.
 
 mod jet;
-mod series;
 
 pub use jet::{Jet, Number};
-pub use series::Series;
 
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
@@ -27,7 +25,7 @@ const BELOW: f64 = 1.0 - f64::EPSILON;
 const ABOVE: f64 = 1.0 + f64::EPSILON;
 /// Allowance for underflow. A subnormal number would suffice, but processors are much slower with subnormal numbers.
 /// Products with this number are still normal.
-const TINY: f64 = 1e-290;
+pub const TINY: f64 = 1e-290;
 /// Relative error bound of libm's exponential, which is within one unit in the last place. The bound is more than two
 /// units.
 const EXPONENTIAL: f64 = 5e-16;
@@ -145,7 +143,8 @@ impl Interval {
 
     /// Returns the bounds of a product, rounded to nearest. A bound is NaN where 0 meets an infinite bound.
     #[inline(always)]
-    fn ends_times(self, other: Self) -> (f64, f64) {
+    #[must_use]
+    pub fn ends_times(self, other: Self) -> (f64, f64) {
         let Self { low: a, high: b } = self;
         let Self { low: c, high: d } = other;
         // The signs decide which two products are needed in most cases.
@@ -171,7 +170,8 @@ impl Interval {
 
     /// Returns whether the interval contains only 0.
     #[inline(always)]
-    pub(crate) fn is_nothing(&self) -> bool {
+    #[must_use]
+    pub fn is_nothing(&self) -> bool {
         self.low == 0.0 && self.high == 0.0
     }
 

@@ -11,16 +11,17 @@ use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
 /// Index of arg V among the functions. The functions before it are divided by |V|/β_lim.
-pub(super) const ANGLE: usize = 3;
+pub const ANGLE: usize = 3;
 /// Index of |V|, if it is one of the functions.
-pub(super) const SIZE: usize = 4;
+pub const SIZE: usize = 4;
 /// Fraction of its terms below which a sum has lost significant digits.
 const CANCELS: f64 = 1e-2;
 
 /// The functions at one r: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. |V| is known separately. For an undamped
 /// chain a is multiplied by sgn V, which makes it smooth across a resonance, and arg V is 0.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sample {
+pub struct Sample {
+    /// β_lim.
     pub limit: f64,
     quadrature: f64,
     displacement: f64,
@@ -30,8 +31,10 @@ pub(super) struct Sample {
 }
 
 /// A scene that computes exact values and stores them.
-pub(super) struct Exact<'a> {
+pub struct Exact<'a> {
+    /// The modal analysis of the scene.
     pub modal: &'a Modal,
+    /// The constants of the scene in double precision.
     pub reduced: Reduced<f64>,
     contact_modes: Vec<ContactMode>,
     seen: HashMap<u64, Sample>,
@@ -39,6 +42,8 @@ pub(super) struct Exact<'a> {
 }
 
 impl<'a> Exact<'a> {
+    /// Creates a scene without stored values.
+    #[must_use]
     pub fn new(modal: &'a Modal) -> Self {
         Self {
             modal,
@@ -58,6 +63,8 @@ impl<'a> Exact<'a> {
         &self.contact_modes
     }
 
+    /// Returns whether any mode is damped.
+    #[must_use]
     pub fn damped(&self) -> bool {
         self.reduced.chain.damped
     }

@@ -160,7 +160,7 @@ fn unwrap(angles: &mut [f64]) {
 
 /// Returns the coefficients of the polynomial through values at given points, by divided
 /// differences.
-pub(super) fn interpolated(places: &[f64], values: &[f64]) -> Vec<f64> {
+pub fn interpolated(places: &[f64], values: &[f64]) -> Vec<f64> {
     let mut differences = values.to_vec();
     let count = places.len();
     for order in 1..count {

@@ -2,7 +2,7 @@
 //! wrong numbers.
 
 use super::held::{Held, HeldForm};
-use super::proof::tests::scene;
+use super::samples::scene;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::{Factor, Root};

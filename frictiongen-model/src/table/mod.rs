@@ -3,12 +3,14 @@
 //! Polynomials approximate β_lim over pieces of r that are as long as the accuracy allows. Near a known zero r₀ of
 //! β_lim the polynomial is fitted to β_lim/(r − r₀). β*_lim, |V| and the responses while the contact is stuck are
 //! products over their zeros and poles. A check compares the tables with the exact values at points that the fit did
-//! not use, in the arithmetic of the tables. A proof can cover all r between these points.
+//! not use, in the arithmetic of the tables. `frictiongen-proof` covers all r between these points.
 
+mod bounds;
 mod check;
 mod cover;
 mod digits;
 mod errors;
+mod evidence;
 mod exact;
 mod fit;
 mod held;
@@ -17,11 +19,11 @@ mod held_zeros;
 mod index;
 mod kinks;
 mod product;
-mod proof;
 mod proportional;
 mod quotients;
 mod reach;
 mod request;
+mod rounding;
 mod shares;
 mod split;
 mod tables;
@@ -30,17 +32,29 @@ mod worst;
 mod zeros;
 
 pub use errors::FRICTION_SHARES;
+pub use evidence::{Evidence, Proof, Work};
 pub use fit::Fitted;
 pub use held::{Held, HeldForm};
 pub use index::Index;
 pub use product::Product;
-pub use proof::{Evidence, Proof, Work};
 pub use reach::Reach;
 pub use request::{COARSEST, FINEST, FINEST_PROVEN, FINEST_SINGLE, Request, TableError};
 pub use tables::{Report, Tables};
 pub use worst::Worst;
 
+/// Functions of the builder that a proof of its tables needs.
+#[doc(hidden)]
+pub mod building {
+    pub use super::exact::{ANGLE, Exact, SIZE, Sample};
+    pub use super::fit::interpolated;
+    pub use super::rounding::rounding;
+    pub use super::split::{Edge, Landmarks};
+    pub use super::zeros::{ContactMode, Zero, Zeros, contact_modes};
+}
+
 #[cfg(test)]
 mod held_tests;
+#[cfg(test)]
+mod samples;
 #[cfg(test)]
 mod tests;

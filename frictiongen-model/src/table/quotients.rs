@@ -1,9 +1,10 @@
 //! β*_lim and |V| as quotients of products, compared with the sums over the modes.
 
+use super::bounds::Receptances;
 use super::check;
+use super::evidence::Proof;
 use super::exact::Exact;
 use super::product::Product;
-use super::proof::{Proof, Receptances};
 use super::request::Request;
 use super::split::Landmarks;
 use super::worst::Worst;

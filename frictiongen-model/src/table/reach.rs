@@ -1,9 +1,10 @@
 //! Regimes that the permitted friction ratios can reach, according to the tables.
 
+use super::bounds::unit;
 use super::product::Product;
-use super::proof::{polynomial, rounding, unit};
+use super::rounding::rounding;
 use super::tables::Tables;
-use crate::interval::{Interval, Series};
+use crate::interval::{Interval, Jet, Number};
 use crate::scene::{Beyond, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
@@ -75,11 +76,10 @@ impl<S: Float> Tables<S> {
             let off = rounding::<S>(&coefficients, origin, (from, to), None);
             let least = |r: Interval| {
                 let middle = Interval::point(r.middle());
-                let [at, over] = [middle, r].map(|r| {
-                    let origin = Series::fixed(Interval::point(origin));
-                    polynomial::<3>(&coefficients, Series::variable(r) - origin)
-                });
-                Series::joined(&at, &over).range(r - middle).low - off
+                let at = polynomial(&coefficients, middle - Interval::point(origin));
+                let t = Jet::variable(r - Interval::point(origin));
+                let slope = polynomial(&coefficients, t).slope;
+                (at + slope * (r - middle)).low - off
             };
             above = above && exceeds(Interval::new(from, to), HALVINGS, &least, most);
         }
@@ -93,6 +93,15 @@ impl<S: Float> Tables<S> {
         let mut parts = Interval::new(low, high).parts(PARTS);
         parts.all(|part| exceeds(part, HALVINGS, &least, most))
     }
+}
+
+/// Returns Σ c_k tᵏ.
+fn polynomial<T: Number>(coefficients: &[f64], t: T) -> T {
+    let zero = T::number(0.0);
+    coefficients
+        .iter()
+        .rev()
+        .fold(zero, |sum, coefficient| sum * t + T::number(*coefficient))
 }
 
 /// Returns whether a function with the lower bound `least` exceeds a number over a whole interval.
@@ -158,7 +167,7 @@ fn value<S: Float>(factor: &Factor<S>, r: Interval) -> Interval {
 
 #[cfg(test)]
 mod tests {
-    use super::super::proof::tests::{random, request, scene};
+    use super::super::samples::{random, request, scene};
     use super::super::{Reach, Request, Tables};
     use crate::scene::Side;
     use frictiongen_kernel::Float;

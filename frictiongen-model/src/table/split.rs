@@ -6,8 +6,10 @@ use frictiongen_kernel::number::dd::Dd;
 
 /// A zero of β_lim, as a double and its remainder.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Edge {
+pub struct Edge {
+    /// The zero as a double.
     pub at: f64,
+    /// The zero minus `at`.
     pub rest: f64,
 }
 
@@ -38,7 +40,7 @@ const MOST: usize = 10_000;
 
 /// Properties of β_lim over a range that are known before any fit.
 #[derive(Clone, Debug)]
-pub(super) struct Landmarks {
+pub struct Landmarks {
     /// The zeros of β_lim within the range and just outside, ascending.
     pub zeros: Vec<Edge>,
     /// The resonances of undamped modes within the range, at which arg V jumps.
@@ -61,6 +63,8 @@ impl Landmarks {
         self.closely.insert(place, r);
     }
 
+    /// Finds the properties over a range. `zeros` is `None` if the zeros could not be separated.
+    #[must_use]
     pub fn of(modal: &Modal, zeros: Option<&Zeros>, (low, high): (f64, f64)) -> Self {
         let within = |r: f64| low <= r && r <= high;
         let (mut edges, mut centres, mut jumps) = (Vec::new(), Vec::new(), Vec::new());

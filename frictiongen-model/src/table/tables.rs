@@ -1,6 +1,7 @@
 //! Builds the tables of a scene, from the request to the report.
 
 use super::cover::Stuck;
+use super::evidence::Proof;
 use super::exact::Exact;
 use super::fit::{Fitted, TERMS, terms};
 use super::held::Held;
@@ -8,7 +9,6 @@ use super::held_build::rounded;
 use super::index::Index;
 use super::kinks;
 use super::product::Product;
-use super::proof::Proof;
 use super::quotients::Products;
 use super::request::{COARSEST, FINEST, FINEST_PROVEN, Request, TableError};
 use super::shares::{cover, relative};
@@ -101,6 +101,12 @@ impl<S: Float> Tables<S> {
             other => other,
         })?;
         Ok(tables.with(Self::held_of(modal, &request).as_ref()))
+    }
+
+    /// Returns the kinks of β_lim, ascending.
+    #[must_use]
+    pub fn kinks(&self) -> &[f64] {
+        &self.kinks
     }
 
     /// Returns whether amplitude and phase of the contact follow from these tables.

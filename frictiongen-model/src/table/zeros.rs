@@ -28,8 +28,10 @@ const ANGLES: f64 = 0.7;
 
 /// A zero s = x + iy, in double-double. A conjugate pair is represented by its zero with y > 0.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Zero {
+pub struct Zero {
+    /// Real part.
     pub x: Dd,
+    /// Imaginary part, not negative.
     pub y: Dd,
 }
 
@@ -71,7 +73,8 @@ impl Zero {
 
 /// Zeros of V and H of the contact, and their poles.
 #[derive(Clone, Debug)]
-pub(super) struct Zeros {
+pub struct Zeros {
+    /// True if any mode is damped.
     pub damped: bool,
     /// Zeros of V that are not zeros of H.
     pub excitation: Vec<Zero>,
@@ -86,13 +89,15 @@ pub(super) struct Zeros {
 }
 
 /// A mode in double-double, with its contributions to V and to H.
-pub(super) struct ContactMode {
+pub struct ContactMode {
+    /// Resonance, damping ratio and contribution to H.
     pub driven: Driven,
+    /// Contribution to V.
     pub residue: Dd,
 }
 
 /// Returns the modes that the contact drives.
-pub(super) fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
+pub fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
     let modes = modal.resonances.iter().zip(&modal.damping_ratios);
     let drives = modal.loads.iter().zip(&modal.contacts);
     let mut contact_modes: Vec<ContactMode> = Vec::new();

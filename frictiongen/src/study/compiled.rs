@@ -11,7 +11,9 @@ use frictiongen_kernel::table::{
     Compiled, ContactTable, Domain, Moving, Piece, SteadyContact, Table, Tabled, TabledMotion,
 };
 use frictiongen_model::scene::Side;
-use frictiongen_model::table::{Fitted, Proof, Request, TableError, Tables, Work};
+#[cfg(feature = "proof")]
+use frictiongen_model::table::Work;
+use frictiongen_model::table::{Fitted, Proof, Request, TableError, Tables};
 use std::ops::{Deref, Range};
 
 /// The number of functions that share pieces: β_lim, a, g, arg V and |V|.
@@ -136,14 +138,15 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
 
     /// Returns the tables with proofs for β_lim and the contact's motion, as far as the work suffices. [`Work::WHOLE`]
     /// takes a few seconds.
+    #[cfg(feature = "proof")]
     #[must_use]
     pub fn proven(mut self, work: Work) -> Self {
-        self.tables = self.tables.proven(self.system.modal(), work);
+        frictiongen_proof::prove(&mut self.tables, self.system.modal(), work);
         self
     }
 
-    /// Returns what is proven of β_lim. Before [`proven`](Self::proven) nothing is proven, and the tables are only
-    /// checked.
+    /// Returns what is proven of β_lim. Without a proof, by `proven` with the feature `proof`, the tables are only
+    /// checked at points.
     ///
     /// The proof for the motion is `tables().motion_proof`. The proof for β*_lim is `tables().sliding_proof`, which
     /// takes no work.

@@ -5,7 +5,7 @@ use super::scenes::{scene, scenes};
 use frictiongen::System;
 use frictiongen::study::scene::Side;
 use frictiongen::study::table::{Evidence, Proof, Request, TableError, Tables, Work};
-use frictiongen_codegen::{Limits, SceneTables, parse_text, pretty};
+use frictiongen_codegen::{Limits, ProofAt, SceneTables, parse_text, pretty};
 use frictiongen_kernel::Float;
 use fuzzing::Random;
 use std::time::Instant;
@@ -26,7 +26,10 @@ fn held(name: &str, text: &str, accuracy: f64, points: usize, random: &mut Rando
         stuck: false,
     };
     let tables = match Tables::<f64>::build(system.modal(), request) {
-        Ok(tables) => tables.proven(system.modal(), Work::WHOLE),
+        Ok(mut tables) => {
+            frictiongen_proof::prove(&mut tables, system.modal(), Work::WHOLE);
+            tables
+        }
         Err(TableError::NotMet { .. }) => return None,
         Err(error) => panic!("{name}: {error}"),
     };
@@ -193,7 +196,8 @@ fn where_the_scene_asks() {
             pretty(&with("proof: quick")).unwrap()
         );
         let [checked, proven] = [quick, whole].map(|read| (read.tables.unwrap(), read.scene));
-        let by_a_command = checked.0.clone().proven(&checked.1, Work::WHOLE);
+        let mut by_a_command = checked.0.clone();
+        by_a_command.prove(&checked.1, Work::WHOLE);
         let (checked, proven) = (known(&checked.0), known(&proven.0));
         assert_eq!(checked.0[0].evidence, Evidence::Checked, "{name}");
         assert_eq!(proven, known(&by_a_command), "{name}");
@@ -222,7 +226,8 @@ fn unasked() {
         );
         let read = parse_text(&text, &Limits::MACRO).expect("a scene");
         let (tables, scene) = (read.tables.expect("tables"), read.scene);
-        let whole = tables.clone().proven(&scene, Work::WHOLE);
+        let mut whole = tables.clone();
+        whole.prove(&scene, Work::WHOLE);
         assert_eq!(known(&tables), known(&whole), "{name}");
         let ([limit, motion], _) = known(&tables);
         for proof in [limit, motion] {
@@ -232,6 +237,38 @@ fn unasked() {
         seen += 1;
     }
     assert_eq!(seen, 4 + 6 + 6 + 3);
+}
+
+/// Without the feature `proof` a macro checks the same numbers, and refuses `proof: whole` at its value.
+#[test]
+fn without_the_feature() {
+    let limits = Limits {
+        proof: ProofAt::Missing,
+        ..Limits::MACRO
+    };
+    let text = scene("Wall", 2, "modal(0.02)", "1.2", "f64");
+    let end = text.rfind('}').expect("a scene");
+    let with = |proof: &str| {
+        let fields = format!("accuracy: 1e-4,\nrange: {{ r: 0.2..2.5 }},\n{proof}");
+        format!("{}, {fields} }}", &text[..end])
+    };
+    for proof in ["", "proof: quick"] {
+        let read = parse_text(&with(proof), &limits).expect("a scene");
+        let own = known(&read.tables.expect("tables"));
+        let proven = parse_text(&with(proof), &Limits::MACRO).expect("a scene");
+        let proven = known(&proven.tables.expect("tables"));
+        assert_eq!(own.1, proven.1);
+        for (own, proven) in own.0.iter().zip(&proven.0) {
+            assert_eq!(own.evidence, Evidence::Checked);
+            assert_eq!(proven.evidence, Evidence::Proven);
+        }
+    }
+    let refused = parse_text(&with("proof: whole"), &limits).expect_err("no feature");
+    let told = refused.to_string();
+    let expected = "`proof: whole` needs the feature `proof` of frictiongen";
+    assert!(told.contains(expected), "{told}");
+    let line = with("proof: whole").lines().count();
+    assert!(told.starts_with(&format!("{line}:8:")), "{told}");
 }
 
 /// With a byte budget in place of an accuracy, no table is used that could only be checked.

@@ -1,13 +1,14 @@
 //! A witness: an instant, as a polynomial in r, at which the velocity constraint is nearly largest. Also β_lim for that
 //! constraint.
 
-use super::stage::Stage;
-use super::{early, force};
-use crate::interval::{Interval, Series};
+use crate::series::Series;
+use crate::stage::Stage;
+use crate::{early, force};
+use frictiongen_model::interval::Interval;
 
 /// The assumed position of the largest velocity constraint over an interval of r.
 #[derive(Clone, Debug)]
-pub(super) enum Witness {
+pub(crate) enum Witness {
     /// The break-away term, which for μ = 1 is the start of the half period.
     BreakAway,
     /// The sum at τ = πt, with t a polynomial in r − r₀.
@@ -28,10 +29,7 @@ impl Witness {
 }
 
 /// Returns Σ c_k tᵏ.
-pub(in crate::table) fn polynomial<const N: usize>(
-    coefficients: &[f64],
-    t: Series<N>,
-) -> Series<N> {
+pub(crate) fn polynomial<const N: usize>(coefficients: &[f64], t: Series<N>) -> Series<N> {
     let zero = Series::fixed(Interval::ZERO);
     coefficients.iter().rev().fold(zero, |sum, coefficient| {
         sum * t + Series::fixed(Interval::point(*coefficient))
@@ -43,7 +41,7 @@ pub(in crate::table) fn polynomial<const N: usize>(
 /// D = N sin τ − F must be positive at all other instants, with N slightly above the constraint. For a witness near the
 /// start, D/τ takes the place of D.
 #[derive(Clone, Debug)]
-pub(super) struct Seen<const N: usize> {
+pub(crate) struct Seen<const N: usize> {
     /// The instant over π.
     pub t: Series<N>,
     /// sin τ, or sin τ/τ.

@@ -1,7 +1,8 @@
 //! The sum of the velocity constraint, F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)], and its derivatives, with τ = πt.
 
-use super::stage::{Kind, ModeStage, Stage};
-use crate::interval::{Interval, Series};
+use crate::series::Series;
+use crate::stage::{Kind, ModeStage, Stage};
+use frictiongen_model::interval::Interval;
 
 /// Returns a mode's free displacement p and its slope p′.
 fn free<const N: usize>(mode: &ModeStage<N>, t: &Series<N>) -> (Series<N>, Series<N>) {
@@ -37,7 +38,7 @@ fn free<const N: usize>(mode: &ModeStage<N>, t: &Series<N>) -> (Series<N>, Serie
 }
 
 /// Returns p and p′ of all modes at an instant.
-pub(super) fn motions<const N: usize>(
+pub(crate) fn motions<const N: usize>(
     stage: &Stage<N>,
     t: &Series<N>,
 ) -> Vec<(Series<N>, Series<N>)> {
@@ -45,7 +46,7 @@ pub(super) fn motions<const N: usize>(
 }
 
 /// Returns F at an instant, which may depend on r.
-pub(super) fn value<const N: usize>(
+pub(crate) fn value<const N: usize>(
     stage: &Stage<N>,
     motions: &[(Series<N>, Series<N>)],
     cosine: &Series<N>,
@@ -58,7 +59,7 @@ pub(super) fn value<const N: usize>(
 }
 
 /// Returns F′ at an instant.
-pub(super) fn slope<const N: usize>(
+pub(crate) fn slope<const N: usize>(
     stage: &Stage<N>,
     motions: &[(Series<N>, Series<N>)],
     sine: &Series<N>,
@@ -74,7 +75,7 @@ pub(super) fn slope<const N: usize>(
 }
 
 /// Returns F′, F″ and F‴ over a box of r and τ.
-pub(super) fn derivatives<const N: usize>(
+pub(crate) fn derivatives<const N: usize>(
     stage: &Stage<N>,
     motions: &[(Series<N>, Series<N>)],
     (sine, cosine): (Interval, Interval),
@@ -104,7 +105,7 @@ pub(super) fn derivatives<const N: usize>(
 }
 
 /// Returns F″ at τ = 0, where p′ = 1, p″ = −2ζx and p‴ = x²(4ζ² − 1).
-pub(super) fn bend_at_start<const N: usize>(stage: &Stage<N>) -> Series<N> {
+pub(crate) fn bend_at_start<const N: usize>(stage: &Stage<N>) -> Series<N> {
     let one = Series::fixed(Interval::ONE);
     let zero = Series::fixed(Interval::ZERO);
     stage.modes.iter().fold(zero, |sum, mode| {

@@ -5,37 +5,45 @@
 //! witness as r changes. In each cell the value, the slope and a bound of the second derivative bound D from below.
 //! About the witness, where D nearly vanishes, a single parabola bounds it.
 
-use super::cells::{BENT, Cells, Flank, Part, ROUNDING};
-use super::force;
-use super::found::Budget;
-use super::ridge::Region;
-use super::stage::{ModeStage, ORDER};
-use super::witness::Witness;
-use crate::interval::{Interval, Series};
+use crate::cells::{BENT, Cells, Flank, Part, ROUNDING};
+use crate::force;
+use crate::found::Budget;
+use crate::ridge::Region;
+use crate::series::Series;
+use crate::stage::{ModeStage, ORDER};
+use crate::witness::Witness;
+use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of the first cell, in radians of the fastest mode.
+/// Length of the first cell, in radians of the fastest mode. Tuned: a longer cell has wider bounds of D″.
 const CELL: f64 = 1.0;
-/// Relative difference above which N is far above the witness.
+/// Relative difference above which N is far above the witness. Tuned: D is then clearly positive at the witness.
 const FAR_ABOVE: f64 = 0.01;
-/// Smallest D″ about a witness, relative to D″ at the witness, where the fraction `BENT` does not suffice.
+/// Smallest D″ about a witness, relative to D″ at the witness, where the fraction `BENT` does not suffice. Tuned: it
+/// gives a steeper parabola in a narrower region.
 const MORE_BENT: f64 = 0.5;
-/// Shortest cell, as a fraction of its side.
+/// Shortest cell, as a fraction of its side. Tuned: it bounds the work of a side that fails, for which the interval
+/// of r is halved.
 const SHORTEST: f64 = 1e-3;
-/// Length of a cell, in radians of the fastest mode, below which another instant may compete; and the largest number of
-/// searches for it.
+/// Length of a cell, in radians of the fastest mode, below which another instant may compete. Tuned: cells become
+/// short where D is small.
 const COMPETE: f64 = 0.1;
+/// Largest number of searches for such an instant. Tuned: it bounds their work.
 const MOST_TRIED: usize = 4;
-/// Growth of the next cell after a cell that was certified.
+/// Growth of the next cell after a cell that was certified. Tuned: fast growth saves cells, but a cell that fails is
+/// lost work.
 const LONGER: f64 = 1.4;
-/// First range of a single bound from the start of the half period, in radians of the fastest mode. If the bound fails,
-/// the range shrinks by the factor `EARLY_STEP`, at most `EARLY_STEPS` times.
+/// First range of a single bound from the start of the half period, in radians of the fastest mode. Tuned: a longer
+/// range saves cells, but its bound is wider.
 const EARLY: f64 = 0.3;
+/// Largest number of times that the range shrinks after a failed bound. Tuned: the last range is an eighth of the
+/// first.
 const EARLY_STEPS: usize = 6;
+/// Factor by which the range shrinks. Tuned with `EARLY_STEPS`.
 const EARLY_STEP: f64 = 0.7;
 
 /// Returns whether every velocity constraint over the interval is below that of the witness, up to the margin.
-pub(super) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
+pub(crate) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
     // Without damping and with every x ≤ 2, the sum is largest at the start of the half period.
     let slow = |mode: &ModeStage<ORDER>| mode.x.value().high <= 2.0;
     let is_start = matches!(part.witness, Witness::BreakAway);

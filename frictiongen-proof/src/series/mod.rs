@@ -1,7 +1,10 @@
 //! Taylor series with intervals as coefficients.
 
-use super::{Interval, TINY};
-use std::ops::{Add, Div, Mul, Neg, Sub};
+mod operators;
+#[cfg(test)]
+mod tests;
+
+use frictiongen_model::interval::{Interval, TINY};
 
 /// The first `N` Taylor coefficients f⁽ᵏ⁾/k! of a function of one variable, at a point or over an interval.
 ///
@@ -14,8 +17,9 @@ pub struct Series<const N: usize> {
     pub terms: [Interval; N],
 }
 
-/// Number of summed terms of the series of sin(πz)/(πz), and a bound on the remaining terms for |z| ≤ 1.
+/// Number of summed terms of the series of sin(πz)/(πz). The next one is below 10⁻²⁹ for |z| ≤ 1.
 const SINC_TERMS: usize = 21;
+/// Bound on the remaining terms of a derivative over k!, for k below the number of terms of a series.
 const SINC_REST: f64 = 1e-17;
 
 impl<const N: usize> Series<N> {
@@ -161,7 +165,9 @@ impl<const N: usize> Series<N> {
         let pairs = a.iter().zip(b.iter().rev());
         let pairs = pairs.filter(|(a, b)| !a.is_nothing() && !b.is_nothing());
         let products = pairs.map(|(a, b)| *a * *b);
-        products.reduce(Add::add).unwrap_or(Interval::ZERO)
+        products
+            .reduce(|sum, product| sum + product)
+            .unwrap_or(Interval::ZERO)
     }
 
     /// Returns the coefficients j·a_j.
@@ -332,82 +338,5 @@ impl<const N: usize> Series<N> {
             }
         }
         (value + slope * (t - middle)).both(plain)
-    }
-}
-
-impl<const N: usize> Add for Series<N> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        let mut series = self;
-        let (mut terms, mut others) = (series.terms.as_mut_slice(), other.terms.as_slice());
-        while let ([a, after @ ..], [b, others_after @ ..]) = (terms, others) {
-            *a = *a + *b;
-            (terms, others) = (after, others_after);
-        }
-        series
-    }
-}
-
-impl<const N: usize> Sub for Series<N> {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        let mut series = self;
-        let (mut terms, mut others) = (series.terms.as_mut_slice(), other.terms.as_slice());
-        while let ([a, after @ ..], [b, others_after @ ..]) = (terms, others) {
-            *a = *a - *b;
-            (terms, others) = (after, others_after);
-        }
-        series
-    }
-}
-
-impl<const N: usize> Neg for Series<N> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self {
-            terms: self.terms.map(Neg::neg),
-        }
-    }
-}
-
-impl<const N: usize> Mul for Series<N> {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        let mut terms = [Interval::ZERO; N];
-        if let ([own], [a], [b]) = (
-            terms.as_mut_slice(),
-            self.terms.as_slice(),
-            other.terms.as_slice(),
-        ) {
-            *own = *a * *b;
-            return Self { terms };
-        }
-        let (a, b) = (Self::trimmed(&self.terms), Self::trimmed(&other.terms));
-        for (k, term) in terms.iter_mut().enumerate() {
-            *term = Self::convolved(a, b, k, 0);
-        }
-        Self { terms }
-    }
-}
-
-impl<const N: usize> Div for Series<N> {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        let mut quotient = Self::fixed(Interval::ZERO);
-        if other.value().holds_zero() {
-            return Self {
-                terms: [Interval::ALL; N],
-            };
-        }
-        let divisor = Self::trimmed(&other.terms);
-        let inverse = Interval::ONE / other.value();
-        for k in 0..N {
-            // a_k = Σ b_j q_{k−j}, with the sum from j = 1 on already known.
-            let known = Self::convolved(divisor, &quotient.terms, k, 1);
-            if let Some(term) = quotient.terms.get_mut(k) {
-                *term = (self.term(k) - known) * inverse;
-            }
-        }
-        quotient
     }
 }

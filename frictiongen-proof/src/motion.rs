@@ -5,42 +5,37 @@
 //! up to a small margin, and α is the witness's α up to the same margin. The margin changes the difference by no more
 //! than itself.
 
-use super::super::errors::FRICTION_SHARES;
-use super::super::exact::{ANGLE, SIZE};
-use super::super::fit::Fitted;
-use super::super::worst::Worst;
-use super::compare::{CELLS, Compared, SHORT, divided, rounding};
-use super::stage::{ORDER, Stage};
-use super::witness::{Seen, polynomial};
-use crate::interval::{Interval, Series};
+use crate::compare::{CELLS, Compared, SHORT, SMALL, divided};
+use crate::series::Series;
+use crate::stage::{ORDER, Stage};
+use crate::witness::{Seen, polynomial};
 use frictiongen_kernel::{Float, Scalar};
+use frictiongen_model::interval::Interval;
+use frictiongen_model::table::FRICTION_SHARES;
+use frictiongen_model::table::Fitted;
+use frictiongen_model::table::Worst;
+use frictiongen_model::table::building::{ANGLE, SIZE, rounding};
 use std::f64::consts::PI;
 
 /// Bounds of the intervals of the friction ratio, over its largest value. Towards the largest value the root vanishes
-/// and the amplitude changes fast.
+/// and the amplitude changes fast. Tuned: the intervals become shorter as it does.
 const SHARES: [f64; 11] = [
     0.0, 0.4, 0.65, 0.8, 0.88, 0.93, 0.96, 0.98, 0.99, 0.997, 1.0,
 ];
-/// Number of roundings in the emitted results: of a and g times β/β_lim, of the root, and of the phase with its arc
-/// tangent.
-const OF_SHARE: f64 = 4.0;
-const OF_ROOT: f64 = 4.0;
+/// Allowed number of roundings of a few operations: of a and g times β/β_lim, of the root, of the product with |V|,
+/// and of an arc tangent in double precision.
+const FEW: f64 = 4.0;
+/// Allowed number of roundings of the emitted phase with its arc tangent.
 const OF_PHASE: f64 = 64.0;
-/// Number of roundings of an arc tangent in double precision.
-const OF_ATAN2: f64 = 4.0;
-/// Number of roundings of the product with |V|.
-const OF_PRODUCT: f64 = 4.0;
-/// Largest relative error or angle that counts as small.
-const SMALL: f64 = 0.1;
-/// Bound on the growth of a quotient by a small relative error in its divisor.
-const WITH_PRODUCTS: f64 = 1.1;
-/// Bound on a small angle over its sine.
+/// Bound on the growth of a quotient by a relative error of up to [`SMALL`] in its divisor.
+const WITH_PRODUCTS: f64 = 1.0 / (1.0 - SMALL);
+/// Bound on an angle of up to [`SMALL`] over its sine, which is below 1.0017.
 const OVER_SINE: f64 = 1.01;
-/// Factor for the roundings of the bounds themselves.
+/// Factor for the roundings of the bounds themselves: millions of roundings.
 const UP: f64 = 1.0 + 1e-9;
 
 /// Data for the comparison of the motion over an interval of r.
-pub(super) struct Moving<'a, S> {
+pub(crate) struct Moving<'a, S> {
     pub piece: &'a Fitted<S>,
     /// Largest relative error of |V|, if |V| is a product.
     pub excitation: f64,
@@ -146,8 +141,8 @@ impl<S: Float> Moving<'_, S> {
         // Roundings of a and of β_table, relative to β_table, and of the product with β.
         let with_roundings = |function: usize, off: Interval, exact: Interval| {
             let most = exact.size() + off.size();
-            let own = self.rounding(function) / least
-                + most * (WITH_PRODUCTS * of_limit + OF_SHARE * unit);
+            let own =
+                self.rounding(function) / least + most * (WITH_PRODUCTS * of_limit + FEW * unit);
             off * fewer + Interval::within(own * UP)
         };
         let of_alpha = with_roundings(1, off[0], alpha);
@@ -167,11 +162,11 @@ impl<S: Float> Moving<'_, S> {
             // The difference of the roots is the difference of their squares over their sum.
             let of_root = share * of_alpha * share * (alpha + tabled) / (own + other);
             let off = -(of_root + share * of_gamma) / amplitude;
-            let rounded = OF_ROOT * unit * own.high / amplitude.low;
+            let rounded = FEW * unit * own.high / amplitude.low;
             let off = off + Interval::within(rounded * UP);
             // In the product with |V|, errors of different signs compensate each other.
             let of_size = size + Interval::within(self.excitation);
-            let off = (off + of_size + off * of_size).size() + OF_PRODUCT * unit;
+            let off = (off + of_size + off * of_size).size() + FEW * unit;
             // The lag is −asin ρα − arg V.
             let lag = share * of_alpha / own.hull(other) + turned;
             worst = worst.max(off * UP).max((lag.size() + OF_PHASE * unit) * UP);
@@ -283,7 +278,7 @@ impl<S: Float> Moving<'_, S> {
         let off = Series::joined(&(first - one), &(all - one));
         // The rounding errors are relative to the table.
         let most = 1.0 + off.range(away).size();
-        (rounded < 0.1).then_some((off, rounded * most * UP))
+        (rounded < SMALL).then_some((off, rounded * most * UP))
     }
 
     /// Returns the sign of κV of an undamped chain, by which a is multiplied.
@@ -340,7 +335,7 @@ impl<S: Float> Moving<'_, S> {
         let [re, im] = own.map(|part| part.value());
         let about = Scalar::atan2(im.middle(), re.middle());
         let width = (re.high - re.low) + (im.high - im.low);
-        let off = OVER_SINE * width / size(&own).low + OF_ATAN2 * f64::EPSILON;
+        let off = OVER_SINE * width / size(&own).low + FEW * f64::EPSILON;
         if !(off < SMALL) {
             return None;
         }

@@ -1,11 +1,12 @@
 //! The cells at both ends of the half period, where D vanishes.
 
-use super::cells::{Cells, Flank};
-use super::force;
-use super::found::Budget;
-use super::stage::ORDER;
-use super::witness::{Seen, Witness};
-use crate::interval::{Interval, Series};
+use crate::cells::{Cells, Flank};
+use crate::force;
+use crate::found::Budget;
+use crate::series::Series;
+use crate::stage::ORDER;
+use crate::witness::{Seen, Witness};
+use frictiongen_model::interval::Interval;
 
 impl Cells<'_> {
     /// Returns whether D/τ is positive from the start of the half period on, with D = D′(0)τ + D″(0)τ²/2 + D‴τ³/6.

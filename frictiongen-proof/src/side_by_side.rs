@@ -62,7 +62,7 @@ fn locked<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
 /// Returns the answers in the order of the questions, until the work of the previous answers is spent.
 ///
 /// `begin` creates the data of a thread. `one` returns an answer with its work.
-pub(super) fn answered<State, A: Send>(
+pub(crate) fn answered<State, A: Send>(
     questions: &[usize],
     most: usize,
     begin: impl Fn() -> State + Sync,

@@ -1,6 +1,6 @@
 //! Evidence for the accuracy of a table, and sentences that report it.
 
-use super::super::worst::Worst;
+use super::worst::Worst;
 
 /// Evidence for the accuracy of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,15 +1,15 @@
 //! Bounds the error of an emitted factor relative to its exact zero, over a cell of r.
 
-use super::super::super::request::is_single;
-use super::super::super::zeros::Zero;
+use super::super::request::is_single;
+use super::super::zeros::Zero;
 use super::ball::Ball;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 
 /// Factor on sums of small relative errors, for their products.
-const UP: f64 = 1.03;
-/// Largest sum of relative errors that counts as small.
+pub(super) const UP: f64 = 1.03;
+/// Largest sum of relative errors that counts as small. [`UP`] covers the products of errors that large.
 const SMALL: f64 = 0.02;
 /// Smallest normal number, up to rounding, in single and in double precision.
 const NORMAL_SINGLE: f64 = 1.2e-38;

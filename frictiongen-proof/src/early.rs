@@ -1,26 +1,34 @@
 //! The velocity constraint F/sin τ near the start of the half period, where both vanish, from the Taylor series of F/τ
 //! in τ.
 
-use super::force;
-use super::stage::Stage;
-use crate::interval::{Interval, Series};
+use crate::force;
+use crate::series::Series;
+use crate::stage::Stage;
+use frictiongen_model::interval::Interval;
 
 /// Number of terms of F/τ. [`rest`] bounds the remainder, so fewer terms would only leave more open.
 const TERMS: usize = 13;
-/// Derivatives of the cosine at τ = 0, which repeat.
+/// Derivatives of the cosine at τ = 0, which repeat after four.
 const OF_COSINE: [f64; 4] = [1.0, 0.0, -1.0, 0.0];
-/// Bound on the terms of sin τ/τ and of its slope beyond [`PAIRS`], for |τ| ≤ 1.3. Their sum is below 20·1.3¹⁹/21! <
+/// Largest |τ| of the series of sin τ/τ. It is above every instant of a witness near the start.
+const FARTHEST: f64 = 1.3;
+/// Bound on the terms of sin τ/τ and of its slope beyond [`PAIRS`], up to [`FARTHEST`]. Their sum is below 20·1.3¹⁹/21! <
 /// 6·10⁻¹⁷.
 const SINC_REST: f64 = 1e-16;
-/// Number of powers of τ² in the series of sin τ/τ.
+/// Number of powers of τ² in the series of sin τ/τ. The next term is below one rounding up to
+/// [`FARTHEST`].
 const PAIRS: usize = 10;
 /// Factor on a bound for up to four roundings, each at most 2⁻⁵³ ≈ 1.1·10⁻¹⁶.
 const UP: f64 = 1.0 + 1e-15;
 /// Factor on a bound for up to ninety roundings, where π and earlier factors are rounded as well.
 const FAR_UP: f64 = 1.0 + 1e-14;
 
-/// Returns sin τ/τ and its slope for |τ| ≤ 1.3, by their series. [`SINC_REST`] bounds the remainder.
-pub(super) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
+/// Returns sin τ/τ and its slope, by their series. [`SINC_REST`] bounds the remainder. Returns `ALL` if |τ| may exceed
+/// [`FARTHEST`].
+pub(crate) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
+    if !(tau.value().size() <= FARTHEST) {
+        return (Series::fixed(Interval::ALL), Series::fixed(Interval::ALL));
+    }
     let square = tau.squared();
     let zero = Series::fixed(Interval::ZERO);
     let (mut value, mut slope) = (zero, zero);
@@ -42,7 +50,7 @@ pub(super) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
 }
 
 /// Returns F/τ and its slope at τ = πt, up to the remainder of [`rest`].
-pub(super) fn over_tau<const N: usize>(
+pub(crate) fn over_tau<const N: usize>(
     stage: &Stage<N>,
     tau: &Series<N>,
 ) -> (Series<N>, Series<N>) {
@@ -83,7 +91,7 @@ pub(super) fn over_tau<const N: usize>(
 }
 
 /// Returns bounds on the difference of F/τ and its slope from [`over_tau`], for τ from 0 to πt.
-pub(super) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
+pub(crate) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
     let stage = stage.truncated::<1>();
     let all = Interval::new(0.0, t);
     let motions = force::motions(&stage, &Series::fixed(all));

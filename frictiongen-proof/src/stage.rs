@@ -4,17 +4,19 @@
 //! All functions are multiplied by r². Where undamped modes have a pole of U, they are also multiplied by the product κ
 //! of the cosines of these modes. The limits are quotients, in which κ cancels.
 
-use super::super::zeros::contact_modes;
-use crate::interval::{Interval, Series};
-use crate::modal::Modal;
+use crate::series::Series;
 use frictiongen_kernel::number::dd::Dd;
+use frictiongen_model::interval::Interval;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::table::building::contact_modes;
 
-/// Number of terms of the Taylor series in r in a proof.
-pub(super) const ORDER: usize = 8;
+/// Number of terms of the Taylor series in r in a proof. Tuned: more terms allow longer intervals, but the work of a
+/// product grows with their square.
+pub(crate) const ORDER: usize = 8;
 
 /// The decay of a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     Undamped,
     Under,
     Critical,
@@ -23,7 +25,7 @@ pub(super) enum Kind {
 
 /// The constants of a mode.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Oscillator {
+pub(crate) struct Oscillator {
     pub kind: Kind,
     pub sigma: Interval,
     pub zeta: Interval,
@@ -41,7 +43,7 @@ pub(super) struct Oscillator {
 
 /// The chain in intervals. Each interval contains a number of the double-double modal analysis.
 #[derive(Clone, Debug)]
-pub(super) struct Chain {
+pub(crate) struct Chain {
     pub modes: Vec<Oscillator>,
     pub all_undamped: bool,
     /// −1 if the contact rubs on a moving base, else 0.
@@ -96,7 +98,7 @@ impl Chain {
 
 /// A mode at a frequency.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ModeStage<const N: usize> {
+pub(crate) struct ModeStage<const N: usize> {
     pub oscillator: Oscillator,
     /// √λ/r.
     pub x: Series<N>,
@@ -110,7 +112,7 @@ pub(super) struct ModeStage<const N: usize> {
 
 /// The chain at a frequency.
 #[derive(Clone, Debug)]
-pub(super) struct Stage<const N: usize> {
+pub(crate) struct Stage<const N: usize> {
     pub modes: Vec<ModeStage<N>>,
     /// 1/r.
     pub inverse: Series<N>,
@@ -128,13 +130,15 @@ pub(super) struct Stage<const N: usize> {
     pub break_away: Series<N>,
 }
 
-/// Cosine of an undamped mode below which it is multiplied out.
+/// Cosine of an undamped mode below which it is multiplied out. Tuned: a quotient by a smaller cosine is wide over an
+/// interval of r, but each factor of κ costs products.
 const SINGULAR: f64 = 0.2;
-/// Distance from x = 1 below which the pole of V is divided out together with the cosine.
+/// Distance from x = 1 below which the pole of V is divided out together with the cosine. Farther away x² − 1 is not
+/// small.
 const RESONANT: f64 = 0.5;
 
 /// Returns, for each mode, whether its cosine is multiplied out near an r.
-pub(super) fn singular(chain: &Chain, r: f64) -> Vec<bool> {
+pub(crate) fn singular(chain: &Chain, r: f64) -> Vec<bool> {
     let modes = chain.modes.iter();
     let cosine = |mode: &Oscillator| {
         let x = mode.sigma.middle() / r;

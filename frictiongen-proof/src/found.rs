@@ -1,17 +1,17 @@
 //! Results of a proof so far, and its remaining work.
 
-use super::super::worst::Worst;
-use super::compare::Compared;
-use super::evidence::{Evidence, Proof, Work};
+use crate::compare::Compared;
+use frictiongen_model::table::Worst;
+use frictiongen_model::table::{Evidence, Proof, Work};
 
 /// Remaining work, in evaluations of one mode.
-pub(super) struct Budget {
+pub(crate) struct Budget {
     most: usize,
     pub spent: usize,
 }
 
-/// Work of a stage over an interval, in evaluations of each mode.
-pub(super) const OF_STAGE: usize = 20;
+/// Work of a stage over an interval, in evaluations of each mode. It is an estimate and only counts work.
+pub(crate) const OF_STAGE: usize = 20;
 
 impl Budget {
     pub fn of(work: usize) -> Self {
@@ -29,7 +29,7 @@ impl Budget {
 }
 
 /// Results for one function so far.
-pub(super) struct Found {
+pub(crate) struct Found {
     bound: Worst,
     pub open: Vec<(f64, f64)>,
     looked: bool,
@@ -84,7 +84,7 @@ impl Found {
 }
 
 /// Results for a piece: for β_lim, for the motion, and the work.
-pub(super) struct Piece {
+pub(crate) struct Piece {
     pub limit: Found,
     pub motion: Found,
     pub work: usize,
@@ -114,7 +114,7 @@ impl Piece {
 }
 
 /// Proven results over an interval: for β_lim, and for the motion if it is proven.
-pub(super) struct Part {
+pub(crate) struct Part {
     pub limit: Compared,
     pub motion: Option<Worst>,
 }

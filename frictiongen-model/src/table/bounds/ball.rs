@@ -8,7 +8,7 @@ const ROUNDING: f64 = 1.0 / 5_070_602_400_912_917_605_986_812_821_504.0;
 /// Bound on the loss of an operation by underflow, among numbers that are not tiny.
 const LOST: f64 = 1e-280;
 /// Factor on a sum of errors in double precision, for the roundings of the sum.
-const UP: f64 = 1.0 + 1e-14;
+pub(super) const UP: f64 = 1.0 + 1e-14;
 /// Bound on numbers whose squares may underflow.
 const SQUARED_AWAY: f64 = 1e-150;
 

@@ -5,14 +5,13 @@
 //! remainders at zeros that are right up to their last digits. q is a constant up to terms that are roundings. The
 //! proof does not rely on the zeros. If they were wrong, the N(z_j) would be large.
 
-use super::super::super::zeros::{ContactMode, Zero};
-use super::ball::{Ball, Disc};
+use super::super::zeros::{ContactMode, Zero};
+use super::OUTWARD;
+use super::ball::{Ball, Disc, UP as OF_ONE};
 use frictiongen_kernel::number::dd::Dd;
 
-/// Factor for the roundings of one term of a bound.
-const UP_OF_ONE: f64 = 1.0 + 1e-14;
-/// Factor for the roundings of a whole bound.
-const UP: f64 = 1.0 + 1e-12;
+/// Factor for the roundings of a whole bound: thousands of roundings.
+const UP: f64 = 1.0 + OUTWARD;
 
 /// A term of the sum: a mode's denominator v² + rate·v + square, or v + square, and its residue.
 struct Term {
@@ -122,7 +121,7 @@ impl Sum {
             for (root, weight) in all.iter().zip(&weights) {
                 let distance = v - *root;
                 value = value * distance.inverse();
-                off += weight / distance.least() * UP_OF_ONE;
+                off += weight / distance.least() * OF_ONE;
             }
             beside = beside.max(off);
             values.push(value);

@@ -1,23 +1,25 @@
 //! Tests the proof against the exact search, and with faults that it has to find.
 
-use super::super::exact::Exact;
-use super::super::{Evidence, Request, Tables, Work};
-use super::cells::Part;
-use super::certify::certified;
-use super::found::Budget;
-use super::stage::{Chain, ORDER, Stage, singular};
-use super::witness::{Seen, Witness};
-use super::{early, force};
-use crate::interval::{Interval, Series};
-use crate::modal::Modal;
-use crate::scene::{
+use crate::cells::Part;
+use crate::certify::certified;
+use crate::found::Budget;
+use crate::series::Series;
+use crate::stage::{Chain, ORDER, Stage, singular};
+use crate::witness::{Seen, Witness};
+use crate::{early, force, of_pieces, prove, prove_piece};
+use frictiongen_kernel::Float;
+use frictiongen_model::interval::Interval;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::{
     Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
     Side, Spring, Stepping,
 };
+use frictiongen_model::table::building::Exact;
+use frictiongen_model::table::{Evidence, Proof, Request, Tables, Work};
 
 /// Returns a chain of equal masses and springs. The last mass rubs on a wall, the first on a moving base, or the first
 /// two on each other.
-pub(in crate::table) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
+pub(crate) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
     let mass = |place: usize| Mass {
         name: format!("m{place}"),
         value: 1.0,
@@ -56,7 +58,7 @@ pub(in crate::table) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64
     })
 }
 
-pub(in crate::table) fn request(accuracy: f64, side: Side) -> Request {
+pub(crate) fn request(accuracy: f64, side: Side) -> Request {
     Request {
         r: (0.2, 2.5),
         accuracy,
@@ -67,11 +69,17 @@ pub(in crate::table) fn request(accuracy: f64, side: Side) -> Request {
 }
 
 /// Returns a random number from 0 to 1.
-pub(in crate::table) fn random(state: &mut u64) -> f64 {
+pub(crate) fn random(state: &mut u64) -> f64 {
     *state = state
         .wrapping_mul(6_364_136_223_846_793_005)
         .wrapping_add(1_442_695_040_888_963_407);
     (*state >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// Proves the β_lim of tables.
+fn limit_of<S: Float>(tables: &Tables<S>, modal: &Modal, work: Work) -> Proof {
+    let [limit, _] = of_pieces(tables, modal, 0..tables.pieces.len(), work);
+    limit
 }
 
 /// At random r outside the open intervals, the table must be within the proven bound of the exact search.
@@ -90,7 +98,7 @@ fn the_bound_holds() {
         let modal = scene(kind, count, zeta, stiction);
         for (accuracy, side) in [(1e-3, Side::Near), (1e-3, Side::Safe), (1e-4, Side::Near)] {
             let tables = Tables::<f64>::build(&modal, request(accuracy, side)).unwrap();
-            let proof = tables.prove(&modal, Work(1_000_000));
+            let proof = limit_of(&tables, &modal, Work(1_000_000));
             let name = format!(
                 "{kind}{count}, {zeta}, {stiction}, {accuracy:e}, {side:?}: {}",
                 proof.told()
@@ -141,7 +149,7 @@ fn a_wrong_coefficient_is_not_proven() {
         let mut tables = Tables::<f64>::build(&modal, request(accuracy, Side::Near)).unwrap();
         for place in [1, tables.pieces.len() / 2, tables.pieces.len() - 1] {
             let work = Work(300_000);
-            let [sound, _] = tables.prove_piece(&modal, place, work);
+            let [sound, _] = prove_piece(&tables, &modal, place, work);
             let next = tables.pieces.get(place + 1).map_or(2.5, |next| next.from);
             let piece = &tables.pieces[place];
             let (from, middle) = (piece.from, 0.5 * (piece.from + next));
@@ -156,7 +164,7 @@ fn a_wrong_coefficient_is_not_proven() {
                 let coefficient = tables.pieces[place].coefficients[0][power];
                 let wrong = 10.0 * accuracy * limit / far.powi(power as i32);
                 tables.pieces[place].coefficients[0][power] = coefficient + wrong;
-                let [wrong, _] = tables.prove_piece(&modal, place, Work(50_000));
+                let [wrong, _] = prove_piece(&tables, &modal, place, Work(50_000));
                 let open = wrong.open_length();
                 // A coefficient that is wrong by ten accuracies at the far end is wrong by more than one over a large
                 // part of the piece.
@@ -183,7 +191,7 @@ fn above_the_limit_is_not_safe() {
         let next = tables.pieces.get(place + 1).map_or(2.5, |next| next.from);
         let length = next - tables.pieces[place].from;
         let open = |tables: &Tables<f64>| {
-            let [proof, _] = tables.prove_piece(&modal, place, Work(300_000));
+            let [proof, _] = prove_piece(tables, &modal, place, Work(300_000));
             proof.open_length() / length
         };
         assert!(open(&tables) < 1e-3, "{kind}{count}");
@@ -200,7 +208,7 @@ fn above_the_limit_is_not_safe() {
 fn single_precision() {
     let modal = scene("Wall", 1, 0.02, 1.2);
     let tables = Tables::<f32>::build(&modal, request(1e-4, Side::Near)).unwrap();
-    let proof = tables.prove(&modal, Work(1_000_000));
+    let proof = limit_of(&tables, &modal, Work(1_000_000));
     assert_eq!(proof.evidence, Evidence::Proven, "{}", proof.told());
     let mut exact = Exact::new(&modal);
     let mut state = 5;
@@ -219,8 +227,11 @@ fn what_is_not_proven_says_so() {
     let modal = scene("Wall", 1, 0.02, 1.2);
     let tables = Tables::<f64>::build(&modal, request(1e-4, Side::Near)).unwrap();
     assert_eq!(tables.proof.evidence, Evidence::Checked);
-    assert_eq!(tables.prove(&modal, Work(0)).evidence, Evidence::Checked);
-    let little = tables.prove(&modal, Work(20_000));
+    assert_eq!(
+        limit_of(&tables, &modal, Work(0)).evidence,
+        Evidence::Checked
+    );
+    let little = limit_of(&tables, &modal, Work(20_000));
     assert_eq!(little.evidence, Evidence::Partly);
     assert!(little.open_length() > 0.1 && little.work.0 < 30_000);
     assert!(
@@ -228,8 +239,8 @@ fn what_is_not_proven_says_so() {
         "{}",
         little.told()
     );
-    let fine = Tables::<f64>::build(&modal, request(1e-7, Side::Near)).unwrap();
-    let fine = fine.proven(&modal, Work::WHOLE);
+    let mut fine = Tables::<f64>::build(&modal, request(1e-7, Side::Near)).unwrap();
+    prove(&mut fine, &modal, Work::WHOLE);
     assert_eq!(fine.proof.evidence, Evidence::Checked);
     assert!(fine.proof.told().starts_with("Checked, not proven"));
 }

@@ -1,14 +1,15 @@
 //! Tests the proof of amplitude and phase against exact values, and with coefficients that are slightly or grossly
 //! wrong.
 
-use super::super::errors::FRICTION_SHARES;
-use super::super::exact::Exact;
-use super::super::{Evidence, Request, Tables, Work};
-use super::tests::{random, request, scene};
-use crate::modal::Modal;
-use crate::scene::Side;
+use crate::tests::{random, request, scene};
+use crate::{prove, prove_piece};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::ContactTable;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::Side;
+use frictiongen_model::table::FRICTION_SHARES;
+use frictiongen_model::table::building::Exact;
+use frictiongen_model::table::{Evidence, Request, Tables, Work};
 use std::f64::consts::PI;
 
 const KINDS: [(&str, usize, f64, f64); 8] = [
@@ -60,7 +61,8 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
     let mut compared = 0;
     for (kind, count, zeta, stiction) in KINDS {
         let modal = scene(kind, count, zeta, stiction);
-        let tables = tables::<S>(&modal, accuracy, side).proven(&modal, Work::WHOLE);
+        let mut tables = tables::<S>(&modal, accuracy, side);
+        prove(&mut tables, &modal, Work::WHOLE);
         let proof = &tables.motion_proof;
         let name = format!("{kind}{count}, {zeta}, {accuracy:e}: {}", proof.told());
         assert!(proof.evidence != Evidence::Checked, "{name}");
@@ -155,7 +157,7 @@ fn wrong_coefficients_are_not_proven() {
                 .max((ends.0 - piece.origin).abs());
             let middle = 0.5 * (ends.0 + next);
             let sizes = [0, 4].map(|function| piece.value(function, middle).abs());
-            let [limit, motion] = tables.prove_piece(&modal, place, Work(300_000));
+            let [limit, motion] = prove_piece(&tables, &modal, place, Work(300_000));
             let most = 1e-3 * (next - ends.0);
             assert!(
                 limit.open_length() < most && motion.open_length() < most,
@@ -181,7 +183,7 @@ fn wrong_coefficients_are_not_proven() {
                             continue;
                         }
                         is_found = true;
-                        let proofs = tables.prove_piece(&modal, place, Work(60_000));
+                        let proofs = prove_piece(&tables, &modal, place, Work(60_000));
                         for (which, (seen, proof)) in seen.into_iter().zip(&proofs).enumerate() {
                             let open = proof.open_length();
                             let told = format!(

@@ -1,28 +1,32 @@
 //! Chooses candidates for a witness over an interval of r, from the instants at which the exact search finds the
 //! largest constraint.
 
-use super::super::exact::Exact;
-use super::super::fit::interpolated;
-use super::force;
-use super::stage::{Chain, ORDER, Stage};
-use super::witness::Witness;
-use crate::interval::{Interval, Series};
+use crate::force;
+use crate::series::Series;
+use crate::stage::{Chain, ORDER, Stage};
+use crate::witness::Witness;
+use frictiongen_model::interval::Interval;
+use frictiongen_model::table::building::Exact;
+use frictiongen_model::table::building::interpolated;
 use std::f64::consts::PI;
 
-/// Number of instants that a witness interpolates.
+/// Number of instants that a witness interpolates. Tuned: each costs a search, and the polynomial in r has degree 4.
 const NODES: usize = 5;
-/// Distance in half-turns above which two instants do not belong to one witness.
+/// Distance in half-turns above which two instants do not belong to one witness. Tuned: a polynomial through two
+/// maxima would follow neither.
 const JUMP: f64 = 0.05;
 /// Distance from the start of the half period, in radians of the fastest mode, below which a witness may use the series
-/// in τ.
+/// in τ. τ is then shorter than the series allows, between the nodes as well.
 const EARLY: f64 = 1.2;
-/// Distance below which a witness uses only that series.
+/// Distance below which a witness uses only that series. Tuned: closer to the start, F/sin τ is a quotient of two
+/// small intervals.
 const SURELY: f64 = 0.3;
-/// Distance below which the start itself is also a candidate.
+/// Distance below which the start itself is also a candidate. Tuned: a maximum this close may reach the start within
+/// the interval of r.
 const START: f64 = 0.05;
 
 /// Returns the candidates for the largest constraint, from the exact search at several r.
-pub(super) fn candidates(
+pub(crate) fn candidates(
     exact: &mut Exact<'_>,
     chain: &Chain,
     (from, to): (f64, f64),

@@ -1,26 +1,32 @@
 //! Functions that all cells of a half period share: the velocity constraint over an interval of r.
 
-use super::force;
-use super::found::Budget;
-use super::stage::{Chain, ORDER, Stage};
-use super::witness::{Seen, Witness};
-use crate::interval::{Interval, Series};
+use crate::force;
+use crate::found::Budget;
+use crate::series::Series;
+use crate::stage::{Chain, ORDER, Stage};
+use crate::witness::{Seen, Witness};
+use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of a step that widens the region about a witness, relative to √(N/D″), and the largest number of steps.
+/// Length of a step that widens the region about a witness, relative to √(N/D″). Tuned: a longer step widens faster,
+/// but the bounds of D″ over it are wider.
 const TUBE_STEP: f64 = 0.3;
+/// Largest number of these steps. Tuned: it bounds the work of one region.
 const TUBE_STEPS: usize = 8;
-/// Largest first step and largest sum of all steps, as fractions of the way to the end of the half period.
+/// Largest first step, as a fraction of the way to the end of the half period. Tuned: about a flat maximum the
+/// relative step alone would be too long.
 const TUBE_FIRST: f64 = 0.2;
+/// Largest sum of all steps, as a fraction of the same way. The region must end before the half period does.
 const TUBE_MOST: f64 = 0.9;
-/// Allowance for the rounding of an end of a region.
-pub(super) const ROUNDING: f64 = 1e-12;
+/// Allowance for the rounding of a position, of an end of a region or of r: thousands of roundings.
+pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// Smallest D″ in the region, relative to D″ at the witness or at a second maximum.
-pub(super) const BENT: f64 = 0.15;
+/// Smallest D″ in the region, relative to D″ at the witness or at a second maximum. Tuned: a smaller fraction makes
+/// the region wider and its parabola flatter.
+pub(crate) const BENT: f64 = 0.15;
 
 /// Data over an interval of r: at its centre, and over the whole interval.
-pub(super) struct Part<'a> {
+pub(crate) struct Part<'a> {
     pub chain: &'a Chain,
     pub witness: &'a Witness,
     /// The interval minus its centre.
@@ -35,13 +41,13 @@ pub(super) struct Part<'a> {
 
 /// A side of the witness. A position on it is a `share` of the way from the end of the half period to the witness.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Flank {
+pub(crate) enum Flank {
     Before,
     After,
 }
 
 /// Data over an interval of r, in the forms that the cells of its half period need.
-pub(super) struct Cells<'a> {
+pub(crate) struct Cells<'a> {
     /// The chain at the centre of the interval.
     pub thin: Stage<1>,
     /// The chain over the interval, with its slope in r.

@@ -1,10 +1,10 @@
 //! Tests the proof of products against double-double, and with faults that the proof has to find.
 
-use super::super::super::exact::Exact;
-use super::super::super::tables::Tables;
-use super::super::super::zeros::Zeros;
-use super::super::Evidence;
-use super::super::tests::{random, request, scene};
+use super::super::evidence::Evidence;
+use super::super::exact::Exact;
+use super::super::samples::{random, request, scene};
+use super::super::tables::Tables;
+use super::super::zeros::Zeros;
 use super::{Cell, Known, Product, Proof, Receptances, plain};
 use crate::modal::Modal;
 use crate::scene::Side;

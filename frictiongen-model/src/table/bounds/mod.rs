@@ -11,32 +11,32 @@ mod roots;
 #[cfg(test)]
 mod tests;
 
-use super::super::exact::Exact;
-use super::super::product::Product;
-use super::super::request::Request;
-use super::super::worst::Worst;
-use super::super::zeros::{ContactMode, Zero, Zeros};
 use super::evidence::{Evidence, Proof, Work};
+use super::exact::Exact;
+use super::product::Product;
+use super::request::Request;
+use super::worst::Worst;
+use super::zeros::{ContactMode, Zero, Zeros};
 use crate::scene::Side;
 use ball::Ball;
-pub(in crate::table) use factor::unit;
-use factor::{Cell, Known, beside};
+pub(super) use factor::unit;
+use factor::{Cell, Known, UP, beside};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use roots::{Factored, Sum};
 
-/// Largest share of the accuracy that the uncertainty of a zero may use at the next number.
+/// Largest share of the accuracy that the uncertainty of a zero may use at the next number. Tuned: a larger share
+/// leaves fewer numbers out, and less of the accuracy for the others.
 const UNCERTAIN: f64 = 0.1;
-/// Factor on a sum of small relative errors, for their products.
-const UP: f64 = 1.03;
 /// Largest error for which that factor suffices.
 const SMALL: f64 = 0.1;
-/// The largest included number, times the smallest normal number.
+/// The largest included number, times the smallest normal number. It is a twentieth of the largest number of a
+/// scalar, which leaves room for the bounds of an operation.
 const LARGEST: f64 = 0.2;
-/// Number of double-double roundings between a mode's constants and its pole.
+/// Allowed number of double-double roundings between a mode's constants and its pole.
 const POLE_ROUNDINGS: f64 = 64.0;
-/// Factor for the roundings of the bounds themselves.
+/// Relative excess for the roundings of the bounds themselves: thousands of roundings.
 const OUTWARD: f64 = 1e-12;
 
 /// The exact product, gain·Π numerator/Π denominator, up to the remainders of the zeros of some sums.
@@ -50,7 +50,7 @@ struct Meant {
 }
 
 /// V and H as products with bounds.
-pub(in super::super) struct Receptances {
+pub(super) struct Receptances {
     damped: bool,
     zeros: Zeros,
     stiction: Dd,

@@ -1,74 +1,44 @@
-//! Proof that a table of β_lim is within its accuracy at every r, and not only at the checked points.
-//!
-//! The proof divides the range into intervals of r. In each it chooses a *witness*: an instant near the largest
-//! velocity constraint, as a polynomial in r. [`certify`] shows that no other instant has a constraint larger by more
-//! than a small margin. This bounds β_lim from both sides by a smooth function. [`compare`] shows that the polynomial
-//! of the table, with all roundings of its evaluation, is near that function. Both use intervals with outward rounding.
-//! [`motion`] shows the same of amplitude and phase of the contact. An undecided interval is halved, and in the end
-//! left open. There the table is checked, not proven.
-//!
-//! Products over zeros and poles, β*_lim and |V|, have a proof of their own: [`product`].
+//! Walks over a piece and proves it, interval by interval.
 
-mod asked;
-mod candidates;
-mod cells;
-mod certify;
-mod compare;
-mod early;
-mod ends;
-mod evidence;
-mod force;
-mod found;
-mod motion;
-mod product;
-mod ridge;
-mod side_by_side;
-mod stage;
-mod witness;
-
-#[cfg(test)]
-mod moved;
-#[cfg(test)]
-pub(super) mod tests;
-
-use super::exact::Exact;
-use super::fit::Fitted;
-use super::request::{FINEST_PROVEN, Request};
-use super::split::Edge;
-use crate::interval::{Interval, Series};
-use candidates::candidates;
-use cells::Part as Asked;
-pub(super) use compare::rounding;
-pub use evidence::{Evidence, Proof, Work};
-use found::{Budget, OF_STAGE, Part, Piece};
+use crate::candidates::candidates;
+use crate::cells::{Part as Asked, ROUNDING};
+use crate::found::{Budget, OF_STAGE, Part, Piece};
+use crate::motion::Moving;
+use crate::series::Series;
+use crate::stage::{Chain, ORDER, Stage, singular};
+use crate::witness::{Seen, Witness};
+use crate::{certify, compare, early};
 use frictiongen_kernel::Float;
-use motion::Moving;
-pub(super) use product::{Receptances, unit};
-use stage::{Chain, ORDER, Stage, singular};
-pub(super) use witness::polynomial;
-use witness::{Seen, Witness};
+use frictiongen_model::interval::Interval;
+use frictiongen_model::table::building::{Edge, Exact};
+use frictiongen_model::table::{FINEST_PROVEN, Fitted, Request, Work};
 
-/// Share of the accuracy that a larger constraint elsewhere may use.
+/// Share of the accuracy that a larger constraint elsewhere may use. Tuned: the rest is left to the polynomial, of which
+/// the check leaves a tenth of the accuracy.
 const ELSEWHERE: f64 = 1.0 / 32.0;
-/// Shortest interval, as a fraction of r.
+/// Shortest interval, as a fraction of r. Tuned: it bounds the work next to zeros and poles.
 const SHORTEST: f64 = 1e-7;
-/// Relative distance below which two r are the same.
-const SAME: f64 = 1e-12;
-/// Shortest interval for the motion, as a fraction of its piece, or of its distance from the zero of a piece.
+/// Shortest interval for the motion, as a fraction of its piece. Tuned: where β_lim alone passes, the motion stays open
+/// rather than shorten every interval.
 const SHORTEST_OF_MOTION: f64 = 2e-3;
+/// The same limit next to the zero of a piece, as a fraction of the distance from it.
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
-/// Length of a piece over that of its first interval, and growth of the next interval after a proven one.
+/// Length of a piece over that of its first interval. Tuned: an interval that is too long fails and is halved.
 const FIRST: f64 = 4.0;
+/// Growth of the next interval after a proven one. Tuned: fast growth saves intervals, but an interval that fails is
+/// lost work.
 const LONGER: f64 = 1.15;
-/// Shortest trial interval after an open one, as a fraction of the next open length.
+/// Shortest trial interval after an open one, as a fraction of the next open length. Tuned: it limits the trials to
+/// four halvings of that length.
 const FINER: f64 = 1.0 / 16.0;
-/// An interval takes all of the rest if the rest is at most this many times its length.
+/// An interval takes all of the rest if the rest is at most this many times its length. Tuned: a short last interval
+/// takes as much work as a long one.
 const NO_STUB: f64 = 1.2;
-/// Largest κ at a zero of β_lim at which κ counts as zero.
+/// Largest κ at a zero of β_lim at which κ counts as zero. It is tens of roundings of a cosine.
 const VANISHES: f64 = 1e-14;
 
 /// State of the proof of one piece.
-struct Prover<'a, 'm> {
+pub(crate) struct Prover<'a, 'm> {
     exact: &'a mut Exact<'m>,
     chain: &'a Chain,
     request: Request,
@@ -81,7 +51,7 @@ struct Prover<'a, 'm> {
 }
 
 impl<'a, 'm> Prover<'a, 'm> {
-    fn new(
+    pub fn new(
         exact: &'a mut Exact<'m>,
         chain: &'a Chain,
         request: Request,
@@ -102,7 +72,7 @@ impl<'a, 'm> Prover<'a, 'm> {
 
     /// Proves a piece from one r to another. `kinks` are those of β_lim within it, and `zero` is the zero that is its
     /// origin.
-    fn piece<S: Float>(
+    pub fn piece<S: Float>(
         mut self,
         piece: &Fitted<S>,
         (from, to): (f64, f64),
@@ -116,7 +86,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             return self.found;
         }
         // A kink at an end of the piece, up to rounding, divides nothing.
-        let apart = SAME * to;
+        let apart = ROUNDING * to;
         let within = |kink: &f64| from + apart < *kink && *kink < to - apart;
         let mut ends = vec![from];
         ends.extend(kinks.iter().copied().filter(within));

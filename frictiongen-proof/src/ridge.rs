@@ -1,27 +1,29 @@
 //! Other instants with a velocity constraint close to that of the witness. Near a kink of β_lim there are two such
 //! instants.
 
-use super::cells::{BENT, Cells, Flank, ROUNDING};
-use super::force;
-use super::found::{Budget, OF_STAGE};
-use super::stage::{ORDER, Stage};
-use super::witness::polynomial;
-use crate::interval::{Interval, Series};
+use crate::cells::{BENT, Cells, Flank, ROUNDING};
+use crate::force;
+use crate::found::{Budget, OF_STAGE};
+use crate::series::Series;
+use crate::stage::{ORDER, Stage};
+use crate::witness::polynomial;
 use frictiongen_kernel::Scalar;
+use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Number of Newton steps towards such an instant.
+/// Number of Newton steps towards such an instant. Tuned: it bounds the work where Newton's method does not converge.
 const STEPS: usize = 8;
-/// Step length, in half-turns, at which Newton's method has converged.
+/// Step length, in half-turns, at which Newton's method has converged. Tuned: convergence is quadratic, so the next
+/// step would be far below a rounding.
 const FOUND: f64 = 1e-9;
 /// Largest shift of an instant within an interval of r, in half-turns. With a larger shift it is a different instant.
 const JUMP: f64 = 0.1;
-/// Number of subintervals of r in which D is bounded.
+/// Number of subintervals of r in which D is bounded. Tuned: more of them have narrower bounds, at more work.
 const PARTS: usize = 6;
 
 /// Instants about a local minimum of D at which D is positive for all r of an interval.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Region {
+pub(crate) struct Region {
     from: f64,
     to: f64,
 }

@@ -1,0 +1,67 @@
+//! Chains, requests and random numbers for tests of tables.
+
+use super::request::Request;
+use crate::modal::Modal;
+use crate::scene::{
+    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
+    Side, Spring, Stepping,
+};
+
+/// Returns a chain of equal masses and springs. The last mass rubs on a wall, the first on a moving base, or the first
+/// two on each other.
+pub(super) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
+    let mass = |place: usize| Mass {
+        name: format!("m{place}"),
+        value: 1.0,
+    };
+    let spring = |place: usize| Spring {
+        from: place.checked_sub(1).map_or(Node::Base, Node::Mass),
+        to: Node::Mass(place),
+        stiffness: 1.0,
+    };
+    let (from, to, excitation) = match kind {
+        "Wall" => (Node::Mass(count - 1), Node::Wall, Excitation::Force(0)),
+        "Base" => (Node::Mass(0), Node::Base, Excitation::Base),
+        _ => (Node::Mass(0), Node::Mass(1), Excitation::Force(count - 1)),
+    };
+    Modal::of(&Scene {
+        name: kind.to_owned(),
+        masses: (0..count).map(mass).collect(),
+        springs: (0..count).map(spring).collect(),
+        contact: Contact { from, to },
+        excitation,
+        damping: if zeta < 0.0 {
+            // Every other mode is damped.
+            let of = (0..count).map(|mode| -zeta * (mode % 2) as f64);
+            Damping::Modal(of.collect())
+        } else if zeta > 0.0 {
+            Damping::Uniform(zeta)
+        } else {
+            Damping::None
+        },
+        stiction,
+        precision: Precision::F64,
+        provide: vec![Provide::Limits],
+        declared: Declared::default(),
+        friction: FrictionLaw::default(),
+        stepping: Stepping::default(),
+    })
+}
+
+pub(super) fn request(accuracy: f64, side: Side) -> Request {
+    Request {
+        r: (0.2, 2.5),
+        accuracy,
+        side,
+        motion: false,
+        stuck: false,
+    }
+}
+
+/// Returns a random number from 0 to 1.
+pub(super) fn random(state: &mut u64) -> f64 {
+    *state = state
+        .wrapping_mul(6_364_136_223_846_793_005)
+        .wrapping_add(1_442_695_040_888_963_407);
+    (*state >> 11) as f64 / (1_u64 << 53) as f64
+}

@@ -1,0 +1,134 @@
+//! Proof that a table of β_lim is within its accuracy at every r, and not only at the checked points.
+//!
+//! The proof divides the range into intervals of r. In each it chooses a *witness*: an instant near the largest
+//! velocity constraint, as a polynomial in r. `certify` shows that no other instant has a constraint larger by more
+//! than a small margin. This bounds β_lim from both sides by a smooth function. `compare` shows that the polynomial
+//! of the table, with all roundings of its evaluation, is near that function. Both use intervals with outward rounding.
+//! `motion` shows the same of amplitude and phase of the contact. An undecided interval is halved, and in the end
+//! left open. There the table is checked, not proven.
+//!
+//! A constant called *tuned* decides how much work a proof takes and how much of r stays open. No tuned constant
+//! decides whether a proof is true.
+//!
+//! The builder itself bounds products over zeros and poles, β*_lim and |V|.
+
+mod candidates;
+mod cells;
+mod certify;
+mod compare;
+mod early;
+mod ends;
+mod force;
+mod found;
+mod motion;
+mod prover;
+mod ridge;
+mod series;
+mod side_by_side;
+mod stage;
+mod witness;
+
+#[cfg(test)]
+mod formulas;
+#[cfg(test)]
+mod moved;
+#[cfg(test)]
+mod tests;
+
+use found::Piece;
+use frictiongen_kernel::Float;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::table::building::{Exact, Landmarks, SIZE, Zeros};
+use frictiongen_model::table::{Evidence, Proof, Tables, Work};
+use prover::Prover;
+use stage::Chain;
+use std::ops::Range;
+
+/// Estimate of the work to prove a piece for each mode, where every mode is damped. It decides only whether a proof
+/// that may stay incomplete is started.
+const PIECE_WORK: usize = 1800;
+/// The same estimate with an undamped mode, next to whose poles intervals are shorter.
+const PIECE_WORK_UNDAMPED: usize = 2600;
+/// Largest work for one piece, relative to its equal share of the total. Tuned: one piece must not use the work of
+/// all others.
+const FAIR: usize = 8;
+
+/// Adds to tables a proof of β_lim, and of amplitude and phase of the contact, as far as the work allows.
+pub fn prove<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Work) {
+    let pieces = 0..tables.pieces.len();
+    [tables.proof, tables.motion_proof] = of_pieces(tables, modal, pieces, work);
+}
+
+/// Adds the proof of [`prove`] if the work is likely to suffice for all of the tables.
+pub fn prove_if_small<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Work) {
+    let of_piece = if Exact::new(modal).all_damped() {
+        PIECE_WORK
+    } else {
+        PIECE_WORK_UNDAMPED
+    };
+    let needed = of_piece * tables.pieces.len() * modal.resonances.len();
+    if needed <= work.0 {
+        prove(tables, modal, work);
+    }
+}
+
+/// Proves β_lim in one piece. Also proves amplitude and phase of the contact there, if the table contains them.
+#[must_use]
+pub fn prove_piece<S: Float>(
+    tables: &Tables<S>,
+    modal: &Modal,
+    place: usize,
+    work: Work,
+) -> [Proof; 2] {
+    of_pieces(tables, modal, place..place + 1, work)
+}
+
+/// Proves β_lim and the motion in some pieces.
+fn of_pieces<S: Float>(
+    tables: &Tables<S>,
+    modal: &Modal,
+    places: Range<usize>,
+    work: Work,
+) -> [Proof; 2] {
+    let chain = Chain::of(modal);
+    let ends = (
+        S::constant(tables.request.r.0),
+        S::constant(tables.request.r.1),
+    );
+    let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
+    let landmarks = Landmarks::of(modal, Zeros::of(modal).as_ref(), (low, high));
+    // |V| is bounded wherever β_lim is, except on its zeros and poles.
+    let excitation = tables.excitation.as_ref().map(|_| &tables.excitation_proof);
+    let excitation = excitation
+        .filter(|proof| proof.evidence != Evidence::Checked && proof.open_length() == 0.0)
+        .map(|proof| proof.bound.error)
+        // If |V| is one of the functions, the comparison of the functions covers it.
+        .or((tables.functions > SIZE).then_some(0.0));
+    let Work(most) = work;
+    let share = Work(most.min(FAIR * most / places.len().max(1)));
+    let ends = |place: usize| {
+        let next = tables.pieces.get(place + 1);
+        let to = next.map_or(high, |next| next.from.to_f64());
+        let from = tables.pieces.get(place).map(|piece| piece.from.to_f64());
+        (from.unwrap_or(low).max(low), to)
+    };
+    let one = |exact: &mut Exact<'_>, place: usize| {
+        let prover = Prover::new(exact, &chain, tables.request, share, excitation);
+        let piece = tables.pieces.get(place)?;
+        let zero = landmarks.zero_at(piece.origin.to_f64(), |at| S::constant(at).to_f64());
+        let found = prover.piece(piece, ends(place), tables.kinks(), zero);
+        Some((found.work, found))
+    };
+    let all: Vec<usize> = places.collect();
+    let found = side_by_side::answered(&all, most, || Exact::new(modal), one);
+    let mut whole = Piece::nothing(low);
+    let mut found = found.into_iter();
+    for place in all {
+        match found.next() {
+            Some(piece) => whole.and(piece),
+            None => whole.leave(ends(place)),
+        }
+    }
+    let work = whole.work;
+    [whole.limit, whole.motion].map(|found| found.finished(work))
+}

@@ -1,0 +1,214 @@
+//! Tests interval series against double-double.
+
+use super::Series;
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_model::interval::Interval;
+
+/// A generator of random numbers and intervals.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+    /// Returns a number of either sign over ten decades, and sometimes 0.
+    fn end(&mut self) -> f64 {
+        let size = 10_f64.powf(10.0 * self.next() - 5.0);
+        match (16.0 * self.next()) as u32 {
+            0 => 0.0,
+            even if even % 2 == 0 => size,
+            _ => -size,
+        }
+    }
+    fn interval(&mut self) -> Interval {
+        let (a, b) = (self.end(), self.end());
+        // Two in five intervals are narrow.
+        if self.next() < 0.4 {
+            Interval::new(a, a + a.abs() * 1e-12 * self.next())
+        } else {
+            Interval::new(a.min(b), a.max(b))
+        }
+    }
+    fn within(&mut self, interval: Interval) -> f64 {
+        match (4.0 * self.next()) as u32 {
+            0 => interval.low,
+            1 => interval.high,
+            _ => (interval.low + (interval.high - interval.low) * self.next())
+                .clamp(interval.low, interval.high),
+        }
+    }
+}
+
+/// Returns whether an interval contains a number to about its 31 digits. The slack is far below one rounding of a
+/// double.
+fn holds(interval: Interval, value: Dd) -> bool {
+    let slack = value.abs() * Dd::from(1e-28);
+    !(value + slack < Dd::from(interval.low)) && !(Dd::from(interval.high) < value - slack)
+}
+
+/// Evaluates a formula that uses every operation, as a series. `formula_at` evaluates it in double-double.
+fn formula(h: Series<6>) -> Series<6> {
+    let one = Series::fixed(Interval::ONE);
+    let (sine, cosine) = h.sine_cosine();
+    let root = (h.squared() + one).sqrt();
+    (sine * h - cosine.squared()) / root + (-(h * h)).exp() - h.times(Interval::point(3.0)).sinc()
+}
+
+fn formula_at(h: Dd) -> Dd {
+    let one = Dd::ONE;
+    let (sine, cosine) = h.sin_cos_pi();
+    let angle = Dd::PI * Dd::from(3.0) * h;
+    let (turned, _) = (Dd::from(3.0) * h).sin_cos_pi();
+    (sine * h - cosine * cosine) / Scalar::sqrt(h * h + one) + Scalar::exp(-(h * h))
+        - turned / angle
+}
+
+/// By Taylor's formula, a joined series encloses the function everywhere in its interval.
+#[test]
+fn series_hold_what_they_should() {
+    let mut numbers = Numbers(7);
+    let mut widest = 0.0_f64;
+    for _ in 0..3_000 {
+        let centre = 0.2 * numbers.next() + 0.05;
+        let half = 0.03 * numbers.next();
+        let all = Interval::new(centre - half, centre + half);
+        let at = formula(Series::variable(Interval::point(centre)));
+        let over = formula(Series::variable(all));
+        let joined = Series::joined(&at, &over);
+        let range = joined.range(all - Interval::point(centre));
+        for _ in 0..8 {
+            let x = numbers.within(all);
+            let value = formula_at(Dd::from(x));
+            let t = Interval::point(x) - Interval::point(centre);
+            assert!(holds(joined.range(t), value), "at {x} about {centre}");
+            assert!(holds(range, value), "{range:?} at {x}");
+            assert!(holds(over.value(), value));
+            widest = widest.max(joined.range(t).high - joined.range(t).low);
+        }
+    }
+    // An enclosure of all numbers would pass as well, so the width is checked.
+    assert!(widest < 1e-2, "{widest:e}");
+}
+
+/// Every coefficient over an interval must contain the divided differences of the function.
+#[test]
+fn coefficients() {
+    let mut numbers = Numbers(9);
+    for _ in 0..500 {
+        let low = 0.2 * numbers.next() + 0.05;
+        let step = 0.01;
+        let all = Interval::new(low, low + 5.0 * step);
+        let over = formula(Series::variable(all));
+        let mut differences: Vec<Dd> = (0..6)
+            .map(|k| formula_at(Dd::from(low + step * f64::from(k))))
+            .collect();
+        for order in 0..6 {
+            // f[x_0, …, x_k] is f⁽ᵏ⁾/k! at some point between x_0 and x_k.
+            let interval = over.term(order);
+            let slack = 1e-12 * 100_f64.powi(order as i32);
+            for difference in &differences {
+                let value = difference.to_f64();
+                assert!(
+                    interval.low - slack <= value && value <= interval.high + slack,
+                    "{order}"
+                );
+            }
+            differences = differences
+                .windows(2)
+                .map(|pair| (pair[1] - pair[0]) / Dd::from(step * (order + 1) as f64))
+                .collect();
+        }
+    }
+}
+
+/// Products of series with terms that are 0, narrow, wide or unbounded must contain the products of numbers in them.
+#[test]
+fn products() {
+    let mut numbers = Numbers(11);
+    let mut bounded = 0;
+    for round in 0..20_000 {
+        let series = |numbers: &mut Numbers| {
+            let length = (7.0 * numbers.next()) as usize;
+            let terms = std::array::from_fn(|place| {
+                if length <= place {
+                    Interval::ZERO
+                } else if round % 8 == 0 && numbers.next() < 0.2 {
+                    Interval::new(numbers.end(), f64::INFINITY)
+                } else if round % 16 == 1 {
+                    // Products of these terms underflow.
+                    let tiny = numbers.interval();
+                    Interval::new(tiny.low * 1e-162, tiny.high * 1e-162)
+                } else {
+                    numbers.interval()
+                }
+            });
+            Series::<6> { terms }
+        };
+        let (a, b) = (series(&mut numbers), series(&mut numbers));
+        let (product, square) = (a * b, a.squared());
+        let within = |numbers: &mut Numbers, series: &Series<6>| {
+            series.terms.map(|term| {
+                let end = term.high.min(1e6_f64.max(term.low));
+                numbers.within(Interval::new(term.low, end))
+            })
+        };
+        let (x, y) = (within(&mut numbers, &a), within(&mut numbers, &b));
+        for k in 0..6 {
+            let sum = |x: &[f64; 6], y: &[f64; 6]| {
+                let terms = (0..=k).map(|j| Dd::from(x[j]) * Dd::from(y[k - j]));
+                terms.fold(Dd::ZERO, |sum, term| sum + term)
+            };
+            assert!(holds(product.term(k), sum(&x, &y)), "{a:?} {b:?} {k}");
+            assert!(holds(square.term(k), sum(&x, &x)), "{a:?} squared, {k}");
+            bounded += usize::from(product.term(k).size() < f64::INFINITY);
+        }
+    }
+    assert!(100_000 < bounded, "{bounded}");
+}
+
+/// A term that is exactly 0 stays exactly 0, because sums leave such terms out.
+#[test]
+fn products_with_nothing() {
+    let nothing = Series::<6>::fixed(Interval::ZERO);
+    let all = Series::<6> {
+        terms: [Interval::ALL; 6],
+    };
+    let product = nothing * all;
+    assert!(product.terms.iter().all(Interval::is_nothing));
+    let line = Series::<6>::variable(Interval::new(1.0, 2.0));
+    let square = line * line;
+    assert!(square.terms.iter().skip(3).all(Interval::is_nothing));
+    assert!(!square.term(2).is_nothing());
+}
+
+/// Refined coefficients must contain the values at any point, lie within the plain ones, and be narrower.
+#[test]
+fn refined() {
+    let mut numbers = Numbers(13);
+    let mut narrower = 0.0_f64;
+    for _ in 0..3_000 {
+        let (low, length) = (0.2 * numbers.next() + 0.05, 0.03 * numbers.next());
+        let all = Interval::new(low, low + length);
+        let centre = numbers.within(all);
+        let at = formula(Series::variable(Interval::point(centre)));
+        let over = formula(Series::variable(all));
+        let refined = over.refined(&at, all - Interval::point(centre));
+        let there = formula(Series::variable(Interval::point(numbers.within(all))));
+        for k in 0..6 {
+            let (plain, own, there) = (over.term(k), refined.term(k), there.term(k));
+            narrower = narrower.max((plain.high - plain.low) / (own.high - own.low));
+            assert!(plain.low <= own.low && own.high <= plain.high);
+            // Both are known only to within some roundings, so they must overlap.
+            assert!(
+                own.low <= there.high && there.low <= own.high,
+                "{k}: {own:?} {there:?}"
+            );
+        }
+    }
+    assert!(2.0 < narrower, "{narrower}");
+}
