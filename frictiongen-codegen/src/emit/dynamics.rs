@@ -4,8 +4,8 @@
 use super::constants::{kind, mode_constant, rubbing};
 use super::emission::{Emission, Wanted, rounded};
 use super::shapes;
+use frictiongen_kernel::motion::HeldMode;
 use frictiongen_kernel::oscillator::mode::Mode;
-use frictiongen_kernel::simulation::HeldMode;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Literal, TokenStream};
 

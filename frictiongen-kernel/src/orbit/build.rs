@@ -7,10 +7,10 @@ use super::record::{Record, Recorded};
 use super::shooting::{MAX_STEPS, Settled, settle};
 use super::{MAX_SEGMENTS, Orbit, SegmentStart, Start};
 use crate::errors::NoOrbit;
+use crate::motion::{Contact, ContactState, Dynamics, Part, Setting, leap};
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Plain};
 use crate::oscillator::mode::{Kind, Mode};
-use crate::simulation::{Contact, ContactState, Dynamics, Part, Setting, leap};
 use core::f64::consts::FRAC_PI_4;
 
 impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>

@@ -13,10 +13,10 @@ use super::record::{Record, Recorded};
 use super::shooting::MAX_STEPS;
 use super::{MAX_SEGMENTS, Orbit, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain};
+use crate::motion::{Contact, Dynamics, Part, SUM_ROUNDINGS, Setting};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Dynamics, Part, SUM_ROUNDINGS, Setting};
 use core::fmt;
 
 /// Relative distance to a graze below which the derivative of an event's instant is not reliable.  At a graze an event

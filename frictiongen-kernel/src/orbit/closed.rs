@@ -6,11 +6,11 @@ use super::cycle_map::CycleMap;
 use crate::contact::dominant::Partner;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::wave::Sum;
+use crate::motion::{Contact, ContactState, Dynamics};
 use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Damped;
 use crate::oscillator::mode::Mode;
-use crate::simulation::{Contact, ContactState, Dynamics};
 
 /// The modes that the contact drives, at one frequency.
 struct Driven<'a, S> {

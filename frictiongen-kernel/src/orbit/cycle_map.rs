@@ -1,10 +1,9 @@
 //! The motion over half a cycle or a whole one, from a section at a fixed phase of the excitation.
 
-use super::variational;
 use crate::errors::NoOrbit;
+use crate::motion::{Contact, ContactState, Event, Part, Setting, contact, leap};
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, ContactState, Event, Part, Setting, leap};
 
 /// Upper bound on the events of a half cycle.
 const MOST_EVENTS: u32 = 4096;
@@ -103,7 +102,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
                 self.middle = (tau - left + end.tau * S::constant(0.5)) * S::inverse_pi();
             }
             if let Some(columns) = &mut columns {
-                variational::through(
+                contact::variational::through(
                     self.setting,
                     self.modes,
                     self.held,

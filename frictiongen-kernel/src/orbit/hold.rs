@@ -6,8 +6,8 @@
 
 use super::cycle_map::{CycleMap, Pattern};
 use super::shooting::MAX_CYCLES;
+use crate::motion::{Contact, phase};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, phase};
 
 /// Half cycles without an event after which a contact counts as stuck, although its free vibration might still add up
 /// with the other forces.  Without damping that vibration never decays, and with damping that vibration can only fall.

@@ -1,7 +1,7 @@
 //! The steady state in any regime: a motion that repeats after one or several cycles of the excitation, its stops, and
 //! its Floquet multipliers.
 //!
-//! The search first follows some cycles from the start, exactly ([`simulation`](crate::simulation)), until their
+//! The search first follows some cycles from the start, exactly ([`motion`](crate::motion)), until their
 //! pattern of events repeats.  Newton's method then converges in a few steps.  The method works on the half-period map
 //! times −1, whose fixed point is a symmetric steady state, or on the period map.
 //!
@@ -28,7 +28,6 @@ mod segments;
 mod shooting;
 mod start;
 mod states;
-mod variational;
 
 pub use candidate::MAX_PERIOD;
 pub use carrying::NoDerivative;
@@ -38,9 +37,9 @@ pub use shooting::{MAX_CYCLES, MAX_STEPS};
 pub use start::Start;
 pub use states::{Known, States};
 
+use crate::motion::{Contact, ContactState, Part, Setting};
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, ContactState, Part, Setting};
 use segments::Segments;
 
 /// Upper bound on the segments of a cycle.  A period of several cycles may have this number for each of its cycles.  A

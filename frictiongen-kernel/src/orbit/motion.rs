@@ -3,10 +3,10 @@
 use super::gauss::{PANEL, SIXTEEN};
 use super::segments::Segments;
 use super::{Orbit, SegmentStart, rates};
+use crate::motion::{Contact, Part, Sum, lift, rotated};
 use crate::number::complex::{self, Complex};
 use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Part, Sum, lift, rotated};
 
 /// Difference, in roundings, below which two amplitudes are equal.
 const ROUNDINGS: f64 = 64.0;

@@ -3,10 +3,10 @@
 use super::cycle_map::{CycleMap, Pattern, unit};
 use super::matrix::Matrix;
 use crate::errors::NoOrbit;
+use crate::motion::{Contact, ContactState};
 use crate::number::complex::{self, Complex};
 use crate::number::pairs::pairs_mut;
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, ContactState};
 
 const NEWTON_STEPS: u32 = 12;
 

@@ -6,8 +6,8 @@
 use super::cycle_map::CycleMap;
 use super::{MAX_SEGMENTS, SegmentStart, slack};
 use crate::errors::NoOrbit;
+use crate::motion::{Contact, ContactState, Event, leap};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, ContactState, Event, leap};
 
 /// A record in progress.
 pub(super) struct Record<'s, S> {

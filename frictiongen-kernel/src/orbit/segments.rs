@@ -5,10 +5,10 @@
 
 use super::record::{passed, within};
 use super::{Orbit, SegmentStart, slack};
+use crate::motion::{Part, leap, span};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
-use crate::simulation::{Part, leap, span};
 
 /// Iterator over the segments of a steady state.
 pub(super) struct Segments<'o, 'a, S, P, V, C> {

@@ -2,10 +2,10 @@
 
 use super::{Orbit, ProvidesOrbit, Start};
 use crate::errors::OutOfDomain;
+use crate::motion::Part;
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::response::{At, Scene};
-use crate::simulation::Part;
 use core::fmt;
 
 /// Upper bound on the number of starts in a search for steady states.

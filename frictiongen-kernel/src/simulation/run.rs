@@ -1,10 +1,11 @@
 //! A simulation that advances in time, segment by segment.
 
-use super::clock::{Clock, Total};
-use super::lines::{Constant, Level, Lines};
-use super::segment::{self, ContactState, Sought, ended, place, seek};
-use super::{Contact, Dynamics, Event, Part, Setting, coupled};
 use crate::errors::OutOfDomain;
+use crate::motion::contact::coupled;
+use crate::motion::{
+    Clock, Constant, Contact, ContactState, Dynamics, Event, Level, Lines, Part, Setting, Sought,
+    Total, ended, phase, place, seek,
+};
 use crate::number::scalar::{Float, Plain};
 
 /// A segment of the motion, in which the contact sticks or slides in one direction.
@@ -64,6 +65,12 @@ pub struct Simulation<'a, S, P, L = Constant> {
     passed: Total<S>,
 }
 
+/// A simulation of an emitted solver, with its data in arrays.
+pub type FixedSimulation<S, const PARTS: usize> = Simulation<'static, S, [Part<S>; PARTS]>;
+/// A simulation of an emitted solver whose kinetic friction changes with the speed, with its data in arrays.
+pub type FixedLinesSimulation<S, const PARTS: usize> =
+    Simulation<'static, S, [Part<S>; PARTS], Lines<'static, S>>;
+
 /// Upper bound on the pieces of motion that one call follows if the kinetic friction changes with the speed.  A piece
 /// ends at an event, or where the speed reaches the next straight line of the friction law.  It also ends where the
 /// power series of the motion ends.  At the bound the call returns, and the motion continues in another segment.
@@ -114,7 +121,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P, 
         let mut run = Self::of(dynamics, (r, beta, lines), state, parts)?;
         lines.check()?;
         run.setting.check_lines(run.parts.as_ref(), &lines)?;
-        let at = segment::phase(S::constant(0.0));
+        let at = phase(S::constant(0.0));
         let (velocity, _) = run.setting.relative_velocity(run.parts.as_ref(), at);
         run.level.start(velocity.abs());
         Ok(run)
@@ -179,7 +186,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     /// Returns the present relative displacement z̄ of the contact, and its derivative dz̄/dτ.
     #[must_use]
     pub fn relative(&self) -> (S, S) {
-        let at = segment::phase(self.now.t);
+        let at = phase(self.now.t);
         let velocity = if self.contact_state.contact == Contact::Stuck {
             S::constant(0.0)
         } else {
@@ -194,9 +201,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     #[must_use]
     pub fn friction(&self) -> S {
         match self.contact_state.contact {
-            Contact::Stuck => self
-                .setting
-                .holding(self.parts.as_ref(), segment::phase(self.now.t)),
+            Contact::Stuck => self.setting.holding(self.parts.as_ref(), phase(self.now.t)),
             sliding => sliding.sign::<S>() * self.kinetic(),
         }
     }
@@ -206,7 +211,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         let Some(lines) = self.level.lines() else {
             return self.setting.beta;
         };
-        let at = segment::phase(self.now.t);
+        let at = phase(self.now.t);
         let (velocity, _) = self.setting.relative_velocity(self.parts.as_ref(), at);
         let line = lines.line();
         // Rounding may leave a speed a little beyond the line.
@@ -289,7 +294,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         if sought.holds() {
             // The contact could not leave zero velocity, and continues to stick.
             let contact_state =
-                ended(&self.setting, modes, &sought, segment::phase(self.now.t)).contact_state;
+                ended(&self.setting, modes, &sought, phase(self.now.t)).contact_state;
             sought = seek(&self.setting, modes, held, contact_state, reach);
         }
         self.contact_state = sought.contact_state;
@@ -305,7 +310,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         if reach < rest {
             self.passed = self.passed.plus(reach);
             self.now = self.now.moved(Total::zero().plus(reach));
-            let to = segment::phase(self.now.t);
+            let to = phase(self.now.t);
             put(
                 &self.setting,
                 (modes, held),
@@ -316,7 +321,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
             return (reach, None);
         }
         self.now = self.start.moved(Total::zero().plus(sought.tau));
-        let to = segment::phase(self.now.t);
+        let to = phase(self.now.t);
         put(
             &self.setting,
             (modes, held),
@@ -362,23 +367,5 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>> Iter
 
     fn next(&mut self) -> Option<Segment<S>> {
         Some(self.moved(S::pi() + S::pi()))
-    }
-}
-
-impl<S: Float> Setting<'_, S> {
-    /// Sets the modes' state from displacements and velocities of the masses.
-    pub(crate) fn load_state(&self, displacements: &[S], velocities: &[S], parts: &mut [Part<S>]) {
-        let masses = displacements.len().max(1);
-        let weights = self.dynamics.weights.chunks(masses);
-        for (part, weights) in parts.iter_mut().zip(weights) {
-            let product = |values: &[S]| {
-                let terms = weights.iter().zip(values);
-                terms.fold(S::constant(0.0), |sum, (weight, value)| {
-                    sum + *weight * *value
-                })
-            };
-            part.y = product(displacements);
-            part.u = product(velocities) / part.x;
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! Upper bounds on the cost of a step, counted from the lengths of its loops.
 
 use super::{MAX_EVENTS, MAX_STRETCHES};
-use crate::simulation::WALK;
+use crate::motion::WALK;
 
 /// Sizes from which the cost of a step follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

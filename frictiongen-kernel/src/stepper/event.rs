@@ -3,8 +3,9 @@
 use super::drive::derived;
 use super::part::{ROUNDINGS, Through};
 use super::{MAX_EVENTS, MAX_STRETCHES};
+use crate::motion::contact::line as law;
+use crate::motion::{Contact, Start, Walk, first_reach, first_zero, lift};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Start, Walk, first_reach, first_zero, law, lift};
 
 /// The contact at the instant at which it leaves zero velocity.
 #[derive(Clone, Copy, Debug)]

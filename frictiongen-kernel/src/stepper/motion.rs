@@ -4,8 +4,8 @@ use super::drive::{derived, growth, shift};
 use super::part::{Through, product};
 use super::rows::{moments, next};
 use super::table::HeldLoad;
+use crate::motion::Power;
 use crate::number::scalar::Float;
-use crate::simulation::Power;
 
 impl<S: Float, const D: usize> Through<'_, '_, S, D> {
     fn terms(&self) -> usize {

@@ -5,8 +5,9 @@ use super::part::ROUNDINGS;
 use super::run::Stepper;
 use super::state::Store;
 use super::table::Tables;
+use crate::motion::Contact;
+use crate::motion::contact::line as law;
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, law};
 
 /// Result of one step of a stepper.
 #[derive(Clone, Copy, Debug, PartialEq)]

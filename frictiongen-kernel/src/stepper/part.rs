@@ -7,9 +7,9 @@ use super::rows::HeldStep;
 use super::scene::StepScene;
 use super::state::{Status, StoreMut};
 use super::table::View;
+use crate::motion::Contact;
+use crate::motion::contact::line::{self as law, Line};
 use crate::number::scalar::Float;
-use crate::simulation::Contact;
-use crate::simulation::law::{self, Line};
 
 /// Rounding bound of a sum over modes, in roundings of the sum of its terms' sizes.
 pub(super) const ROUNDINGS: f64 = 8.0;

@@ -8,8 +8,9 @@ use super::scene::StepScene;
 use super::state::{FixedStore, Status, Store};
 use super::table::{FixedTables, Tables};
 use crate::errors::OutOfDomain;
+use crate::motion::Contact;
+use crate::motion::contact::line as law;
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, law};
 use core::marker::PhantomData;
 
 /// Largest change of the contact's velocity that a friction law may cause in a sub-interval, as a multiple of that

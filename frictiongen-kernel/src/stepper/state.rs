@@ -5,8 +5,8 @@ use super::run::Stepper;
 use super::scene::StepScene;
 use super::table::{Tables, View};
 use crate::errors::OutOfDomain;
+use crate::motion::{Contact, Total};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Total};
 
 /// Mutable view of a stepper's numbers.
 #[derive(Debug)]

@@ -3,7 +3,8 @@
 use super::error::UnknownMass;
 use super::system::System;
 use crate::{OutOfDomain, Simulates, SimulatesUnder};
-use frictiongen_kernel::simulation::{Dynamics, Lines, Moment, Part, Segment, Simulation};
+use frictiongen_kernel::motion::{Dynamics, Lines, Part};
+use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 use frictiongen_kernel::{Float, Plain};
 
 /// An exact run in time of a system, from event to event. The run is an iterator over its segments.

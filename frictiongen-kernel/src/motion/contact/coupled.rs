@@ -3,15 +3,15 @@
 //! On one line of the law the friction force is level + slope·velocity, which couples the modes.  A power series gives
 //! their motion over a piece in which modes, excitation and law together turn by at most a radian.
 
-use super::law::Line;
+use super::line::Line;
 use super::lines::{Crossing, Lines};
-use super::local::ROUNDINGS;
-use super::part::Part;
-use super::power::{Power, TERMS};
-use super::segment::{ContactState, Outcome, Sought, advanced, phase};
-use super::setting::Setting;
-use super::walk::{Start, Walk, first_zero};
+use super::state::{ContactState, Outcome, Sought};
 use crate::errors::OutOfDomain;
+use crate::motion::oscillator::Part;
+use crate::motion::segment::{advanced, phase};
+use crate::motion::series::{Power, ROUNDINGS, TERMS};
+use crate::motion::setting::Setting;
+use crate::motion::walk::{Start, Walk, first_zero};
 use crate::number::scalar::Float;
 
 /// Upper bound on the rate at which the law changes the motion, as a multiple of the fastest mode's rate.
@@ -31,7 +31,7 @@ impl<S: Float> Setting<'_, S> {
     }
 
     /// Fails if a law is too steep to be followed.
-    pub(super) fn check_lines(
+    pub(crate) fn check_lines(
         &self,
         modes: &[Part<S>],
         lines: &Lines<'_, S>,
@@ -111,7 +111,7 @@ impl<S: Float> Setting<'_, S> {
 }
 
 /// Searches for the end of a piece of sliding on one line of the law: an event, another line, or the end of the series.
-pub(super) fn seek<S: Float>(
+pub(crate) fn seek<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
     lines: &mut Lines<'_, S>,
@@ -206,7 +206,7 @@ impl<S: Float> Setting<'_, S> {
 }
 
 /// Sets the modes to their state τ after a piece's start.  `to` is the excitation's phase then.
-pub(super) fn place<S: Float>(
+pub(crate) fn place<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
     lines: &Lines<'_, S>,

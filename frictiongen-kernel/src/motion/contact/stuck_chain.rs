@@ -1,19 +1,11 @@
 //! Transformation between the modes of the chain and the modes of the stuck chain.
 
-use super::part::{Part, lift};
-use super::setting::Setting;
-use super::{Dynamics, HeldMode};
+use crate::motion::dynamics::{Dynamics, lift};
+use crate::motion::oscillator::Part;
+use crate::motion::setting::Setting;
 use crate::number::scalar::Float;
 
 impl<S: Float> Dynamics<'_, S> {
-    /// wᵀK̄⁻¹w = Σ c/λ, the contact's displacement per unit of steady contact force.
-    pub(crate) fn receptance(&self) -> S {
-        let terms = self.driven().iter();
-        terms.fold(S::constant(0.0), |sum, mode| {
-            sum + mode.inverse_mass / (mode.resonance * mode.resonance)
-        })
-    }
-
     /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes.  The displacement z of
     /// the contact and its rate in the time t√(k₁/m₁) are subtracted first, with the shape in which they lift the
     /// modes.
@@ -76,14 +68,6 @@ impl<S: Float> Dynamics<'_, S> {
             sum_u = sum_u + of.frequency * slope;
         }
         [sum_y, sum_u / mode.resonance]
-    }
-}
-
-impl<S: Float> HeldMode<S> {
-    /// y and u of the mode from the products of a motion with the mode's two states.
-    pub(crate) fn state(&self, first: S, second: S) -> (S, S) {
-        let [m11, m12, m22] = self.inverse;
-        (m11 * first + m12 * second, m12 * first + m22 * second)
     }
 }
 

@@ -1,7 +1,7 @@
 //! A scene at one frequency ratio and one friction ratio, which all segments of its motion share.
 
-use super::part::{Part, lift};
-use super::{Dynamics, rotated};
+use super::dynamics::{Dynamics, lift, rotated};
+use super::oscillator::Part;
 use crate::contact::regime::{check_beta, check_ratio};
 use crate::errors::OutOfDomain;
 use crate::number::complex::Complex;
@@ -121,6 +121,22 @@ impl<'a, S: Float> Setting<'a, S> {
             Ok(())
         } else {
             Err(OutOfDomain { argument: "state" })
+        }
+    }
+
+    /// Sets the modes' state from displacements and velocities of the masses.
+    pub(crate) fn load_state(&self, displacements: &[S], velocities: &[S], parts: &mut [Part<S>]) {
+        let masses = displacements.len().max(1);
+        let weights = self.dynamics.weights.chunks(masses);
+        for (part, weights) in parts.iter_mut().zip(weights) {
+            let product = |values: &[S]| {
+                let terms = weights.iter().zip(values);
+                terms.fold(S::constant(0.0), |sum, (weight, value)| {
+                    sum + *weight * *value
+                })
+            };
+            part.y = product(displacements);
+            part.u = product(velocities) / part.x;
         }
     }
 

@@ -1,13 +1,15 @@
 //! Growth of small deviations along a motion.  Between events it has a closed form.  At each event a deviation jumps
 //! (saltation), because the event then occurs a little earlier or later.
 
+use super::state::{Contact, ContactState, End};
+use crate::motion::oscillator::Part;
+use crate::motion::setting::Setting;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, ContactState, End, Part, Setting};
 
 /// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.  `modes` and `held`
 /// are the oscillators after the segment.  The states in `held` are overwritten.
-pub(super) fn through<S: Float>(
+pub(crate) fn through<S: Float>(
     setting: &Setting<'_, S>,
     modes: &[Part<S>],
     held: &mut [Part<S>],

@@ -1,10 +1,11 @@
 //! One segment of the motion, from one event to the next.
 
-use super::part::Part;
+use super::contact::{Contact, ContactState, End, Event, Outcome, Sought};
+use super::dynamics::rotated;
+use super::oscillator::Part;
+use super::series::Sum;
 use super::setting::Setting;
-use super::sum::Sum;
 use super::walk::{Start, Walk, first_reach, first_zero};
-use super::{Contact, Event, rotated};
 use crate::number::complex::{self, Complex};
 use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
@@ -12,36 +13,6 @@ use crate::oscillator::decay::Turn;
 
 /// Rounding bound of a velocity that vanishes, in roundings of the sum of its terms' sizes.
 const ROUNDINGS: f64 = 8.0;
-
-/// State of the contact at an instant.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ContactState<S> {
-    /// The excitation's phase in half-turns, in [0, 2).
-    pub t: S,
-    /// State of the contact: stuck, or its direction of sliding.
-    pub contact: Contact,
-    /// At an event, the relative acceleration in the direction of sliding, with which the contact leaves zero velocity.
-    pub departing: Option<S>,
-    /// True if the contact has just failed to leave.  Rounding then must not decide that the contact force exceeds μβ.
-    pub wedged: bool,
-}
-
-/// End of a segment: its length, its event, and the state of the contact after the event.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct End<S> {
-    /// Length of the segment, in τ.
-    pub tau: S,
-    /// Event that ends the segment, or `None` at the reach.
-    pub event: Option<Event>,
-    /// State of the contact after the event.
-    pub contact_state: ContactState<S>,
-    /// At an event, the slope of the function that vanishes at the event: z̄″ before the event, or F′.
-    pub slope: S,
-    /// Jump of the contact force at the event: force before less force after.
-    pub jump: S,
-    /// Number of steps of the walk that found the end.
-    pub steps: u32,
-}
 
 /// Sine and cosine of the excitation's angle.
 pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
@@ -150,33 +121,6 @@ pub(crate) fn advanced<S: Float>(parts: &mut [Part<S>], tau: S, from: (S, S), to
         let [y, u] = part.at(&turn, t, from, to);
         (part.y, part.u) = (y, u);
     }
-}
-
-/// A segment whose end has been found, before any oscillator is advanced.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Sought<S> {
-    /// State of the contact at the segment's start.
-    pub contact_state: ContactState<S>,
-    /// Length of the segment, in τ.
-    pub tau: S,
-    /// z̄, where the contact sticks.
-    offset: S,
-    pub(super) outcome: Outcome,
-    slope: S,
-    pub(super) steps: u32,
-}
-
-/// The way in which a segment ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Outcome {
-    /// No event within the reach.
-    Goes,
-    /// The relative velocity vanishes.
-    Halts,
-    /// The contact force reaches ±μβ; `true` means −μβ.
-    Breaks(bool),
-    /// The contact cannot leave zero velocity.
-    Holds,
 }
 
 /// Searches for the next event from a contact state, as far as `reach`, and sets the oscillators to the segment.
@@ -348,26 +292,6 @@ pub(crate) fn leap<S: Float>(
         place(setting, modes, held, &sought, sought.tau, to);
     }
     ended(setting, modes, &sought, to)
-}
-
-impl<S: Float> Sought<S> {
-    /// Creates a segment whose end is still unknown.
-    pub(super) fn none(contact_state: ContactState<S>) -> Self {
-        let zero = S::constant(0.0);
-        Self {
-            contact_state,
-            tau: zero,
-            offset: zero,
-            outcome: Outcome::Goes,
-            slope: zero,
-            steps: 0,
-        }
-    }
-
-    /// Returns true if the contact cannot leave zero velocity, and so continues to stick.
-    pub(crate) fn holds(&self) -> bool {
-        self.outcome == Outcome::Holds
-    }
 }
 
 /// Returns the [`End`] of a segment of length `tau` in which no event occurs.

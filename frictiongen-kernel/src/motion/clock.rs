@@ -27,14 +27,14 @@ impl<S: Float> Total<S> {
     }
 
     /// The distance from the sum to a value.
-    pub(super) fn short_of(self, value: S) -> S {
+    pub(crate) fn short_of(self, value: S) -> S {
         (value - self.value) - self.low
     }
 }
 
 /// The excitation's phase and the number of completed cycles.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Clock<S> {
+pub(crate) struct Clock<S> {
     /// The phase in half-turns, in [0, 2).
     pub t: S,
     /// The accumulated rounding error of `t`.  The exact phase is the sum of both.
@@ -45,7 +45,7 @@ pub(super) struct Clock<S> {
 
 impl<S: Float> Clock<S> {
     /// The clock at a maximum of the excitation.
-    pub(super) fn start() -> Self {
+    pub(crate) fn start() -> Self {
         let zero = S::constant(0.0);
         Self {
             t: zero,
@@ -55,7 +55,7 @@ impl<S: Float> Clock<S> {
     }
 
     /// The clock a time τ = `passed` later.
-    pub(super) fn moved(self, passed: Total<S>) -> Self {
+    pub(crate) fn moved(self, passed: Total<S>) -> Self {
         let (turns, error) = two_product(passed.value, S::inverse_pi());
         let error = error + passed.value * inverse_pi_low() + passed.low * S::inverse_pi();
         let (t, left) = two_sum(self.t, turns);
