@@ -1,5 +1,6 @@
 //! The excitation's phase over a long run, and sums of steps, without accumulated rounding.
 
+use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 
 /// A compensated sum of many numbers.
@@ -79,6 +80,18 @@ impl<S: Float> Clock<S> {
         let cycles = self.cycles.wrapping_add(whole.to_f64().max(0.0) as u64);
         Self { t, low, cycles }
     }
+}
+
+/// Sine and cosine of the excitation's angle.
+pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
+    t.sin_cos_pi()
+}
+
+/// The phase τ after the phase `t`, in half-turns, in [0, 2).
+pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
+    let two = S::constant(2.0);
+    let t = within_cycle(t + tau * S::inverse_pi());
+    if t < two { t } else { t - two }
 }
 
 /// 1/π less the scalar's 1/π.

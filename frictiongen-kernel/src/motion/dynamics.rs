@@ -1,5 +1,6 @@
 //! Data of a scene for its motion in time: its modes, and the modes of the chain whose contact sticks.
 
+use super::contact::LOST_MODES;
 use crate::contact::sums::Chain;
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
@@ -29,7 +30,7 @@ pub struct Dynamics<'a, S> {
     pub chain: Chain<S>,
     /// All modes, with those that the contact drives first.
     pub modes: &'a [Mode<S>],
-    /// The modes of the stuck chain, one fewer than the contact drives.
+    /// The modes of the stuck chain.  A rigid contact leaves one fewer than it drives.
     pub held: &'a [HeldMode<S>],
     /// Participation factors of each mode that the contact drives in each mode of the stuck chain, for y and for u.
     pub participations: &'a [[S; 2]],
@@ -45,7 +46,13 @@ impl<'a, S: Float> Dynamics<'a, S> {
     /// Number of modes that the contact drives.
     #[must_use]
     pub fn in_contact(&self) -> usize {
-        self.held.len() + 1
+        self.held.len() + LOST_MODES
+    }
+
+    /// Number of oscillators: the modes of the chain and those of the stuck chain.
+    #[must_use]
+    pub fn oscillators(&self) -> usize {
+        self.modes.len() + self.held.len()
     }
 
     /// The modes that the contact drives.

@@ -16,15 +16,16 @@ mod series;
 mod setting;
 mod walk;
 
-pub use contact::{Constant, Contact, Event, Level, Lines, MAX_STEEPNESS};
+pub use contact::{Constant, Contact, Event, LOST_MODES, Level, Lines, MAX_STEEPNESS};
 pub use dynamics::{Dynamics, HeldMode};
 pub use oscillator::Part;
 pub use series::MAX_STEPS;
 pub use setting::Setting;
 
-pub(crate) use clock::{Clock, Total};
-pub(crate) use contact::{ContactState, Sought};
+pub(crate) use clock::{Clock, Total, phase};
+pub(crate) use contact::kinetic::{Line, line, line_at, steepest};
+pub(crate) use contact::{ContactState, Rigid, STUCK_MULTIPLIERS, Sought, carry_deviations};
 pub(crate) use dynamics::{lift, rotated};
-pub(crate) use segment::{ended, leap, phase, place, seek, span};
+pub(crate) use segment::{ended, leap, seek, span};
 pub(crate) use series::{Power, ROUNDINGS as SUM_ROUNDINGS, Sum, TERMS, WALK};
 pub(crate) use walk::{Start, Walk, first_reach, first_zero};

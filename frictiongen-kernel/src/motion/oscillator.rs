@@ -80,7 +80,7 @@ impl<S: Float> Part<S> {
     }
 
     /// Creates the oscillator of a mode at r, driven by the load.
-    pub(crate) fn of_mode(mode: &Mode<S>, r: S) -> Self {
+    pub(crate) fn from_mode(mode: &Mode<S>, r: S) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.resonance);
@@ -90,7 +90,7 @@ impl<S: Float> Part<S> {
     }
 
     /// Creates the oscillator of a stuck chain's mode at r.  `drive` has the two components of its drive, times r.
-    pub(crate) fn of_held(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
+    pub(crate) fn from_stuck_mode(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.frequency);
@@ -357,6 +357,16 @@ impl<S: Float> Part<S> {
             self.x * (b - self.zeta * a),
             -(self.x * (self.q2 * a + self.zeta * b)),
         ]
+    }
+}
+
+/// Advances all oscillators by τ from the segment's start.
+pub(crate) fn advanced<S: Float>(parts: &mut [Part<S>], tau: S, from: (S, S), to: (S, S)) {
+    let t = tau * S::inverse_pi();
+    for part in parts {
+        let turn: Turn<S> = part.turn(t, tau);
+        let [y, u] = part.at(&turn, t, from, to);
+        (part.y, part.u) = (y, u);
     }
 }
 

@@ -7,7 +7,7 @@ use super::record::{Record, Recorded};
 use super::shooting::{MAX_STEPS, Settled, settle};
 use super::{MAX_SEGMENTS, Orbit, SegmentStart, Start};
 use crate::errors::NoOrbit;
-use crate::motion::{Contact, ContactState, Dynamics, Part, Setting, leap};
+use crate::motion::{ContactState, Dynamics, Part, STUCK_MULTIPLIERS, Setting, leap};
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Plain};
 use crate::oscillator::mode::{Kind, Mode};
@@ -63,7 +63,7 @@ where
             }
         }
         // From β*_lim on a stuck state exists.  The motion decides whether that state is reached.
-        let holding = (!(beta < sliding)).then_some(dynamics.chain.stiction * sliding);
+        let holding = (!(beta < sliding)).then_some(setting.law_at(sliding).grip());
         let mut unbounded = None;
         for (index, mode) in dynamics.modes.iter().enumerate() {
             settles(&dynamics, mode, index)?;
@@ -155,7 +155,8 @@ where
         };
         let held = holding.filter(|_| orbit.never_slides());
         // The rest of μβ can carry a constant force, and with it an offset.
-        let held = held.map(|steady| (setting.grip() - steady).max(zero) * setting.receptance);
+        let held =
+            held.map(|steady| (setting.law().grip() - steady).max(zero) * setting.receptance);
         orbit.offset_range = held.or(found.reach.map(|reach| orbit.offset().abs() * reach));
         Ok(orbit)
     }
@@ -206,20 +207,13 @@ pub(super) fn stuck<S: Float>(
     let states = states.map(|part| (&mut part.y, &mut part.u));
     let lifted = cycle_map.setting.lifted(offset, at);
     cycle_map.setting.release(cycle_map.held, lifted, states);
-    cycle_map.contact_state = ContactState {
-        t: zero,
-        contact: Contact::Stuck,
-        departing: None,
-        wedged: false,
-    };
-    // A deviation of the contact's displacement stays.  A deviation of its velocity vanishes at once.  Deviations of
-    // the stuck chain's modes decay independently.
-    let one = S::constant(1.0);
+    cycle_map.contact_state = ContactState::stuck(zero);
+    // Deviations of the stuck chain's modes decay independently.
     let two_pi = S::pi() + S::pi();
     let mut out = workspace.multipliers.iter_mut();
     // The array has to be the first argument of `zip`.  Otherwise `zip` would take one more multiplier and drop it.
-    for (re, out) in [one, zero].into_iter().zip(out.by_ref()) {
-        *out = Complex::new(re, zero);
+    for (re, out) in STUCK_MULTIPLIERS.into_iter().zip(out.by_ref()) {
+        *out = Complex::new(S::constant(re), zero);
     }
     for part in cycle_map.held.iter() {
         for multiplier in part.multipliers(two_pi) {

@@ -284,7 +284,7 @@ where
             // Where the contact has come to rest, its force must not be close to μβ.
             if !first && before != Contact::Stuck {
                 let force = setting.holding(modes, mark.contact_state.t.sin_cos_pi());
-                let grip = setting.grip();
+                let grip = setting.law().grip();
                 if (force.abs() - grip).abs() <= grip * graze {
                     return true;
                 }
@@ -296,10 +296,10 @@ where
             // At the end of the segment the vanishing function must have a slope clearly unlike zero.
             let sum = if before == Contact::Stuck {
                 setting
-                    .stick(modes, held, &mark.contact_state, mark.length)
+                    .start_sticking(modes, held, &mark.contact_state, mark.length)
                     .0
             } else {
-                setting.slide(modes, &mark.contact_state, mark.length)
+                setting.start_sliding(modes, &mark.contact_state, mark.length)
             };
             let slope = sum.local(mark.length).slope;
             let size = sum.noise / S::constant(SUM_ROUNDINGS * S::EPSILON);

@@ -1,7 +1,7 @@
 //! The motion over half a cycle or a whole one, from a section at a fixed phase of the excitation.
 
 use crate::errors::NoOrbit;
-use crate::motion::{Contact, ContactState, Event, Part, Setting, contact, leap};
+use crate::motion::{Contact, ContactState, Event, Part, Setting, carry_deviations, leap};
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
@@ -102,10 +102,9 @@ impl<S: Float> CycleMap<'_, '_, S> {
                 self.middle = (tau - left + end.tau * S::constant(0.5)) * S::inverse_pi();
             }
             if let Some(columns) = &mut columns {
-                contact::variational::through(
+                carry_deviations(
                     self.setting,
-                    self.modes,
-                    self.held,
+                    (&*self.modes, &mut *self.held),
                     &contact_state,
                     &end,
                     columns,

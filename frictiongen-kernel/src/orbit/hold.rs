@@ -64,7 +64,7 @@ impl<S: Float> Hold<S> {
             self.before = [far, self.before[0]];
             return None;
         }
-        let (sum, offset) = setting.stick(
+        let (sum, offset) = setting.start_sticking(
             cycle_map.modes,
             cycle_map.held,
             &contact_state,
@@ -77,8 +77,9 @@ impl<S: Float> Hold<S> {
         });
         let before = self.before[1];
         self.before = [constant, self.before[0]];
-        let spare = setting.grip() - self.steady;
-        let noise = S::constant(ROUNDINGS * S::EPSILON) * setting.grip();
+        let grip = setting.law().grip();
+        let spare = grip - self.steady;
+        let noise = S::constant(ROUNDINGS * S::EPSILON) * grip;
         if constant + free <= spare + noise || QUIET <= self.quiet {
             return Some(offset);
         }

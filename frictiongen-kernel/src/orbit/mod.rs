@@ -73,12 +73,7 @@ impl<S: Float> SegmentStart<S> {
     fn empty() -> Self {
         let zero = S::constant(0.0);
         Self {
-            contact_state: ContactState {
-                t: zero,
-                contact: Contact::Stuck,
-                departing: None,
-                wedged: false,
-            },
+            contact_state: ContactState::stuck(zero),
             cycle: zero,
             length: zero,
             relative: zero,
@@ -266,12 +261,12 @@ where
         };
         let contact = mark.contact_state.contact;
         if contact != Contact::Stuck {
-            return (contact, contact.sign::<S>() * self.setting.beta);
+            return (contact, self.setting.law().kinetic(contact));
         }
         let (modes, held) = self.setting.split(segments.parts());
         let (force, _) = self
             .setting
-            .stick(modes, held, &mark.contact_state, mark.length);
+            .start_sticking(modes, held, &mark.contact_state, mark.length);
         (contact, force.local(since).value)
     }
 

@@ -268,7 +268,7 @@ where
         }
         let sticks = contact_state.contact == Contact::Stuck;
         if sticks {
-            let (_, offset) = setting.stick(modes, held, contact_state, reach);
+            let (_, offset) = setting.start_sticking(modes, held, contact_state, reach);
             for (part, (_, participations)) in held.iter_mut().zip(setting.dynamics.held_modes()) {
                 part.weight = [zero; 2];
                 for (index, participation) in participations.iter().enumerate() {
@@ -283,7 +283,7 @@ where
                 fundamental.re = fundamental.re + lift * setting.base;
             }
         } else {
-            let _ = setting.slide(modes, contact_state, reach);
+            let _ = setting.start_sliding(modes, contact_state, reach);
             for (index, part) in modes.iter_mut().enumerate().take(driven) {
                 part.weight = [component(index), zero];
                 constant = constant + component(index) * part.centre;

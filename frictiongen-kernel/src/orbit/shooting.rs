@@ -59,7 +59,7 @@ pub(super) fn settle<S: Float>(
     most: u32,
     spare: &mut [S],
 ) -> Result<Settled<S>, NoOrbit> {
-    let monotone = cycle_map.setting.dynamics.chain.stiction <= S::constant(1.0);
+    let monotone = cycle_map.setting.law().is_contraction();
     let mut hold = holding.map(|steady| Hold::new(steady, monotone));
     if let Some(offset) = hold.as_mut().and_then(|hold| hold.held(cycle_map)) {
         return Ok(Settled::Stuck(offset));

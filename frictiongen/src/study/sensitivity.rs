@@ -143,7 +143,7 @@ impl Varied {
             dynamics,
             r,
             beta,
-            vec![Part::empty(); modes + dynamics.held.len()],
+            vec![Part::empty(); dynamics.oscillators()],
             vec![zero; orbit::numbers(modes, driven)],
             &mut vec![zero; 2 * modes],
             Vec::new(),

@@ -35,7 +35,7 @@ impl<S: Plain> System<S> {
     /// Returns one empty part for each mode and each mode with the contact stuck.
     pub(super) fn parts(&self) -> Vec<Part<S>> {
         let dynamics = self.dynamics();
-        vec![Part::empty(); dynamics.modes.len() + dynamics.held.len()]
+        vec![Part::empty(); dynamics.oscillators()]
     }
 
     /// Starts the exact motion in time from rest, with the excitation at its maximum.

@@ -1,14 +1,25 @@
-//! The law of the contact.
+//! The law of the contact: what decides when it sticks and slides, and under which force.
+//!
+//! The law answers these questions.  Everything else in [`motion`](super), in the simulation, the stepper and the steady
+//! states holds for any law.
+//!
+//! | question | answered by |
+//! |---|---|
+//! | which force keeps it stuck, and which direction it takes beyond | [`Rigid::grip`], [`Rigid::break_away`] |
+//! | what follows at zero relative velocity | [`Rigid::leave_rest`] |
+//! | which force acts while it slides | [`Rigid::kinetic`], [`Rigid::kinetic_on`] |
+//! | how the oscillators start to slide and to stick | `Setting::start_sliding`, `Setting::start_sticking` |
+//! | how many modes the stuck chain has, and how states change to them and back | [`LOST_MODES`], `Dynamics::project`, `Dynamics::release` |
+//! | how a deviation grows, and how it jumps at an event | [`carry_deviations`], [`STUCK_MULTIPLIERS`] |
 
-pub(crate) mod coupled;
-pub(crate) mod line;
-mod lines;
+pub(crate) mod kinetic;
+mod rigid;
+mod sliding;
 mod state;
-mod stuck_chain;
-pub(crate) mod variational;
 
-pub use coupled::MAX_STEEPNESS;
-pub use lines::{Constant, Level, Lines};
+pub use kinetic::{Constant, Level, Lines, MAX_STEEPNESS};
+pub use rigid::LOST_MODES;
 pub use state::{Contact, Event};
 
+pub(crate) use rigid::{Rigid, STUCK_MULTIPLIERS, Slide, carry_deviations};
 pub(crate) use state::{ContactState, End, Outcome, Sought};

@@ -33,6 +33,15 @@ impl Contact {
         }
     }
 
+    /// Sliding in the negative direction, or in the positive one.
+    pub(crate) fn towards(negative: bool) -> Self {
+        if negative {
+            Self::Backward
+        } else {
+            Self::Forward
+        }
+    }
+
     /// Returns the opposite direction of sliding.  A stuck contact stays stuck.
     #[must_use]
     pub fn reversed(self) -> Self {
@@ -67,6 +76,18 @@ pub(crate) struct ContactState<S> {
     pub departing: Option<S>,
     /// True if the contact has just failed to leave.  Rounding then must not decide that the contact force exceeds μβ.
     pub wedged: bool,
+}
+
+impl<S: Float> ContactState<S> {
+    /// State of a contact that sticks at the phase `t`.
+    pub(crate) fn stuck(t: S) -> Self {
+        Self {
+            t,
+            contact: Contact::Stuck,
+            departing: None,
+            wedged: false,
+        }
+    }
 }
 
 /// End of a segment: its length, its event, and the state of the contact after the event.
@@ -110,8 +131,8 @@ pub(crate) enum Outcome {
     Goes,
     /// The relative velocity vanishes.
     Halts,
-    /// The contact force reaches ±μβ; `true` means −μβ.
-    Breaks(bool),
+    /// The force in the stuck contact reaches its bound, and the contact slides in this direction.
+    Breaks(Contact),
     /// The contact cannot leave zero velocity.
     Holds,
 }

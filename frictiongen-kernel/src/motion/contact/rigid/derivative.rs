@@ -1,7 +1,7 @@
 //! Growth of small deviations along a motion.  Between events it has a closed form.  At each event a deviation jumps
 //! (saltation), because the event then occurs a little earlier or later.
 
-use super::state::{Contact, ContactState, End};
+use crate::motion::contact::state::{Contact, ContactState, End};
 use crate::motion::oscillator::Part;
 use crate::motion::setting::Setting;
 use crate::number::pairs::{pairs, pairs_mut};
@@ -9,10 +9,9 @@ use crate::number::scalar::Float;
 
 /// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.  `modes` and `held`
 /// are the oscillators after the segment.  The states in `held` are overwritten.
-pub(crate) fn through<S: Float>(
+pub(crate) fn carry_deviations<S: Float>(
     setting: &Setting<'_, S>,
-    modes: &[Part<S>],
-    held: &mut [Part<S>],
+    (modes, held): (&[Part<S>], &mut [Part<S>]),
     contact_state: &ContactState<S>,
     end: &End<S>,
     columns: &mut [S],

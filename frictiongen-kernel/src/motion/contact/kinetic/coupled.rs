@@ -5,10 +5,10 @@
 
 use super::line::Line;
 use super::lines::{Crossing, Lines};
-use super::state::{ContactState, Outcome, Sought};
 use crate::errors::OutOfDomain;
-use crate::motion::oscillator::Part;
-use crate::motion::segment::{advanced, phase};
+use crate::motion::clock::phase;
+use crate::motion::contact::state::{ContactState, Outcome, Sought};
+use crate::motion::oscillator::{Part, advanced};
 use crate::motion::series::{Power, ROUNDINGS, TERMS};
 use crate::motion::setting::Setting;
 use crate::motion::walk::{Start, Walk, first_zero};
@@ -36,7 +36,7 @@ impl<S: Float> Setting<'_, S> {
         modes: &[Part<S>],
         lines: &Lines<'_, S>,
     ) -> Result<(), OutOfDomain> {
-        let steep = self.acceleration(self.beta * lines.steepest());
+        let steep = self.acceleration(self.law().level * lines.steepest());
         let most = self.turning(modes) * S::constant(f64::from(MAX_STEEPNESS));
         if steep <= most {
             Ok(())
@@ -49,7 +49,7 @@ impl<S: Float> Setting<'_, S> {
 
     /// Length in τ of the piece over which a power series serves.
     fn stretch(&self, modes: &[Part<S>], line: &Line<S>) -> S {
-        let steep = self.acceleration(self.beta * line.slope.abs());
+        let steep = self.acceleration(self.law().level * line.slope.abs());
         S::constant(1.0) / (self.turning(modes) + steep)
     }
 
@@ -63,8 +63,7 @@ impl<S: Float> Setting<'_, S> {
         to: S,
     ) -> Power<S> {
         let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
-        let sign: S = start.contact.sign();
-        let (level, slope) = (sign * self.beta * line.level, self.beta * line.slope);
+        let [level, slope] = self.law().kinetic_on(line, start.contact);
         let driven = self.dynamics.driven();
         for part in modes.iter_mut().take(driven.len()) {
             // `value` is the current term of the series, and `slope` the sum of all terms.
@@ -194,7 +193,7 @@ impl<S: Float> Setting<'_, S> {
     ) -> (S, Crossing) {
         let mut constant = *self;
         constant.beta = self.beta * line.level;
-        let mut sum = constant.slide(modes, &sought.contact_state, reach);
+        let mut sum = constant.start_sliding(modes, &sought.contact_state, reach);
         sum.constant = -line.low;
         sum.noise = sum.noise + line.low * S::constant(ROUNDINGS * S::EPSILON);
         match first_zero(&sum, Start::Anywhere, &mut sought.steps) {

@@ -1,8 +1,7 @@
 //! Transformation between the modes of the chain and the modes of the stuck chain.
 
-use crate::motion::dynamics::{Dynamics, lift};
-use crate::motion::oscillator::Part;
-use crate::motion::setting::Setting;
+use crate::motion::dynamics::{Dynamics, HeldMode, lift};
+use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
 impl<S: Float> Dynamics<'_, S> {
@@ -30,6 +29,31 @@ impl<S: Float> Dynamics<'_, S> {
             }
             (*to_y, *to_u) = mode.state(first, second);
         }
+    }
+
+    /// Computes both components of the drive of a stuck chain's mode, times r.  `base` is the base coefficient s.
+    pub(crate) fn stuck_drive(
+        &self,
+        (mode, participations): (&HeldMode<S>, &[[S; 2]]),
+        (base, r): (S, S),
+        receptance: S,
+    ) -> [Complex<S>; 2] {
+        let (zero, two) = (S::constant(0.0), S::constant(2.0));
+        // The load on each mode is reduced by the inertia and damping of the motion that the base imposes on the stuck
+        // contact.
+        let mut sums = [Complex::new(zero, zero); 2];
+        for (driven, participation) in self.driven().iter().zip(participations) {
+            let lift = base * lift(driven, receptance);
+            let re = driven.load + lift * r * r;
+            let im = -(lift * two * driven.zeta * driven.resonance * r);
+            for (sum, participation) in sums.iter_mut().zip(participation) {
+                *sum = Complex::new(sum.re + *participation * re, sum.im + *participation * im);
+            }
+        }
+        let [first, second] = sums;
+        let (re_y, re_u) = mode.state(first.re, second.re);
+        let (im_y, im_u) = mode.state(first.im, second.im);
+        [Complex::new(re_y, im_y), Complex::new(re_u, im_u)]
     }
 
     /// Computes the state of the modes from y and u of the stuck chain's modes and from the displacement of the
@@ -68,30 +92,6 @@ impl<S: Float> Dynamics<'_, S> {
             sum_u = sum_u + of.frequency * slope;
         }
         [sum_y, sum_u / mode.resonance]
-    }
-}
-
-impl<S: Float> Setting<'_, S> {
-    /// Computes y and u of this setting's stuck chain, as [`Dynamics::project`] does.
-    pub(crate) fn project(
-        &self,
-        states: impl Iterator<Item = [S; 2]> + Clone,
-        lifted: (S, S),
-        held: &mut [Part<S>],
-    ) {
-        let held = held.iter_mut().map(|part| (&mut part.y, &mut part.u));
-        self.dynamics.project(self.receptance, states, lifted, held);
-    }
-
-    /// Computes the state of the modes from this setting's stuck chain, as [`Dynamics::release`] does.
-    pub(crate) fn release<'s>(
-        &self,
-        held: &[Part<S>],
-        lifted: (S, S),
-        states: impl Iterator<Item = (&'s mut S, &'s mut S)>,
-    ) {
-        let held = held.iter().map(|part| [part.y, part.u]);
-        self.dynamics.release(self.receptance, held, lifted, states);
     }
 }
 
