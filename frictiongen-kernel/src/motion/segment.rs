@@ -12,14 +12,14 @@ use crate::number::scalar::Float;
 pub(crate) fn seek<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
-    held: &mut [Part<S>],
+    stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
     reach: S,
 ) -> Sought<S> {
     let zero = S::constant(0.0);
     let mut sought = Sought::none(contact_state);
     if contact_state.contact == Contact::Stuck {
-        let (sum, offset) = setting.start_sticking(modes, held, &contact_state, reach);
+        let (sum, offset) = setting.start_sticking(modes, stuck_modes, &contact_state, reach);
         let start = if contact_state.wedged {
             Start::Wedged
         } else {
@@ -76,8 +76,7 @@ fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
 /// Sets the oscillators to their state τ after the segment's start.  `to` is the excitation's phase then.
 pub(crate) fn place<S: Float>(
     setting: &Setting<'_, S>,
-    modes: &mut [Part<S>],
-    held: &mut [Part<S>],
+    (modes, stuck_modes): (&mut [Part<S>], &mut [Part<S>]),
     sought: &Sought<S>,
     tau: S,
     to: (S, S),
@@ -86,12 +85,12 @@ pub(crate) fn place<S: Float>(
     if sought.contact_state.contact != Contact::Stuck {
         return advanced(modes, tau, from, to);
     }
-    advanced(held, tau, from, to);
+    advanced(stuck_modes, tau, from, to);
     let driven = setting.dynamics.in_contact().min(modes.len());
     let (modes, others) = modes.split_at_mut(driven);
     advanced(others, tau, from, to);
     let states = modes.iter_mut().map(|part| (&mut part.y, &mut part.u));
-    setting.release(held, setting.lifted(sought.offset, to), states);
+    setting.release(stuck_modes, setting.lifted(sought.offset, to), states);
 }
 
 /// Derives the end of a segment after the oscillators have been set to it.
@@ -142,11 +141,11 @@ pub(crate) fn ended<S: Float>(
 pub(crate) fn span<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
-    held: &mut [Part<S>],
+    stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
     reach: S,
 ) -> S {
-    let sought = seek(setting, modes, held, contact_state, reach);
+    let sought = seek(setting, modes, stuck_modes, contact_state, reach);
     if sought.holds() {
         return S::constant(0.0);
     }
@@ -157,14 +156,14 @@ pub(crate) fn span<S: Float>(
 pub(crate) fn leap<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
-    held: &mut [Part<S>],
+    stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
     reach: S,
 ) -> End<S> {
-    let sought = seek(setting, modes, held, contact_state, reach);
+    let sought = seek(setting, modes, stuck_modes, contact_state, reach);
     let to = phase(moved(contact_state.t, sought.tau));
     if sought.outcome != Outcome::Holds {
-        place(setting, modes, held, &sought, sought.tau, to);
+        place(setting, (modes, stuck_modes), &sought, sought.tau, to);
     }
     ended(setting, modes, &sought, to)
 }

@@ -74,11 +74,12 @@ impl<'a, S: Float> Setting<'a, S> {
     }
 
     fn fill(&self, parts: &mut [Part<S>]) {
-        let (modes, held) = self.split(parts);
+        let (modes, stuck_modes) = self.split(parts);
         for (part, mode) in modes.iter_mut().zip(self.dynamics.modes) {
             *part = Part::from_mode(mode, self.r);
         }
-        for (part, (mode, participations)) in held.iter_mut().zip(self.dynamics.held_modes()) {
+        for (part, (mode, participations)) in stuck_modes.iter_mut().zip(self.dynamics.held_modes())
+        {
             let drive = self.dynamics.stuck_drive(
                 (mode, participations),
                 (self.base, self.r),
@@ -95,8 +96,8 @@ impl<'a, S: Float> Setting<'a, S> {
     ) -> (&'p mut [Part<S>], &'p mut [Part<S>]) {
         let modes = self.dynamics.modes.len().min(parts.len());
         let (modes, rest) = parts.split_at_mut(modes);
-        let held = self.dynamics.held.len().min(rest.len());
-        (modes, rest.split_at_mut(held).0)
+        let stuck = self.dynamics.held.len().min(rest.len());
+        (modes, rest.split_at_mut(stuck).0)
     }
 
     /// Fails if a state lacks a finite displacement or velocity for one of the masses.

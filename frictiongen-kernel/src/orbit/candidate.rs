@@ -161,7 +161,7 @@ impl<S: Float> Candidate<S> {
             for _ in 0..maps {
                 let mut pattern = Pattern::default();
                 for _ in 0..self.map.halves() {
-                    pattern = pattern.and(cycle_map.half(None)?);
+                    pattern = pattern.and(cycle_map.advance_half(None)?);
                 }
                 keeps = keeps && pattern == self.wanted;
             }

@@ -78,7 +78,7 @@ pub(super) fn set<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>, beta: S) {
         (part.y, part.u) = (y, slope / part.x);
     }
     let t = within_cycle(friction.phase * S::inverse_pi());
-    let force = cycle_map.setting.holding(cycle_map.modes, t.sin_cos_pi());
-    let slide = cycle_map.setting.law().slide(Contact::Backward, force);
-    cycle_map.contact_state = cycle_map.setting.sliding_away(t, slide);
+    cycle_map.contact_state = cycle_map
+        .setting
+        .sliding_off(cycle_map.modes, t, Contact::Backward);
 }

@@ -5,7 +5,7 @@
 //! stuck chain's free vibration.  The contact never slides again where their sum cannot exceed μβ.
 
 use super::cycle_map::{CycleMap, Pattern};
-use super::shooting::MAX_CYCLES;
+use super::types::MAX_CYCLES;
 use crate::motion::{Contact, phase};
 use crate::number::scalar::Float;
 
@@ -56,7 +56,7 @@ impl<S: Float> Hold<S> {
     }
 
     /// z̄ of a contact that sticks and never slides again, if that is certain, or [counts as certain](QUIET).
-    pub(super) fn held(&mut self, cycle_map: &mut CycleMap<'_, '_, S>) -> Option<S> {
+    pub(super) fn lasting_offset(&mut self, cycle_map: &mut CycleMap<'_, '_, S>) -> Option<S> {
         let setting = cycle_map.setting;
         let contact_state = cycle_map.contact_state;
         let far = S::constant(f64::MAX);
@@ -66,15 +66,18 @@ impl<S: Float> Hold<S> {
         }
         let (sum, offset) = setting.start_sticking(
             cycle_map.modes,
-            cycle_map.held,
+            cycle_map.stuck_modes,
             &contact_state,
             S::constant(0.0),
         );
         let constant = sum.constant.abs();
         let at = phase(contact_state.t);
-        let free = cycle_map.held.iter().fold(S::constant(0.0), |free, part| {
-            free + part.free_amplitude(at)
-        });
+        let free = cycle_map
+            .stuck_modes
+            .iter()
+            .fold(S::constant(0.0), |free, part| {
+                free + part.free_amplitude(at)
+            });
         let before = self.before[1];
         self.before = [constant, self.before[0]];
         let grip = setting.law().grip();
@@ -87,8 +90,8 @@ impl<S: Float> Hold<S> {
         let share = S::constant(ONE_SIDED) * excess;
         let slipped = before - constant;
         let one_sided = S::constant(0.0) < slipped && slipped < share && free < share;
-        let undying =
-            2 * UNDYING <= self.halves && cycle_map.held.iter().any(|part| part.is_undamped());
+        let undying = 2 * UNDYING <= self.halves
+            && cycle_map.stuck_modes.iter().any(|part| part.is_undamped());
         let last = 2 * MAX_CYCLES <= self.halves + 1;
         let tends = self.monotone && (one_sided || undying || last);
         tends.then(|| constant.min(spare).copysign(offset) * setting.receptance)

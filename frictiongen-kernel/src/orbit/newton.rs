@@ -153,7 +153,7 @@ pub(super) fn mapped<S: Float>(
 ) -> Result<(Contact, Pattern), NoOrbit> {
     let mut pattern = Pattern::default();
     for _ in 0..map.halves() {
-        pattern = pattern.and(cycle_map.half(Some(columns))?);
+        pattern = pattern.and(cycle_map.advance_half(Some(columns))?);
     }
     let contact = cycle_map.contact_state.contact;
     let contact = if map.symmetric {

@@ -88,7 +88,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// # Errors
     /// Same errors as [`advance`](Self::advance), and [`OutOfDomain`] ("steps") after the first step.
     pub fn begin(&mut self, sample: Sample<'_, S>) -> Result<(), OutOfDomain> {
-        sample.check(&self.scene, self.status.stiction)?;
+        sample.check(&self.scene, self.status.law())?;
         if self.status.steps != 0 {
             return Err(OutOfDomain { argument: "steps" });
         }
@@ -102,7 +102,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             let zero = S::constant(0.0);
             let motion = [place, velocity * self.dt(), zero, zero];
             let parts = self.tables.view().pace.parts;
-            self.interval(&sample, motion, Stretch::of(0, parts))
+            self.interval(&sample, motion, Stretch::nth(0, parts))
                 .begin();
         }
         Ok(())
@@ -134,7 +134,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// - "forces" for a wrong number of forces.
     /// - "work" once the work exceeds the square of the largest permitted input, so that another step could overflow.
     pub fn advance(&mut self, sample: Sample<'_, S>) -> Result<Stepped<S>, OutOfDomain> {
-        sample.check(&self.scene, self.status.stiction)?;
+        sample.check(&self.scene, self.status.law())?;
         self.check_work()?;
         let pace = self.tables.view().pace;
         let steep = steepest(self.scene.law);
@@ -166,7 +166,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         };
         for part in 0..pace.parts {
             let (events, exceeded) =
-                self.advance_interval(&sample, motion, Stretch::of(part, pace.parts));
+                self.advance_interval(&sample, motion, Stretch::nth(part, pace.parts));
             stepped.events += events;
             stepped.exceeded |= exceeded;
         }

@@ -21,5 +21,5 @@ pub use kinetic::{Constant, Level, Lines, MAX_STEEPNESS};
 pub use rigid::LOST_MODES;
 pub use state::{Contact, Event};
 
-pub(crate) use rigid::{Rigid, STUCK_MULTIPLIERS, Slide, carry_deviations};
+pub(crate) use rigid::{Rigid, STUCK_MULTIPLIERS, carry_deviations};
 pub(crate) use state::{ContactState, End, Outcome, Sought};

@@ -23,10 +23,7 @@ impl<S: Float> Setting<'_, S> {
     /// The law of the contact at another friction ratio, with forces over P.
     #[inline]
     pub(crate) fn law_at(&self, beta: S) -> Rigid<S> {
-        Rigid {
-            level: beta,
-            stiction: self.dynamics.chain.stiction,
-        }
+        Rigid::on_chain(&self.dynamics.chain, beta)
     }
 
     /// State of a contact that leaves zero relative velocity at the phase `t`.
@@ -37,6 +34,12 @@ impl<S: Float> Setting<'_, S> {
             departing: Some(self.acceleration(slide.excess)),
             wedged: false,
         }
+    }
+
+    /// State of a contact that slides off in a given direction at the phase `t`, where the modes have come to rest.
+    pub(crate) fn sliding_off(&self, parts: &[Part<S>], t: S, contact: Contact) -> ContactState<S> {
+        let force = self.holding(parts, phase(t));
+        self.sliding_away(t, self.law().slide(contact, force))
     }
 
     /// Derives the contact's state from the motion alone.

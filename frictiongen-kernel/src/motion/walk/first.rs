@@ -55,7 +55,7 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
     for _ in 0..F::MOST {
         *steps = steps.saturating_add(1);
         let noise = if exact { zero } else { sum.noise() };
-        let h = match judged(&local, noise, tau, exact) {
+        let h = match verdict(&local, noise, tau, exact) {
             Verdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), false),
             Verdict::Past(step) => step,
             Verdict::Above => step::safe(
@@ -111,7 +111,7 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
         for negative in [false, true] {
             let gap = gap(&local, level, negative);
             let most = sum.reach() - tau;
-            let h = match judged(&gap, noise, tau, false) {
+            let h = match verdict(&gap, noise, tau, false) {
                 Verdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), negative),
                 Verdict::Past(step) => step.min(most),
                 Verdict::Above => {
@@ -162,7 +162,7 @@ enum Verdict<S> {
     Past(S),
 }
 
-fn judged<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> Verdict<S> {
+fn verdict<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> Verdict<S> {
     let zero = S::constant(0.0);
     let Local {
         value,

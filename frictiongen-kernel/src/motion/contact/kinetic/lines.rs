@@ -70,17 +70,17 @@ impl<'a, S: Float> Lines<'a, S> {
     pub fn under(points: &'a [[S; 2]], r: S, amplitude: S, speed: S) -> Self {
         Self {
             unit: r * amplitude * speed,
-            ..Self::of(points)
+            ..Self::at_unit_speed(points)
         }
     }
 
     /// Creates a law without lines, which is one constant kinetic level.
     #[must_use]
     pub fn none() -> Self {
-        Self::of(&[])
+        Self::at_unit_speed(&[])
     }
 
-    fn of(points: &'a [[S; 2]]) -> Self {
+    fn at_unit_speed(points: &'a [[S; 2]]) -> Self {
         Self {
             points,
             unit: S::constant(1.0),

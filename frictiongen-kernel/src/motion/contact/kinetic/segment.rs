@@ -17,12 +17,12 @@ impl<'a, S: Float> Setting<'a, S> {
         contact_state: ContactState<S>,
         reach: S,
     ) -> Sought<S> {
-        let (modes, held) = self.split(parts);
+        let (modes, stuck_modes) = self.split(parts);
         match level.lines_mut() {
             Some(lines) if contact_state.contact != Contact::Stuck => {
                 coupled::seek(self, modes, lines, contact_state, reach)
             }
-            _ => segment::seek(self, modes, held, contact_state, reach),
+            _ => segment::seek(self, modes, stuck_modes, contact_state, reach),
         }
     }
 
@@ -34,12 +34,12 @@ impl<'a, S: Float> Setting<'a, S> {
         sought: &Sought<S>,
         (tau, to): (S, (S, S)),
     ) {
-        let (modes, held) = self.split(parts);
+        let (modes, stuck_modes) = self.split(parts);
         match level.lines() {
             Some(lines) if sought.contact_state.contact != Contact::Stuck => {
                 coupled::place(self, modes, lines, (&sought.contact_state, tau), to);
             }
-            _ => segment::place(self, modes, held, sought, tau, to),
+            _ => segment::place(self, (modes, stuck_modes), sought, tau, to),
         }
     }
 

@@ -8,6 +8,7 @@ pub(crate) use derivative::carry_deviations;
 
 use super::kinetic::Line;
 use super::state::Contact;
+use crate::contact::sums::Chain;
 use crate::number::scalar::Float;
 
 /// Number of modes that the chain loses while a rigid contact sticks.  The contact then has no motion of its own.
@@ -36,10 +37,26 @@ pub(crate) struct Slide<S> {
 }
 
 impl<S: Float> Rigid<S> {
+    /// The law of a chain's contact under this kinetic friction force.
+    #[inline]
+    pub(crate) fn on_chain(chain: &Chain<S>, level: S) -> Self {
+        Self {
+            level,
+            stiction: chain.stiction,
+        }
+    }
+
     /// Largest contact force that keeps the contact stuck.
     #[inline]
     pub(crate) fn grip(self) -> S {
         self.stiction * self.level
+    }
+
+    /// Returns true if a force that holds the contact is so near the static force that rounding decides.  `share` is the
+    /// distance, relative to the static force.
+    pub(crate) fn is_marginal(self, force: S, share: S) -> bool {
+        let grip = self.grip();
+        (force.abs() - grip).abs() <= grip * share
     }
 
     /// Returns true if two motions never move apart, because the static force does not exceed the kinetic one.

@@ -15,28 +15,32 @@ impl<S: Float> Setting<'_, S> {
         &self,
         states: impl Iterator<Item = [S; 2]> + Clone,
         lifted: (S, S),
-        held: &mut [Part<S>],
+        stuck_modes: &mut [Part<S>],
     ) {
-        let held = held.iter_mut().map(|part| (&mut part.y, &mut part.u));
-        self.dynamics.project(self.receptance, states, lifted, held);
+        let stuck_modes = stuck_modes
+            .iter_mut()
+            .map(|part| (&mut part.y, &mut part.u));
+        self.dynamics
+            .project(self.receptance, states, lifted, stuck_modes);
     }
 
     /// Computes the state of the modes from this setting's stuck chain, as [`Dynamics::release`] does.
     pub(crate) fn release<'s>(
         &self,
-        held: &[Part<S>],
+        stuck_modes: &[Part<S>],
         lifted: (S, S),
         states: impl Iterator<Item = (&'s mut S, &'s mut S)>,
     ) {
-        let held = held.iter().map(|part| [part.y, part.u]);
-        self.dynamics.release(self.receptance, held, lifted, states);
+        let stuck_modes = stuck_modes.iter().map(|part| [part.y, part.u]);
+        self.dynamics
+            .release(self.receptance, stuck_modes, lifted, states);
     }
 
     /// Sets the oscillators of the stuck chain from the state of the modes, and returns the contact force and z̄.
     pub(crate) fn start_sticking<'p>(
         &self,
         modes: &mut [Part<S>],
-        held: &'p mut [Part<S>],
+        stuck_modes: &'p mut [Part<S>],
         contact_state: &ContactState<S>,
         reach: S,
     ) -> (Sum<'p, S>, S) {
@@ -44,10 +48,14 @@ impl<S: Float> Setting<'_, S> {
         let (sine, cosine) = at;
         let offset = self.relative(modes, at);
         let lifted = self.lifted(offset, at);
-        self.project(modes.iter().map(|part| [part.y, part.u]), lifted, held);
+        self.project(
+            modes.iter().map(|part| [part.y, part.u]),
+            lifted,
+            stuck_modes,
+        );
         let zero = S::constant(0.0);
         let (constant, mut fundamental) = self.stuck_force(offset);
-        for (part, mode) in held.iter_mut().zip(self.dynamics.held) {
+        for (part, mode) in stuck_modes.iter_mut().zip(self.dynamics.held) {
             part.start(at);
             part.weight = [-mode.force, zero];
             part.aim();
@@ -60,7 +68,7 @@ impl<S: Float> Setting<'_, S> {
         let cosines = rotated(fundamental, sine, cosine);
         let sines = -(fundamental.re * sine) - fundamental.im * cosine;
         (
-            Sum::new(held, constant, (cosines, sines), at, reach),
+            Sum::new(stuck_modes, constant, (cosines, sines), at, reach),
             offset,
         )
     }
@@ -77,6 +85,12 @@ impl<S: Float> Setting<'_, S> {
                 -(self.r * self.drag * base / inverse_mass),
             ),
         )
+    }
+
+    /// Largest |offset| at which the contact may stick for ever, while the forced motion has a contact force of amplitude
+    /// `steady`.  The rest of the static force can carry a constant force, and with it an offset.
+    pub(crate) fn offset_range(&self, steady: S) -> S {
+        (self.law().grip() - steady).max(S::constant(0.0)) * self.receptance
     }
 
     /// Displacement of the stuck contact including the base's, and its velocity in the time t√(k₁/m₁).

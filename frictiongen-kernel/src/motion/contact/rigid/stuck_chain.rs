@@ -13,10 +13,10 @@ impl<S: Float> Dynamics<'_, S> {
         receptance: S,
         states: impl Iterator<Item = [S; 2]> + Clone,
         (z, rate): (S, S),
-        held: impl Iterator<Item = (&'s mut S, &'s mut S)>,
+        stuck_modes: impl Iterator<Item = (&'s mut S, &'s mut S)>,
     ) {
         let two = S::constant(2.0);
-        for ((to_y, to_u), (mode, participations)) in held.zip(self.held_modes()) {
+        for ((to_y, to_u), (mode, participations)) in stuck_modes.zip(self.held_modes()) {
             let (mut first, mut second) = (S::constant(0.0), S::constant(0.0));
             let driven = self.driven().iter().zip(states.clone());
             for ((driven, [y, u]), [g, h]) in driven.zip(participations) {
@@ -61,12 +61,12 @@ impl<S: Float> Dynamics<'_, S> {
     pub(crate) fn release<'s>(
         &self,
         receptance: S,
-        held: impl Iterator<Item = [S; 2]> + Clone,
+        stuck_modes: impl Iterator<Item = [S; 2]> + Clone,
         lifted: (S, S),
         states: impl Iterator<Item = (&'s mut S, &'s mut S)>,
     ) {
         for (index, (y, u)) in (0..self.in_contact()).zip(states) {
-            [*y, *u] = self.released(receptance, held.clone(), lifted, index);
+            [*y, *u] = self.released(receptance, stuck_modes.clone(), lifted, index);
         }
     }
 
@@ -74,7 +74,7 @@ impl<S: Float> Dynamics<'_, S> {
     pub(crate) fn released(
         &self,
         receptance: S,
-        held: impl Iterator<Item = [S; 2]>,
+        stuck_modes: impl Iterator<Item = [S; 2]>,
         (z, rate): (S, S),
         index: usize,
     ) -> [S; 2] {
@@ -86,7 +86,7 @@ impl<S: Float> Dynamics<'_, S> {
         let (mut sum_y, mut sum_u) = (lift * z, lift * rate);
         let participations = self.participations.iter().skip(index);
         let participations = participations.step_by(self.in_contact().max(1));
-        for (([y, u], of), [g, h]) in held.zip(self.held).zip(participations) {
+        for (([y, u], of), [g, h]) in stuck_modes.zip(self.held).zip(participations) {
             sum_y = sum_y + *g * y + *h * u;
             let slope = (*g - two * of.zeta * *h) * u - *h * y;
             sum_u = sum_u + of.frequency * slope;
@@ -101,8 +101,8 @@ impl<S: Float> Dynamics<'_, S> {
     /// well separated, the change is of the order of rounding.  If many modes are at or beyond critical damping, the
     /// frequencies of the stuck chain are close together, and the contributions of its modes cancel.
     ///
-    /// `states` has room for the modes that the contact drives, and `held` for the modes of the stuck chain.
-    pub fn held_loss(&self, states: &mut [[S; 2]], held: &mut [[S; 2]]) -> S {
+    /// `states` has room for the modes that the contact drives, and `stuck_modes` for the modes of the stuck chain.
+    pub fn held_loss(&self, states: &mut [[S; 2]], stuck_modes: &mut [[S; 2]]) -> S {
         let zero = S::constant(0.0);
         let (receptance, still) = (self.receptance(), (zero, zero));
         let driven = self.driven();
@@ -153,9 +153,9 @@ impl<S: Float> Dynamics<'_, S> {
                     receptance,
                     (0..driven.len()).map(start),
                     still,
-                    held.iter_mut().map(|[y, u]| (y, u)),
+                    stuck_modes.iter_mut().map(|[y, u]| (y, u)),
                 );
-                let parts = held.iter().copied();
+                let parts = stuck_modes.iter().copied();
                 let back = states.iter_mut().map(|[y, u]| (y, u));
                 self.release(receptance, parts, still, back);
                 for (of, state) in states.iter().enumerate() {
