@@ -5,7 +5,7 @@
 //! code.  A [`Part`] is one of these oscillators in time.
 //!
 //! A *series* is a function of the contact over time, such as its velocity or its force.  A *walk* finds the first zero
-//! of a series.  [`contact`] has the law of the contact, which decides what follows.
+//! of a series.  `contact` has the law of the contact, which decides what follows.
 
 mod clock;
 pub(crate) mod contact;

@@ -8,7 +8,7 @@ use crate::number::scalar::Float;
 impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
     /// Advances through the sub-interval.
     pub(super) fn advance(&mut self) {
-        if self.status.friction.is_zero() {
+        if self.status.law.level.is_zero() {
             return self.advance_without_friction();
         }
         self.advance_by_tables(self.driven());
@@ -34,7 +34,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         }
         self.status.unknown = true;
         self.status.wedged = false;
-        self.status.holding = S::constant(0.0);
+        self.status.contact_force = S::constant(0.0);
         self.advance_by_tables(0);
     }
 

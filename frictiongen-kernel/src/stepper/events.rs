@@ -23,7 +23,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             self.pass_without_events(departing);
         }
         if self.status.contact == Contact::Stuck {
-            self.status.holding = self.stuck_force();
+            self.status.contact_force = self.stuck_force();
         }
     }
 
@@ -35,7 +35,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         if self.status.contact != Contact::Stuck {
             let Some(departure) = departing else {
                 self.status.unknown = true;
-                self.status.holding = S::constant(0.0);
+                self.status.contact_force = S::constant(0.0);
                 let none = [S::constant(0.0); 2];
                 let velocity = self.velocity_series(none);
                 return self.move_modes(&velocity, none, left);
@@ -52,16 +52,16 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             return;
         }
         let force = self.stuck_force();
-        let law = self.status.law();
+        let law = self.status.law;
         // The acceleration of a moving base is not known before the first step.  The first step decides whether the
         // contact breaks away.
-        self.status.holding = force.abs().min(law.grip()).copysign(force);
-        let breaks = law.grip() < force.abs();
-        if breaks && !self.scene.rubs_on_base() {
+        self.status.contact_force = law.limited(force);
+        let slide = law.leave_rest(force);
+        if let Some(slide) = slide.filter(|_| !self.scene.rubs_on_base()) {
             // The contact breaks away at once.  The first step finds that again, and counts the event.
             self.start_sliding();
-            self.status.contact = Contact::along(force);
-            self.status.holding = law.level.copysign(force);
+            self.status.contact = slide.contact;
+            self.status.contact_force = law.kinetic(slide.contact);
             self.status.unknown = true;
         }
     }

@@ -50,7 +50,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
     /// μ, static over kinetic friction force.
     #[must_use]
     pub fn stiction(&self) -> S {
-        self.status.stiction
+        self.status.law.stiction
     }
 
     /// Derives the contact's state from its velocity.  A velocity no larger than the rounding of its terms counts as
@@ -170,7 +170,6 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
     pub(super) fn force(&self) -> S {
         let zero = S::constant(0.0);
         let status = &self.status;
-        let sign: S = status.contact.sign();
         let force = if status.contact != Contact::Stuck && !status.unknown {
             let line = line(self.scene.law, status.line);
             let slides = !line.slope.is_zero();
@@ -179,9 +178,9 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
             } else {
                 zero
             };
-            sign * status.friction * (line.level + line.slope * speed)
+            status.law.kinetic_at(&line, status.contact, speed)
         } else {
-            status.holding
+            status.contact_force
         };
         force * self.scene.units.stiffness
     }

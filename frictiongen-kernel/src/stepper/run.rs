@@ -8,7 +8,7 @@ use super::state::{Status, Store};
 use super::table::Tables;
 use super::types::{Stepped, Stepper};
 use crate::errors::OutOfDomain;
-use crate::motion::{Contact, steepest};
+use crate::motion::{Contact, Rigid, steepest};
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
@@ -29,12 +29,12 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         store: V,
         state: Option<(&[S], &[S])>,
     ) -> Result<Self, OutOfDomain> {
-        let stiction = scene.dynamics.chain.stiction;
+        let law = Rigid::on_chain(&scene.dynamics.chain, S::constant(0.0));
         let mut stepper = Self {
             scene,
             tables,
             store,
-            status: Status::new(stiction),
+            status: Status::new(law),
             inputs: PhantomData,
         };
         if let Some((displacements, velocities)) = state {
@@ -88,7 +88,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// # Errors
     /// Same errors as [`advance`](Self::advance), and [`OutOfDomain`] ("steps") after the first step.
     pub fn begin(&mut self, sample: Sample<'_, S>) -> Result<(), OutOfDomain> {
-        sample.check(&self.scene, self.status.law())?;
+        sample.check(&self.scene, self.status.law)?;
         if self.status.steps != 0 {
             return Err(OutOfDomain { argument: "steps" });
         }
@@ -96,8 +96,8 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         self.status.pull = self.pull();
         self.status.unknown = true;
         self.status.contact = self.direction();
-        self.status.holding = S::constant(0.0);
-        if !self.status.friction.is_zero() {
+        self.status.contact_force = S::constant(0.0);
+        if !self.status.law.level.is_zero() {
             let [place, velocity] = sample.base;
             let zero = S::constant(0.0);
             let motion = [place, velocity * self.dt(), zero, zero];
@@ -118,7 +118,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         if self.scene.on_base {
             self.status.base = sample.base;
         }
-        self.status.friction = sample.friction / self.scene.units.stiffness;
+        self.status.law.level = sample.friction / self.scene.units.stiffness;
     }
 
     /// Takes one step.  A linear input reaches this sample at the end of the step.  With zero-order hold the input has
@@ -134,7 +134,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// - "forces" for a wrong number of forces.
     /// - "work" once the work exceeds the square of the largest permitted input, so that another step could overflow.
     pub fn advance(&mut self, sample: Sample<'_, S>) -> Result<Stepped<S>, OutOfDomain> {
-        sample.check(&self.scene, self.status.law())?;
+        sample.check(&self.scene, self.status.law)?;
         self.check_work()?;
         let pace = self.tables.view().pace;
         let steep = steepest(self.scene.law);
@@ -154,7 +154,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         if hold {
             self.jump_base(sample.base);
         }
-        self.status.friction = sample.friction / self.scene.units.stiffness;
+        self.status.law.level = sample.friction / self.scene.units.stiffness;
         let step = pace.step;
         let per_step = |[place, velocity]: [S; 2]| [place, velocity * step];
         let motion = base_motion(self.scene.input, per_step(from), per_step(sample.base));
@@ -175,7 +175,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             let [place, velocity] = sample.base;
             self.status.base = [place + velocity * step, velocity];
         }
-        if self.status.friction.is_zero() {
+        if self.status.law.level.is_zero() {
             self.status.contact = self.direction();
         }
         self.status.given = S::constant(0.0);
@@ -289,7 +289,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
                 argument: "stiction",
             });
         }
-        self.status.stiction = mu;
+        self.status.law.stiction = mu;
         Ok(())
     }
 }

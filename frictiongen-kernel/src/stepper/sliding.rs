@@ -52,7 +52,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         }
         let contact = self.status.contact;
         let sign: S = contact.sign();
-        let [force, _] = self.status.law().kinetic_on(&line, contact);
+        let [force, _] = self.status.law.kinetic_on(&line, contact);
         let [from, to] = self.base_velocities();
         let (mut start, mut rise) = (-from, from - to);
         let mut bend = if self.scene.rubs_on_base() {
@@ -111,7 +111,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         let contact = self.status.contact;
         let sign: S = contact.sign();
         let line = self.line();
-        let kinetic = self.status.law().kinetic_on(&line, contact);
+        let kinetic = self.status.law.kinetic_on(&line, contact);
         let velocity = self.velocity_series(kinetic);
         let reach = self.series_reach(kinetic[1]);
         let mut steps = 0;
@@ -151,7 +151,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             return None;
         }
         self.events += 1;
-        let Some(slide) = self.status.law().leave_rest(self.holding()) else {
+        let Some(slide) = self.status.law.leave_rest(self.holding()) else {
             self.start_sticking(None);
             return None;
         };

@@ -124,14 +124,13 @@ pub(super) struct Status<S> {
     pub line: usize,
     /// Displacement and velocity of the base at the end of the last step.
     pub base: [S; 2],
-    /// F over k₁.  `stiction` is μ.
-    pub friction: S,
-    pub stiction: S,
+    /// The law of the contact, with forces over k₁.
+    pub law: Rigid<S>,
     pub steps: u64,
     /// Number of steps in which the bound on events was reached.
     pub exceeded: u64,
     /// The force in the contact at the end of the last step, over k₁, if the contact sticks or its state is unknown.
-    pub holding: S,
+    pub contact_force: S,
     /// Work of the load, work dissipated by friction (`dissipated`), and the chain's energy at the start (`energy`),
     /// all over k₁.
     pub load: Total<S>,
@@ -144,16 +143,7 @@ pub(super) struct Status<S> {
 }
 
 impl<S: Float> Status<S> {
-    /// The law of the contact, with forces over k₁.
-    #[inline]
-    pub(super) fn law(&self) -> Rigid<S> {
-        Rigid {
-            level: self.friction,
-            stiction: self.stiction,
-        }
-    }
-
-    pub(super) fn new(stiction: S) -> Self {
+    pub(super) fn new(law: Rigid<S>) -> Self {
         let zero = S::constant(0.0);
         Self {
             contact: Contact::Stuck,
@@ -162,11 +152,10 @@ impl<S: Float> Status<S> {
             stuck_at: zero,
             line: 0,
             base: [zero; 2],
-            friction: zero,
-            stiction,
+            law,
             steps: 0,
             exceeded: 0,
-            holding: zero,
+            contact_force: zero,
             load: Total::zero(),
             dissipated: Total::zero(),
             energy: zero,

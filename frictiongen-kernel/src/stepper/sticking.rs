@@ -36,7 +36,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
                 *to = next;
             }
         }
-        let grip = self.status.law().grip();
+        let grip = self.status.law.grip();
         let most = start.abs().max(end.abs());
         let room =
             bend * S::constant(OFF_CHORD) + (size + grip) * S::constant(ROUNDINGS * S::EPSILON);
@@ -48,7 +48,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             *state = *next;
         }
         self.account(work, zero);
-        self.status.holding = end;
+        self.status.contact_force = end;
         true
     }
 
@@ -57,7 +57,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         let zero = S::constant(0.0);
         let left = S::constant(1.0) - self.progress;
         let force = self.force_series();
-        let grip = self.status.law().grip();
+        let grip = self.status.law.grip();
         let now = force.term(0);
         let noise = (force.size + grip) * S::constant(ROUNDINGS * S::EPSILON);
         let wedged = self.status.wedged;
@@ -88,7 +88,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         }
         let contact = breaks?;
         // The force has reached μF, unless it had jumped beyond μF at the start.
-        let law = self.status.law();
+        let law = self.status.law;
         let slide = if zero < tau {
             law.break_away(contact)
         } else {

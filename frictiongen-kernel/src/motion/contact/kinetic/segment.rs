@@ -62,6 +62,6 @@ impl<'a, S: Float> Setting<'a, S> {
         // Rounding may leave a speed a little beyond the line.
         let speed = velocity.abs().max(line.low);
         let speed = line.high.map_or(speed, |high| speed.min(high));
-        contact.sign::<S>() * (self.law().level * (line.level + line.slope * speed))
+        self.law().kinetic_at(&line, contact, speed)
     }
 }

@@ -52,6 +52,11 @@ impl<S: Float> Rigid<S> {
         self.stiction * self.level
     }
 
+    /// A force in the stuck contact, limited to the static force.
+    pub(crate) fn limited(self, force: S) -> S {
+        force.abs().min(self.grip()).copysign(force)
+    }
+
     /// Returns true if a force that holds the contact is so near the static force that rounding decides.  `share` is the
     /// distance, relative to the static force.
     pub(crate) fn is_marginal(self, force: S, share: S) -> bool {
@@ -75,6 +80,12 @@ impl<S: Float> Rigid<S> {
     pub(crate) fn kinetic_on(self, line: &Line<S>, contact: Contact) -> [S; 2] {
         let sign: S = contact.sign();
         [sign * self.level * line.level, self.level * line.slope]
+    }
+
+    /// The contact force while the contact slides at this speed, on a line of the kinetic friction.
+    #[inline]
+    pub(crate) fn kinetic_at(self, line: &Line<S>, contact: Contact, speed: S) -> S {
+        contact.sign::<S>() * (self.level * (line.level + line.slope * speed))
     }
 
     /// Decides what follows at zero relative velocity.  `force` would keep the contact at rest.  Returns `None` if the
