@@ -1,7 +1,8 @@
 //! Functions and types that generated friction solvers call.
 //!
 //! In this list a module uses only modules before it: [`number`], [`oscillator`], [`modal_sum`], [`contact`],
-//! [`response`], [`table`], [`simulation`], [`stepper`], [`orbit`].  [`errors`] has the error types of all modules.
+//! [`response`], [`table`], [`motion`].  Three more use only these: [`simulation`], [`stepper`] and
+//! [`orbit`].  [`errors`] has the error types of all modules.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 pub mod contact;
@@ -9,6 +10,7 @@ pub mod contact;
 pub mod emitted;
 pub mod errors;
 pub mod modal_sum;
+pub mod motion;
 pub mod number;
 pub mod orbit;
 pub mod oscillator;

@@ -4,8 +4,8 @@ use crate::modal::Modal;
 use crate::scene::{Excitation, FrictionLaw, Node, Precision, Scene, StepInput};
 use crate::transient::Transient;
 use frictiongen_kernel::errors::OutOfDomain;
+use frictiongen_kernel::motion::{Dynamics, Lines};
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::simulation::{Dynamics, Lines};
 use frictiongen_kernel::stepper::{
     Channel, HeldLoad, HeldStep, Input, MAX_PARTS, ModeStep, Pace, StepScene, Units, fill,
 };

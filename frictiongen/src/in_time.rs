@@ -4,8 +4,8 @@ use crate::targets::Settles;
 use crate::{Complex, LimitsAt, NoOrbit, Of};
 use core::ops::Deref;
 use frictiongen_kernel::Float;
+use frictiongen_kernel::motion::Part;
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
-use frictiongen_kernel::simulation::Part;
 
 /// A scene at one frequency ratio that also gives steady states in any regime.
 ///

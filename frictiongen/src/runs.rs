@@ -3,7 +3,8 @@
 use crate::{FrictionSystem, OutOfDomain};
 use core::ops::DerefMut;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::simulation::{Contact, Level, Moment, Part, Segment, Simulation};
+use frictiongen_kernel::motion::{Contact, Level, Part};
+use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 
 /// A scene that also gives its exact motion in time.
 ///

@@ -4,8 +4,8 @@
 use super::constants::{kind, mode_constant, rubbing};
 use super::emission::{Emission, Wanted, rounded};
 use super::shapes;
+use frictiongen_kernel::motion::{HeldMode, LOST_MODES};
 use frictiongen_kernel::oscillator::mode::Mode;
-use frictiongen_kernel::simulation::HeldMode;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Literal, TokenStream};
 
@@ -63,7 +63,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
                 rubbing: #rubbing,
             };
     };
-    let driven = transient.held.len() + 1;
+    let driven = transient.held.len() + LOST_MODES;
     Constants {
         associated,
         driven,

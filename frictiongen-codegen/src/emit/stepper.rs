@@ -4,6 +4,7 @@ use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part, rounded};
 use super::names::{TypeNames, local};
 use super::step_table::{self, Sizes};
+use frictiongen_kernel::motion::LOST_MODES;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{
     Cost, Input, MAX_EVENTS, MAX_PARTS, MAX_STRETCHES, StepScene, Units, series_terms,
@@ -35,7 +36,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let sizes = Sizes {
         coefficients: steps.coefficients(),
         modes: transient.modes.len(),
-        held: constants.driven - 1,
+        held: constants.driven - LOST_MODES,
         inputs: steps.inputs(),
     };
     let literals = sizes.literals();

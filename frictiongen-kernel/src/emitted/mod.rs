@@ -12,6 +12,7 @@ pub use crate::contact::regime::Limits;
 pub use crate::contact::sums::{Chain, ContactAt, ModeAt};
 pub use crate::errors::{NoOrbit, OutOfDomain};
 pub use crate::modal_sum::wave::Wave;
+pub use crate::motion::{Dynamics, HeldMode, Lines, Part};
 pub use crate::orbit::{FixedOrbit, FixedOrbitMotion, Orbit, ProvidesOrbit, Start};
 pub use crate::oscillator::decay::{Damped, Decay, Undamped};
 pub use crate::oscillator::mode::{Kind, Mode, ModeResponse};
@@ -20,10 +21,7 @@ pub use crate::response::motion::{Motion, mass_wave, motion_wave};
 pub use crate::response::{
     At, Continuous, Ends, MotionOf, Numbers, ProvidesMotion, ProvidesStuck, Scene, Stuck,
 };
-pub use crate::simulation::{
-    Dynamics, FixedLinesSimulation, FixedSimulation, HeldMode, Lines, Moment, Part, Segment,
-    Simulation,
-};
+pub use crate::simulation::{FixedLinesSimulation, FixedSimulation, Moment, Segment, Simulation};
 pub use crate::stepper::{
     Channel, FixedStepper, FixedStore, FixedTables, HeldLoad, HeldRow, HeldStep, Input, MassNow,
     ModeStep, Pace, Row, Sample, StepScene, Stepped, Stepper, Units,

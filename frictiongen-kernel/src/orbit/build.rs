@@ -4,13 +4,14 @@ use super::candidate::{Found, ON_CIRCLE};
 use super::cycle_map::CycleMap;
 use super::newton::{Map, Workspace, multipliers, same};
 use super::record::{Record, Recorded};
-use super::shooting::{MAX_STEPS, Settled, settle};
-use super::{MAX_SEGMENTS, Orbit, SegmentStart, Start};
+use super::shooting::{Settled, settle};
+use super::start::Start;
+use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain, Slice};
+use crate::motion::{ContactState, Dynamics, Part, STUCK_MULTIPLIERS, Setting, leap};
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Plain};
 use crate::oscillator::mode::{Kind, Mode};
-use crate::simulation::{Contact, ContactState, Dynamics, Part, Setting, leap};
 use core::f64::consts::FRAC_PI_4;
 
 impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
@@ -63,7 +64,7 @@ where
             }
         }
         // From β*_lim on a stuck state exists.  The motion decides whether that state is reached.
-        let holding = (!(beta < sliding)).then_some(dynamics.chain.stiction * sliding);
+        let holding = (!(beta < sliding)).then_some(setting.law_at(sliding).grip());
         let mut unbounded = None;
         for (index, mode) in dynamics.modes.iter().enumerate() {
             settles(&dynamics, mode, index)?;
@@ -73,12 +74,12 @@ where
             return Err(error);
         }
         let clean = parts.clone();
-        let (modes, held) = setting.split(parts.as_mut());
+        let (modes, stuck_modes) = setting.split(parts.as_mut());
         let mut cycle_map = CycleMap {
             contact_state: setting.contact_state(modes, zero),
             setting: &setting,
             modes,
-            held,
+            stuck_modes,
             middle: zero,
             stuck: zero,
             step_budget: MAX_STEPS,
@@ -97,7 +98,7 @@ where
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         start
             .checked(holding.is_some())?
-            .place(&mut cycle_map, &mut workspace)?;
+            .set_start(&mut cycle_map, &mut workspace)?;
         let settled = match (beta.is_zero() || start == Start::Stuck, holding) {
             (true, None) => Settled::Found(linear(&mut cycle_map, &mut workspace)?),
             // With β = 0 this case means β*_lim = 0 as well, so that the load does not move the contact.
@@ -153,10 +154,9 @@ where
             origin: origin.0,
             origin_cycle: origin.1,
         };
-        let held = holding.filter(|_| orbit.never_slides());
-        // The rest of μβ can carry a constant force, and with it an offset.
-        let held = held.map(|steady| (setting.grip() - steady).max(zero) * setting.receptance);
-        orbit.offset_range = held.or(found.reach.map(|reach| orbit.offset().abs() * reach));
+        let steady = holding.filter(|_| orbit.never_slides());
+        let range = steady.map(|force| setting.offset_range(force));
+        orbit.offset_range = range.or(found.reach.map(|reach| orbit.offset().abs() * reach));
         Ok(orbit)
     }
 }
@@ -197,7 +197,7 @@ pub(super) fn stuck<S: Float>(
 ) -> Result<Found<S>, NoOrbit> {
     let zero = S::constant(0.0);
     let at = (zero, S::constant(1.0));
-    for part in cycle_map.held.iter_mut() {
+    for part in cycle_map.stuck_modes.iter_mut() {
         part.settle(at).ok_or(NoOrbit::Unbounded)?;
     }
     settle_free(cycle_map, at)?;
@@ -205,23 +205,18 @@ pub(super) fn stuck<S: Float>(
     let states = cycle_map.modes.iter_mut().take(driven);
     let states = states.map(|part| (&mut part.y, &mut part.u));
     let lifted = cycle_map.setting.lifted(offset, at);
-    cycle_map.setting.release(cycle_map.held, lifted, states);
-    cycle_map.contact_state = ContactState {
-        t: zero,
-        contact: Contact::Stuck,
-        departing: None,
-        wedged: false,
-    };
-    // A deviation of the contact's displacement stays.  A deviation of its velocity vanishes at once.  Deviations of
-    // the stuck chain's modes decay independently.
-    let one = S::constant(1.0);
+    cycle_map
+        .setting
+        .release(cycle_map.stuck_modes, lifted, states);
+    cycle_map.contact_state = ContactState::stuck(zero);
+    // Deviations of the stuck chain's modes decay independently.
     let two_pi = S::pi() + S::pi();
     let mut out = workspace.multipliers.iter_mut();
     // The array has to be the first argument of `zip`.  Otherwise `zip` would take one more multiplier and drop it.
-    for (re, out) in [one, zero].into_iter().zip(out.by_ref()) {
-        *out = Complex::new(re, zero);
+    for (re, out) in STUCK_MULTIPLIERS.into_iter().zip(out.by_ref()) {
+        *out = Complex::new(S::constant(re), zero);
     }
-    for part in cycle_map.held.iter() {
+    for part in cycle_map.stuck_modes.iter() {
         for multiplier in part.multipliers(two_pi) {
             if let Some(out) = out.next() {
                 *out = multiplier;
@@ -273,17 +268,6 @@ pub(super) fn settle_free<S: Float>(
     Ok(())
 }
 
-/// Fails if the state is not finite.
-pub(super) fn bounded_state<S: Float>(cycle_map: &CycleMap<'_, '_, S>) -> Result<(), NoOrbit> {
-    let driven = cycle_map.setting.dynamics.in_contact();
-    let mut parts = cycle_map.modes.iter().take(driven);
-    if parts.all(|part| part.y.is_finite() && part.u.is_finite()) {
-        Ok(())
-    } else {
-        Err(OutOfDomain::Start.into())
-    }
-}
-
 /// Advances to the first event of a period.  A period without an event leaves the contact state as it was.
 pub(super) fn to_event<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
@@ -295,7 +279,7 @@ pub(super) fn to_event<S: Float>(
         let end = leap(
             cycle_map.setting,
             cycle_map.modes,
-            cycle_map.held,
+            cycle_map.stuck_modes,
             cycle_map.contact_state,
             left,
         );
@@ -326,7 +310,7 @@ fn is_symmetric<S: Float>(
     }
     cycle_map.save(workspace.other);
     for _ in 0..period {
-        cycle_map.half(None)?;
+        cycle_map.advance_half(None)?;
     }
     cycle_map.save(workspace.state);
     let distance = workspace.state.iter().zip(workspace.other.iter());

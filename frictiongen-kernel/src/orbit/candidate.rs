@@ -4,8 +4,8 @@ use super::cycle_map::{CycleMap, Pattern};
 use super::newton::{Map, Workspace, multipliers, newton, same};
 use super::{closed, continuum};
 use crate::errors::NoOrbit;
+use crate::motion::ContactState;
 use crate::number::scalar::Float;
-use crate::simulation::ContactState;
 
 /// Distance from the unit circle, in roundings, below which a multiplier counts as on the circle.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
@@ -161,7 +161,7 @@ impl<S: Float> Candidate<S> {
             for _ in 0..maps {
                 let mut pattern = Pattern::default();
                 for _ in 0..self.map.halves() {
-                    pattern = pattern.and(cycle_map.half(None)?);
+                    pattern = pattern.and(cycle_map.advance_half(None)?);
                 }
                 keeps = keeps && pattern == self.wanted;
             }

@@ -10,13 +10,12 @@ use super::closed;
 use super::cycle_map::CycleMap;
 use super::newton::{Map, Workspace, newton};
 use super::record::{Record, Recorded};
-use super::shooting::MAX_STEPS;
-use super::{MAX_SEGMENTS, Orbit, SegmentStart};
+use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain, Ratio, Slice};
+use crate::motion::{Contact, Dynamics, Part, SUM_ROUNDINGS, Setting};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Dynamics, Part, SUM_ROUNDINGS, Setting};
 use core::fmt;
 
 /// Relative distance to a graze below which the derivative of an event's instant is not reliable.  At a graze an event
@@ -76,6 +75,19 @@ impl From<OutOfDomain> for NoDerivative {
     }
 }
 
+/// Memory for a steady state that carries derivatives.
+#[derive(Debug)]
+pub struct CarryingStorage<'m, S, P, V, C> {
+    /// One [`Part::empty`] for each mode and each mode of the stuck chain.
+    pub parts: P,
+    /// Room for the scalars of any orbit of the scene ([`numbers`](super::numbers)).
+    pub numbers: V,
+    /// Room for two scalars of each mass.
+    pub masses: &'m mut [S],
+    /// Empty, because the multipliers carry no derivative.
+    pub multipliers: C,
+}
+
 impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
 where
     S: Float,
@@ -86,24 +98,13 @@ where
     /// Computes the steady state `plain` over a scalar that carries derivatives.  `dynamics`, r and β belong to the
     /// same scene, and their values equal those of `plain`.
     ///
-    /// `numbers` has room for the scalars of any orbit of the scene, and `masses` for two scalars of each mass.  The
-    /// multipliers carry no derivative and are left out, so that `multipliers` is empty.
-    ///
     /// # Errors
     /// [`NoDerivative`] gives the reason why no derivatives exist.  Slices of a wrong length give `OutOfDomain`.
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "one question and the room for its answer"
-    )]
     pub fn carrying<T, Q, W, D>(
         plain: &Orbit<'_, T, Q, W, D>,
         dynamics: Dynamics<'a, S>,
-        r: S,
-        beta: S,
-        mut parts: P,
-        mut numbers: V,
-        masses: &mut [S],
-        multipliers: C,
+        (r, beta): (S, S),
+        storage: CarryingStorage<'_, S, P, V, C>,
     ) -> Result<Self, NoDerivative>
     where
         T: Float,
@@ -111,6 +112,12 @@ where
         W: AsRef<[T]> + AsMut<[T]>,
         D: AsRef<[Complex<T>]> + AsMut<[Complex<T>]>,
     {
+        let CarryingStorage {
+            mut parts,
+            mut numbers,
+            masses,
+            multipliers,
+        } = storage;
         if !plain.settled {
             return Err(NoDerivative::Unsettled);
         }
@@ -130,12 +137,12 @@ where
             return Err(OutOfDomain::Length(Slice::Storage).into());
         }
         let clean = parts.clone();
-        let (own, held) = setting.split(parts.as_mut());
+        let (own, stuck_modes) = setting.split(parts.as_mut());
         let mut cycle_map = CycleMap {
             contact_state: SegmentStart::empty().contact_state,
             setting: &setting,
             modes: own,
-            held,
+            stuck_modes,
             middle: zero,
             stuck: zero,
             step_budget: MAX_STEPS,
@@ -154,7 +161,7 @@ where
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         let mut record = Record::new(&mut marks, states, 2 * modes);
         if plain.never_slides() {
-            let offset = plain.held_since_the_start()?;
+            let offset = plain.offset_without_slip()?;
             stuck(&mut cycle_map, &mut workspace, offset)?;
             record.stuck(&cycle_map, offset);
         } else {
@@ -167,7 +174,7 @@ where
                     period: plain.period,
                     symmetric: plain.symmetric,
                 };
-                plain.place(&mut cycle_map, masses)?;
+                plain.set_state(&mut cycle_map, masses)?;
                 closed_in(&mut cycle_map, &mut workspace, map)?;
             }
             cycle_map.step_budget = MAX_STEPS;
@@ -216,7 +223,7 @@ where
 
     /// z̄ of a contact that never slides, if it has not slid on the way to the steady state either.  Such a contact is
     /// at z̄ = 0, or −1 on a moving base.  After a slip the offset depends on every slip, and the state is marginal.
-    fn held_since_the_start<U: Float>(&self) -> Result<U, NoDerivative> {
+    fn offset_without_slip<U: Float>(&self) -> Result<U, NoDerivative> {
         let offset = self.offset();
         if offset.is_zero() || offset == -self.setting.base {
             Ok(U::constant(offset.to_f64()))
@@ -233,7 +240,7 @@ where
 
     /// Sets a cycle map over another scalar to this steady state, at the middle of the longest segment that slides.
     /// `masses` has room for displacements and velocities.
-    fn place<U: Float>(
+    fn set_state<U: Float>(
         &self,
         cycle_map: &mut CycleMap<'_, '_, U>,
         masses: &mut [U],
@@ -277,12 +284,11 @@ where
                 return true;
             }
             let parts = segments.parts();
-            let (modes, held) = setting.split(parts);
+            let (modes, stuck_modes) = setting.split(parts);
             // Where the contact has come to rest, its force must not be close to μβ.
             if !first && before != Contact::Stuck {
                 let force = setting.holding(modes, mark.contact_state.t.sin_cos_pi());
-                let grip = setting.grip();
-                if (force.abs() - grip).abs() <= grip * graze {
+                if setting.law().is_marginal(force, graze) {
                     return true;
                 }
             }
@@ -293,10 +299,10 @@ where
             // At the end of the segment the vanishing function must have a slope clearly unlike zero.
             let sum = if before == Contact::Stuck {
                 setting
-                    .stick(modes, held, &mark.contact_state, mark.length)
+                    .start_sticking(modes, stuck_modes, &mark.contact_state, mark.length)
                     .0
             } else {
-                setting.slide(modes, &mark.contact_state, mark.length)
+                setting.start_sliding(modes, &mark.contact_state, mark.length)
             };
             let slope = sum.local(mark.length).slope;
             let size = sum.noise / S::constant(SUM_ROUNDINGS * S::EPSILON);

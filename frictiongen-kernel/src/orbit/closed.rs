@@ -6,11 +6,11 @@ use super::cycle_map::CycleMap;
 use crate::contact::dominant::Partner;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::wave::Sum;
+use crate::motion::{Contact, Dynamics};
 use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Damped;
 use crate::oscillator::mode::Mode;
-use crate::simulation::{Contact, ContactState, Dynamics};
 
 /// The modes that the contact drives, at one frequency.
 struct Driven<'a, S> {
@@ -78,12 +78,7 @@ pub(super) fn set<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>, beta: S) {
         (part.y, part.u) = (y, slope / part.x);
     }
     let t = within_cycle(friction.phase * S::inverse_pi());
-    let force = cycle_map.setting.holding(cycle_map.modes, t.sin_cos_pi());
-    let excess = force.abs() - cycle_map.setting.beta;
-    cycle_map.contact_state = ContactState {
-        t,
-        contact: Contact::Backward,
-        departing: Some(cycle_map.setting.acceleration(excess)),
-        wedged: false,
-    };
+    cycle_map.contact_state = cycle_map
+        .setting
+        .sliding_off(cycle_map.modes, t, Contact::Backward);
 }

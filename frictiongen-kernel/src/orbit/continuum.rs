@@ -47,7 +47,7 @@ pub(super) fn member<S: Float>(
         // The symmetric member is kept in the cycle map, because `other` is needed for the direction.
         cycle_map.save(workspace.other);
         unit(workspace.matrix, size);
-        cycle_map.half(Some(workspace.matrix))?;
+        cycle_map.advance_half(Some(workspace.matrix))?;
         cycle_map.restore(workspace.other, &contact_state);
         for (other, state) in workspace.other.iter_mut().zip(workspace.state.iter()) {
             *other = *state;
@@ -78,7 +78,9 @@ pub(super) fn member<S: Float>(
                 .contact_state(cycle_map.modes, contact_state.t);
         };
         set(cycle_map);
-        let pattern = cycle_map.half(None)?.and(cycle_map.half(None)?);
+        let pattern = cycle_map
+            .advance_half(None)?
+            .and(cycle_map.advance_half(None)?);
         let states = pairs(workspace.other).zip(pairs(workspace.state));
         let distance =
             cycle_map

@@ -1,10 +1,9 @@
 //! The motion over half a cycle or a whole one, from a section at a fixed phase of the excitation.
 
-use super::variational;
-use crate::errors::NoOrbit;
+use crate::errors::{NoOrbit, OutOfDomain};
+use crate::motion::{Contact, ContactState, Event, Part, Setting, carry_deviations, leap};
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, ContactState, Event, Part, Setting, leap};
 
 /// Upper bound on the events of a half cycle.
 const MOST_EVENTS: u32 = 4096;
@@ -53,7 +52,7 @@ impl Pattern {
 pub(super) struct CycleMap<'f, 'a, S> {
     pub setting: &'f Setting<'a, S>,
     pub modes: &'f mut [Part<S>],
-    pub held: &'f mut [Part<S>],
+    pub stuck_modes: &'f mut [Part<S>],
     pub contact_state: ContactState<S>,
     /// Middle of the longest segment of the last half cycle, in half-turns after the section.
     pub middle: S,
@@ -79,9 +78,9 @@ impl<S: Float> CycleMap<'_, '_, S> {
     }
 
     /// Advances half a cycle, and takes the deviations in `columns` along.
-    pub(super) fn half(&mut self, columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
+    pub(super) fn advance_half(&mut self, columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
         let start = self.contact_state.t;
-        let pattern = self.on(S::pi(), columns)?;
+        let pattern = self.advance(S::pi(), columns)?;
         // The phase advances by exactly half a cycle, free of the rounding in the sum of lengths.
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let t = start + one;
@@ -90,23 +89,32 @@ impl<S: Float> CycleMap<'_, '_, S> {
     }
 
     /// Advances by τ.
-    pub(super) fn on(&mut self, tau: S, mut columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
+    pub(super) fn advance(
+        &mut self,
+        tau: S,
+        mut columns: Option<&mut [S]>,
+    ) -> Result<Pattern, NoOrbit> {
         let zero = S::constant(0.0);
         let mut pattern = Pattern::default();
         let (mut left, mut longest) = (tau, zero);
         self.stuck = zero;
         for _ in 0..MOST_EVENTS {
             let contact_state = self.contact_state;
-            let end = leap(self.setting, self.modes, self.held, contact_state, left);
+            let end = leap(
+                self.setting,
+                self.modes,
+                self.stuck_modes,
+                contact_state,
+                left,
+            );
             if longest < end.tau {
                 longest = end.tau;
                 self.middle = (tau - left + end.tau * S::constant(0.5)) * S::inverse_pi();
             }
             if let Some(columns) = &mut columns {
-                variational::through(
+                carry_deviations(
                     self.setting,
-                    self.modes,
-                    self.held,
+                    (&*self.modes, &mut *self.stuck_modes),
                     &contact_state,
                     &end,
                     columns,
@@ -174,6 +182,17 @@ impl<S: Float> CycleMap<'_, '_, S> {
             }
             _ => sum,
         })
+    }
+
+    /// Fails if the state is not finite.
+    pub(super) fn check_finite(&self) -> Result<(), NoOrbit> {
+        let driven = self.setting.dynamics.in_contact();
+        let mut parts = self.modes.iter().take(driven);
+        if parts.all(|part| part.y.is_finite() && part.u.is_finite()) {
+            Ok(())
+        } else {
+            Err(OutOfDomain::Start.into())
+        }
     }
 
     /// The largest absolute value among the state's scalars.

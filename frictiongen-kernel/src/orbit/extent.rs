@@ -1,9 +1,10 @@
 //! Extremes, offset and centred amplitude of a steady motion.
 
-use super::{Orbit, OrbitMotion};
+use super::motion::OrbitMotion;
+use super::types::Orbit;
+use crate::motion::Part;
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
-use crate::simulation::Part;
 
 impl<S, P, V, C> Orbit<'_, S, P, V, C>
 where

@@ -5,9 +5,9 @@
 //! stuck chain's free vibration.  The contact never slides again where their sum cannot exceed μβ.
 
 use super::cycle_map::{CycleMap, Pattern};
-use super::shooting::MAX_CYCLES;
+use super::types::MAX_CYCLES;
+use crate::motion::{Contact, phase};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, phase};
 
 /// Half cycles without an event after which a contact counts as stuck, although its free vibration might still add up
 /// with the other forces.  Without damping that vibration never decays, and with damping that vibration can only fall.
@@ -56,7 +56,7 @@ impl<S: Float> Hold<S> {
     }
 
     /// z̄ of a contact that sticks and never slides again, if that is certain, or [counts as certain](QUIET).
-    pub(super) fn held(&mut self, cycle_map: &mut CycleMap<'_, '_, S>) -> Option<S> {
+    pub(super) fn lasting_offset(&mut self, cycle_map: &mut CycleMap<'_, '_, S>) -> Option<S> {
         let setting = cycle_map.setting;
         let contact_state = cycle_map.contact_state;
         let far = S::constant(f64::MAX);
@@ -64,21 +64,25 @@ impl<S: Float> Hold<S> {
             self.before = [far, self.before[0]];
             return None;
         }
-        let (sum, offset) = setting.stick(
+        let (sum, offset) = setting.start_sticking(
             cycle_map.modes,
-            cycle_map.held,
+            cycle_map.stuck_modes,
             &contact_state,
             S::constant(0.0),
         );
         let constant = sum.constant.abs();
         let at = phase(contact_state.t);
-        let free = cycle_map.held.iter().fold(S::constant(0.0), |free, part| {
-            free + part.free_amplitude(at)
-        });
+        let free = cycle_map
+            .stuck_modes
+            .iter()
+            .fold(S::constant(0.0), |free, part| {
+                free + part.free_amplitude(at)
+            });
         let before = self.before[1];
         self.before = [constant, self.before[0]];
-        let spare = setting.grip() - self.steady;
-        let noise = S::constant(ROUNDINGS * S::EPSILON) * setting.grip();
+        let grip = setting.law().grip();
+        let spare = grip - self.steady;
+        let noise = S::constant(ROUNDINGS * S::EPSILON) * grip;
         if constant + free <= spare + noise || QUIET <= self.quiet {
             return Some(offset);
         }
@@ -86,8 +90,8 @@ impl<S: Float> Hold<S> {
         let share = S::constant(ONE_SIDED) * excess;
         let slipped = before - constant;
         let one_sided = S::constant(0.0) < slipped && slipped < share && free < share;
-        let undying =
-            2 * UNDYING <= self.halves && cycle_map.held.iter().any(|part| part.is_undamped());
+        let undying = 2 * UNDYING <= self.halves
+            && cycle_map.stuck_modes.iter().any(|part| part.is_undamped());
         let last = 2 * MAX_CYCLES <= self.halves + 1;
         let tends = self.monotone && (one_sided || undying || last);
         tends.then(|| constant.min(spare).copysign(offset) * setting.receptance)

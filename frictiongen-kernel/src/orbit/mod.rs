@@ -1,7 +1,7 @@
 //! The steady state in any regime: a motion that repeats after one or several cycles of the excitation, its stops, and
 //! its Floquet multipliers.
 //!
-//! The search first follows some cycles from the start, exactly ([`simulation`](crate::simulation)), until their
+//! The search first follows some cycles from the start, exactly ([`motion`](crate::motion)), until their
 //! pattern of events repeats.  Newton's method then converges in a few steps.  The method works on the half-period map
 //! times −1, whose fixed point is a symmetric steady state, or on the period map.
 //!
@@ -24,106 +24,32 @@ mod provides;
 mod rates;
 mod record;
 mod relaxed;
+mod scene;
 mod segments;
 mod shooting;
 mod start;
 mod states;
-mod variational;
+mod types;
 
 pub use candidate::MAX_PERIOD;
-pub use carrying::NoDerivative;
+pub use carrying::{CarryingStorage, NoDerivative};
 pub use motion::OrbitMotion;
-pub use provides::ProvidesOrbit;
-pub use shooting::{MAX_CYCLES, MAX_STEPS};
+pub use scene::{Known, ProvidesOrbit};
 pub use start::Start;
-pub use states::{Known, States};
+pub use states::States;
+pub use types::{MAX_CYCLES, MAX_SEGMENTS, MAX_STEPS, Orbit};
 
+use crate::motion::{Contact, Part};
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, ContactState, Part, Setting};
 use segments::Segments;
-
-/// Upper bound on the segments of a cycle.  A period of several cycles may have this number for each of its cycles.  A
-/// steady state with more segments is not reported.
-pub const MAX_SEGMENTS: usize = 64;
+use types::SegmentStart;
 
 /// Number of scalars of memory that an orbit needs, for a scene with `modes` modes of which the contact drives
 /// `driven`.
 #[must_use]
 pub const fn numbers(modes: usize, driven: usize) -> usize {
     MAX_SEGMENTS * 2 * modes + 4 * driven * driven + 4 * driven
-}
-
-/// The start of a segment of the period.
-#[derive(Clone, Copy, Debug)]
-struct SegmentStart<S> {
-    /// State of the contact at the start, with the phase of the excitation within its cycle.
-    contact_state: ContactState<S>,
-    /// Cycle of the start, counted from that of the first mark.
-    cycle: S,
-    /// Length of the segment in τ.
-    length: S,
-    /// z̄ at the start.
-    relative: S,
-    /// Number of following segments that are not stored.  Those segments are computed again from this one.
-    more: u32,
-}
-
-impl<S: Float> SegmentStart<S> {
-    /// Returns a mark of zeros, to initialise arrays.
-    fn empty() -> Self {
-        let zero = S::constant(0.0);
-        Self {
-            contact_state: ContactState {
-                t: zero,
-                contact: Contact::Stuck,
-                departing: None,
-                wedged: false,
-            },
-            cycle: zero,
-            length: zero,
-            relative: zero,
-            more: 0,
-        }
-    }
-
-    /// z̄ at the end of a segment in which the contact sticks, or `None` if the contact slides.  While the contact
-    /// sticks, z̄ at the end equals z̄ at the start to the last digit.
-    fn stuck_at(&self) -> Option<S> {
-        (self.contact_state.contact == Contact::Stuck).then_some(self.relative)
-    }
-}
-
-/// Length in τ by which rounding may make a segment longer than the rest of the period.
-fn slack<S: Float>() -> S {
-    newton::agreement()
-}
-
-/// A steady state: a motion that repeats after one cycle of the excitation, or after [`Orbit::period`] cycles.
-///
-/// `P` owns the oscillators, `V` the scalars of memory ([`numbers`]), and `C` the multipliers, two for each mode that
-/// the contact drives.  All three are arrays in emitted code and vectors at run time.
-#[derive(Clone, Debug)]
-pub struct Orbit<'a, S, P, V, C> {
-    setting: Setting<'a, S>,
-    parts: P,
-    numbers: V,
-    multipliers: C,
-    marks: [SegmentStart<S>; MAX_SEGMENTS],
-    count: usize,
-    /// Period in cycles of the excitation.
-    period: u32,
-    stops: usize,
-    reversals: usize,
-    symmetric: bool,
-    marginal: bool,
-    settled: bool,
-    /// Largest |offset| of the contact's motion in a continuum of steady states, if known.
-    offset_range: Option<S>,
-    /// The excitation's phase in half-turns at τ = 0, which is the end of a maximum of z̄.  `origin_cycle` is its
-    /// cycle, as in [`SegmentStart`].
-    origin: S,
-    origin_cycle: S,
 }
 
 /// A steady state of an emitted solver, with its data in arrays.
@@ -267,12 +193,12 @@ where
         };
         let contact = mark.contact_state.contact;
         if contact != Contact::Stuck {
-            return (contact, contact.sign::<S>() * self.setting.beta);
+            return (contact, self.setting.law().kinetic(contact));
         }
-        let (modes, held) = self.setting.split(segments.parts());
-        let (force, _) = self
-            .setting
-            .stick(modes, held, &mark.contact_state, mark.length);
+        let (modes, stuck_modes) = self.setting.split(segments.parts());
+        let (force, _) =
+            self.setting
+                .start_sticking(modes, stuck_modes, &mark.contact_state, mark.length);
         (contact, force.local(since).value)
     }
 

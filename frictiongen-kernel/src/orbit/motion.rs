@@ -1,12 +1,13 @@
 //! Amplitude, phase, velocity, acceleration and harmonics of the steady motion of the contact or of a mass.
 
 use super::gauss::{PANEL, SIXTEEN};
+use super::rates;
 use super::segments::Segments;
-use super::{Orbit, SegmentStart, rates};
+use super::types::{Orbit, SegmentStart};
+use crate::motion::{Contact, Part, Sum, lift, rotated};
 use crate::number::complex::{self, Complex};
 use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Part, Sum, lift, rotated};
 
 /// Difference, in roundings, below which two amplitudes are equal.
 const ROUNDINGS: f64 = 64.0;
@@ -83,18 +84,18 @@ where
 
     /// x̄ at τ, counted from where the relative motion in the contact leaves its maximum.
     pub fn displacement(&self, tau: S) -> S {
-        self.asked(tau, |sum, tau| sum.local(tau).value)
+        self.evaluate(tau, |sum, tau| sum.local(tau).value)
     }
 
     /// dx̄/dτ at τ, counted from where the relative motion in the contact leaves its maximum.
     pub fn velocity(&self, tau: S) -> S {
-        self.asked(tau, |sum, tau| sum.local(tau).slope)
+        self.evaluate(tau, |sum, tau| sum.local(tau).slope)
     }
 
     /// d²x̄/dτ² at τ, counted from where the relative motion in the contact leaves its maximum.  The acceleration jumps
     /// where the contact turns, stops or breaks away.  At a jump the value just after the jump counts.
     pub fn acceleration(&self, tau: S) -> S {
-        self.asked(tau, |sum, tau| sum.local(tau).curve)
+        self.evaluate(tau, |sum, tau| sum.local(tau).curve)
     }
 
     /// The largest |dx̄/dτ| of the period.
@@ -231,27 +232,27 @@ where
         self.orbit.symmetric
     }
 
-    fn asked(&self, tau: S, question: impl Fn(&Sum<'_, S>, S) -> S) -> S {
+    fn evaluate(&self, tau: S, question: impl Fn(&Sum<'_, S>, S) -> S) -> S {
         let Some((mut segments, mark, since)) = Segments::at(self.orbit, tau) else {
             return S::constant(0.0);
         };
-        question(&self.aimed(segments.parts(), &mark), since)
+        question(&self.segment_sum(segments.parts(), &mark), since)
     }
 
     pub(super) fn each(&self, mut question: impl FnMut(&SegmentStart<S>, &Sum<'_, S>)) {
         let mut segments = self.orbit.segments();
         while let Some(mark) = segments.next() {
-            let sum = self.aimed(segments.parts(), &mark);
+            let sum = self.segment_sum(segments.parts(), &mark);
             question(&mark, &sum);
         }
     }
 
     /// The motion in one segment as a sum, for oscillators in the state at the segment's start.
-    fn aimed<'p>(&self, parts: &'p mut [Part<S>], mark: &SegmentStart<S>) -> Sum<'p, S> {
+    fn segment_sum<'p>(&self, parts: &'p mut [Part<S>], mark: &SegmentStart<S>) -> Sum<'p, S> {
         let zero = S::constant(0.0);
         let (setting, contact_state, reach) =
             (&self.orbit.setting, &mark.contact_state, mark.length);
-        let (modes, held) = setting.split(parts);
+        let (modes, stuck_modes) = setting.split(parts);
         let driven = setting.dynamics.in_contact();
         let mut constant = zero;
         let mut fundamental = complex::real(zero);
@@ -268,8 +269,10 @@ where
         }
         let sticks = contact_state.contact == Contact::Stuck;
         if sticks {
-            let (_, offset) = setting.stick(modes, held, contact_state, reach);
-            for (part, (_, participations)) in held.iter_mut().zip(setting.dynamics.held_modes()) {
+            let (_, offset) = setting.start_sticking(modes, stuck_modes, contact_state, reach);
+            for (part, (_, participations)) in
+                stuck_modes.iter_mut().zip(setting.dynamics.held_modes())
+            {
                 part.weight = [zero; 2];
                 for (index, participation) in participations.iter().enumerate() {
                     for (weight, participation) in part.weight.iter_mut().zip(participation) {
@@ -283,7 +286,7 @@ where
                 fundamental.re = fundamental.re + lift * setting.base;
             }
         } else {
-            let _ = setting.slide(modes, contact_state, reach);
+            let _ = setting.start_sliding(modes, contact_state, reach);
             for (index, part) in modes.iter_mut().enumerate().take(driven) {
                 part.weight = [component(index), zero];
                 constant = constant + component(index) * part.centre;

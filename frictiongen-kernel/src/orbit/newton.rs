@@ -3,10 +3,10 @@
 use super::cycle_map::{CycleMap, Pattern, unit};
 use super::matrix::Matrix;
 use crate::errors::NoOrbit;
+use crate::motion::{Contact, ContactState};
 use crate::number::complex::{self, Complex};
 use crate::number::pairs::pairs_mut;
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, ContactState};
 
 const NEWTON_STEPS: u32 = 12;
 
@@ -153,7 +153,7 @@ pub(super) fn mapped<S: Float>(
 ) -> Result<(Contact, Pattern), NoOrbit> {
     let mut pattern = Pattern::default();
     for _ in 0..map.halves() {
-        pattern = pattern.and(cycle_map.half(Some(columns))?);
+        pattern = pattern.and(cycle_map.advance_half(Some(columns))?);
     }
     let contact = cycle_map.contact_state.contact;
     let contact = if map.symmetric {

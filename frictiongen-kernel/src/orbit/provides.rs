@@ -1,31 +1,12 @@
-//! Scenes that provide steady states, and the methods that return them.
+//! The methods of a scene that return its steady states.
 
-use super::{Known, Start, States};
+use super::scene::ProvidesOrbit;
+use super::start::Start;
+use super::states::States;
 use crate::contact::regime::check_beta;
 use crate::errors::{NoOrbit, OutOfDomain};
-use crate::response::{At, Scene};
+use crate::response::At;
 use crate::table::{Compiled, Tabled};
-use core::ops::Deref;
-
-/// A scene that provides `orbit`.
-pub trait ProvidesOrbit: Scene {
-    /// Type of the steady state, with a method for each mass.
-    type Orbit: Deref<Target: Known>;
-    /// Type of a state of the masses, with one number for each mass.
-    type State: AsRef<[Self::Scalar]> + ?Sized;
-
-    /// Returns the steady state reached from `start`.  If `last` is true and the motion does not settle, returns its
-    /// last 64 cycles.
-    ///
-    /// # Errors
-    /// [`NoOrbit`] gives the reason why there is no steady state.
-    fn settled(
-        at: &At<Self>,
-        beta: Self::Scalar,
-        start: Start<'_, Self::Scalar>,
-        last: bool,
-    ) -> Result<Self::Orbit, NoOrbit>;
-}
 
 impl<T: ProvidesOrbit> At<T> {
     /// Returns the steady state at β = F/P in which motion from rest ends, in any regime.

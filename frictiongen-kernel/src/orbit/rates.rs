@@ -4,8 +4,8 @@
 //! The search can only miss an extreme that lies within one sampling step of another extreme.  Two such extremes differ
 //! by less than a thousandth.
 
+use crate::motion::Sum;
 use crate::number::scalar::Float;
-use crate::simulation::Sum;
 
 /// Number of sampled instants in a half-turn of the fastest motion.
 const PLACES: f64 = 16.0;

@@ -4,10 +4,11 @@
 //! fourth, and so on.  The other segments are computed again when they are needed.
 
 use super::cycle_map::CycleMap;
-use super::{MAX_SEGMENTS, SegmentStart, slack};
+use super::newton::agreement;
+use super::types::{MAX_SEGMENTS, SegmentStart};
 use crate::errors::NoOrbit;
+use crate::motion::{Contact, ContactState, Event, leap};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, ContactState, Event, leap};
 
 /// A record in progress.
 pub(super) struct Record<'s, S> {
@@ -86,7 +87,7 @@ impl<'s, S: Float> Record<'s, S> {
             let end = leap(
                 cycle_map.setting,
                 cycle_map.modes,
-                cycle_map.held,
+                cycle_map.stuck_modes,
                 cycle_map.contact_state,
                 left + slack(),
             );
@@ -200,6 +201,11 @@ impl<'s, S: Float> Record<'s, S> {
                 .map_or((zero, zero), |top| (top.contact_state.t, top.cycle)),
         }
     }
+}
+
+/// Length in τ by which rounding may make a segment longer than the rest of the period.
+pub(super) fn slack<S: Float>() -> S {
+    agreement()
 }
 
 /// Length of a segment with `left` of the period remaining.  A segment that ends within the slack of the period's end

@@ -10,9 +10,9 @@ use super::cycle_map::{CycleMap, unit};
 use super::matrix::Matrix;
 use super::newton::{Map, Workspace, mapped, negate};
 use crate::errors::NoOrbit;
+use crate::motion::Contact;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
-use crate::simulation::Contact;
 
 /// Upper bound on the steps of the implicit Euler method.
 const MOST_STEPS: u32 = 64;

@@ -3,12 +3,12 @@
 //! A period of many segments has stored states at the start of some segments only.  The other segments are computed
 //! again.
 
-use super::record::{passed, within};
-use super::{Orbit, SegmentStart, slack};
+use super::record::{passed, slack, within};
+use super::types::{Orbit, SegmentStart};
+use crate::motion::{Part, leap, span};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
-use crate::simulation::{Part, leap, span};
 
 /// Iterator over the segments of a steady state.
 pub(super) struct Segments<'o, 'a, S, P, V, C> {
@@ -99,7 +99,7 @@ where
     }
 
     /// Returns the segment of the next mark.
-    fn kept(&mut self) -> Option<SegmentStart<S>> {
+    fn next_mark(&mut self) -> Option<SegmentStart<S>> {
         let mark = *self.orbit.marks().get(self.next)?;
         self.placed = false;
         self.next += 1;
@@ -108,18 +108,18 @@ where
     }
 
     /// Computes the segment after the last one.
-    fn followed(&mut self, last: &SegmentStart<S>) -> Option<SegmentStart<S>> {
+    fn compute_next(&mut self, last: &SegmentStart<S>) -> Option<SegmentStart<S>> {
         let zero = S::constant(0.0);
         let orbit = self.orbit;
         let setting = &orbit.setting;
         let end = orbit.marks().first()?.contact_state.t + S::constant(2.0) * orbit.cycles();
-        let (modes, held) = setting.split(self.parts());
+        let (modes, stuck_modes) = setting.split(self.parts());
         let mut mark = *last;
         // The first turn passes the last segment.  Further turns pass unsuccessful attempts to leave zero velocity.
         loop {
             let left = (end - mark.contact_state.t - S::constant(2.0) * mark.cycle) * S::pi();
             let reach = left + slack();
-            let length = span(setting, modes, held, mark.contact_state, reach);
+            let length = span(setting, modes, stuck_modes, mark.contact_state, reach);
             if zero < length && !(zero < mark.length) {
                 mark.length = within(length, left);
                 let found = || setting.relative(modes, mark.contact_state.t.sin_cos_pi());
@@ -129,7 +129,7 @@ where
             if !(zero < left) {
                 return None;
             }
-            let next = leap(setting, modes, held, mark.contact_state, reach);
+            let next = leap(setting, modes, stuck_modes, mark.contact_state, reach);
             mark = SegmentStart {
                 contact_state: next.contact_state,
                 cycle: mark.cycle + passed(&mark.contact_state, next.tau, &next.contact_state),
@@ -153,8 +153,8 @@ where
 
     fn next(&mut self) -> Option<SegmentStart<S>> {
         self.last = match self.last {
-            Some(last) if self.follows() => self.followed(&last),
-            _ => self.kept(),
+            Some(last) if self.follows() => self.compute_next(&last),
+            _ => self.next_mark(),
         };
         self.last
     }

@@ -1,23 +1,19 @@
 //! Search for the steady state as a fixed point of the half-period map times −1, or of the period map.  The period is
 //! one cycle of the excitation, or several.
 
-use super::Start;
 use super::candidate::{Candidate, Found, MAX_PERIOD, Verdict};
 use super::cycle_map::{CycleMap, Pattern};
 use super::hold::Hold;
 use super::newton::{Map, Workspace, same};
 use super::relaxed::relax;
+use super::start::Start;
+use super::types::MAX_CYCLES;
 use crate::errors::NoOrbit;
 use crate::number::scalar::Float;
 
-/// Upper bound on the cycles followed from rest or from a given state before the search gives up.
-pub const MAX_CYCLES: u32 = 1024;
 /// Upper bound on the cycles followed from a start that may be near a steady state: the stuck state, a closed form, a
 /// neighbour.
 const MAX_CYCLES_NEAR: u32 = 128;
-/// Upper bound on the steps of all walks of one search.  Ordinary scenes need far fewer.  Modes a thousand times as
-/// fast as the excitation would need as many in every cycle.
-pub const MAX_STEPS: u32 = 1 << 20;
 /// Upper bound on the periods that one search for a subharmonic state tries.
 const MOST_TRIED: u32 = 3;
 /// Cycles after which the search looks for a subharmonic state.
@@ -59,9 +55,12 @@ pub(super) fn settle<S: Float>(
     most: u32,
     spare: &mut [S],
 ) -> Result<Settled<S>, NoOrbit> {
-    let monotone = cycle_map.setting.dynamics.chain.stiction <= S::constant(1.0);
+    let monotone = cycle_map.setting.law().is_contraction();
     let mut hold = holding.map(|steady| Hold::new(steady, monotone));
-    if let Some(offset) = hold.as_mut().and_then(|hold| hold.held(cycle_map)) {
+    if let Some(offset) = hold
+        .as_mut()
+        .and_then(|hold| hold.lasting_offset(cycle_map))
+    {
         return Ok(Settled::Stuck(offset));
     }
     let mut failure = NoOrbit::Unsettled;
@@ -73,14 +72,14 @@ pub(super) fn settle<S: Float>(
     while cycles < most {
         while cycles < wanted {
             for _ in 0..2 {
-                let half = cycle_map.half(None)?;
+                let half = cycle_map.advance_half(None)?;
                 let [a, b, c, _] = halves;
                 halves = [half, a, b, c];
                 settled[0] = if half == a { settled[0] + 1 } else { 0 };
                 settled[1] = if half == b { settled[1] + 1 } else { 0 };
                 if let Some(hold) = &mut hold {
                     hold.note(half);
-                    if let Some(offset) = hold.held(cycle_map) {
+                    if let Some(offset) = hold.lasting_offset(cycle_map) {
                         return Ok(Settled::Stuck(offset));
                     }
                 }
@@ -94,7 +93,7 @@ pub(super) fn settle<S: Float>(
         }
         // The section is placed where no event is near.
         let middle = cycle_map.middle * S::pi();
-        cycle_map.on(middle, None)?;
+        cycle_map.advance(middle, None)?;
         let [last, before, ..] = halves;
         for symmetric in [true, false] {
             let steady = if symmetric { settled[0] } else { settled[1] };
@@ -248,8 +247,8 @@ fn repeats_sooner<S: Float>(
     let limit = same(cycle_map.scale());
     let mut sooner = None;
     for cycles in 1..period {
-        cycle_map.half(None)?;
-        cycle_map.half(None)?;
+        cycle_map.advance_half(None)?;
+        cycle_map.advance_half(None)?;
         if sooner.is_none() && cycle_map.distance(workspace.other) <= limit {
             sooner = Some(cycles);
         }
@@ -272,7 +271,9 @@ fn comes_back<S: Float>(
     cycle_map.save(workspace.state);
     let mut near = cycle_map.scale() * S::constant(NEARLY_BACK);
     for period in 1..=most {
-        total = total.and(cycle_map.half(None)?).and(cycle_map.half(None)?);
+        total = total
+            .and(cycle_map.advance_half(None)?)
+            .and(cycle_map.advance_half(None)?);
         *cycles += 1;
         let distance = cycle_map.distance(workspace.state);
         if period > after && distance <= near {

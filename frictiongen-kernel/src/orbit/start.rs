@@ -1,10 +1,9 @@
 //! Starts of a motion that is followed to its steady state.
 
-use super::MAX_STEPS;
-use super::build::bounded_state;
 use super::closed;
 use super::cycle_map::CycleMap;
 use super::newton::Workspace;
+use super::types::MAX_STEPS;
 use crate::errors::{NoOrbit, OutOfDomain};
 use crate::number::scalar::Float;
 
@@ -28,7 +27,7 @@ pub enum Start<'s, S> {
 
 impl<S: Float> Start<'_, S> {
     /// Sets the cycle map to the start.  For `Stuck` the caller sets the state.
-    pub(super) fn place(
+    pub(super) fn set_start(
         self,
         cycle_map: &mut CycleMap<'_, '_, S>,
         workspace: &mut Workspace<'_, S>,
@@ -43,7 +42,7 @@ impl<S: Float> Start<'_, S> {
             }
             Self::ClosedForm(beta) => {
                 closed::set(cycle_map, beta);
-                bounded_state(cycle_map)?;
+                cycle_map.check_finite()?;
                 if beta != setting.beta {
                     let t = cycle_map.contact_state.t;
                     cycle_map.contact_state = setting.contact_state(cycle_map.modes, t);
@@ -55,18 +54,18 @@ impl<S: Float> Start<'_, S> {
                 let mut there = CycleMap {
                     setting: &neighbour,
                     modes: &mut *cycle_map.modes,
-                    held: &mut *cycle_map.held,
+                    stuck_modes: &mut *cycle_map.stuck_modes,
                     step_budget: MAX_STEPS,
                     ..*cycle_map
                 };
                 there.contact_state = neighbour.contact_state(there.modes, zero);
                 for _ in 0..2 * NEIGHBOURING {
-                    there.half(None)?;
+                    there.advance_half(None)?;
                 }
                 there.save(workspace.state);
                 let contact_state = there.contact_state;
                 cycle_map.restore(workspace.state, &contact_state);
-                bounded_state(cycle_map)?;
+                cycle_map.check_finite()?;
             }
         }
         Ok(())

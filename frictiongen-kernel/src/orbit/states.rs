@@ -1,67 +1,19 @@
 //! The steady states that exist at one β.
 
-use super::{Orbit, ProvidesOrbit, Start};
+use super::scene::{Known, Print, ProvidesOrbit};
+use super::start::Start;
 use crate::errors::OutOfDomain;
-use crate::number::complex::Complex;
+use crate::motion::Rigid;
 use crate::number::scalar::{Float, Scalar};
 use crate::response::{At, Scene};
-use crate::simulation::Part;
 use core::fmt;
 
 /// Upper bound on the number of starts in a search for steady states.
 const STARTS: usize = 9;
-/// Relative difference of amplitudes and stuck fractions below which two states are the same.
-const ALIKE: f64 = 1e-6;
 /// Fractions of β_lim at which the closed form is a start where β is at or above β_lim.
 const FORMER: [f64; 2] = [0.98, 0.5];
 /// Factors of β for starts from motions at neighbouring friction ratios.
 const NEIGHBOURS: [f64; 4] = [0.97, 1.03, 0.8, 1.25];
-
-/// Fingerprint of a steady state, by which it is compared with others.
-#[derive(Clone, Copy, Debug)]
-pub struct Print<S> {
-    sticks: bool,
-    counts: (u32, usize, usize),
-    sizes: [S; 2],
-}
-
-/// A steady state as an item of [`States`].
-pub trait Known {
-    /// Scalar type of the steady state.
-    type Scalar: Float;
-
-    /// Returns the fingerprint of the steady state.
-    fn print(&self) -> Print<Self::Scalar>;
-}
-
-impl<S, P, V, C> Known for Orbit<'_, S, P, V, C>
-where
-    S: Float,
-    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
-    V: AsRef<[S]> + AsMut<[S]>,
-    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
-{
-    type Scalar = S;
-
-    fn print(&self) -> Print<S> {
-        Print {
-            sticks: self.never_slides(),
-            counts: (self.period(), self.stops(), self.reversals()),
-            sizes: [self.contact().amplitude(), self.stuck_fraction()],
-        }
-    }
-}
-
-impl<S: Float> Print<S> {
-    /// Returns true if two states are the same.  All stuck states count as one, because they belong to one continuum
-    /// with various offsets.
-    fn is_alike(&self, other: &Self) -> bool {
-        let near = |(a, b): (&S, &S)| (*a - *b).abs() <= a.abs().max(b.abs()) * S::constant(ALIKE);
-        let mut sizes = self.sizes.iter().zip(&other.sizes);
-        self.sticks == other.sticks
-            && (self.sticks || (self.counts == other.counts && sizes.all(near)))
-    }
-}
 
 /// Iterator over the steady states of [`At::states`].  Each state is computed when it is requested.
 pub struct States<T: Scene> {
@@ -90,10 +42,11 @@ impl<T: ProvidesOrbit> States<T> {
             }
         };
         add(Some(Start::Rest));
-        let (zero, one) = (T::Scalar::constant(0.0), T::Scalar::constant(1.0));
+        let zero = T::Scalar::constant(0.0);
         // With μ = 1 the distance of two motions never grows, so that one start is enough.
-        if at.scene().numbers().chain.stiction <= one || beta.is_zero() {
-            return Ok(Self::of(at, beta, starts));
+        let law = Rigid::on_chain(&at.scene().numbers().chain, beta);
+        if law.is_contraction() || beta.is_zero() {
+            return Ok(Self::from_starts(at, beta, starts));
         }
         add((!(beta < at.sliding_limit())).then_some(Start::Stuck));
         let limit = at.continuous_limit();
@@ -109,10 +62,14 @@ impl<T: ProvidesOrbit> States<T> {
         for share in NEIGHBOURS {
             add(Some(Start::Neighbour(beta * T::Scalar::constant(share))));
         }
-        Ok(Self::of(at, beta, starts))
+        Ok(Self::from_starts(at, beta, starts))
     }
 
-    fn of(at: At<T>, beta: T::Scalar, starts: [Option<Start<'static, T::Scalar>>; STARTS]) -> Self {
+    fn from_starts(
+        at: At<T>,
+        beta: T::Scalar,
+        starts: [Option<Start<'static, T::Scalar>>; STARTS],
+    ) -> Self {
         let seen = [None; STARTS];
         Self {
             at,

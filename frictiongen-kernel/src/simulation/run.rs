@@ -1,10 +1,10 @@
 //! A simulation that advances in time, segment by segment.
 
-use super::clock::{Clock, Total};
-use super::lines::{Constant, Level, Lines};
-use super::segment::{self, ContactState, Sought, ended, place, seek};
-use super::{Contact, Dynamics, Event, Part, Setting, coupled};
 use crate::errors::{Given, OutOfDomain};
+use crate::motion::{
+    Clock, Constant, Contact, ContactState, Dynamics, Event, Level, Lines, Part, Setting, Sought,
+    Total, ended, phase, seek,
+};
 use crate::number::scalar::{Float, Plain};
 
 /// A segment of the motion, in which the contact sticks or slides in one direction.
@@ -64,6 +64,12 @@ pub struct Simulation<'a, S, P, L = Constant> {
     passed: Total<S>,
 }
 
+/// A simulation of an emitted solver, with its data in arrays.
+pub type FixedSimulation<S, const PARTS: usize> = Simulation<'static, S, [Part<S>; PARTS]>;
+/// A simulation of an emitted solver whose kinetic friction changes with the speed, with its data in arrays.
+pub type FixedLinesSimulation<S, const PARTS: usize> =
+    Simulation<'static, S, [Part<S>; PARTS], Lines<'static, S>>;
+
 /// Upper bound on the pieces of motion that one call follows if the kinetic friction changes with the speed.  A piece
 /// ends at an event, or where the speed reaches the next straight line of the friction law.  It also ends where the
 /// power series of the motion ends.  At the bound the call returns, and the motion continues in another segment.
@@ -88,7 +94,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     where
         S: Plain,
     {
-        Self::of(dynamics, (r, beta, Constant), state, parts)
+        Self::under(dynamics, (r, beta, Constant), state, parts)
     }
 }
 
@@ -111,10 +117,10 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P, 
         S: Plain,
     {
         // r is checked before the law's speeds, which depend on r, so that an error names the true cause.
-        let mut run = Self::of(dynamics, (r, beta, lines), state, parts)?;
+        let mut run = Self::under(dynamics, (r, beta, lines), state, parts)?;
         lines.check()?;
         run.setting.check_lines(run.parts.as_ref(), &lines)?;
-        let at = segment::phase(S::constant(0.0));
+        let at = phase(S::constant(0.0));
         let (velocity, _) = run.setting.relative_velocity(run.parts.as_ref(), at);
         run.level.start(velocity.abs());
         Ok(run)
@@ -124,7 +130,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P, 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     Simulation<'a, S, P, L>
 {
-    fn of(
+    fn under(
         dynamics: Dynamics<'a, S>,
         (r, beta, level): (S, S, L),
         state: Option<(&[S], &[S])>,
@@ -179,7 +185,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     /// Returns the present relative displacement z̄ of the contact, and its derivative dz̄/dτ.
     #[must_use]
     pub fn relative(&self) -> (S, S) {
-        let at = segment::phase(self.now.t);
+        let at = phase(self.now.t);
         let velocity = if self.contact_state.contact == Contact::Stuck {
             S::constant(0.0)
         } else {
@@ -193,26 +199,9 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     /// sliding.
     #[must_use]
     pub fn friction(&self) -> S {
-        match self.contact_state.contact {
-            Contact::Stuck => self
-                .setting
-                .holding(self.parts.as_ref(), segment::phase(self.now.t)),
-            sliding => sliding.sign::<S>() * self.kinetic(),
-        }
-    }
-
-    /// The kinetic friction force now, over P.
-    fn kinetic(&self) -> S {
-        let Some(lines) = self.level.lines() else {
-            return self.setting.beta;
-        };
-        let at = segment::phase(self.now.t);
-        let (velocity, _) = self.setting.relative_velocity(self.parts.as_ref(), at);
-        let line = lines.line();
-        // Rounding may leave a speed a little beyond the line.
-        let speed = velocity.abs().max(line.low);
-        let speed = line.high.map_or(speed, |high| speed.min(high));
-        self.setting.beta * (line.level + line.slope * speed)
+        let (contact, at) = (self.contact_state.contact, phase(self.now.t));
+        self.setting
+            .contact_force(&self.level, self.parts.as_ref(), contact, at)
     }
 
     fn sum(&self, shape: &[S], of: impl Fn(&Part<S>) -> S) -> S {
@@ -233,11 +222,11 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         if !(S::constant(0.0) <= reach && reach.is_finite()) {
             return Err(OutOfDomain::Duration(Given::of(reach)));
         }
-        Ok(self.moved(reach))
+        Ok(self.advance_by(reach))
     }
 
     /// Advances by a reach that is finite and not negative.
-    fn moved(&mut self, reach: S) -> Segment<S> {
+    fn advance_by(&mut self, reach: S) -> Segment<S> {
         let zero = S::constant(0.0);
         let mut segment = Segment {
             start: self.phase(),
@@ -249,12 +238,12 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
             return segment;
         }
         let known = self.sought.is_some();
-        segment.contact = self.look(reach).contact_state.contact;
-        let (length, mut ended) = self.pass(reach);
+        segment.contact = self.find_end(reach).contact_state.contact;
+        let (length, mut ended) = self.advance_within(reach);
         segment.length = length;
         // A segment that was searched before may end without an event short of the reach.
         if known && ended == Some(None) && length < reach {
-            let (more, next) = self.pass(reach - length);
+            let (more, next) = self.advance_within(reach - length);
             segment.length = length + more;
             ended = next;
         }
@@ -263,7 +252,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
                 if ended != Some(None) || !(segment.length < reach) {
                     break;
                 }
-                let (more, next) = self.pass(reach - segment.length);
+                let (more, next) = self.advance_within(reach - segment.length);
                 segment.length = segment.length + more;
                 ended = next;
             }
@@ -273,24 +262,21 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     }
 
     /// Returns the current segment, and searches at least a cycle for its end if that is still unknown.
-    fn look(&mut self, reach: S) -> Sought<S> {
+    fn find_end(&mut self, reach: S) -> Sought<S> {
         if let Some(sought) = self.sought {
             return sought;
         }
         let reach = reach.max(S::pi() + S::pi());
-        let (modes, held) = self.setting.split(self.parts.as_mut());
-        let slides = self.contact_state.contact != Contact::Stuck;
-        let mut sought = match self.level.lines_mut() {
-            Some(lines) if slides => {
-                coupled::seek(&self.setting, modes, lines, self.contact_state, reach)
-            }
-            _ => seek(&self.setting, modes, held, self.contact_state, reach),
-        };
+        let parts = self.parts.as_mut();
+        let level = &mut self.level;
+        let mut sought = self
+            .setting
+            .seek_under(level, parts, self.contact_state, reach);
         if sought.holds() {
             // The contact could not leave zero velocity, and continues to stick.
-            let contact_state =
-                ended(&self.setting, modes, &sought, segment::phase(self.now.t)).contact_state;
-            sought = seek(&self.setting, modes, held, contact_state, reach);
+            let (modes, held) = self.setting.split(parts);
+            let end = ended(&self.setting, modes, &sought, phase(self.now.t));
+            sought = seek(&self.setting, modes, held, end.contact_state, reach);
         }
         self.contact_state = sought.contact_state;
         self.sought = Some(sought);
@@ -298,32 +284,22 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     }
 
     /// Advances within the segment.  Returns the length advanced, and how the segment ends if it is over.
-    fn pass(&mut self, reach: S) -> (S, Option<Option<Event>>) {
-        let sought = self.look(reach);
-        let (modes, held) = self.setting.split(self.parts.as_mut());
+    fn advance_within(&mut self, reach: S) -> (S, Option<Option<Event>>) {
+        let sought = self.find_end(reach);
+        let parts = self.parts.as_mut();
         let rest = self.passed.short_of(sought.tau).max(S::constant(0.0));
         if reach < rest {
             self.passed = self.passed.plus(reach);
             self.now = self.now.moved(Total::zero().plus(reach));
-            let to = segment::phase(self.now.t);
-            put(
-                &self.setting,
-                (modes, held),
-                &self.level,
-                &sought,
-                (self.passed.value, to),
-            );
+            let at = (self.passed.value, phase(self.now.t));
+            self.setting.place_under(&self.level, parts, &sought, at);
             return (reach, None);
         }
         self.now = self.start.moved(Total::zero().plus(sought.tau));
-        let to = segment::phase(self.now.t);
-        put(
-            &self.setting,
-            (modes, held),
-            &self.level,
-            &sought,
-            (sought.tau, to),
-        );
+        let to = phase(self.now.t);
+        self.setting
+            .place_under(&self.level, parts, &sought, (sought.tau, to));
+        let (modes, _) = self.setting.split(parts);
         let end = ended(&self.setting, modes, &sought, to);
         if let Some(lines) = self.level.lines_mut() {
             lines.pass(end.event.is_some() || end.contact_state.contact == Contact::Stuck);
@@ -339,46 +315,12 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     }
 }
 
-/// Sets the oscillators to their state τ after the segment's start.
-fn put<'a, S: Float>(
-    setting: &Setting<'_, S>,
-    (modes, held): (&mut [Part<S>], &mut [Part<S>]),
-    level: &impl Level<'a, S>,
-    sought: &Sought<S>,
-    (tau, to): (S, (S, S)),
-) {
-    match level.lines() {
-        Some(lines) if sought.contact_state.contact != Contact::Stuck => {
-            coupled::place(setting, modes, lines, (&sought.contact_state, tau), to);
-        }
-        _ => place(setting, modes, held, sought, tau, to),
-    }
-}
-
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>> Iterator
     for Simulation<'a, S, P, L>
 {
     type Item = Segment<S>;
 
     fn next(&mut self) -> Option<Segment<S>> {
-        Some(self.moved(S::pi() + S::pi()))
-    }
-}
-
-impl<S: Float> Setting<'_, S> {
-    /// Sets the modes' state from displacements and velocities of the masses.
-    pub(crate) fn load_state(&self, displacements: &[S], velocities: &[S], parts: &mut [Part<S>]) {
-        let masses = displacements.len().max(1);
-        let weights = self.dynamics.weights.chunks(masses);
-        for (part, weights) in parts.iter_mut().zip(weights) {
-            let product = |values: &[S]| {
-                let terms = weights.iter().zip(values);
-                terms.fold(S::constant(0.0), |sum, (weight, value)| {
-                    sum + *weight * *value
-                })
-            };
-            part.y = product(displacements);
-            part.u = product(velocities) / part.x;
-        }
+        Some(self.advance_by(S::pi() + S::pi()))
     }
 }

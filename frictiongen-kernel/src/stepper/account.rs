@@ -1,8 +1,8 @@
 //! Work and energy of a stepper's run.
 
-use super::run::Stepper;
 use super::state::Store;
 use super::table::Tables;
+use super::types::Stepper;
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 

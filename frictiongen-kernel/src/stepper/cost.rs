@@ -1,7 +1,7 @@
 //! Upper bounds on the cost of a step, counted from the lengths of its loops.
 
 use super::{MAX_EVENTS, MAX_STRETCHES};
-use crate::simulation::WALK;
+use crate::motion::{LOST_MODES, WALK};
 
 /// Sizes from which the cost of a step follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,7 +88,7 @@ impl Extent {
         let base = if self.on_moving_base { 8 * d } else { 0 };
         let held = 2 * load + base + 2 * d * (3 + 4 * d) + (5 * inputs + 9) * d + 30;
         let sliding = driven * mode;
-        let sticking = (driven - 1) * held + self.still();
+        let sticking = (driven - LOST_MODES as u64) * held + self.still();
         let contact = if sliding < sticking {
             sticking
         } else {

@@ -3,6 +3,7 @@
 use super::input::Input;
 use super::scene::StepScene;
 use crate::errors::{Given, OutOfDomain};
+use crate::motion::Rigid;
 use crate::number::scalar::Float;
 
 /// The input at one instant, in the scene's units.
@@ -19,7 +20,7 @@ pub struct Sample<'i, S> {
 
 impl<S: Float> Sample<'_, S> {
     /// Fails if the sample is outside the scene's domain.
-    pub(super) fn check(&self, scene: &StepScene<'_, S>, stiction: S) -> Result<(), OutOfDomain> {
+    pub(super) fn check(&self, scene: &StepScene<'_, S>, law: Rigid<S>) -> Result<(), OutOfDomain> {
         let (_, limit) = S::inverse_ratio_range();
         let most = limit * scene.units.stiffness;
         let energy = limit * limit * scene.units.stiffness;
@@ -44,7 +45,11 @@ impl<S: Float> Sample<'_, S> {
             return Err(OutOfDomain::BaseMotion(Given::of(velocity)));
         }
         let friction = self.friction;
-        if !(S::constant(0.0) <= friction && sound(friction) && sound(friction * stiction)) {
+        let law = Rigid {
+            level: friction,
+            ..law
+        };
+        if !(S::constant(0.0) <= friction && sound(friction) && sound(law.grip())) {
             return Err(OutOfDomain::Friction(Given::of(friction)));
         }
         Ok(())
@@ -61,7 +66,7 @@ pub(super) struct Stretch<S> {
 }
 
 impl<S: Float> Stretch<S> {
-    pub(super) fn of(place: u32, parts: u32) -> Self {
+    pub(super) fn nth(place: u32, parts: u32) -> Self {
         let parts = S::constant(f64::from(parts));
         Self {
             start: S::constant(f64::from(place)) / parts,

@@ -13,33 +13,38 @@
 //! code calls its modes `held`.  Section 11 of docs/derivation.md derives the method.
 
 mod account;
+mod advance;
 mod cost;
 mod dot;
 mod drive;
-mod event;
+mod events;
 mod input;
-mod motion;
+mod interval;
 mod now;
 mod pace;
-mod part;
 mod rows;
 mod run;
+mod saved;
 mod scene;
+mod sliding;
 mod state;
+mod sticking;
+mod stuck_force;
 mod table;
 mod turned;
+mod types;
 
 pub use account::Work;
 pub use cost::{Cost, Extent};
 pub use drive::Sample;
 pub use input::Input;
-pub use now::{ContactNow, MassNow, Stepped};
 pub use pace::Pace;
 pub use rows::{HeldRow, HeldStep, ModeStep, Row};
-pub use run::{FixedStepper, Stepper};
+pub use saved::Saved;
 pub use scene::{StepScene, Units};
-pub use state::{FixedStore, Saved, Store, StoreMut, StoreRef};
+pub use state::{FixedStore, Store, StoreMut, StoreRef};
 pub use table::{Channel, FixedTables, HeldLoad, Tables, View, fill, series_terms};
+pub use types::{ContactNow, FixedStepper, MassNow, Stepped, Stepper};
 
 /// Upper bound on the events that the stepper follows in one sub-interval of a step.  After that many events, a contact
 /// at rest stays stuck for the rest of the sub-interval, and a sliding contact slides without friction.

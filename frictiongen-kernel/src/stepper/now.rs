@@ -1,91 +1,12 @@
 //! The state that a stepper reports: the masses, the contact, and the friction force.
 
 use super::cost::Cost;
-use super::part::ROUNDINGS;
-use super::run::Stepper;
+use super::interval::ROUNDINGS;
 use super::state::Store;
 use super::table::Tables;
+use super::types::{ContactNow, MassNow, Stepper};
+use crate::motion::{Contact, line};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, law};
-
-/// Result of one step of a stepper.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Stepped<S> {
-    /// The contact at the end of the step: stuck, or its direction of sliding.
-    pub contact: Contact,
-    /// The friction force in the contact at the end of the step, in the scene's unit of force.
-    pub force: S,
-    /// Number of stops, break-aways and reversals in the step.
-    pub events: u32,
-    /// True if a sub-interval of the step reached the bound on followed events or pieces, so that its rest was
-    /// simplified.
-    pub exceeded: bool,
-}
-
-/// A mass at the end of the last step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct MassNow<S> {
-    displacement: S,
-    velocity: S,
-}
-
-impl<S: Float> MassNow<S> {
-    /// Displacement of the mass, in the scene's unit of length.
-    #[must_use]
-    pub fn displacement(&self) -> S {
-        self.displacement
-    }
-
-    /// Velocity of the mass, in the scene's unit of length a second.
-    #[must_use]
-    pub fn velocity(&self) -> S {
-        self.velocity
-    }
-}
-
-/// The contact at the end of the last step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct ContactNow<S> {
-    motion: MassNow<S>,
-    contact: Contact,
-    force: S,
-}
-
-impl<S: Float> ContactNow<S> {
-    /// Relative displacement of the contact, in the scene's unit of length.
-    #[must_use]
-    pub fn displacement(&self) -> S {
-        self.motion.displacement
-    }
-
-    /// Relative velocity of the contact, in the scene's unit of length a second.  It is 0 while the contact sticks.
-    #[must_use]
-    pub fn velocity(&self) -> S {
-        self.motion.velocity
-    }
-
-    /// Friction force in the contact, in the scene's unit of force.  While the contact sticks, it is the force that
-    /// keeps the contact at rest.  A positive force opposes sliding in the positive direction.
-    #[must_use]
-    pub fn force(&self) -> S {
-        self.force
-    }
-
-    /// Returns whether the contact sticks, or in which direction it slides.
-    #[must_use]
-    pub fn contact(&self) -> Contact {
-        self.contact
-    }
-
-    /// Returns whether the contact sticks.
-    #[must_use]
-    pub fn is_sticking(&self) -> bool {
-        self.contact == Contact::Stuck
-    }
-}
 
 impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
     /// Upper bounds on the cost of a step.
@@ -129,7 +50,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
     /// μ, static over kinetic friction force.
     #[must_use]
     pub fn stiction(&self) -> S {
-        self.status.stiction
+        self.status.law.stiction
     }
 
     /// Derives the contact's state from its velocity.  A velocity no larger than the rounding of its terms counts as
@@ -164,7 +85,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
     /// Displacement of the sticking contact including the base's, and its velocity in the time t√(k₁/m₁).
     pub(super) fn lifted(&self) -> (S, S) {
         let [place, velocity] = self.carrying();
-        (self.status.place + place, velocity)
+        (self.status.stuck_at + place, velocity)
     }
 
     /// Displacement and velocity of the base in the time t√(k₁/m₁), or zeros if the contact does not rub on a moving
@@ -184,7 +105,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         let sticks = self.status.contact == Contact::Stuck && !self.status.unknown;
         if sticks && self.scene.dynamics.moves_as_contact(index) {
             return MassNow {
-                displacement: self.status.place,
+                displacement: self.status.stuck_at,
                 velocity: S::constant(0.0),
             };
         }
@@ -232,7 +153,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         let contact = self.status.contact;
         let motion = if contact == Contact::Stuck && !self.status.unknown {
             MassNow {
-                displacement: self.status.place,
+                displacement: self.status.stuck_at,
                 velocity: S::constant(0.0),
             }
         } else {
@@ -249,18 +170,17 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
     pub(super) fn force(&self) -> S {
         let zero = S::constant(0.0);
         let status = &self.status;
-        let sign: S = status.contact.sign();
         let force = if status.contact != Contact::Stuck && !status.unknown {
-            let line = law::line(self.scene.law, status.line);
+            let line = line(self.scene.law, status.line);
             let slides = !line.slope.is_zero();
             let speed = if slides {
                 self.contact_sum().velocity.abs()
             } else {
                 zero
             };
-            sign * status.friction * (line.level + line.slope * speed)
+            status.law.kinetic_at(&line, status.contact, speed)
         } else {
-            status.holding
+            status.contact_force
         };
         force * self.scene.units.stiffness
     }

@@ -1,8 +1,8 @@
 //! The response of an oscillator over a sub-interval of a step, as products of constants with its state and its drive.
 
 use super::dot::dot;
+use crate::motion::TERMS;
 use crate::number::scalar::Float;
-use crate::simulation::TERMS;
 
 /// Weights of a mode's state, y and u, and of the coefficients of its drive.
 ///

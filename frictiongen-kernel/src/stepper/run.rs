@@ -2,47 +2,19 @@
 
 use super::Input;
 use super::drive::{Sample, Stretch, base_motion};
-use super::now::Stepped;
-use super::part::Through;
+use super::interval::Interval;
 use super::scene::StepScene;
-use super::state::{FixedStore, Status, Store};
-use super::table::{FixedTables, Tables};
+use super::state::{Status, Store};
+use super::table::Tables;
+use super::types::{Stepped, Stepper};
 use crate::errors::{Given, OutOfDomain};
+use crate::motion::{Contact, Rigid, steepest};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, law};
 use core::marker::PhantomData;
 
 /// Largest change of the contact's velocity that a friction law may cause in a sub-interval, as a multiple of that
 /// velocity.  Under a steeper law a power series converges over a small fraction of the sub-interval only.
 const STEEPEST: f64 = 16.0;
-
-/// The motion under an input that is known step by step.
-///
-/// `T` owns the tables and `V` the state: arrays or constants in emitted code, vectors at run time.  `D` is the number
-/// of coefficients of an input's polynomial over a step.
-#[derive(Clone, Debug)]
-pub struct Stepper<'a, S, const D: usize, T, V> {
-    pub(super) scene: StepScene<'a, S>,
-    pub(super) tables: T,
-    pub(super) store: V,
-    pub(super) status: Status<S>,
-    inputs: PhantomData<[S; D]>,
-}
-
-/// A stepper of an emitted solver, with all data in arrays.
-pub type FixedStepper<
-    S,
-    const D: usize,
-    const MODES: usize,
-    const HELD: usize,
-    const INPUTS: usize,
-> = Stepper<
-    'static,
-    S,
-    D,
-    FixedTables<S, D, MODES, HELD, INPUTS>,
-    FixedStore<S, D, MODES, HELD, INPUTS>,
->;
 
 impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, S, D, T, V> {
     /// Creates a stepper at rest under no load, or in a given state: displacements and velocities of the masses.
@@ -57,22 +29,22 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         store: V,
         state: Option<(&[S], &[S])>,
     ) -> Result<Self, OutOfDomain> {
-        let stiction = scene.dynamics.chain.stiction;
+        let law = Rigid::on_chain(&scene.dynamics.chain, S::constant(0.0));
         let mut stepper = Self {
             scene,
             tables,
             store,
-            status: Status::new(stiction),
+            status: Status::new(law),
             inputs: PhantomData,
         };
         if let Some((displacements, velocities)) = state {
-            stepper.place(displacements, velocities)?;
+            stepper.set_state(displacements, velocities)?;
         }
         Ok(stepper)
     }
 
     /// Sets the displacements and velocities of the masses.
-    fn place(&mut self, displacements: &[S], velocities: &[S]) -> Result<(), OutOfDomain> {
+    fn set_state(&mut self, displacements: &[S], velocities: &[S]) -> Result<(), OutOfDomain> {
         let masses = self.scene.dynamics.modes.len();
         let sound = |values: &[S]| {
             let (_, most) = S::inverse_ratio_range();
@@ -116,26 +88,27 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// # Errors
     /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
     pub fn begin(&mut self, sample: Sample<'_, S>) -> Result<(), OutOfDomain> {
-        sample.check(&self.scene, self.status.stiction)?;
+        sample.check(&self.scene, self.status.law)?;
         if self.status.steps != 0 {
             return Err(OutOfDomain::Begun);
         }
-        self.keep(&sample);
+        self.keep_sample(&sample);
         self.status.pull = self.pull();
         self.status.unknown = true;
         self.status.contact = self.direction();
-        self.status.holding = S::constant(0.0);
-        if !self.status.friction.is_zero() {
+        self.status.contact_force = S::constant(0.0);
+        if !self.status.law.level.is_zero() {
             let [place, velocity] = sample.base;
             let zero = S::constant(0.0);
             let motion = [place, velocity * self.dt(), zero, zero];
             let parts = self.tables.view().pace.parts;
-            self.through(&sample, motion, Stretch::of(0, parts)).begin();
+            self.interval(&sample, motion, Stretch::nth(0, parts))
+                .begin();
         }
         Ok(())
     }
 
-    fn keep(&mut self, sample: &Sample<'_, S>) {
+    fn keep_sample(&mut self, sample: &Sample<'_, S>) {
         let moving = usize::from(self.scene.on_base);
         let store = self.store.change();
         let last = store.last.iter_mut().skip(moving);
@@ -145,7 +118,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         if self.scene.on_base {
             self.status.base = sample.base;
         }
-        self.status.friction = sample.friction / self.scene.units.stiffness;
+        self.status.law.level = sample.friction / self.scene.units.stiffness;
     }
 
     /// Takes one step.  A linear input reaches this sample at the end of the step.  With zero-order hold the input has
@@ -162,10 +135,10 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// - [`Work`](OutOfDomain::Work) once the work exceeds the square of the largest permitted input, so that another
     ///   step could overflow.
     pub fn advance(&mut self, sample: Sample<'_, S>) -> Result<Stepped<S>, OutOfDomain> {
-        sample.check(&self.scene, self.status.stiction)?;
+        sample.check(&self.scene, self.status.law)?;
         self.check_work()?;
         let pace = self.tables.view().pace;
-        let steep = law::steepest(self.scene.law);
+        let steep = steepest(self.scene.law);
         if S::constant(0.0) < steep {
             // Relative change of the contact's velocity that the law causes within a sub-interval.
             let friction = sample.friction / self.scene.units.stiffness;
@@ -178,9 +151,9 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         let hold = self.scene.input == Input::Hold;
         let from = if hold { sample.base } else { self.status.base };
         if hold {
-            self.jump(sample.base);
+            self.jump_base(sample.base);
         }
-        self.status.friction = sample.friction / self.scene.units.stiffness;
+        self.status.law.level = sample.friction / self.scene.units.stiffness;
         let step = pace.step;
         let per_step = |[place, velocity]: [S; 2]| [place, velocity * step];
         let motion = base_motion(self.scene.input, per_step(from), per_step(sample.base));
@@ -191,16 +164,17 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             exceeded: false,
         };
         for part in 0..pace.parts {
-            let (events, exceeded) = self.part(&sample, motion, Stretch::of(part, pace.parts));
+            let (events, exceeded) =
+                self.advance_interval(&sample, motion, Stretch::nth(part, pace.parts));
             stepped.events += events;
             stepped.exceeded |= exceeded;
         }
-        self.keep(&sample);
+        self.keep_sample(&sample);
         if hold && self.scene.on_base {
             let [place, velocity] = sample.base;
             self.status.base = [place + velocity * step, velocity];
         }
-        if self.status.friction.is_zero() {
+        if self.status.law.level.is_zero() {
             self.status.contact = self.direction();
         }
         self.status.given = S::constant(0.0);
@@ -216,28 +190,33 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     // Inlined into the loop, the function makes the compiler prepare addresses for further sub-intervals in every step,
     // although most steps have only one.
     #[inline(never)]
-    fn part(&mut self, sample: &Sample<'_, S>, motion: [S; 4], stretch: Stretch<S>) -> (u32, bool) {
-        let mut through = self.through(sample, motion, stretch);
-        through.go();
-        (through.events, through.exceeded)
-    }
-
-    /// Returns the state of a sub-interval at its start, with the inputs written as polynomials over the sub-interval.
-    #[inline]
-    fn through(
+    fn advance_interval(
         &mut self,
         sample: &Sample<'_, S>,
         motion: [S; 4],
         stretch: Stretch<S>,
-    ) -> Through<'_, 'a, S, D> {
-        let base = self.lay(sample, motion, stretch);
-        Through {
+    ) -> (u32, bool) {
+        let mut interval = self.interval(sample, motion, stretch);
+        interval.advance();
+        (interval.events, interval.exceeded)
+    }
+
+    /// Returns the state of a sub-interval at its start, with the inputs written as polynomials over the sub-interval.
+    #[inline]
+    fn interval(
+        &mut self,
+        sample: &Sample<'_, S>,
+        motion: [S; 4],
+        stretch: Stretch<S>,
+    ) -> Interval<'_, 'a, S, D> {
+        let base = self.write_inputs(sample, motion, stretch);
+        Interval {
             scene: &self.scene,
             table: self.tables.view(),
             store: self.store.change(),
             status: &mut self.status,
             base,
-            place: S::constant(0.0),
+            progress: S::constant(0.0),
             events: 0,
             exceeded: false,
         }
@@ -245,14 +224,14 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
 
     /// Accounts for the jump of the base at the start of a step with zero-order hold.  A mass that rubs on the base
     /// does not jump with the base.
-    fn jump(&mut self, [place, velocity]: [S; 2]) {
+    fn jump_base(&mut self, [place, velocity]: [S; 2]) {
         if !self.scene.rubs_on_base() || self.status.unknown {
             return;
         }
         let [old_place, old_velocity] = self.status.base;
         if velocity == old_velocity {
             if self.status.contact == Contact::Stuck {
-                self.status.place = self.status.place + (old_place - place);
+                self.status.stuck_at = self.status.stuck_at + (old_place - place);
             }
             return;
         }
@@ -270,7 +249,12 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     }
 
     /// Writes the inputs over a sub-interval as polynomials, and returns the polynomial of the base's motion.
-    fn lay(&mut self, sample: &Sample<'_, S>, motion: [S; 4], stretch: Stretch<S>) -> [S; 4] {
+    fn write_inputs(
+        &mut self,
+        sample: &Sample<'_, S>,
+        motion: [S; 4],
+        stretch: Stretch<S>,
+    ) -> [S; 4] {
         let on_base = self.scene.on_base;
         let hold = self.scene.input == Input::Hold;
         let stiffness = self.scene.units.stiffness;
@@ -302,7 +286,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         if !(S::constant(1.0) <= mu && mu <= most) {
             return Err(OutOfDomain::Stiction(Given::of(mu)));
         }
-        self.status.stiction = mu;
+        self.status.law.stiction = mu;
         Ok(())
     }
 }

@@ -3,8 +3,8 @@
 use super::cost::{Cost, Extent};
 use super::input::Input;
 use super::pace::Pace;
+use crate::motion::{Dynamics, TERMS};
 use crate::number::scalar::Float;
-use crate::simulation::{Dynamics, TERMS};
 
 /// Factors from non-dimensional groups to the units of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,12 +1,8 @@
-//! The state of a stepper, and its saving and restoring.
+//! The state of a stepper.
 
-use super::input::Input;
-use super::run::Stepper;
 use super::scene::StepScene;
-use super::table::{Tables, View};
-use crate::errors::OutOfDomain;
+use crate::motion::{Contact, Rigid, Total};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, Total};
 
 /// Mutable view of a stepper's numbers.
 #[derive(Debug)]
@@ -123,19 +119,18 @@ pub(super) struct Status<S> {
     /// exceeds μF.
     pub wedged: bool,
     /// Relative displacement of the contact while it sticks.
-    pub place: S,
+    pub stuck_at: S,
     /// Index of the line of the friction law on which the contact's speed lies.
     pub line: usize,
     /// Displacement and velocity of the base at the end of the last step.
     pub base: [S; 2],
-    /// F over k₁.  `stiction` is μ.
-    pub friction: S,
-    pub stiction: S,
+    /// The law of the contact, with forces over k₁.
+    pub law: Rigid<S>,
     pub steps: u64,
     /// Number of steps in which the bound on events was reached.
     pub exceeded: u64,
     /// The force in the contact at the end of the last step, over k₁, if the contact sticks or its state is unknown.
-    pub holding: S,
+    pub contact_force: S,
     /// Work of the load, work dissipated by friction (`dissipated`), and the chain's energy at the start (`energy`),
     /// all over k₁.
     pub load: Total<S>,
@@ -148,129 +143,24 @@ pub(super) struct Status<S> {
 }
 
 impl<S: Float> Status<S> {
-    pub(super) fn new(stiction: S) -> Self {
+    pub(super) fn new(law: Rigid<S>) -> Self {
         let zero = S::constant(0.0);
         Self {
             contact: Contact::Stuck,
             unknown: true,
             wedged: false,
-            place: zero,
+            stuck_at: zero,
             line: 0,
             base: [zero; 2],
-            friction: zero,
-            stiction,
+            law,
             steps: 0,
             exceeded: 0,
-            holding: zero,
+            contact_force: zero,
             load: Total::zero(),
             dissipated: Total::zero(),
             energy: zero,
             pull: zero,
             given: zero,
         }
-    }
-}
-
-/// A stepper's state without its tables, as [`Stepper::save`](super::Stepper::save) returns it.
-#[derive(Clone, Copy, Debug)]
-pub struct Saved<S, V> {
-    pub(super) status: Status<S>,
-    pub(super) store: V,
-    /// Hash of the scene and step, from `Stepper::mark`.
-    mark: u64,
-}
-
-impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
-    /// Returns the state from which [`restore`](Self::restore) continues the run.
-    #[must_use]
-    pub fn save(&self) -> Saved<S, V>
-    where
-        V: Clone,
-    {
-        Saved {
-            status: self.status,
-            store: self.store.clone(),
-            mark: self.mark(),
-        }
-    }
-
-    /// Returns to a saved state.  The same steps from there give the same bits.
-    ///
-    /// # Errors
-    /// [`OutOfDomain::Saved`] if the state comes from a stepper of another scene or step, according to a hash of
-    /// both.
-    pub fn restore(&mut self, saved: &Saved<S, V>) -> Result<(), OutOfDomain>
-    where
-        V: Clone,
-    {
-        let size = |store: &V| {
-            let store = store.read();
-            (store.modes.len(), store.held.len(), store.last.len())
-        };
-        if size(&self.store) != size(&saved.store) || self.mark() != saved.mark {
-            return Err(OutOfDomain::Saved);
-        }
-        self.status = saved.status;
-        self.store = saved.store.clone();
-        Ok(())
-    }
-
-    /// Hashes everything that gives the state its meaning: the scene with its units and loads, and the step.
-    fn mark(&self) -> u64 {
-        let View {
-            pace,
-            modes,
-            held,
-            loads,
-            ..
-        } = self.tables.view();
-        let (scene, units) = (&self.scene, &self.scene.units);
-        let mut hash = Hash::new();
-        hash.count(usize::from(scene.on_base));
-        hash.count(usize::from(scene.input == Input::Linear));
-        hash.number(units.stiffness).number(units.rate);
-        hash.number(units.support).number(pace.step);
-        hash.number(scene.dynamics.chain.inverse_mass);
-        for mass in scene.forces {
-            hash.count(*mass);
-        }
-        for [speed, level] in scene.law {
-            hash.number(*speed).number(*level);
-        }
-        for mode in modes {
-            hash.number(mode.angle).number(mode.zeta);
-            hash.number(mode.contact);
-        }
-        for mode in held {
-            hash.number(mode.angle).number(mode.force);
-        }
-        for load in loads {
-            hash.number(*load);
-        }
-        hash.0
-    }
-}
-
-/// A hash of numbers: FNV-1a over words of 64 bits, with the upper half folded into the lower one.
-struct Hash(u64);
-
-impl Hash {
-    fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-
-    fn word(&mut self, word: u64) -> &mut Self {
-        let mixed = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
-        // The product carries only upwards, so that the upper half has to be folded back.
-        self.0 = mixed ^ (mixed >> 32);
-        self
-    }
-
-    fn number<S: Float>(&mut self, number: S) -> &mut Self {
-        self.word(number.bits())
-    }
-
-    fn count(&mut self, count: usize) -> &mut Self {
-        self.word(u64::try_from(count).unwrap_or(u64::MAX))
     }
 }

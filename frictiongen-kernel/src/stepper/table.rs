@@ -5,8 +5,8 @@ use super::pace::Pace;
 use super::rows::{HeldStep, ModeStep};
 use super::scene::StepScene;
 use crate::errors::{Given, OutOfDomain, Slice};
+use crate::motion::{TERMS, lift};
 use crate::number::scalar::Float;
-use crate::simulation::{TERMS, lift};
 
 /// A power series is continued until its terms are this many times smaller than a rounding.
 const BELOW_ROUNDING: f64 = 16.0;

@@ -8,9 +8,9 @@
 use super::plain::Plain;
 use crate::reduced::kind;
 use crate::roots::{Driven, pairs};
+use frictiongen_kernel::motion::HeldMode;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
-use frictiongen_kernel::simulation::HeldMode;
 use frictiongen_kernel::{Float, Scalar};
 
 /// Relative difference of two squared frequencies below which the difference is rounding. It is a thousand roundings of

@@ -9,10 +9,10 @@ use crate::reduced;
 use crate::roots;
 use crate::scene::{Damping, Precision, Scene};
 use frictiongen_kernel::contact::sums::Chain;
+use frictiongen_kernel::motion::{Dynamics, HeldMode};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::oscillator::mode::Mode;
-use frictiongen_kernel::simulation::{Dynamics, HeldMode};
 use frictiongen_kernel::{Float, Scalar};
 use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned};
 

@@ -6,8 +6,8 @@ use super::system::System;
 use super::units::reversed_phase;
 use crate::Complex;
 use frictiongen_kernel::Float;
+use frictiongen_kernel::motion::Part;
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
-use frictiongen_kernel::simulation::Part;
 use std::ops::Deref;
 
 /// A steady state of a system, in the kernel's form.

@@ -5,10 +5,10 @@ use super::orbit::SystemOrbit;
 use super::system::System;
 use crate::OutOfDomain;
 use crate::system::FrictionSystem;
+use frictiongen_kernel::motion::Part;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
-use frictiongen_kernel::orbit::{self, NoDerivative, Orbit};
-use frictiongen_kernel::simulation::Part;
+use frictiongen_kernel::orbit::{self, CarryingStorage, NoDerivative, Orbit};
 use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Damping, Scene};
@@ -141,12 +141,13 @@ impl Varied {
         let orbit = Orbit::carrying(
             &plain.orbit,
             dynamics,
-            r,
-            beta,
-            vec![Part::empty(); modes + dynamics.held.len()],
-            vec![zero; orbit::numbers(modes, driven)],
-            &mut vec![zero; 2 * modes],
-            Vec::new(),
+            (r, beta),
+            CarryingStorage {
+                parts: vec![Part::empty(); dynamics.oscillators()],
+                numbers: vec![zero; orbit::numbers(modes, driven)],
+                masses: &mut vec![zero; 2 * modes],
+                multipliers: Vec::new(),
+            },
         )?;
         Ok(SystemOrbit {
             system: &self.system,

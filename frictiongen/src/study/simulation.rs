@@ -3,7 +3,8 @@
 use super::error::UnknownMass;
 use super::system::System;
 use crate::{Given, OutOfDomain, Simulates, SimulatesUnder, Unsupported};
-use frictiongen_kernel::simulation::{Dynamics, Lines, Moment, Part, Segment, Simulation};
+use frictiongen_kernel::motion::{Dynamics, Lines, Part};
+use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 use frictiongen_kernel::{Float, Plain};
 
 /// An exact run in time of a system, from event to event. The run is an iterator over its segments.
@@ -32,7 +33,7 @@ impl<S: Plain> System<S> {
     /// Returns one empty part for each mode and each mode with the contact stuck.
     pub(super) fn parts(&self) -> Vec<Part<S>> {
         let dynamics = self.dynamics();
-        vec![Part::empty(); dynamics.modes.len() + dynamics.held.len()]
+        vec![Part::empty(); dynamics.oscillators()]
     }
 
     /// Starts the exact motion in time from rest, with the excitation at its maximum.

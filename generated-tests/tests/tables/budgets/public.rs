@@ -179,8 +179,6 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
             "orbit::Orbit::stops",
             "orbit::Orbit::stuck_fraction",
             "orbit::numbers",
-            "simulation::Contact::reversed",
-            "simulation::Dynamics::in_contact",
         ],
     ),
     (

@@ -1,5 +1,6 @@
 //! The excitation's phase over a long run, and sums of steps, without accumulated rounding.
 
+use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 
 /// A compensated sum of many numbers.
@@ -27,14 +28,14 @@ impl<S: Float> Total<S> {
     }
 
     /// The distance from the sum to a value.
-    pub(super) fn short_of(self, value: S) -> S {
+    pub(crate) fn short_of(self, value: S) -> S {
         (value - self.value) - self.low
     }
 }
 
 /// The excitation's phase and the number of completed cycles.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Clock<S> {
+pub(crate) struct Clock<S> {
     /// The phase in half-turns, in [0, 2).
     pub t: S,
     /// The accumulated rounding error of `t`.  The exact phase is the sum of both.
@@ -45,7 +46,7 @@ pub(super) struct Clock<S> {
 
 impl<S: Float> Clock<S> {
     /// The clock at a maximum of the excitation.
-    pub(super) fn start() -> Self {
+    pub(crate) fn start() -> Self {
         let zero = S::constant(0.0);
         Self {
             t: zero,
@@ -55,7 +56,7 @@ impl<S: Float> Clock<S> {
     }
 
     /// The clock a time τ = `passed` later.
-    pub(super) fn moved(self, passed: Total<S>) -> Self {
+    pub(crate) fn moved(self, passed: Total<S>) -> Self {
         let (turns, error) = two_product(passed.value, S::inverse_pi());
         let error = error + passed.value * inverse_pi_low() + passed.low * S::inverse_pi();
         let (t, left) = two_sum(self.t, turns);
@@ -79,6 +80,18 @@ impl<S: Float> Clock<S> {
         let cycles = self.cycles.wrapping_add(whole.to_f64().max(0.0) as u64);
         Self { t, low, cycles }
     }
+}
+
+/// Sine and cosine of the excitation's angle.
+pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
+    t.sin_cos_pi()
+}
+
+/// The phase τ after the phase `t`, in half-turns, in [0, 2).
+pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
+    let two = S::constant(2.0);
+    let t = within_cycle(t + tau * S::inverse_pi());
+    if t < two { t } else { t - two }
 }
 
 /// 1/π less the scalar's 1/π.

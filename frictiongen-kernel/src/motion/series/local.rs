@@ -6,7 +6,10 @@ use crate::number::scalar::Float;
 pub(crate) const ROUNDINGS: f64 = 4.0;
 /// Length over which a series serves, in radians of the fastest oscillator.  The terms left out, of the order 0.03⁹/9!,
 /// are below rounding.
-pub(super) const SERIES_REACH: f64 = 0.03;
+pub(crate) const SERIES_REACH: f64 = 0.03;
+
+/// Upper bound on the steps of a walk along one segment.  A segment that needs more continues in another segment.
+pub const MAX_STEPS: u32 = 4000;
 
 /// Value and derivatives of a function at one instant.
 #[derive(Clone, Copy, Debug)]
@@ -86,7 +89,22 @@ impl<S: Float> Series<S> {
     }
 
     /// The derivative of this order at the start.
-    pub(super) fn term(&self, order: usize) -> S {
+    pub(crate) fn term(&self, order: usize) -> S {
         self.terms.get(order).copied().unwrap_or(S::constant(0.0))
     }
+}
+
+/// A function that a walk follows.
+pub(crate) trait Walked<S> {
+    /// Upper bound on the steps of a walk along the function.
+    const MOST: u32 = MAX_STEPS;
+    /// Value and derivatives of the function at τ, with a bound on its third derivative from τ on.
+    fn local(&self, tau: S) -> Local<S>;
+    /// Series of the function shortly after the start, for a value and a slope that are known better than by
+    /// evaluation.
+    fn series(&self, value: S, slope: S) -> Series<S>;
+    /// Rounding noise of a value.
+    fn noise(&self) -> S;
+    /// Length in τ over which the function is searched.
+    fn reach(&self) -> S;
 }

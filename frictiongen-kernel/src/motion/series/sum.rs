@@ -2,9 +2,8 @@
 //! fundamental component at the excitation's frequency plus a sum over oscillators.  Each oscillator is a mode of the
 //! chain with a free contact or with a stuck one.
 
-use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series};
-use super::part::Part;
-use super::walk::Walked;
+use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series, Walked};
+use crate::motion::oscillator::Part;
 use crate::number::scalar::Float;
 
 /// The function constant + cosine·cos τ + sine·sin τ + Σ of the oscillators' free motions.  An oscillator near its

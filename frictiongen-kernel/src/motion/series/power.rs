@@ -1,7 +1,6 @@
 //! A function of the contact as a power series about an instant, for a walk to follow.
 
-use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series};
-use super::walk::Walked;
+use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series, Walked};
 use crate::number::scalar::Float;
 
 /// Upper bound on the terms of a power series.  1/24! is below the rounding of every scalar that has a table.

@@ -3,15 +3,15 @@
 //! On one line of the law the friction force is level + slope·velocity, which couples the modes.  A power series gives
 //! their motion over a piece in which modes, excitation and law together turn by at most a radian.
 
-use super::law::Line;
+use super::line::Line;
 use super::lines::{Crossing, Lines};
-use super::local::ROUNDINGS;
-use super::part::Part;
-use super::power::{Power, TERMS};
-use super::segment::{ContactState, Outcome, Sought, advanced, phase};
-use super::setting::Setting;
-use super::walk::{Start, Walk, first_zero};
 use crate::errors::OutOfDomain;
+use crate::motion::clock::phase;
+use crate::motion::contact::state::{ContactState, Outcome, Sought};
+use crate::motion::oscillator::{Part, advanced};
+use crate::motion::series::{Power, ROUNDINGS, TERMS};
+use crate::motion::setting::Setting;
+use crate::motion::walk::{Start, Walk, first_zero};
 use crate::number::scalar::Float;
 
 /// Upper bound on the rate at which the law changes the motion, as a multiple of the fastest mode's rate.
@@ -31,12 +31,12 @@ impl<S: Float> Setting<'_, S> {
     }
 
     /// Fails if a law is too steep to be followed.
-    pub(super) fn check_lines(
+    pub(crate) fn check_lines(
         &self,
         modes: &[Part<S>],
         lines: &Lines<'_, S>,
     ) -> Result<(), OutOfDomain> {
-        let steep = self.acceleration(self.beta * lines.steepest());
+        let steep = self.acceleration(self.law().level * lines.steepest());
         let most = self.turning(modes) * S::constant(f64::from(MAX_STEEPNESS));
         if steep <= most {
             Ok(())
@@ -47,7 +47,7 @@ impl<S: Float> Setting<'_, S> {
 
     /// Length in τ of the piece over which a power series serves.
     fn stretch(&self, modes: &[Part<S>], line: &Line<S>) -> S {
-        let steep = self.acceleration(self.beta * line.slope.abs());
+        let steep = self.acceleration(self.law().level * line.slope.abs());
         S::constant(1.0) / (self.turning(modes) + steep)
     }
 
@@ -61,8 +61,7 @@ impl<S: Float> Setting<'_, S> {
         to: S,
     ) -> Power<S> {
         let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
-        let sign: S = start.contact.sign();
-        let (level, slope) = (sign * self.beta * line.level, self.beta * line.slope);
+        let [level, slope] = self.law().kinetic_on(line, start.contact);
         let driven = self.dynamics.driven();
         for part in modes.iter_mut().take(driven.len()) {
             // `value` is the current term of the series, and `slope` the sum of all terms.
@@ -109,7 +108,7 @@ impl<S: Float> Setting<'_, S> {
 }
 
 /// Searches for the end of a piece of sliding on one line of the law: an event, another line, or the end of the series.
-pub(super) fn seek<S: Float>(
+pub(crate) fn seek<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
     lines: &mut Lines<'_, S>,
@@ -192,7 +191,7 @@ impl<S: Float> Setting<'_, S> {
     ) -> (S, Crossing) {
         let mut constant = *self;
         constant.beta = self.beta * line.level;
-        let mut sum = constant.slide(modes, &sought.contact_state, reach);
+        let mut sum = constant.start_sliding(modes, &sought.contact_state, reach);
         sum.constant = -line.low;
         sum.noise = sum.noise + line.low * S::constant(ROUNDINGS * S::EPSILON);
         match first_zero(&sum, Start::Anywhere, &mut sought.steps) {
@@ -204,7 +203,7 @@ impl<S: Float> Setting<'_, S> {
 }
 
 /// Sets the modes to their state τ after a piece's start.  `to` is the excitation's phase then.
-pub(super) fn place<S: Float>(
+pub(crate) fn place<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
     lines: &Lines<'_, S>,

@@ -1,8 +1,8 @@
 //! Tests of the quantities that limit a walk's steps: derivatives of an oscillator's motion, and the bound on the
 //! third.
 
-use super::super::sum::Sum;
 use super::*;
+use crate::motion::series::Sum;
 use fuzzing::Random;
 
 fn part(zeta: f64, x: f64) -> Part<f64> {

@@ -1,7 +1,7 @@
 //! The largest |value| of a sum between two events, by the same walk that finds events.
 
-use super::sum::Sum;
-use super::walk::{Start, Walk, first_reach};
+use super::first::{Start, Walk, first_reach};
+use crate::motion::series::Sum;
 use crate::number::scalar::Float;
 
 /// Difference, in roundings, below which two values count as equal.

@@ -1,19 +1,10 @@
 //! Transformation between the modes of the chain and the modes of the stuck chain.
 
-use super::part::{Part, lift};
-use super::setting::Setting;
-use super::{Dynamics, HeldMode};
+use crate::motion::dynamics::{Dynamics, HeldMode, lift};
+use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
 impl<S: Float> Dynamics<'_, S> {
-    /// wᵀK̄⁻¹w = Σ c/λ, the contact's displacement per unit of steady contact force.
-    pub(crate) fn receptance(&self) -> S {
-        let terms = self.driven().iter();
-        terms.fold(S::constant(0.0), |sum, mode| {
-            sum + mode.inverse_mass / (mode.resonance * mode.resonance)
-        })
-    }
-
     /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes.  The displacement z of
     /// the contact and its rate in the time t√(k₁/m₁) are subtracted first, with the shape in which they lift the
     /// modes.
@@ -22,10 +13,10 @@ impl<S: Float> Dynamics<'_, S> {
         receptance: S,
         states: impl Iterator<Item = [S; 2]> + Clone,
         (z, rate): (S, S),
-        held: impl Iterator<Item = (&'s mut S, &'s mut S)>,
+        stuck_modes: impl Iterator<Item = (&'s mut S, &'s mut S)>,
     ) {
         let two = S::constant(2.0);
-        for ((to_y, to_u), (mode, participations)) in held.zip(self.held_modes()) {
+        for ((to_y, to_u), (mode, participations)) in stuck_modes.zip(self.held_modes()) {
             let (mut first, mut second) = (S::constant(0.0), S::constant(0.0));
             let driven = self.driven().iter().zip(states.clone());
             for ((driven, [y, u]), [g, h]) in driven.zip(participations) {
@@ -40,17 +31,42 @@ impl<S: Float> Dynamics<'_, S> {
         }
     }
 
+    /// Computes both components of the drive of a stuck chain's mode, times r.  `base` is the base coefficient s.
+    pub(crate) fn stuck_drive(
+        &self,
+        (mode, participations): (&HeldMode<S>, &[[S; 2]]),
+        (base, r): (S, S),
+        receptance: S,
+    ) -> [Complex<S>; 2] {
+        let (zero, two) = (S::constant(0.0), S::constant(2.0));
+        // The load on each mode is reduced by the inertia and damping of the motion that the base imposes on the stuck
+        // contact.
+        let mut sums = [Complex::new(zero, zero); 2];
+        for (driven, participation) in self.driven().iter().zip(participations) {
+            let lift = base * lift(driven, receptance);
+            let re = driven.load + lift * r * r;
+            let im = -(lift * two * driven.zeta * driven.resonance * r);
+            for (sum, participation) in sums.iter_mut().zip(participation) {
+                *sum = Complex::new(sum.re + *participation * re, sum.im + *participation * im);
+            }
+        }
+        let [first, second] = sums;
+        let (re_y, re_u) = mode.state(first.re, second.re);
+        let (im_y, im_u) = mode.state(first.im, second.im);
+        [Complex::new(re_y, im_y), Complex::new(re_u, im_u)]
+    }
+
     /// Computes the state of the modes from y and u of the stuck chain's modes and from the displacement of the
     /// contact.
     pub(crate) fn release<'s>(
         &self,
         receptance: S,
-        held: impl Iterator<Item = [S; 2]> + Clone,
+        stuck_modes: impl Iterator<Item = [S; 2]> + Clone,
         lifted: (S, S),
         states: impl Iterator<Item = (&'s mut S, &'s mut S)>,
     ) {
         for (index, (y, u)) in (0..self.in_contact()).zip(states) {
-            [*y, *u] = self.released(receptance, held.clone(), lifted, index);
+            [*y, *u] = self.released(receptance, stuck_modes.clone(), lifted, index);
         }
     }
 
@@ -58,7 +74,7 @@ impl<S: Float> Dynamics<'_, S> {
     pub(crate) fn released(
         &self,
         receptance: S,
-        held: impl Iterator<Item = [S; 2]>,
+        stuck_modes: impl Iterator<Item = [S; 2]>,
         (z, rate): (S, S),
         index: usize,
     ) -> [S; 2] {
@@ -70,44 +86,12 @@ impl<S: Float> Dynamics<'_, S> {
         let (mut sum_y, mut sum_u) = (lift * z, lift * rate);
         let participations = self.participations.iter().skip(index);
         let participations = participations.step_by(self.in_contact().max(1));
-        for (([y, u], of), [g, h]) in held.zip(self.held).zip(participations) {
+        for (([y, u], of), [g, h]) in stuck_modes.zip(self.held).zip(participations) {
             sum_y = sum_y + *g * y + *h * u;
             let slope = (*g - two * of.zeta * *h) * u - *h * y;
             sum_u = sum_u + of.frequency * slope;
         }
         [sum_y, sum_u / mode.resonance]
-    }
-}
-
-impl<S: Float> HeldMode<S> {
-    /// y and u of the mode from the products of a motion with the mode's two states.
-    pub(crate) fn state(&self, first: S, second: S) -> (S, S) {
-        let [m11, m12, m22] = self.inverse;
-        (m11 * first + m12 * second, m12 * first + m22 * second)
-    }
-}
-
-impl<S: Float> Setting<'_, S> {
-    /// Computes y and u of this setting's stuck chain, as [`Dynamics::project`] does.
-    pub(crate) fn project(
-        &self,
-        states: impl Iterator<Item = [S; 2]> + Clone,
-        lifted: (S, S),
-        held: &mut [Part<S>],
-    ) {
-        let held = held.iter_mut().map(|part| (&mut part.y, &mut part.u));
-        self.dynamics.project(self.receptance, states, lifted, held);
-    }
-
-    /// Computes the state of the modes from this setting's stuck chain, as [`Dynamics::release`] does.
-    pub(crate) fn release<'s>(
-        &self,
-        held: &[Part<S>],
-        lifted: (S, S),
-        states: impl Iterator<Item = (&'s mut S, &'s mut S)>,
-    ) {
-        let held = held.iter().map(|part| [part.y, part.u]);
-        self.dynamics.release(self.receptance, held, lifted, states);
     }
 }
 
@@ -117,8 +101,8 @@ impl<S: Float> Dynamics<'_, S> {
     /// well separated, the change is of the order of rounding.  If many modes are at or beyond critical damping, the
     /// frequencies of the stuck chain are close together, and the contributions of its modes cancel.
     ///
-    /// `states` has room for the modes that the contact drives, and `held` for the modes of the stuck chain.
-    pub fn held_loss(&self, states: &mut [[S; 2]], held: &mut [[S; 2]]) -> S {
+    /// `states` has room for the modes that the contact drives, and `stuck_modes` for the modes of the stuck chain.
+    pub fn held_loss(&self, states: &mut [[S; 2]], stuck_modes: &mut [[S; 2]]) -> S {
         let zero = S::constant(0.0);
         let (receptance, still) = (self.receptance(), (zero, zero));
         let driven = self.driven();
@@ -169,9 +153,9 @@ impl<S: Float> Dynamics<'_, S> {
                     receptance,
                     (0..driven.len()).map(start),
                     still,
-                    held.iter_mut().map(|[y, u]| (y, u)),
+                    stuck_modes.iter_mut().map(|[y, u]| (y, u)),
                 );
-                let parts = held.iter().copied();
+                let parts = stuck_modes.iter().copied();
                 let back = states.iter_mut().map(|[y, u]| (y, u));
                 self.release(receptance, parts, still, back);
                 for (of, state) in states.iter().enumerate() {

@@ -1,10 +1,9 @@
 //! A scene at one frequency ratio and one friction ratio, which all segments of its motion share.
 
-use super::part::{Part, lift};
-use super::{Dynamics, rotated};
+use super::dynamics::Dynamics;
+use super::oscillator::Part;
 use crate::contact::regime::{check_beta, check_ratio};
 use crate::errors::{Given, OutOfDomain, Slice};
-use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
 /// A scene at one frequency ratio and one friction ratio.
@@ -19,11 +18,11 @@ pub struct Setting<'a, S> {
     pub(crate) base: S,
     /// wᵀΓ⁻¹p + s r²: the load on the stuck contact at a maximum of the excitation, times the inverse effective mass
     /// m*.
-    load: S,
+    pub(crate) load: S,
     /// wᵀK̄⁻¹w = Σ c_i/λ_i, the contact's displacement per unit of steady contact force.
     pub(crate) receptance: S,
     /// Σ 2ζ_i c_i/σ_i over the receptance: damping force per unit of velocity of the stuck contact, times m*.
-    drag: S,
+    pub(crate) drag: S,
 }
 
 impl<'a, S: Float> Setting<'a, S> {
@@ -40,7 +39,7 @@ impl<'a, S: Float> Setting<'a, S> {
         parts: &mut [Part<S>],
     ) -> Result<Self, OutOfDomain> {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
-        if parts.len() != dynamics.modes.len() + dynamics.held.len() {
+        if parts.len() != dynamics.oscillators() {
             return Err(OutOfDomain::Length(Slice::Oscillators));
         }
         let r = check_ratio(r)?;
@@ -75,28 +74,18 @@ impl<'a, S: Float> Setting<'a, S> {
     }
 
     fn fill(&self, parts: &mut [Part<S>]) {
-        let (modes, held) = self.split(parts);
+        let (modes, stuck_modes) = self.split(parts);
         for (part, mode) in modes.iter_mut().zip(self.dynamics.modes) {
-            *part = Part::of_mode(mode, self.r);
+            *part = Part::from_mode(mode, self.r);
         }
-        let (zero, two) = (S::constant(0.0), S::constant(2.0));
-        for (part, (mode, participations)) in held.iter_mut().zip(self.dynamics.held_modes()) {
-            // The load on each mode is reduced by the inertia and damping of the motion that the base imposes on the
-            // stuck contact.
-            let mut sums = [Complex::new(zero, zero); 2];
-            for (driven, participation) in self.dynamics.driven().iter().zip(participations) {
-                let lift = self.base * lift(driven, self.receptance);
-                let re = driven.load + lift * self.r * self.r;
-                let im = -(lift * two * driven.zeta * driven.resonance * self.r);
-                for (sum, participation) in sums.iter_mut().zip(participation) {
-                    *sum = Complex::new(sum.re + *participation * re, sum.im + *participation * im);
-                }
-            }
-            let [first, second] = sums;
-            let (re_y, re_u) = mode.state(first.re, second.re);
-            let (im_y, im_u) = mode.state(first.im, second.im);
-            let drive = [Complex::new(re_y, im_y), Complex::new(re_u, im_u)];
-            *part = Part::of_held(mode, self.r, drive);
+        for (part, (mode, participations)) in stuck_modes.iter_mut().zip(self.dynamics.held_modes())
+        {
+            let drive = self.dynamics.stuck_drive(
+                (mode, participations),
+                (self.base, self.r),
+                self.receptance,
+            );
+            *part = Part::from_stuck_mode(mode, self.r, drive);
         }
     }
 
@@ -107,8 +96,8 @@ impl<'a, S: Float> Setting<'a, S> {
     ) -> (&'p mut [Part<S>], &'p mut [Part<S>]) {
         let modes = self.dynamics.modes.len().min(parts.len());
         let (modes, rest) = parts.split_at_mut(modes);
-        let held = self.dynamics.held.len().min(rest.len());
-        (modes, rest.split_at_mut(held).0)
+        let stuck = self.dynamics.held.len().min(rest.len());
+        (modes, rest.split_at_mut(stuck).0)
     }
 
     /// Fails if a state lacks a finite displacement or velocity for one of the masses.
@@ -124,9 +113,20 @@ impl<'a, S: Float> Setting<'a, S> {
         }
     }
 
-    /// Largest contact force that keeps the contact stuck, μβ.
-    pub(crate) fn grip(&self) -> S {
-        self.dynamics.chain.stiction * self.beta
+    /// Sets the modes' state from displacements and velocities of the masses.
+    pub(crate) fn load_state(&self, displacements: &[S], velocities: &[S], parts: &mut [Part<S>]) {
+        let masses = displacements.len().max(1);
+        let weights = self.dynamics.weights.chunks(masses);
+        for (part, weights) in parts.iter_mut().zip(weights) {
+            let product = |values: &[S]| {
+                let terms = weights.iter().zip(values);
+                terms.fold(S::constant(0.0), |sum, (weight, value)| {
+                    sum + *weight * *value
+                })
+            };
+            part.y = product(displacements);
+            part.u = product(velocities) / part.x;
+        }
     }
 
     /// Relative displacement z̄ of the contact, from the oscillators of the modes.
@@ -161,28 +161,5 @@ impl<'a, S: Float> Setting<'a, S> {
     /// Relative acceleration z̄″ under a contact force that exceeds by `excess` the force that would keep the velocity.
     pub(crate) fn acceleration(&self, excess: S) -> S {
         self.dynamics.chain.inverse_mass * excess / (self.r * self.r)
-    }
-
-    /// Constant and fundamental component of the contact force while the contact sticks at z̄ = `offset`, so that wᵀx̄
-    /// = offset + s cos τ_e.  The share of the stuck chain's modes is left out.
-    pub(crate) fn held_force(&self, offset: S) -> (S, Complex<S>) {
-        let inverse_mass = self.dynamics.chain.inverse_mass;
-        let base = self.base;
-        (
-            -(offset / self.receptance),
-            Complex::new(
-                self.load / inverse_mass - base / self.receptance,
-                -(self.r * self.drag * base / inverse_mass),
-            ),
-        )
-    }
-
-    /// Displacement of the stuck contact including the base's, and its velocity in the time t√(k₁/m₁).
-    pub(crate) fn lifted(&self, offset: S, (sine, cosine): (S, S)) -> (S, S) {
-        let z = Complex::new(self.base, S::constant(0.0));
-        (
-            offset + rotated(z, sine, cosine),
-            -(self.base * sine) * self.r,
-        )
     }
 }

@@ -14,7 +14,7 @@ const CLOSE: f64 = 0.1;
 /// f = 0.  The cubic p(h) = f + f′h + f″h²/2 − Bh³/6 is a lower bound on f.  The function f is therefore positive up to
 /// the smallest positive root of p.  The result approximates this root.  It exceeds neither the root, to rounding, nor
 /// `most`.
-pub(super) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
+pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     let (zero, half) = (S::constant(0.0), S::constant(0.5));
     let sixth = S::constant(1.0 / 6.0);
     let value = |h: S| f + h * (slope + h * (curve * half - bound * h * sixth));

@@ -2,31 +2,14 @@
 //! to where the function is certainly positive.  The steps shrink onto the zero from the left, and so also serve as the
 //! root finder.
 
-use super::local::{Local, ROUNDINGS, Series};
 use super::step;
+use crate::motion::series::{Local, ROUNDINGS, Series, Walked};
 use crate::number::scalar::Float;
 
-/// Upper bound on the steps of a walk along one segment.  A segment that needs more continues in another segment.
-pub const MAX_STEPS: u32 = 4000;
 /// Factor on the rounding noise by which a force must pass its level after the contact has just failed to leave.
 const WEDGED: f64 = 16.0;
 /// Least advance behind a graze of zero, in roundings of the instant.
 const PAST: f64 = 4.0;
-
-/// A function that a walk follows.
-pub(crate) trait Walked<S> {
-    /// Upper bound on the steps of a walk along the function.
-    const MOST: u32 = MAX_STEPS;
-    /// Value and derivatives of the function at τ, with a bound on its third derivative from τ on.
-    fn local(&self, tau: S) -> Local<S>;
-    /// Series of the function shortly after the start, for a value and a slope that are known better than by
-    /// evaluation.
-    fn series(&self, value: S, slope: S) -> Series<S>;
-    /// Rounding noise of a value.
-    fn noise(&self) -> S;
-    /// Length in τ over which the function is searched.
-    fn reach(&self) -> S;
-}
 
 /// Result of a walk.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,7 +55,7 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
     for _ in 0..F::MOST {
         *steps = steps.saturating_add(1);
         let noise = if exact { zero } else { sum.noise() };
-        let h = match judged(&local, noise, tau, exact) {
+        let h = match verdict(&local, noise, tau, exact) {
             Verdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), false),
             Verdict::Past(step) => step,
             Verdict::Above => step::safe(
@@ -128,7 +111,7 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
         for negative in [false, true] {
             let gap = gap(&local, level, negative);
             let most = sum.reach() - tau;
-            let h = match judged(&gap, noise, tau, false) {
+            let h = match verdict(&gap, noise, tau, false) {
                 Verdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), negative),
                 Verdict::Past(step) => step.min(most),
                 Verdict::Above => {
@@ -179,7 +162,7 @@ enum Verdict<S> {
     Past(S),
 }
 
-fn judged<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> Verdict<S> {
+fn verdict<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> Verdict<S> {
     let zero = S::constant(0.0);
     let Local {
         value,

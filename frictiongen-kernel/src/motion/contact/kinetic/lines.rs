@@ -1,6 +1,6 @@
 //! The friction law of a simulation: one kinetic level, or straight lines over the speed.
 
-use super::law::{self, Line};
+use super::line::{self, Line};
 use crate::errors::{Given, OutOfDomain};
 use crate::number::scalar::Float;
 
@@ -47,7 +47,7 @@ pub struct Lines<'a, S> {
 
 /// Crossing at the end of a piece of motion on one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Crossing {
+pub(crate) enum Crossing {
     /// The motion stays on the line.
     None,
     /// The speed rises to the next line.
@@ -70,17 +70,17 @@ impl<'a, S: Float> Lines<'a, S> {
     pub fn under(points: &'a [[S; 2]], r: S, amplitude: S, speed: S) -> Self {
         Self {
             unit: r * amplitude * speed,
-            ..Self::of(points)
+            ..Self::at_unit_speed(points)
         }
     }
 
     /// Creates a law without lines, which is one constant kinetic level.
     #[must_use]
     pub fn none() -> Self {
-        Self::of(&[])
+        Self::at_unit_speed(&[])
     }
 
-    fn of(points: &'a [[S; 2]]) -> Self {
+    fn at_unit_speed(points: &'a [[S; 2]]) -> Self {
         Self {
             points,
             unit: S::constant(1.0),
@@ -92,7 +92,7 @@ impl<'a, S: Float> Lines<'a, S> {
     }
 
     /// Fails if the unit of velocity is not positive and finite, or if two speeds of the law coincide in that unit.
-    pub(super) fn check(&self) -> Result<(), OutOfDomain> {
+    pub(crate) fn check(&self) -> Result<(), OutOfDomain> {
         let sound = |place| {
             let line = Self { place, ..*self }.line();
             let ends = line
@@ -109,8 +109,8 @@ impl<'a, S: Float> Lines<'a, S> {
     }
 
     /// The line on which the speed lies, for speeds |dz̄/dτ|.
-    pub(super) fn line(&self) -> Line<S> {
-        let mut line = law::line(self.points, self.place);
+    pub(crate) fn line(&self) -> Line<S> {
+        let mut line = line::line(self.points, self.place);
         line.slope = line.slope * self.unit;
         line.low = line.low / self.unit;
         line.high = line.high.map(|high| high / self.unit);
@@ -118,13 +118,13 @@ impl<'a, S: Float> Lines<'a, S> {
     }
 
     /// Largest absolute slope of the law, for speeds |dz̄/dτ|.
-    pub(super) fn steepest(&self) -> S {
-        law::steepest(self.points) * self.unit
+    pub(crate) fn steepest(&self) -> S {
+        line::steepest(self.points) * self.unit
     }
 
     /// Selects the straight line of the law that contains this speed |dz̄/dτ|, before the first piece.
-    pub(super) fn start(&mut self, speed: S) {
-        self.place = law::place(self.points, speed * self.unit);
+    pub(crate) fn start(&mut self, speed: S) {
+        self.place = line::place(self.points, speed * self.unit);
     }
 
     /// Records the crossing at the end of the piece, and returns a length if the piece must be extended instead.
@@ -132,7 +132,7 @@ impl<'a, S: Float> Lines<'a, S> {
     /// At a grazed point of the law, rounding may send the motion to and fro between two lines without end.  After
     /// `STILL` pieces without length the motion therefore continues along its line over the returned length, which is
     /// a fraction of the power series' length.
-    pub(super) fn leads_to(&mut self, next: Crossing, moves: bool) -> Option<S> {
+    pub(crate) fn leads_to(&mut self, next: Crossing, moves: bool) -> Option<S> {
         self.next = next;
         if moves || next == Crossing::None {
             (self.still, self.cut) = (0, 0);
@@ -152,7 +152,7 @@ impl<'a, S: Float> Lines<'a, S> {
     }
 
     /// Goes to the line to which the piece leads, or to the first line where the piece ended at rest.
-    pub(super) fn pass(&mut self, at_rest: bool) {
+    pub(crate) fn pass(&mut self, at_rest: bool) {
         self.place = match self.next {
             _ if at_rest => 0,
             Crossing::None => self.place,

@@ -1,16 +1,17 @@
 //! Growth of small deviations along a motion.  Between events it has a closed form.  At each event a deviation jumps
 //! (saltation), because the event then occurs a little earlier or later.
 
+use crate::motion::contact::state::{Contact, ContactState, End};
+use crate::motion::oscillator::Part;
+use crate::motion::setting::Setting;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
-use crate::simulation::{Contact, ContactState, End, Part, Setting};
 
-/// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.  `modes` and `held`
-/// are the oscillators after the segment.  The states in `held` are overwritten.
-pub(super) fn through<S: Float>(
+/// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.  `modes` and
+/// `stuck_modes` are the oscillators after the segment.  The states in `stuck_modes` are overwritten.
+pub(crate) fn carry_deviations<S: Float>(
     setting: &Setting<'_, S>,
-    modes: &[Part<S>],
-    held: &mut [Part<S>],
+    (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
     contact_state: &ContactState<S>,
     end: &End<S>,
     columns: &mut [S],
@@ -19,7 +20,7 @@ pub(super) fn through<S: Float>(
     let t = end.tau * S::inverse_pi();
     if contact_state.contact == Contact::Stuck {
         for column in columns.chunks_exact_mut(size.max(1)) {
-            stuck(setting, held, t, end, column);
+            stuck(setting, stuck_modes, t, end, column);
         }
     } else {
         for (index, part) in modes.iter().enumerate().take(size / 2) {
@@ -41,7 +42,7 @@ pub(super) fn through<S: Float>(
 /// In a stuck contact a deviation of its displacement stays, and the stuck chain's modes carry the rest.
 fn stuck<S: Float>(
     setting: &Setting<'_, S>,
-    held: &mut [Part<S>],
+    stuck_modes: &mut [Part<S>],
     t: S,
     end: &End<S>,
     column: &mut [S],
@@ -56,8 +57,8 @@ fn stuck<S: Float>(
         .iter()
         .zip(states.clone())
         .fold(zero, |sum, (mode, [y, _])| sum + mode.contact * y);
-    setting.project(states, (moved, zero), held);
-    for part in held.iter_mut() {
+    setting.project(states, (moved, zero), stuck_modes);
+    for part in stuck_modes.iter_mut() {
         let turn = part.turn(t, end.tau);
         [part.y, part.u] = part.turned([part.y, part.u], &turn);
     }
@@ -65,7 +66,7 @@ fn stuck<S: Float>(
         [y, u] => Some((y, u)),
         _ => None,
     });
-    setting.release(held, (moved, zero), states);
+    setting.release(stuck_modes, (moved, zero), states);
 }
 
 /// Applies the jump of an event that occurs δτ = −δf/f′ later.  Meanwhile the state follows the slope before the event

@@ -4,7 +4,7 @@
 //! The oscillator has the displacement y and the scaled velocity u = y′/x.  In free motion y and u turn and decay
 //! together ([`Turn`]).
 
-use super::{HeldMode, rotated};
+use super::dynamics::{HeldMode, rotated};
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Damped, Decay, Instant, Turn, multipliers, turn};
@@ -19,14 +19,14 @@ const OSCILLATES: f64 = 0.05;
 /// One oscillator: a mode, or a mode of the stuck chain.
 #[derive(Clone, Copy, Debug)]
 pub struct Part<S> {
-    pub(super) kind: Kind,
+    pub(crate) kind: Kind,
     /// x, the undamped natural frequency over the excitation's.
     pub(crate) x: S,
-    pub(super) zeta: S,
+    pub(crate) zeta: S,
     /// √|1 − ζ²|.
     q: S,
     /// 1 − ζ².
-    pub(super) q2: S,
+    pub(crate) q2: S,
     /// σ, the undamped natural frequency as a frequency ratio: x = σ/r.
     sigma: S,
     /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}).  If `near`, it is the complex force
@@ -35,20 +35,20 @@ pub struct Part<S> {
     /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). φ is the drive of y′, which u = (y′ − φ)/x leaves out.
     direct: Complex<S>,
     /// True if the excitation is so near the resonance that the forced motion is formed from differences.
-    pub(super) near: bool,
+    pub(crate) near: bool,
     /// Displacement about which the oscillator moves.
     pub(crate) centre: S,
     /// y and u now, or at the start of the segment.
     pub(crate) y: S,
     pub(crate) u: S,
     /// y and u of the free motion at the start of the segment.
-    pub(super) free: [S; 2],
+    pub(crate) free: [S; 2],
     /// Coefficients of c and s in the searched function.  `slope` has those in its derivative.
-    pub(super) value: [S; 2],
-    pub(super) slope: [S; 2],
+    pub(crate) value: [S; 2],
+    pub(crate) slope: [S; 2],
     /// Upper bound on the oscillator's term in the third derivative of the searched function.  For an oscillation it
     /// falls as e^{−ζxτ}.
-    pub(super) bound: S,
+    pub(crate) bound: S,
     /// Weights of y and u in the searched function.
     pub(crate) weight: [S; 2],
 }
@@ -80,7 +80,7 @@ impl<S: Float> Part<S> {
     }
 
     /// Creates the oscillator of a mode at r, driven by the load.
-    pub(super) fn of_mode(mode: &Mode<S>, r: S) -> Self {
+    pub(crate) fn from_mode(mode: &Mode<S>, r: S) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.resonance);
@@ -90,7 +90,7 @@ impl<S: Float> Part<S> {
     }
 
     /// Creates the oscillator of a stuck chain's mode at r.  `drive` has the two components of its drive, times r.
-    pub(super) fn of_held(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
+    pub(crate) fn from_stuck_mode(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.frequency);
@@ -160,14 +160,14 @@ impl<S: Float> Part<S> {
     /// Sets y and u of the free motion at the start of a segment.  They are y and u at this instant less those of the
     /// steady motion.
     #[inline]
-    pub(super) fn start(&mut self, phase: (S, S)) {
+    pub(crate) fn start(&mut self, phase: (S, S)) {
         let [y, u] = self.carried(phase);
         self.free = [self.y - y, self.u - u];
     }
 
     /// y and u after τ.  The excitation has the phase `from` at the start and `phase` after τ.
     #[inline]
-    pub(super) fn at(&self, turn: &Turn<S>, t: S, from: (S, S), phase: (S, S)) -> [S; 2] {
+    pub(crate) fn at(&self, turn: &Turn<S>, t: S, from: (S, S), phase: (S, S)) -> [S; 2] {
         let [free_y, free_u] = self.turned(self.free, turn);
         let [y, u] = self.carried(phase);
         if self.near {
@@ -179,7 +179,7 @@ impl<S: Float> Part<S> {
 
     /// The solution of y″ + 2ζxy′ + x²y = Re(force·e^{i(θ + τ)}) from rest, near the resonance: y and three
     /// derivatives.
-    pub(super) fn grown(&self, t: S, phase: (S, S)) -> [S; 4] {
+    pub(crate) fn grown(&self, t: S, phase: (S, S)) -> [S; 4] {
         let at = Instant::new(t);
         let (x, one) = (self.x, S::constant(1.0));
         let loss = (self.zeta + self.zeta) * x;
@@ -223,7 +223,7 @@ impl<S: Float> Part<S> {
     }
 
     /// Adds the derivatives of `grown` at the start to the derivatives of the searched function.
-    pub(super) fn grown_series(&self, phase: (S, S), terms: &mut [S]) {
+    pub(crate) fn grown_series(&self, phase: (S, S), terms: &mut [S]) {
         let zero = S::constant(0.0);
         let [of_y, of_u] = self.weight;
         let (of_slope, loss) = (of_u / self.x, (self.zeta + self.zeta) * self.x);
@@ -238,7 +238,7 @@ impl<S: Float> Part<S> {
     }
 
     /// Upper bound on |steady|, the amplitude of the force near the resonance.
-    pub(super) fn push(&self) -> S {
+    pub(crate) fn push(&self) -> S {
         self.steady.re.abs() + self.steady.im.abs()
     }
 
@@ -346,13 +346,13 @@ impl<S: Float> Part<S> {
 
     /// Returns true if the motion is a decaying oscillation bounded by its amplitude, not a sum of exponentials that
     /// may cancel.
-    pub(super) fn oscillates(&self) -> bool {
+    pub(crate) fn oscillates(&self) -> bool {
         S::constant(OSCILLATES) < self.q2
     }
 
     /// The coefficients of c and s in a function's derivative.
     #[inline]
-    pub(super) fn derived(&self, [a, b]: [S; 2]) -> [S; 2] {
+    pub(crate) fn derived(&self, [a, b]: [S; 2]) -> [S; 2] {
         [
             self.x * (b - self.zeta * a),
             -(self.x * (self.q2 * a + self.zeta * b)),
@@ -360,9 +360,14 @@ impl<S: Float> Part<S> {
     }
 }
 
-/// Displacement of a mode per unit of displacement of the stuck contact.
-pub(crate) fn lift<S: Float>(mode: &Mode<S>, receptance: S) -> S {
-    mode.contact / (mode.resonance * mode.resonance * receptance)
+/// Advances all oscillators by τ from the segment's start.
+pub(crate) fn advanced<S: Float>(parts: &mut [Part<S>], tau: S, from: (S, S), to: (S, S)) {
+    let t = tau * S::inverse_pi();
+    for part in parts {
+        let turn: Turn<S> = part.turn(t, tau);
+        let [y, u] = part.at(&turn, t, from, to);
+        (part.y, part.u) = (y, u);
+    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,11 @@
+//! The kinetic friction force over the speed: one level, or straight lines between points.
+
+mod coupled;
+mod line;
+mod lines;
+mod segment;
+
+pub use coupled::MAX_STEEPNESS;
+pub use lines::{Constant, Level, Lines};
+
+pub(crate) use line::{Line, line, place as line_at, steepest};

@@ -1,0 +1,67 @@
+//! A segment under any kinetic friction: with one level as a sum over the modes, on a line as a power series.
+
+use super::coupled;
+use super::lines::Level;
+use crate::motion::contact::state::{Contact, ContactState, Sought};
+use crate::motion::oscillator::Part;
+use crate::motion::segment;
+use crate::motion::setting::Setting;
+use crate::number::scalar::Float;
+
+impl<'a, S: Float> Setting<'a, S> {
+    /// Searches for the next event from a contact state, as far as `reach`, and sets the oscillators to the segment.
+    pub(crate) fn seek_under(
+        &self,
+        level: &mut impl Level<'a, S>,
+        parts: &mut [Part<S>],
+        contact_state: ContactState<S>,
+        reach: S,
+    ) -> Sought<S> {
+        let (modes, stuck_modes) = self.split(parts);
+        match level.lines_mut() {
+            Some(lines) if contact_state.contact != Contact::Stuck => {
+                coupled::seek(self, modes, lines, contact_state, reach)
+            }
+            _ => segment::seek(self, modes, stuck_modes, contact_state, reach),
+        }
+    }
+
+    /// Sets the oscillators to their state τ after the segment's start.  `to` is the excitation's phase then.
+    pub(crate) fn place_under(
+        &self,
+        level: &impl Level<'a, S>,
+        parts: &mut [Part<S>],
+        sought: &Sought<S>,
+        (tau, to): (S, (S, S)),
+    ) {
+        let (modes, stuck_modes) = self.split(parts);
+        match level.lines() {
+            Some(lines) if sought.contact_state.contact != Contact::Stuck => {
+                coupled::place(self, modes, lines, (&sought.contact_state, tau), to);
+            }
+            _ => segment::place(self, (modes, stuck_modes), sought, tau, to),
+        }
+    }
+
+    /// The contact force over P.  While the contact sticks, it is the force that keeps the contact at rest.
+    pub(crate) fn contact_force(
+        &self,
+        level: &impl Level<'a, S>,
+        parts: &[Part<S>],
+        contact: Contact,
+        at: (S, S),
+    ) -> S {
+        if contact == Contact::Stuck {
+            return self.holding(parts, at);
+        }
+        let Some(lines) = level.lines() else {
+            return self.law().kinetic(contact);
+        };
+        let (velocity, _) = self.relative_velocity(parts, at);
+        let line = lines.line();
+        // Rounding may leave a speed a little beyond the line.
+        let speed = velocity.abs().max(line.low);
+        let speed = line.high.map_or(speed, |high| speed.min(high));
+        self.law().kinetic_at(&line, contact, speed)
+    }
+}

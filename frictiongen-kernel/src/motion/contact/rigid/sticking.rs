@@ -1,0 +1,104 @@
+//! The chain while its rigid contact sticks, at one frequency ratio: its state, and the force in the contact.
+
+use crate::motion::clock::phase;
+use crate::motion::contact::state::ContactState;
+use crate::motion::dynamics::rotated;
+use crate::motion::oscillator::Part;
+use crate::motion::series::Sum;
+use crate::motion::setting::Setting;
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::Float;
+
+impl<S: Float> Setting<'_, S> {
+    /// Computes y and u of this setting's stuck chain, as [`Dynamics::project`] does.
+    pub(crate) fn project(
+        &self,
+        states: impl Iterator<Item = [S; 2]> + Clone,
+        lifted: (S, S),
+        stuck_modes: &mut [Part<S>],
+    ) {
+        let stuck_modes = stuck_modes
+            .iter_mut()
+            .map(|part| (&mut part.y, &mut part.u));
+        self.dynamics
+            .project(self.receptance, states, lifted, stuck_modes);
+    }
+
+    /// Computes the state of the modes from this setting's stuck chain, as [`Dynamics::release`] does.
+    pub(crate) fn release<'s>(
+        &self,
+        stuck_modes: &[Part<S>],
+        lifted: (S, S),
+        states: impl Iterator<Item = (&'s mut S, &'s mut S)>,
+    ) {
+        let stuck_modes = stuck_modes.iter().map(|part| [part.y, part.u]);
+        self.dynamics
+            .release(self.receptance, stuck_modes, lifted, states);
+    }
+
+    /// Sets the oscillators of the stuck chain from the state of the modes, and returns the contact force and z̄.
+    pub(crate) fn start_sticking<'p>(
+        &self,
+        modes: &mut [Part<S>],
+        stuck_modes: &'p mut [Part<S>],
+        contact_state: &ContactState<S>,
+        reach: S,
+    ) -> (Sum<'p, S>, S) {
+        let at = phase(contact_state.t);
+        let (sine, cosine) = at;
+        let offset = self.relative(modes, at);
+        let lifted = self.lifted(offset, at);
+        self.project(
+            modes.iter().map(|part| [part.y, part.u]),
+            lifted,
+            stuck_modes,
+        );
+        let zero = S::constant(0.0);
+        let (constant, mut fundamental) = self.stuck_force(offset);
+        for (part, mode) in stuck_modes.iter_mut().zip(self.dynamics.held) {
+            part.start(at);
+            part.weight = [-mode.force, zero];
+            part.aim();
+            fundamental = complex::add(fundamental, part.fundamental());
+        }
+        let driven = self.dynamics.in_contact();
+        for part in modes.iter_mut().skip(driven) {
+            part.start(at);
+        }
+        let cosines = rotated(fundamental, sine, cosine);
+        let sines = -(fundamental.re * sine) - fundamental.im * cosine;
+        (
+            Sum::new(stuck_modes, constant, (cosines, sines), at, reach),
+            offset,
+        )
+    }
+
+    /// Constant and fundamental component of the contact force while the contact sticks at z̄ = `offset`, so that wᵀx̄
+    /// = offset + s cos τ_e.  The share of the stuck chain's modes is left out.
+    pub(crate) fn stuck_force(&self, offset: S) -> (S, Complex<S>) {
+        let inverse_mass = self.dynamics.chain.inverse_mass;
+        let base = self.base;
+        (
+            -(offset / self.receptance),
+            Complex::new(
+                self.load / inverse_mass - base / self.receptance,
+                -(self.r * self.drag * base / inverse_mass),
+            ),
+        )
+    }
+
+    /// Largest |offset| at which the contact may stick for ever, while the forced motion has a contact force of amplitude
+    /// `steady`.  The rest of the static force can carry a constant force, and with it an offset.
+    pub(crate) fn offset_range(&self, steady: S) -> S {
+        (self.law().grip() - steady).max(S::constant(0.0)) * self.receptance
+    }
+
+    /// Displacement of the stuck contact including the base's, and its velocity in the time t√(k₁/m₁).
+    pub(crate) fn lifted(&self, offset: S, (sine, cosine): (S, S)) -> (S, S) {
+        let z = Complex::new(self.base, S::constant(0.0));
+        (
+            offset + rotated(z, sine, cosine),
+            -(self.base * sine) * self.r,
+        )
+    }
+}

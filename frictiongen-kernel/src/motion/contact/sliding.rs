@@ -1,0 +1,91 @@
+//! The chain while its contact slides under a constant friction force.
+
+use super::rigid::{Rigid, Slide};
+use super::state::{Contact, ContactState};
+use crate::motion::clock::phase;
+use crate::motion::dynamics::rotated;
+use crate::motion::oscillator::Part;
+use crate::motion::series::Sum;
+use crate::motion::setting::Setting;
+use crate::number::complex::{self, Complex};
+use crate::number::scalar::Float;
+
+/// Rounding bound of a velocity that vanishes, in roundings of the sum of its terms' sizes.
+const ROUNDINGS: f64 = 8.0;
+
+impl<S: Float> Setting<'_, S> {
+    /// The law of the contact, with forces over P.
+    #[inline]
+    pub(crate) fn law(&self) -> Rigid<S> {
+        self.law_at(self.beta)
+    }
+
+    /// The law of the contact at another friction ratio, with forces over P.
+    #[inline]
+    pub(crate) fn law_at(&self, beta: S) -> Rigid<S> {
+        Rigid::on_chain(&self.dynamics.chain, beta)
+    }
+
+    /// State of a contact that leaves zero relative velocity at the phase `t`.
+    pub(crate) fn sliding_away(&self, t: S, slide: Slide<S>) -> ContactState<S> {
+        ContactState {
+            t,
+            contact: slide.contact,
+            departing: Some(self.acceleration(slide.excess)),
+            wedged: false,
+        }
+    }
+
+    /// State of a contact that slides off in a given direction at the phase `t`, where the modes have come to rest.
+    pub(crate) fn sliding_off(&self, parts: &[Part<S>], t: S, contact: Contact) -> ContactState<S> {
+        let force = self.holding(parts, phase(t));
+        self.sliding_away(t, self.law().slide(contact, force))
+    }
+
+    /// Derives the contact's state from the motion alone.
+    pub(crate) fn contact_state(&self, parts: &[Part<S>], t: S) -> ContactState<S> {
+        let at = phase(t);
+        let (velocity, size) = self.relative_velocity(parts, at);
+        if !(velocity.abs() <= size * S::constant(ROUNDINGS * S::EPSILON)) {
+            return ContactState {
+                contact: Contact::along(velocity),
+                ..ContactState::stuck(t)
+            };
+        }
+        match self.law().leave_rest(self.holding(parts, at)) {
+            Some(slide) => self.sliding_away(t, slide),
+            None => ContactState::stuck(t),
+        }
+    }
+
+    /// Sets the oscillators of the modes to sliding, and returns the function z̄′ times its sign.
+    pub(crate) fn start_sliding<'p>(
+        &self,
+        modes: &'p mut [Part<S>],
+        contact_state: &ContactState<S>,
+        reach: S,
+    ) -> Sum<'p, S> {
+        let at = phase(contact_state.t);
+        let sign: S = contact_state.contact.sign();
+        let force = self.law().kinetic(contact_state.contact);
+        let zero = S::constant(0.0);
+        let mut fundamental = Complex::new(zero, -(self.base * sign));
+        for (part, mode) in modes.iter_mut().zip(self.dynamics.driven()) {
+            let lambda = mode.resonance * mode.resonance;
+            part.centre = -(force * mode.contact / lambda);
+            part.start(at);
+            part.weight = [zero, sign * mode.contact * part.x];
+            part.aim();
+            fundamental = complex::add(fundamental, part.fundamental());
+        }
+        let driven = self.dynamics.in_contact().min(modes.len());
+        let (modes, others) = modes.split_at_mut(driven);
+        for part in others {
+            part.start(at);
+        }
+        let (sine, cosine) = at;
+        let cosines = rotated(fundamental, sine, cosine);
+        let sines = -(fundamental.re * sine) - fundamental.im * cosine;
+        Sum::new(modes, zero, (cosines, sines), at, reach)
+    }
+}

@@ -1,0 +1,158 @@
+//! State of the contact, the events that change it, and the segments of the motion between two events.
+
+use crate::number::scalar::Float;
+
+/// State of the contact: stuck, or sliding in one direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Contact {
+    /// The contact sticks.
+    Stuck,
+    /// The contact slides with positive relative velocity.
+    Forward,
+    /// The contact slides with negative relative velocity.
+    Backward,
+}
+
+impl Contact {
+    /// Sign of the relative velocity: 1, −1, or 0 while the contact sticks.
+    pub(crate) fn sign<S: Float>(self) -> S {
+        S::constant(match self {
+            Self::Stuck => 0.0,
+            Self::Forward => 1.0,
+            Self::Backward => -1.0,
+        })
+    }
+
+    /// Sliding in the direction of a force.
+    pub(crate) fn along<S: Float>(force: S) -> Self {
+        if force < S::constant(0.0) {
+            Self::Backward
+        } else {
+            Self::Forward
+        }
+    }
+
+    /// Sliding in the negative direction, or in the positive one.
+    pub(crate) fn towards(negative: bool) -> Self {
+        if negative {
+            Self::Backward
+        } else {
+            Self::Forward
+        }
+    }
+
+    /// Returns the opposite direction of sliding.  A stuck contact stays stuck.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        match self {
+            Self::Stuck => Self::Stuck,
+            Self::Forward => Self::Backward,
+            Self::Backward => Self::Forward,
+        }
+    }
+}
+
+/// Event that ends a segment of the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Event {
+    /// The contact stops and sticks.
+    Stop,
+    /// The stuck contact breaks away.
+    Slip,
+    /// The direction of sliding changes without a stop.
+    Reversal,
+}
+
+/// State of the contact at an instant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ContactState<S> {
+    /// The excitation's phase in half-turns, in [0, 2).
+    pub t: S,
+    /// State of the contact: stuck, or its direction of sliding.
+    pub contact: Contact,
+    /// At an event, the relative acceleration in the direction of sliding, with which the contact leaves zero velocity.
+    pub departing: Option<S>,
+    /// True if the contact has just failed to leave.  Rounding then must not decide that the contact force exceeds μβ.
+    pub wedged: bool,
+}
+
+impl<S: Float> ContactState<S> {
+    /// State of a contact that sticks at the phase `t`.
+    pub(crate) fn stuck(t: S) -> Self {
+        Self {
+            t,
+            contact: Contact::Stuck,
+            departing: None,
+            wedged: false,
+        }
+    }
+}
+
+/// End of a segment: its length, its event, and the state of the contact after the event.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct End<S> {
+    /// Length of the segment, in τ.
+    pub tau: S,
+    /// Event that ends the segment, or `None` at the reach.
+    pub event: Option<Event>,
+    /// State of the contact after the event.
+    pub contact_state: ContactState<S>,
+    /// At an event, the slope of the function that vanishes at the event: z̄″ before the event, or F′.
+    pub slope: S,
+    /// Jump of the contact force at the event: force before less force after.
+    pub jump: S,
+    /// Number of steps of the walk that found the end.
+    pub steps: u32,
+}
+
+/// A segment whose end has been found, before any oscillator is advanced.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sought<S> {
+    /// State of the contact at the segment's start.
+    pub contact_state: ContactState<S>,
+    /// Length of the segment, in τ.
+    pub tau: S,
+    /// z̄, where the contact sticks.
+    pub offset: S,
+    /// The way in which the segment ends.
+    pub outcome: Outcome,
+    /// Slope at the end of the contact force, where the contact sticks.
+    pub slope: S,
+    /// Number of steps of the walk that found the end.
+    pub steps: u32,
+}
+
+/// The way in which a segment ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// No event within the reach.
+    Goes,
+    /// The relative velocity vanishes.
+    Halts,
+    /// The force in the stuck contact reaches its bound, and the contact slides in this direction.
+    Breaks(Contact),
+    /// The contact cannot leave zero velocity.
+    Holds,
+}
+
+impl<S: Float> Sought<S> {
+    /// Creates a segment whose end is still unknown.
+    pub(crate) fn none(contact_state: ContactState<S>) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            contact_state,
+            tau: zero,
+            offset: zero,
+            outcome: Outcome::Goes,
+            slope: zero,
+            steps: 0,
+        }
+    }
+
+    /// Returns true if the contact cannot leave zero velocity, and so continues to stick.
+    pub(crate) fn holds(&self) -> bool {
+        self.outcome == Outcome::Holds
+    }
+}

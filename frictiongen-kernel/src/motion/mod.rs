@@ -1,0 +1,31 @@
+//! The motion of a chain between two events, and the events: what simulation, stepper and steady states share.
+//!
+//! While the contact slides, every mode moves independently under a constant friction force.  While the contact sticks,
+//! every mode of the *stuck chain* does, which is the chain whose contact sticks.  Its modes are called `held` in emitted
+//! code.  A [`Part`] is one of these oscillators in time.
+//!
+//! A *series* is a function of the contact over time, such as its velocity or its force.  A *walk* finds the first zero
+//! of a series.  `contact` has the law of the contact, which decides what follows.
+
+mod clock;
+pub(crate) mod contact;
+mod dynamics;
+mod oscillator;
+mod segment;
+mod series;
+mod setting;
+mod walk;
+
+pub use contact::{Constant, Contact, Event, LOST_MODES, Level, Lines, MAX_STEEPNESS};
+pub use dynamics::{Dynamics, HeldMode};
+pub use oscillator::Part;
+pub use series::MAX_STEPS;
+pub use setting::Setting;
+
+pub(crate) use clock::{Clock, Total, phase};
+pub(crate) use contact::kinetic::{Line, line, line_at, steepest};
+pub(crate) use contact::{ContactState, Rigid, STUCK_MULTIPLIERS, Sought, carry_deviations};
+pub(crate) use dynamics::{lift, rotated};
+pub(crate) use segment::{ended, leap, seek, span};
+pub(crate) use series::{Power, ROUNDINGS as SUM_ROUNDINGS, Sum, TERMS, WALK};
+pub(crate) use walk::{Start, Walk, first_reach, first_zero};

@@ -1,0 +1,187 @@
+//! One segment of the motion, from one event to the next.
+
+use super::clock::{moved, phase};
+use super::contact::{Contact, ContactState, End, Event, Outcome, Sought};
+use super::oscillator::{Part, advanced};
+use super::series::Sum;
+use super::setting::Setting;
+use super::walk::{Start, Walk, first_reach, first_zero};
+use crate::number::scalar::Float;
+
+/// Searches for the next event from a contact state, as far as `reach`, and sets the oscillators to the segment.
+pub(crate) fn seek<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &mut [Part<S>],
+    stuck_modes: &mut [Part<S>],
+    contact_state: ContactState<S>,
+    reach: S,
+) -> Sought<S> {
+    let zero = S::constant(0.0);
+    let mut sought = Sought::none(contact_state);
+    if contact_state.contact == Contact::Stuck {
+        let (sum, offset) = setting.start_sticking(modes, stuck_modes, &contact_state, reach);
+        let start = if contact_state.wedged {
+            Start::Wedged
+        } else {
+            Start::Anywhere
+        };
+        let grip = setting.law().grip();
+        let walk = first_reach(&sum, grip, zero, start, &mut sought.steps);
+        (sought.tau, sought.outcome) = match walk {
+            Walk::Zero(tau, negative) => (tau, Outcome::Breaks(Contact::towards(negative))),
+            Walk::Until(tau) => (tau, Outcome::Goes),
+            Walk::NoStart => (reach, Outcome::Goes),
+        };
+        sought.offset = offset;
+        if S::CARRIES {
+            let level = match sought.outcome {
+                Outcome::Breaks(contact) => Some(grip.copysign(contact.sign())),
+                _ => None,
+            };
+            sought.tau = carried(&sum, sought.tau, level);
+        }
+        sought.slope = sum.local(sought.tau).slope;
+    } else {
+        let sum = setting.start_sliding(modes, &contact_state, reach);
+        let start = contact_state.departing.map_or(Start::Anywhere, Start::Zero);
+        (sought.tau, sought.outcome) = match first_zero(&sum, start, &mut sought.steps) {
+            Walk::Zero(tau, _) => (tau, Outcome::Halts),
+            Walk::Until(tau) => (tau, Outcome::Goes),
+            Walk::NoStart => (zero, Outcome::Holds),
+        };
+        if S::CARRIES {
+            let level = (sought.outcome == Outcome::Halts).then_some(zero);
+            sought.tau = carried(&sum, sought.tau, level);
+        }
+    }
+    sought
+}
+
+/// Adds derivatives to the instant at which a sum meets its level, for a scalar that carries derivatives.  One step of
+/// Newton's method from the walk's instant gives them.  Without a level no event ends the segment.  The reach then
+/// keeps its own derivatives, and an instant short of the reach has none.
+fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
+    let Some(level) = level else {
+        return if tau < sum.reach {
+            tau.primal()
+        } else {
+            sum.reach
+        };
+    };
+    let local = sum.local(tau.primal());
+    let gap = local.value - level;
+    tau.primal() - (gap - gap.primal()) / local.slope.primal()
+}
+
+/// Sets the oscillators to their state τ after the segment's start.  `to` is the excitation's phase then.
+pub(crate) fn place<S: Float>(
+    setting: &Setting<'_, S>,
+    (modes, stuck_modes): (&mut [Part<S>], &mut [Part<S>]),
+    sought: &Sought<S>,
+    tau: S,
+    to: (S, S),
+) {
+    let from = phase(sought.contact_state.t);
+    if sought.contact_state.contact != Contact::Stuck {
+        return advanced(modes, tau, from, to);
+    }
+    advanced(stuck_modes, tau, from, to);
+    let driven = setting.dynamics.in_contact().min(modes.len());
+    let (modes, others) = modes.split_at_mut(driven);
+    advanced(others, tau, from, to);
+    let states = modes.iter_mut().map(|part| (&mut part.y, &mut part.u));
+    setting.release(stuck_modes, setting.lifted(sought.offset, to), states);
+}
+
+/// Derives the end of a segment after the oscillators have been set to it.
+pub(crate) fn ended<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &[Part<S>],
+    sought: &Sought<S>,
+    to: (S, S),
+) -> End<S> {
+    let law = setting.law();
+    let mut end = quiet(sought.tau, sought.contact_state, sought.steps);
+    match sought.outcome {
+        Outcome::Goes => {}
+        Outcome::Holds => {
+            end.contact_state.contact = Contact::Stuck;
+            end.contact_state.wedged = true;
+        }
+        Outcome::Breaks(contact) => {
+            let slide = law.break_away(contact);
+            end.event = Some(Event::Slip);
+            end.contact_state = setting.sliding_away(end.contact_state.t, slide);
+            end.slope = sought.slope;
+            end.jump = contact.sign::<S>() * slide.excess;
+        }
+        Outcome::Halts => {
+            let before = sought.contact_state.contact;
+            let force = setting.holding(modes, to);
+            end.slope = setting.acceleration(force - law.kinetic(before));
+            let Some(slide) = law.leave_rest(force) else {
+                end.event = Some(Event::Stop);
+                end.contact_state.contact = Contact::Stuck;
+                end.jump = law.kinetic(before) - force;
+                return end;
+            };
+            // In the direction of sliding, the velocity only touched zero.
+            if slide.contact != before {
+                end.event = Some(Event::Reversal);
+                end.jump = law.kinetic(before) - law.kinetic(slide.contact);
+            }
+            end.contact_state = setting.sliding_away(end.contact_state.t, slide);
+        }
+    }
+    end
+}
+
+/// Distance from a contact state to the next event, at most `reach`.  It is 0 where the contact cannot leave zero
+/// velocity.
+pub(crate) fn span<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &mut [Part<S>],
+    stuck_modes: &mut [Part<S>],
+    contact_state: ContactState<S>,
+    reach: S,
+) -> S {
+    let sought = seek(setting, modes, stuck_modes, contact_state, reach);
+    if sought.holds() {
+        return S::constant(0.0);
+    }
+    sought.tau
+}
+
+/// Advances from a contact state to the next event, or as far as `reach`.
+pub(crate) fn leap<S: Float>(
+    setting: &Setting<'_, S>,
+    modes: &mut [Part<S>],
+    stuck_modes: &mut [Part<S>],
+    contact_state: ContactState<S>,
+    reach: S,
+) -> End<S> {
+    let sought = seek(setting, modes, stuck_modes, contact_state, reach);
+    let to = phase(moved(contact_state.t, sought.tau));
+    if sought.outcome != Outcome::Holds {
+        place(setting, (modes, stuck_modes), &sought, sought.tau, to);
+    }
+    ended(setting, modes, &sought, to)
+}
+
+/// Returns the [`End`] of a segment of length `tau` in which no event occurs.
+fn quiet<S: Float>(tau: S, contact_state: ContactState<S>, steps: u32) -> End<S> {
+    let zero = S::constant(0.0);
+    End {
+        tau,
+        event: None,
+        contact_state: ContactState {
+            t: moved(contact_state.t, tau),
+            departing: None,
+            wedged: false,
+            ..contact_state
+        },
+        slope: zero,
+        jump: zero,
+        steps,
+    }
+}

@@ -1,0 +1,11 @@
+//! Functions of the contact between two events, by sums over oscillators or by power series.
+
+mod local;
+mod power;
+mod sum;
+
+pub use local::MAX_STEPS;
+
+pub(crate) use local::{Local, ROUNDINGS, Series, Walked};
+pub(crate) use power::{Power, TERMS, WALK};
+pub(crate) use sum::Sum;

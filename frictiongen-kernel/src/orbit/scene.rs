@@ -1,0 +1,79 @@
+//! A scene that provides steady states, and how two of them are compared.
+
+use super::start::Start;
+use super::types::Orbit;
+use crate::errors::NoOrbit;
+use crate::motion::Part;
+use crate::number::complex::Complex;
+use crate::number::scalar::Float;
+use crate::response::{At, Scene};
+use core::ops::Deref;
+
+/// Relative difference of amplitudes and stuck fractions below which two states are the same.
+const ALIKE: f64 = 1e-6;
+
+/// Fingerprint of a steady state, by which it is compared with others.
+#[derive(Clone, Copy, Debug)]
+pub struct Print<S> {
+    sticks: bool,
+    counts: (u32, usize, usize),
+    sizes: [S; 2],
+}
+
+/// A steady state as an item of [`States`].
+pub trait Known {
+    /// Scalar type of the steady state.
+    type Scalar: Float;
+
+    /// Returns the fingerprint of the steady state.
+    fn print(&self) -> Print<Self::Scalar>;
+}
+
+impl<S, P, V, C> Known for Orbit<'_, S, P, V, C>
+where
+    S: Float,
+    P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
+    V: AsRef<[S]> + AsMut<[S]>,
+    C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+{
+    type Scalar = S;
+
+    fn print(&self) -> Print<S> {
+        Print {
+            sticks: self.never_slides(),
+            counts: (self.period(), self.stops(), self.reversals()),
+            sizes: [self.contact().amplitude(), self.stuck_fraction()],
+        }
+    }
+}
+
+impl<S: Float> Print<S> {
+    /// Returns true if two states are the same.  All stuck states count as one, because they belong to one continuum
+    /// with various offsets.
+    pub(super) fn is_alike(&self, other: &Self) -> bool {
+        let near = |(a, b): (&S, &S)| (*a - *b).abs() <= a.abs().max(b.abs()) * S::constant(ALIKE);
+        let mut sizes = self.sizes.iter().zip(&other.sizes);
+        self.sticks == other.sticks
+            && (self.sticks || (self.counts == other.counts && sizes.all(near)))
+    }
+}
+
+/// A scene that provides `orbit`.
+pub trait ProvidesOrbit: Scene {
+    /// Type of the steady state, with a method for each mass.
+    type Orbit: Deref<Target: Known>;
+    /// Type of a state of the masses, with one number for each mass.
+    type State: AsRef<[Self::Scalar]> + ?Sized;
+
+    /// Returns the steady state reached from `start`.  If `last` is true and the motion does not settle, returns its
+    /// last 64 cycles.
+    ///
+    /// # Errors
+    /// [`NoOrbit`] gives the reason why there is no steady state.
+    fn settled(
+        at: &At<Self>,
+        beta: Self::Scalar,
+        start: Start<'_, Self::Scalar>,
+        last: bool,
+    ) -> Result<Self::Orbit, NoOrbit>;
+}

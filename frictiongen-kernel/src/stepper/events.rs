@@ -1,0 +1,85 @@
+//! One sub-interval of a step that is searched for events and followed from event to event.
+
+use super::interval::{Departure, Interval, ROUNDINGS};
+use super::{MAX_EVENTS, MAX_STRETCHES};
+use crate::motion::{Contact, line_at};
+use crate::number::scalar::Float;
+
+impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+    /// Follows the contact from event to event to the end of the sub-interval.
+    pub(super) fn follow_events(&mut self) {
+        let one = S::constant(1.0);
+        let mut departing = None;
+        for _ in 0..MAX_STRETCHES {
+            if !(self.progress < one) || MAX_EVENTS <= self.events {
+                break;
+            }
+            departing = match self.status.contact {
+                Contact::Stuck => self.stick_to_event(),
+                _ => self.slide_to_event(departing),
+            };
+        }
+        if self.progress < one {
+            self.pass_without_events(departing);
+        }
+        if self.status.contact == Contact::Stuck {
+            self.status.contact_force = self.stuck_force();
+        }
+    }
+
+    /// Advances over the rest of the sub-interval without events, in a way that creates no energy.  A contact at rest
+    /// stays stuck, and a sliding contact slides without friction.
+    fn pass_without_events(&mut self, departing: Option<Departure<S>>) {
+        self.exceeded = true;
+        let left = S::constant(1.0) - self.progress;
+        if self.status.contact != Contact::Stuck {
+            let Some(departure) = departing else {
+                self.status.unknown = true;
+                self.status.contact_force = S::constant(0.0);
+                let none = [S::constant(0.0); 2];
+                let velocity = self.velocity_series(none);
+                return self.move_modes(&velocity, none, left);
+            };
+            self.start_sticking(departure.stuck);
+        }
+        self.move_held(left);
+    }
+
+    /// Determines the contact's state before the first step, under the inputs at the start.
+    pub(super) fn begin(&mut self) {
+        self.derive_contact();
+        if self.status.contact != Contact::Stuck {
+            return;
+        }
+        let force = self.stuck_force();
+        let law = self.status.law;
+        // The acceleration of a moving base is not known before the first step.  The first step decides whether the
+        // contact breaks away.
+        self.status.contact_force = law.limited(force);
+        let slide = law.leave_rest(force);
+        if let Some(slide) = slide.filter(|_| !self.scene.rubs_on_base()) {
+            // The contact breaks away at once.  The first step finds that again, and counts the event.
+            self.start_sliding();
+            self.status.contact = slide.contact;
+            self.status.contact_force = law.kinetic(slide.contact);
+            self.status.unknown = true;
+        }
+    }
+
+    /// Determines the contact's state from the motion alone.
+    pub(super) fn derive_contact(&mut self) {
+        self.status.unknown = false;
+        self.status.wedged = false;
+        let velocity = self.velocity_series([S::constant(0.0); 2]);
+        let rate = velocity.term(0);
+        let pace = &self.table.pace;
+        let speed = rate.abs() * S::constant(f64::from(pace.parts)) / pace.step;
+        self.status.contact = Contact::along(rate);
+        self.status.line = line_at(self.scene.law, speed);
+        let size = velocity.size + self.status.given * pace.span;
+        if rate.abs() <= size * S::constant(ROUNDINGS * S::EPSILON) {
+            // The search that follows decides from the force in the contact whether it breaks away at once.
+            self.start_sticking(None);
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! A stepper within one sub-interval of a step.
+
+use super::drive::shift;
+use super::scene::StepScene;
+use super::state::{Status, StoreMut};
+use super::table::View;
+use crate::number::scalar::Float;
+
+/// Rounding bound of a sum over modes, in roundings of the sum of its terms' sizes.
+pub(super) const ROUNDINGS: f64 = 8.0;
+/// Over a unit of time a function deviates from its chord by at most this multiple of its largest second derivative.
+pub(super) const OFF_CHORD: f64 = 0.125;
+
+/// A stepper within one sub-interval of a step.
+pub(super) struct Interval<'t, 'a, S, const D: usize> {
+    pub scene: &'t StepScene<'a, S>,
+    pub table: View<'t, S, D>,
+    pub store: StoreMut<'t, S, D>,
+    pub status: &'t mut Status<S>,
+    /// The base's displacement over the sub-interval as a polynomial, where the contact rubs on the base.
+    pub base: [S; 4],
+    /// Progress through the sub-interval, from 0 to 1.  The polynomials of the inputs are about this instant.
+    pub progress: S,
+    /// Number of events in the sub-interval so far.
+    pub events: u32,
+    /// True if the bound on followed events or pieces was reached.
+    pub exceeded: bool,
+}
+
+/// The contact at the instant at which it leaves zero velocity.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Departure<S> {
+    /// Relative acceleration in the direction of sliding.
+    pub slope: S,
+    /// Displacement at which the contact stuck until now, if it stuck.
+    pub stuck: Option<S>,
+}
+
+impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+    pub(super) fn driven(&self) -> usize {
+        self.scene.dynamics.in_contact().min(self.store.modes.len())
+    }
+
+    pub(super) fn terms(&self) -> usize {
+        self.scene.terms(self.table.pace.terms)
+    }
+
+    /// Acceleration of the contact under a force that exceeds by `excess` the force that would keep its velocity.
+    pub(super) fn acceleration(&self, excess: S) -> S {
+        self.scene.acceleration(&self.table.pace, excess)
+    }
+
+    pub(super) fn take_modes(&mut self) {
+        let driven = self.driven();
+        let modes = self.store.modes.iter_mut().take(driven);
+        for (state, next) in modes.zip(&*self.store.scratch) {
+            *state = *next;
+        }
+    }
+
+    pub(super) fn account(&mut self, load: S, friction: S) {
+        self.status.load = self.status.load.plus(load);
+        self.status.dissipated = self.status.dissipated.plus(friction);
+    }
+
+    /// Advances the instant by `tau` and shifts the inputs' polynomials to the new instant.
+    pub(super) fn shift_inputs(&mut self, tau: S) {
+        let one = S::constant(1.0);
+        let end = one - self.progress <= tau;
+        self.progress = if end { one } else { self.progress + tau };
+        for drive in &mut *self.store.drive {
+            shift(drive, tau);
+        }
+        shift(&mut self.base, tau);
+    }
+}
+
+/// Integrates the product of two polynomials from 0 to `place`.
+pub(super) fn product<S: Float>(a: &[S], b: &[S], place: S) -> S {
+    let one = S::constant(1.0);
+    let mut sum = S::constant(0.0);
+    let (mut order, mut power) = (one, place);
+    for a in a {
+        let (mut n, mut p) = (order, power);
+        for b in b {
+            sum = sum + *a * *b * p / n;
+            (n, p) = (n + one, p * place);
+        }
+        (order, power) = (order + one, power * place);
+    }
+    sum
+}
+
+/// Integrates a power series from 0 to `place`.
+pub(super) fn integral<S: Float>(terms: &[S], place: S) -> S {
+    product(terms, &[S::constant(1.0)], place)
+}

@@ -1,0 +1,112 @@
+//! Saving and restoring the state of a stepper.
+
+use super::input::Input;
+use super::state::{Status, Store};
+use super::table::{Tables, View};
+use super::types::Stepper;
+use crate::errors::OutOfDomain;
+use crate::number::scalar::Float;
+
+/// A stepper's state without its tables, as [`Stepper::save`](super::Stepper::save) returns it.
+#[derive(Clone, Copy, Debug)]
+pub struct Saved<S, V> {
+    pub(super) status: Status<S>,
+    pub(super) store: V,
+    /// Hash of the scene and step, from `Stepper::mark`.
+    mark: u64,
+}
+
+impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
+    /// Returns the state from which [`restore`](Self::restore) continues the run.
+    #[must_use]
+    pub fn save(&self) -> Saved<S, V>
+    where
+        V: Clone,
+    {
+        Saved {
+            status: self.status,
+            store: self.store.clone(),
+            mark: self.mark(),
+        }
+    }
+
+    /// Returns to a saved state.  The same steps from there give the same bits.
+    ///
+    /// # Errors
+    /// [`OutOfDomain::Saved`] if the state comes from a stepper of another scene or step, according to a hash of
+    /// both.
+    pub fn restore(&mut self, saved: &Saved<S, V>) -> Result<(), OutOfDomain>
+    where
+        V: Clone,
+    {
+        let size = |store: &V| {
+            let store = store.read();
+            (store.modes.len(), store.held.len(), store.last.len())
+        };
+        if size(&self.store) != size(&saved.store) || self.mark() != saved.mark {
+            return Err(OutOfDomain::Saved);
+        }
+        self.status = saved.status;
+        self.store = saved.store.clone();
+        Ok(())
+    }
+
+    /// Hashes everything that gives the state its meaning: the scene with its units and loads, and the step.
+    fn mark(&self) -> u64 {
+        let View {
+            pace,
+            modes,
+            held,
+            loads,
+            ..
+        } = self.tables.view();
+        let (scene, units) = (&self.scene, &self.scene.units);
+        let mut hash = Hash::new();
+        hash.count(usize::from(scene.on_base));
+        hash.count(usize::from(scene.input == Input::Linear));
+        hash.number(units.stiffness).number(units.rate);
+        hash.number(units.support).number(pace.step);
+        hash.number(scene.dynamics.chain.inverse_mass);
+        for mass in scene.forces {
+            hash.count(*mass);
+        }
+        for [speed, level] in scene.law {
+            hash.number(*speed).number(*level);
+        }
+        for mode in modes {
+            hash.number(mode.angle).number(mode.zeta);
+            hash.number(mode.contact);
+        }
+        for mode in held {
+            hash.number(mode.angle).number(mode.force);
+        }
+        for load in loads {
+            hash.number(*load);
+        }
+        hash.0
+    }
+}
+
+/// A hash of numbers: FNV-1a over words of 64 bits, with the upper half folded into the lower one.
+struct Hash(u64);
+
+impl Hash {
+    fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    fn word(&mut self, word: u64) -> &mut Self {
+        let mixed = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
+        // The product carries only upwards, so that the upper half has to be folded back.
+        self.0 = mixed ^ (mixed >> 32);
+        self
+    }
+
+    fn number<S: Float>(&mut self, number: S) -> &mut Self {
+        self.word(number.bits())
+    }
+
+    fn count(&mut self, count: usize) -> &mut Self {
+        self.word(u64::try_from(count).unwrap_or(u64::MAX))
+    }
+}

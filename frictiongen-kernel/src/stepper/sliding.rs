@@ -1,0 +1,301 @@
+//! A sub-interval in which the contact slides: by the tables, or as a power series up to an event.
+
+use super::dot::add;
+use super::drive::{at, derived, growth};
+use super::interval::{Departure, Interval, OFF_CHORD, ROUNDINGS, integral, product};
+use super::rows::{moments, next};
+use crate::motion::{Line, Power, Start, Walk, first_zero, line};
+use crate::number::scalar::Float;
+
+impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+    /// The line of the friction law on which the speed lies.  The line's speeds are in lengths a sub-interval.
+    #[inline]
+    pub(super) fn line(&self) -> Line<S> {
+        let mut line = line(self.scene.law, self.status.line);
+        if self.scene.law.is_empty() {
+            return line;
+        }
+        let pace = &self.table.pace;
+        let seconds = pace.step / S::constant(f64::from(pace.parts));
+        line.slope = line.slope / seconds;
+        line.low = line.low * seconds;
+        line.high = line.high.map(|high| high * seconds);
+        line
+    }
+
+    /// Rate that the inputs add to the u of a mode.
+    #[inline]
+    pub(super) fn load(&self, mode: usize) -> [S; D] {
+        let mut sum = [S::constant(0.0); D];
+        let loads = self.table.loads_of(mode);
+        for (load, drive) in loads.iter().zip(&*self.store.drive) {
+            add(&mut sum, *load, drive);
+        }
+        sum
+    }
+
+    /// Velocity of the base that carries the contact, at the start and at the end of the sub-interval.
+    fn base_velocities(&self) -> [S; 2] {
+        if !self.scene.rubs_on_base() {
+            return [S::constant(0.0); 2];
+        }
+        let velocity = derived(self.base);
+        [velocity[0], at(&velocity, S::constant(1.0))]
+    }
+
+    /// Advances by the tables if the contact certainly keeps sliding, and returns whether it does.
+    pub(super) fn slide_by_tables(&mut self) -> bool {
+        let zero = S::constant(0.0);
+        let line = self.line();
+        if !line.slope.is_zero() || line.high.is_some() {
+            return false;
+        }
+        let contact = self.status.contact;
+        let sign: S = contact.sign();
+        let [force, _] = self.status.law.kinetic_on(&line, contact);
+        let [from, to] = self.base_velocities();
+        let (mut start, mut rise) = (-from, from - to);
+        let mut bend = if self.scene.rubs_on_base() {
+            let [_, _, _, d] = self.base;
+            S::constant(6.0) * d.abs()
+        } else {
+            zero
+        };
+        let (mut size, mut moved, mut work) = (from.abs(), zero, zero);
+        for index in 0..self.driven() {
+            let Some(step) = self.table.modes.get(index) else {
+                return false;
+            };
+            let load = self.load(index);
+            let mut drive = load;
+            if let [first, ..] = &mut drive[..] {
+                *first = *first - step.per_force * step.contact * force;
+            }
+            let Some(&[y, u]) = self.store.modes.get(index) else {
+                return false;
+            };
+            let (next, done) = step.moved([y, u], &drive, &load);
+            let weight = step.contact * step.angle;
+            let own = weight * u;
+            start = start + own;
+            rise = rise + weight * (next[1] - u);
+            size = size + own.abs();
+            bend = bend + weight.abs() * step.bend([y, u], &drive);
+            moved = moved + step.contact * (next[0] - y);
+            work = work + done;
+            if let Some(to) = self.store.scratch.get_mut(index) {
+                *to = next;
+            }
+        }
+        let least = (sign * start).min(sign * (start + rise));
+        let room = bend * S::constant(OFF_CHORD) + size * S::constant(ROUNDINGS * S::EPSILON);
+        if !(line.low + room < least) {
+            return false;
+        }
+        let carried = if self.scene.rubs_on_base() {
+            growth(&self.base, S::constant(1.0))
+        } else {
+            zero
+        };
+        self.take_modes();
+        self.account(work - force * carried, force * (moved - carried));
+        true
+    }
+
+    /// Slides until the contact stops, its speed reaches the next line of the law, or the sub-interval ends.
+    pub(super) fn slide_to_event(
+        &mut self,
+        departing: Option<Departure<S>>,
+    ) -> Option<Departure<S>> {
+        let zero = S::constant(0.0);
+        let contact = self.status.contact;
+        let sign: S = contact.sign();
+        let line = self.line();
+        let kinetic = self.status.law.kinetic_on(&line, contact);
+        let velocity = self.velocity_series(kinetic);
+        let reach = self.series_reach(kinetic[1]);
+        let mut steps = 0;
+        let start = departing.map_or(Start::Anywhere, |departure| Start::Zero(departure.slope));
+        let seen = velocity.seen(sign, line.low, reach);
+        let (mut tau, mut halts) = match first_zero(&seen, start, &mut steps) {
+            Walk::Zero(tau, _) => (tau, true),
+            Walk::Until(tau) => (tau, false),
+            Walk::NoStart => {
+                self.start_sticking(departing.and_then(|departure| departure.stuck));
+                self.status.wedged = true;
+                return None;
+            }
+        };
+        let mut rises = false;
+        // A piece of motion without length has no earlier crossing.
+        if let Some(high) = line.high.filter(|_| zero < tau) {
+            let seen = velocity.seen(-sign, -high, tau);
+            match first_zero(&seen, Start::Anywhere, &mut steps) {
+                Walk::Zero(at, _) => (tau, halts, rises) = (at, false, true),
+                Walk::Until(at) if at < tau => (tau, halts) = (at, false),
+                _ => {}
+            }
+        }
+        if zero < tau {
+            self.move_modes(&velocity, kinetic, tau);
+        }
+        if rises {
+            self.status.line += 1;
+            return None;
+        }
+        if !halts {
+            return None;
+        }
+        if zero < line.low {
+            self.status.line = self.status.line.saturating_sub(1);
+            return None;
+        }
+        self.events += 1;
+        let Some(slide) = self.status.law.leave_rest(self.holding()) else {
+            self.start_sticking(None);
+            return None;
+        };
+        self.status.contact = slide.contact;
+        Some(Departure {
+            slope: self.acceleration(slide.excess),
+            stuck: None,
+        })
+    }
+
+    /// Length over which a power series of the sliding motion converges.  A steep law bends the motion more than the
+    /// modes do.
+    fn series_reach(&self, slope: S) -> S {
+        let left = S::constant(1.0) - self.progress;
+        let pace = &self.table.pace;
+        let rate = pace.rate + self.acceleration(slope.abs());
+        if S::constant(1.0) < rate * left {
+            S::constant(1.0) / rate
+        } else {
+            left
+        }
+    }
+
+    /// The contact force that would keep the relative velocity constant, while the contact slides.
+    fn holding(&self) -> S {
+        let two = S::constant(2.0);
+        let mut sum = S::constant(0.0);
+        for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
+            let now = drive.first().copied().unwrap_or(S::constant(0.0));
+            sum = sum + channel.residue * now;
+        }
+        if self.scene.rubs_on_base() {
+            let [acceleration, ..] = derived(derived(self.base));
+            let span = self.table.pace.span;
+            sum = sum - acceleration / (span * span);
+        }
+        let modes = self.scene.dynamics.driven().iter();
+        for (mode, [y, u]) in modes.zip(&*self.store.modes) {
+            let lambda = mode.resonance * mode.resonance;
+            sum = sum - mode.contact * lambda * (*y + two * mode.zeta * *u);
+        }
+        sum / self.scene.dynamics.chain.inverse_mass
+    }
+
+    /// The relative velocity as a power series about the present instant, under the friction force level +
+    /// slope·velocity.
+    pub(super) fn velocity_series(&mut self, [level, slope]: [S; 2]) -> Power<S> {
+        let zero = S::constant(0.0);
+        let mut velocity = Power::zero(self.terms());
+        let base = if self.scene.rubs_on_base() {
+            derived(self.base)
+        } else {
+            [zero; 4]
+        };
+        let driven = self.driven();
+        let modes = self.store.modes.iter().take(driven);
+        for (to, state) in self.store.scratch.iter_mut().zip(modes) {
+            *to = *state;
+        }
+        let steps = self.table.modes.get(..driven).unwrap_or_default();
+        let mut base = base.into_iter();
+        let (mut order, mut size) = (S::constant(1.0), zero);
+        for (place, slot) in velocity.slots().enumerate() {
+            let mut sum = -base.next().unwrap_or(zero);
+            let mut sizes = sum.abs();
+            for (step, [_, u]) in steps.iter().zip(&*self.store.scratch) {
+                let term = step.contact * step.angle * *u;
+                (sum, sizes) = (sum + term, sizes + term.abs());
+            }
+            *slot = sum;
+            if place < 4 {
+                size = size + sizes;
+            }
+            let force = slope * sum + if place == 0 { level } else { zero };
+            let inverse = S::constant(1.0) / order;
+            let states = steps.iter().zip(&mut *self.store.scratch);
+            for (index, (step, state)) in states.enumerate() {
+                let load = load_term(self.table.loads_of(index), self.store.drive, place);
+                let drive = load - step.per_force * step.contact * force;
+                let rates = next((step.angle, step.zeta), *state, [zero, drive]);
+                *state = rates.map(|rate| rate * inverse);
+            }
+            order = order + S::constant(1.0);
+        }
+        velocity.size = size;
+        velocity
+    }
+
+    /// Advances the modes that the contact drives by a piece of sliding of length `tau`.
+    pub(super) fn move_modes(&mut self, velocity: &Power<S>, [level, slope]: [S; 2], tau: S) {
+        let zero = S::constant(0.0);
+        let mut work = zero;
+        for index in 0..self.driven() {
+            let load = self.load(index);
+            let (Some(step), Some(state)) =
+                (self.table.modes.get(index), self.store.modes.get_mut(index))
+            else {
+                continue;
+            };
+            let pull = step.per_force * step.contact;
+            let drive = |place: usize| {
+                let mut force = if place == 0 { level } else { zero };
+                if !slope.is_zero() {
+                    force = force + slope * velocity.term(place);
+                }
+                let load = load.get(place).copied().unwrap_or(zero);
+                [zero, load - pull * force]
+            };
+            let of = (step.angle, step.zeta);
+            let [rises, turns]: [[S; D]; 2] = moments(of, *state, drive, velocity.count, tau);
+            let [y, u] = *state;
+            let first = |rows: &[S; D]| rows.first().copied().unwrap_or(zero);
+            *state = [y + first(&rises), u + first(&turns)];
+            let done = load.iter().zip(&rises);
+            let done = done.fold(zero, |sum, (term, moment)| sum + *term * *moment);
+            work = work + done / step.per_force;
+        }
+        let used = velocity.used();
+        let moved = integral(used, tau);
+        let mut dissipated = level * moved;
+        let mut carried = zero;
+        if self.scene.rubs_on_base() {
+            carried = level * growth(&self.base, tau);
+        }
+        if !slope.is_zero() {
+            dissipated = dissipated + slope * product(used, used, tau);
+            if self.scene.rubs_on_base() {
+                carried = carried + slope * product(used, &derived(self.base), tau);
+            }
+        }
+        self.account(work - carried, dissipated);
+        self.shift_inputs(tau);
+    }
+}
+
+/// One coefficient of the rate that the inputs add to the u of a mode.
+#[inline]
+fn load_term<S: Float, const D: usize>(loads: &[S], inputs: &[[S; D]], place: usize) -> S {
+    let zero = S::constant(0.0);
+    if D <= place {
+        return zero;
+    }
+    let pairs = loads.iter().zip(inputs);
+    pairs.fold(zero, |sum, (load, input)| {
+        sum + *load * input.get(place).copied().unwrap_or(zero)
+    })
+}

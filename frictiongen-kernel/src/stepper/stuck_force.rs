@@ -1,0 +1,203 @@
+//! The force in a sticking contact within a sub-interval, and the work of the inputs while it sticks.
+
+use super::dot::add;
+use super::drive::{derived, growth};
+use super::interval::{Interval, product};
+use super::rows::{HeldStep, next};
+use super::table::HeldLoad;
+use crate::motion::Power;
+use crate::number::scalar::Float;
+
+impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+    /// Rates that the inputs, and the base that carries the contact, add to y and u of a stuck chain's mode.
+    #[inline]
+    pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
+        let mut sum = [[S::constant(0.0); D]; 2];
+        let loads = self.table.held_loads_of(mode);
+        for (load, drive) in loads.iter().zip(&*self.store.drive) {
+            for (sum, load) in sum.iter_mut().zip(load.drive) {
+                add(sum, load, drive);
+            }
+        }
+        if let Some(motions) = self.moving_base() {
+            for (from_base, motion) in step.from_base.iter().zip(motions) {
+                for (sum, from_base) in sum.iter_mut().zip(from_base) {
+                    for (sum, term) in sum.iter_mut().zip(motion) {
+                        *sum = *sum + *from_base * term;
+                    }
+                }
+            }
+        }
+        sum
+    }
+
+    /// Velocity and acceleration of the base as polynomials, if the contact rubs on the base.
+    fn moving_base(&self) -> Option<[[S; 4]; 2]> {
+        let velocity = derived(self.base);
+        let motions = [velocity, derived(velocity)];
+        self.scene.rubs_on_base().then_some(motions)
+    }
+
+    /// Displacement of the base that carries the contact, and its velocity in the time t√(k₁/m₁).
+    pub(super) fn base_now(&self) -> [S; 2] {
+        if self.scene.rubs_on_base() {
+            let [place, velocity, ..] = self.base;
+            [place, velocity / self.table.pace.span]
+        } else {
+            [S::constant(0.0); 2]
+        }
+    }
+
+    /// The force in the sticking contact without the share of the stuck chain's modes.  The result is a polynomial,
+    /// with an upper bound on its second derivative over the sub-interval.
+    pub(super) fn force_without_modes(&self) -> ([S; 4], S) {
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
+        let pace = &self.table.pace;
+        let mass = one / self.scene.dynamics.chain.inverse_mass;
+        let mut sum = [zero; 4];
+        for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
+            for (sum, term) in sum.iter_mut().zip(drive) {
+                *sum = *sum + channel.residue * *term;
+            }
+        }
+        for term in &mut sum {
+            *term = *term * mass;
+        }
+        sum[0] = sum[0] - self.status.stuck_at / pace.receptance;
+        if self.scene.rubs_on_base() {
+            let velocity = derived(self.base);
+            let acceleration = derived(velocity);
+            let inverse = one / pace.span;
+            let of_place = one / pace.receptance;
+            let of_velocity = pace.drag * inverse * mass;
+            let of_acceleration = inverse * inverse * mass;
+            let motions = self.base.iter().zip(velocity).zip(acceleration);
+            for (sum, ((place, velocity), acceleration)) in sum.iter_mut().zip(motions) {
+                *sum = *sum
+                    - *place * of_place
+                    - of_velocity * velocity
+                    - of_acceleration * acceleration;
+            }
+        }
+        let [_, _, c, d] = sum;
+        let (two, six) = (S::constant(2.0), S::constant(6.0));
+        (sum, two * c.abs() + six * d.abs())
+    }
+
+    /// The force in the sticking contact as a power series about the present instant.
+    pub(super) fn force_series(&mut self) -> Power<S> {
+        let zero = S::constant(0.0);
+        let mut force = Power::zero(self.terms());
+        let (still, _) = self.force_without_modes();
+        for (to, state) in self.store.scratch.iter_mut().zip(&*self.store.held) {
+            *to = *state;
+        }
+        let motions = self.moving_base();
+        let mut still = still.into_iter();
+        let (mut order, mut size) = (S::constant(1.0), zero);
+        for (place, slot) in force.slots().enumerate() {
+            let mut sum = still.next().unwrap_or(zero);
+            let mut sizes = sum.abs();
+            for (step, [y, _]) in self.table.held.iter().zip(&*self.store.scratch) {
+                let term = step.force * *y;
+                (sum, sizes) = (sum - term, sizes + term.abs());
+            }
+            *slot = sum;
+            if place < 4 {
+                size = size + sizes;
+            }
+            let inverse = S::constant(1.0) / order;
+            let states = self.table.held.iter().zip(&mut *self.store.scratch);
+            for (index, (step, state)) in states.enumerate() {
+                let mut drive = [zero; 2];
+                if place < D {
+                    let loads = self.table.held_loads_of(index);
+                    drive = held_load_term(loads, self.store.drive, place);
+                }
+                if let Some(motions) = &motions {
+                    for (from_base, motion) in step.from_base.iter().zip(motions) {
+                        let motion = motion.get(place).copied().unwrap_or(zero);
+                        for (term, from_base) in drive.iter_mut().zip(from_base) {
+                            *term = *term + *from_base * motion;
+                        }
+                    }
+                }
+                let rates = next((step.angle, step.zeta), *state, drive);
+                *state = rates.map(|rate| rate * inverse);
+            }
+            order = order + S::constant(1.0);
+        }
+        force.size = size;
+        force
+    }
+
+    /// The force in the sticking contact.
+    pub(super) fn stuck_force(&self) -> S {
+        let ([still, ..], _) = self.force_without_modes();
+        let held = self.table.held.iter().zip(&*self.store.held);
+        held.fold(still, |sum, (step, [y, _])| sum - step.force * *y)
+    }
+
+    /// Work of the inputs up to `place` while the base carries the sticking contact, without the share of the stuck
+    /// chain's modes.
+    pub(super) fn carried_work(&self, still: Option<&[S; 4]>, place: S) -> S {
+        let zero = S::constant(0.0);
+        if !self.scene.rubs_on_base() {
+            return zero;
+        }
+        let velocity = derived(self.base);
+        let mut work = zero;
+        for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
+            work = work + channel.lift * product(drive, &velocity, place);
+        }
+        let still = still
+            .copied()
+            .unwrap_or_else(|| self.force_without_modes().0);
+        work - product(&still, &velocity, place)
+    }
+
+    /// Work that the inputs do through one mode of the stuck chain, from the mode's moments up to `place`.
+    pub(super) fn held_work(
+        &self,
+        mode: usize,
+        step: &HeldStep<S, D>,
+        [moments, turns]: &[[S; D]; 2],
+        to: S,
+        place: S,
+    ) -> S {
+        let mut work = S::constant(0.0);
+        let loads = self.table.held_loads_of(mode);
+        for (load, drive) in loads.iter().zip(&*self.store.drive) {
+            let [of_y, of_u] = load.reach;
+            for ((term, y), u) in drive.iter().zip(moments).zip(turns) {
+                work = work + *term * (of_y * *y + of_u * *u);
+            }
+        }
+        if self.scene.rubs_on_base() {
+            // −∫F b′ is integrated by parts, with b counted from its present value.
+            let rise = growth(&self.base, place);
+            let mut sum = to * rise;
+            for (term, moment) in self.base.iter().zip(moments).skip(1) {
+                sum = sum - *term * *moment;
+            }
+            work = work + step.force * sum;
+        }
+        work
+    }
+}
+
+/// One coefficient of the rates that the inputs add to y and u of a stuck chain's mode.
+#[inline]
+fn held_load_term<S: Float, const D: usize>(
+    loads: &[HeldLoad<S>],
+    inputs: &[[S; D]],
+    place: usize,
+) -> [S; 2] {
+    let zero = S::constant(0.0);
+    let pairs = loads.iter().zip(inputs);
+    pairs.fold([zero; 2], |[first, second], (load, input)| {
+        let term = input.get(place).copied().unwrap_or(zero);
+        let [of_y, of_u] = load.drive;
+        [first + of_y * term, second + of_u * term]
+    })
+}

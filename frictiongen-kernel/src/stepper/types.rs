@@ -1,0 +1,115 @@
+//! A stepper, and the answers that it gives.
+
+use super::scene::StepScene;
+use super::state::{FixedStore, Status};
+use super::table::FixedTables;
+use crate::motion::Contact;
+use crate::number::scalar::Float;
+use core::marker::PhantomData;
+
+/// The motion under an input that is known step by step.
+///
+/// `T` owns the tables and `V` the state: arrays or constants in emitted code, vectors at run time.  `D` is the number
+/// of coefficients of an input's polynomial over a step.
+#[derive(Clone, Debug)]
+pub struct Stepper<'a, S, const D: usize, T, V> {
+    pub(super) scene: StepScene<'a, S>,
+    pub(super) tables: T,
+    pub(super) store: V,
+    pub(super) status: Status<S>,
+    pub(super) inputs: PhantomData<[S; D]>,
+}
+
+/// A stepper of an emitted solver, with all data in arrays.
+pub type FixedStepper<
+    S,
+    const D: usize,
+    const MODES: usize,
+    const HELD: usize,
+    const INPUTS: usize,
+> = Stepper<
+    'static,
+    S,
+    D,
+    FixedTables<S, D, MODES, HELD, INPUTS>,
+    FixedStore<S, D, MODES, HELD, INPUTS>,
+>;
+
+/// Result of one step of a stepper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Stepped<S> {
+    /// The contact at the end of the step: stuck, or its direction of sliding.
+    pub contact: Contact,
+    /// The friction force in the contact at the end of the step, in the scene's unit of force.
+    pub force: S,
+    /// Number of stops, break-aways and reversals in the step.
+    pub events: u32,
+    /// True if a sub-interval of the step reached the bound on followed events or pieces, so that its rest was
+    /// simplified.
+    pub exceeded: bool,
+}
+
+/// A mass at the end of the last step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct MassNow<S> {
+    pub(super) displacement: S,
+    pub(super) velocity: S,
+}
+
+/// The contact at the end of the last step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct ContactNow<S> {
+    pub(super) motion: MassNow<S>,
+    pub(super) contact: Contact,
+    pub(super) force: S,
+}
+
+impl<S: Float> MassNow<S> {
+    /// Displacement of the mass, in the scene's unit of length.
+    #[must_use]
+    pub fn displacement(&self) -> S {
+        self.displacement
+    }
+
+    /// Velocity of the mass, in the scene's unit of length a second.
+    #[must_use]
+    pub fn velocity(&self) -> S {
+        self.velocity
+    }
+}
+
+impl<S: Float> ContactNow<S> {
+    /// Relative displacement of the contact, in the scene's unit of length.
+    #[must_use]
+    pub fn displacement(&self) -> S {
+        self.motion.displacement
+    }
+
+    /// Relative velocity of the contact, in the scene's unit of length a second.  It is 0 while the contact sticks.
+    #[must_use]
+    pub fn velocity(&self) -> S {
+        self.motion.velocity
+    }
+
+    /// Friction force in the contact, in the scene's unit of force.  While the contact sticks, it is the force that
+    /// keeps the contact at rest.  A positive force opposes sliding in the positive direction.
+    #[must_use]
+    pub fn force(&self) -> S {
+        self.force
+    }
+
+    /// Returns whether the contact sticks, or in which direction it slides.
+    #[must_use]
+    pub fn contact(&self) -> Contact {
+        self.contact
+    }
+
+    /// Returns whether the contact sticks.
+    #[must_use]
+    pub fn is_sticking(&self) -> bool {
+        self.contact == Contact::Stuck
+    }
+}
