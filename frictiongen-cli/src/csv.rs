@@ -1,6 +1,7 @@
 //! Writes CSV. No value contains a comma or a quote, because words are regimes, answers and Rust identifiers.
 
-use crate::number::Value;
+use crate::number::{Cell, Exact as _};
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 /// Writes the line with the column names and, if asked for, the line with their units.
@@ -38,8 +39,17 @@ fn unit(name: &str) -> &'static str {
     of.map_or("", |(_, unit)| *unit)
 }
 
+/// Writes a line of cells.
+pub fn line<'a>(out: &mut dyn Write, cells: impl Iterator<Item = Cow<'a, str>>) -> io::Result<()> {
+    for (index, cell) in cells.enumerate() {
+        let comma = if index == 0 { "" } else { "," };
+        write!(out, "{comma}{cell}")?;
+    }
+    writeln!(out)
+}
+
 /// Writes a line of values.
-pub fn row(out: &mut dyn Write, values: &[Value<'_>]) -> io::Result<()> {
+pub fn row(out: &mut dyn Write, values: &[Cell<'_>]) -> io::Result<()> {
     for (index, value) in values.iter().enumerate() {
         let comma = if index == 0 { "" } else { "," };
         write!(out, "{comma}{}", value.exact())?;

@@ -4,20 +4,11 @@ use crate::args::FrequencyArguments;
 use crate::failure::Failure;
 use crate::grid::{self, Quantity};
 use crate::measure::Measure;
-use crate::number::{Value, survives};
+use crate::number::{Cell, survives};
 use crate::table::Column;
 use frictiongen::System;
+use frictiongen::study::columns::{self, FrequencyUnit as Unit};
 use frictiongen::study::units;
-
-/// The unit in which frequencies are given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Unit {
-    Ratio,
-    /// Ratios r, printed with Hz because the load has units.
-    RatioUnderLoad,
-    Hertz,
-    Omega,
-}
 
 /// A continuous range of frequencies.
 #[derive(Clone, Debug)]
@@ -35,9 +26,9 @@ impl Band {
     /// Parses a range a:b or a:step:b.
     pub fn parse(arguments: &FrequencyArguments, system: &System) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
-        let quantity = unit.quantity(true);
+        let quantity = quantity(unit, true);
         let [from, step, to] = grid::band(text, quantity).map_err(Failure::new)?;
-        let ratio = |value: f64| unit.frequency(system, value).r;
+        let ratio = |value: f64| unit.given(system, value).r;
         let band = Self {
             from: ratio(from),
             to: ratio(to),
@@ -91,6 +82,11 @@ impl Band {
         self.unit != Unit::Ratio
     }
 
+    /// Returns the unit of the range.
+    pub fn unit(&self) -> Unit {
+        self.unit
+    }
+
     /// Returns a frequency of the range.
     pub fn frequency(&self, system: &System, r: f64) -> Frequency {
         let omega = system.angular_frequency(r);
@@ -100,27 +96,12 @@ impl Band {
                 hertz: Some(units::hertz(omega)),
                 ..Frequency::of_ratio(r)
             },
-            Unit::Omega => Frequency {
+            Unit::AngularFrequency => Frequency {
                 r,
                 hertz: Some(units::hertz(omega)),
                 omega: Some(omega),
             },
         }
-    }
-
-    /// Returns the columns of the table.
-    pub fn columns(&self) -> Vec<Column> {
-        let titles: &[&[&str]] = match self.unit {
-            Unit::Ratio => &[&["r"]],
-            Unit::RatioUnderLoad | Unit::Hertz => &[&["frequency", "(Hz)"], &["r"]],
-            Unit::Omega => &[&["frequency", "(Hz)"], &["omega", "(rad/s)"], &["r"]],
-        };
-        titles.iter().map(|title| Column::computed(title)).collect()
-    }
-
-    /// Returns the names of the cells.
-    pub fn names(&self) -> &'static [&'static str] {
-        self.unit.names()
     }
 }
 
@@ -129,7 +110,7 @@ fn given(arguments: &FrequencyArguments) -> Result<(&str, Unit), Failure> {
     match (&arguments.r, &arguments.hz, &arguments.omega) {
         (Some(r), ..) => Ok((r, Unit::Ratio)),
         (_, Some(hz), _) => Ok((hz, Unit::Hertz)),
-        (.., Some(omega)) => Ok((omega, Unit::Omega)),
+        (.., Some(omega)) => Ok((omega, Unit::AngularFrequency)),
         (None, None, None) => Err(Failure::new("give --r, --hz or --omega")),
     }
 }
@@ -141,57 +122,44 @@ fn too_far(quantity: Quantity, given: f64) -> Failure {
     ))
 }
 
-impl Unit {
-    fn under(self, measure: &Measure) -> Self {
-        match (self, measure.scale()) {
-            (Self::Ratio, Some(_)) => Self::RatioUnderLoad,
-            (unit, _) => unit,
-        }
+/// Returns the quantity as which a frequency is read. `in_time` requires a frequency that has a cycle.
+fn quantity(unit: Unit, in_time: bool) -> Quantity {
+    match (unit, in_time) {
+        (Unit::Ratio | Unit::RatioUnderLoad, false) => Quantity::FrequencyRatio,
+        (Unit::Ratio | Unit::RatioUnderLoad, true) => Quantity::FrequencyRatioInTime,
+        (Unit::Hertz, false) => Quantity::Hertz,
+        (Unit::Hertz, true) => Quantity::HertzInTime,
+        (Unit::AngularFrequency, false) => Quantity::Omega,
+        (Unit::AngularFrequency, true) => Quantity::OmegaInTime,
     }
+}
 
-    fn is_physical(self) -> bool {
-        matches!(self, Self::Hertz | Self::Omega)
+fn frequency(unit: Unit, system: &System, given: f64) -> Frequency {
+    match unit {
+        Unit::Ratio => Frequency::of_ratio(given),
+        Unit::RatioUnderLoad => Frequency {
+            hertz: Some(system.hertz(given)),
+            ..Frequency::of_ratio(given)
+        },
+        Unit::Hertz => Frequency {
+            r: system.frequency_ratio_at_hertz(given),
+            hertz: Some(given),
+            omega: None,
+        },
+        Unit::AngularFrequency => Frequency {
+            r: system.frequency_ratio(given),
+            hertz: Some(units::hertz(given)),
+            omega: Some(given),
+        },
     }
+}
 
-    /// Returns the quantity as which a frequency is read. `in_time` requires a frequency that has a cycle.
-    fn quantity(self, in_time: bool) -> Quantity {
-        match (self, in_time) {
-            (Self::Ratio | Self::RatioUnderLoad, false) => Quantity::FrequencyRatio,
-            (Self::Ratio | Self::RatioUnderLoad, true) => Quantity::FrequencyRatioInTime,
-            (Self::Hertz, false) => Quantity::Hertz,
-            (Self::Hertz, true) => Quantity::HertzInTime,
-            (Self::Omega, false) => Quantity::Omega,
-            (Self::Omega, true) => Quantity::OmegaInTime,
-        }
-    }
-
-    fn frequency(self, system: &System, given: f64) -> Frequency {
-        match self {
-            Self::Ratio => Frequency::of_ratio(given),
-            Self::RatioUnderLoad => Frequency {
-                hertz: Some(system.hertz(given)),
-                ..Frequency::of_ratio(given)
-            },
-            Self::Hertz => Frequency {
-                r: system.frequency_ratio_at_hertz(given),
-                hertz: Some(given),
-                omega: None,
-            },
-            Self::Omega => Frequency {
-                r: system.frequency_ratio(given),
-                hertz: Some(units::hertz(given)),
-                omega: Some(given),
-            },
-        }
-    }
-
-    /// Returns the names of the cells.
-    fn names(self) -> &'static [&'static str] {
-        match self {
-            Self::Ratio => &["r"],
-            Self::RatioUnderLoad | Self::Hertz => &["frequency_Hz", "r"],
-            Self::Omega => &["frequency_Hz", "omega_rad_s", "r"],
-        }
+/// Returns the names of the cells.
+fn names(unit: Unit) -> &'static [&'static str] {
+    match unit {
+        Unit::Ratio => &["r"],
+        Unit::RatioUnderLoad | Unit::Hertz => &["frequency_Hz", "r"],
+        Unit::AngularFrequency => &["frequency_Hz", "omega_rad_s", "r"],
     }
 }
 
@@ -230,9 +198,9 @@ impl Frequency {
     }
 
     /// Returns the cells of the frequency.
-    pub fn values(&self) -> Vec<Value<'static>> {
+    pub fn values(&self) -> Vec<Cell<'static>> {
         let before = [self.hertz, self.omega].into_iter().flatten();
-        before.chain([self.r]).map(Value::from).collect()
+        before.chain([self.r]).map(Cell::from).collect()
     }
 }
 
@@ -240,7 +208,7 @@ impl Frequencies {
     /// Parses the grid. `in_time` requires frequencies that have a cycle.
     pub fn parse(arguments: &FrequencyArguments, in_time: bool) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
-        let quantity = unit.quantity(in_time);
+        let quantity = quantity(unit, in_time);
         Ok(Self {
             given: grid::parse(text, quantity).map_err(Failure::new)?,
             unit,
@@ -276,6 +244,22 @@ impl Frequencies {
         self
     }
 
+    /// Returns the unit of the frequencies.
+    pub fn unit(&self) -> Unit {
+        self.unit
+    }
+
+    /// Returns the frequencies as given.
+    pub fn given(&self) -> &[f64] {
+        &self.given
+    }
+
+    /// Returns the frequencies in the order given, as the tables of the library have them.
+    pub fn all<'a>(&'a self, system: &'a System) -> impl Iterator<Item = columns::Frequency> + 'a {
+        let given = self.given.iter();
+        given.map(|given| self.unit.given(system, *given))
+    }
+
     /// Returns whether the frequencies were given in a unit.
     pub fn are_physical(&self) -> bool {
         self.unit.is_physical()
@@ -287,7 +271,7 @@ impl Frequencies {
     }
 
     fn of(&self, system: &System, given: f64) -> Frequency {
-        self.unit.frequency(system, given)
+        frequency(self.unit, system, given)
     }
 
     /// Returns whether Hz are printed next to r.
@@ -302,7 +286,7 @@ impl Frequencies {
             Unit::Ratio => vec![given(&["r"])],
             Unit::RatioUnderLoad => vec![Column::computed(&["frequency", "(Hz)"]), given(&["r"])],
             Unit::Hertz => vec![given(&["frequency", "(Hz)"]), Column::computed(&["r"])],
-            Unit::Omega => vec![
+            Unit::AngularFrequency => vec![
                 Column::computed(&["frequency", "(Hz)"]),
                 given(&["omega", "(rad/s)"]),
                 Column::computed(&["r"]),
@@ -312,6 +296,6 @@ impl Frequencies {
 
     /// Returns the names of the cells.
     pub fn names(&self) -> &'static [&'static str] {
-        self.unit.names()
+        names(self.unit)
     }
 }

@@ -4,10 +4,11 @@ use crate::args::FrictionArguments;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::grid::{self, MOST_POINTS, Quantity};
-use crate::measure::Measure;
-use crate::number::{Value, survives};
+use crate::measure::{self, Measure};
+use crate::number::{Cell, survives};
 use crate::table::Column;
 use frictiongen::study::LoadScale;
+use frictiongen::study::columns;
 
 /// A grid of friction ratios or forces.
 #[derive(Clone, Debug)]
@@ -33,9 +34,9 @@ impl Friction {
     }
 
     /// Returns the cells of the friction.
-    pub fn values(&self) -> Vec<Value<'static>> {
+    pub fn values(&self) -> Vec<Cell<'static>> {
         let before = self.force.into_iter();
-        before.chain([self.beta]).map(Value::from).collect()
+        before.chain([self.beta]).map(Cell::from).collect()
     }
 }
 
@@ -71,7 +72,7 @@ impl Frictions {
         if self.scale.is_none() && self.are_forces() {
             return Err(Failure::new(format_args!(
                 "--friction needs the amplitude of the load: give {}",
-                measure.option()
+                measure::option(measure)
             )));
         }
         let lost = |given: &&f64| {
@@ -89,7 +90,21 @@ impl Frictions {
         Ok(self)
     }
 
-    fn are_forces(&self) -> bool {
+    /// Returns the frictions as given.
+    pub fn given(&self) -> &[f64] {
+        &self.given
+    }
+
+    /// Returns the frictions in the order given, as the tables of the library have them.
+    pub fn all(&self) -> impl Iterator<Item = columns::Friction> + Clone + '_ {
+        self.given.iter().map(|given| match self.scale {
+            Some(scale) if self.are_forces() => columns::Friction::of_force(*given, scale),
+            scale => columns::Friction::of_ratio(*given, scale),
+        })
+    }
+
+    /// Returns true if the frictions were given as forces.
+    pub fn are_forces(&self) -> bool {
         self.quantity == Quantity::FrictionForce
     }
 

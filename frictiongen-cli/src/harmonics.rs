@@ -1,8 +1,8 @@
 //! Writes harmonics: amplitude and lag, and in JSON also real and imaginary part.
 
 use crate::json::object;
-use crate::measure::Measure;
-use crate::number::Value;
+use crate::measure::{Dimension, Measure};
+use crate::number::{Cell, Exact as _};
 use crate::table::Column;
 use frictiongen::Complex;
 use frictiongen::study::units::polar;
@@ -10,7 +10,10 @@ use serde_json::Value as Json;
 
 /// Returns the columns of the table.
 pub fn columns(orders: &[u32], measure: &Measure) -> Vec<Column> {
-    let (unit, angle) = (measure.length_title(), measure.angle_title());
+    let (unit, angle) = (
+        measure.title(Dimension::Length),
+        measure.title(Dimension::Angle),
+    );
     let both = |order: &u32| {
         [
             Column::computed(&[&format!("|X_{order}|"), unit]),
@@ -24,15 +27,15 @@ pub fn columns(orders: &[u32], measure: &Measure) -> Vec<Column> {
 pub fn names(part: &str, orders: &[u32], measure: &Measure) -> Vec<String> {
     let both = |order: &u32| {
         [
-            measure.length_name(&format!("{part}.X{order}.amplitude")),
-            measure.angle_name(&format!("{part}.X{order}.phase")),
+            measure.name(&format!("{part}.X{order}.amplitude"), Dimension::Length),
+            measure.name(&format!("{part}.X{order}.phase"), Dimension::Angle),
         ]
     };
     orders.iter().flat_map(both).collect()
 }
 
 /// Returns the cells of a harmonic.
-pub fn values(harmonic: Complex<f64>, measure: &Measure) -> [Value<'static>; 2] {
+pub fn values(harmonic: Complex<f64>, measure: &Measure) -> [Cell<'static>; 2] {
     let (amplitude, phase) = polar(harmonic);
     [
         measure.length(amplitude).into(),
@@ -42,11 +45,11 @@ pub fn values(harmonic: Complex<f64>, measure: &Measure) -> [Value<'static>; 2] 
 
 /// Returns a JSON list of harmonics.
 pub fn json(orders: &[u32], harmonics: &[Complex<f64>], measure: &Measure) -> Json {
-    let lengths = ["re", "im", "amplitude"].map(|name| measure.length_name(name));
-    let angle = measure.angle_name("phase");
+    let lengths = ["re", "im", "amplitude"].map(|name| measure.name(name, Dimension::Length));
+    let angle = measure.name("phase", Dimension::Angle);
     let [re, im, amplitude] = &lengths;
     let harmonics = orders.iter().zip(harmonics).map(|(order, harmonic)| {
-        let length = |value: f64| Value::from(measure.length(value)).json();
+        let length = |value: f64| Cell::from(measure.length(value)).json();
         let [size, lag] = values(*harmonic, measure);
         Json::Object(object([
             ("n", Json::from(*order)),

@@ -23,6 +23,7 @@ mod harmonics;
 mod input;
 mod interrupt;
 mod json;
+mod layout;
 mod limits;
 mod map;
 mod measure;

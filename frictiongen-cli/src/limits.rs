@@ -3,8 +3,8 @@
 use crate::args::LimitsArguments;
 use crate::failure::Failure;
 use crate::frequency::{Frequencies, Frequency};
-use crate::measure::Measure;
-use crate::number::Value;
+use crate::measure;
+use crate::number::{Cell, Exact as _};
 use crate::output::{self, Report, Visitor};
 use crate::summary::Summary;
 use crate::table::Column;
@@ -19,7 +19,7 @@ pub fn run(arguments: &LimitsArguments, out: &mut dyn Write) -> Result<(), Failu
     let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;
-    let measure = Measure::of(&arguments.load, &system)?;
+    let measure = measure::of(&arguments.load, &system)?;
     let frequencies = frequencies.under(&measure);
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = LimitsReport {
@@ -60,12 +60,12 @@ struct Point {
 }
 
 impl LimitsReport {
-    fn values(&self, point: &Point) -> Vec<Value<'static>> {
+    fn values(&self, point: &Point) -> Vec<Cell<'static>> {
         let mut values = point.frequency.values();
         if let Some(scale) = self.scale {
-            values.extend(point.limits.map(|limit| Value::from(scale.friction(limit))));
+            values.extend(point.limits.map(|limit| Cell::from(scale.friction(limit))));
         }
-        values.extend(point.limits.map(Value::from));
+        values.extend(point.limits.map(Cell::from));
         values
     }
 }
@@ -103,7 +103,7 @@ impl Report for LimitsReport {
         columns
     }
 
-    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Cell<'a>>> {
         vec![self.values(point)]
     }
 
@@ -117,7 +117,7 @@ impl Report for LimitsReport {
         names
     }
 
-    fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
+    fn record<'a>(&'a self, point: &'a Point) -> Vec<Cell<'a>> {
         self.values(point)
     }
 

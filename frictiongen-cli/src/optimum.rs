@@ -4,8 +4,8 @@ use crate::args::OptimumArguments;
 use crate::asked::{self, Part};
 use crate::failure::Failure;
 use crate::frequency::Band;
-use crate::measure::Measure;
-use crate::number::Value;
+use crate::measure::{self, Dimension, Measure};
+use crate::number::{Cell, Exact as _};
 use crate::output::{self, Report, Visitor};
 use crate::summary::Summary;
 use crate::table::Column;
@@ -28,7 +28,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         ));
     }
     let part = asked::part(&system, &arguments.of)?;
-    let measure = Measure::of(&arguments.load, &system)?;
+    let measure = measure::of(&arguments.load, &system)?;
     let band = band.under(&measure);
     let request = OptimumRequest {
         of: part.of,
@@ -112,7 +112,7 @@ struct OptimumReport {
 /// A line of the output: a number with its name.
 struct Line {
     name: String,
-    value: Value<'static>,
+    value: Cell<'static>,
     unit: &'static str,
 }
 
@@ -120,16 +120,16 @@ impl OptimumReport {
     fn lines(&self) -> Vec<Line> {
         let optimum = &self.optimum;
         let mut lines = Vec::new();
-        let mut add = |name: String, value: Value<'static>, unit: &'static str| {
+        let mut add = |name: String, value: Cell<'static>, unit: &'static str| {
             lines.push(Line { name, value, unit });
         };
         let physical = self.measure.load().is_some();
-        let length = match (physical, self.measure.length_title()) {
+        let length = match (physical, self.measure.title(Dimension::Length)) {
             (true, _) => "m",
             (false, "(of Y)") => "Y",
             (false, _) => "P/k1",
         };
-        let size = |amplitude: f64| Value::from(self.measure.length(amplitude));
+        let size = |amplitude: f64| Cell::from(self.measure.length(amplitude));
         let friction = |beta: f64| -> (f64, &'static str) {
             match self.measure.scale() {
                 Some(scale) => (scale.friction(beta), "N"),
@@ -249,7 +249,7 @@ impl OptimumReport {
     }
 }
 
-fn cells(line: &Line) -> Vec<Value<'_>> {
+fn cells(line: &Line) -> Vec<Cell<'_>> {
     vec![
         line.name.as_str().into(),
         line.value.clone(),
@@ -277,7 +277,7 @@ impl Report for OptimumReport {
         ]
     }
 
-    fn rows<'a>(&'a self, line: &'a Line) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, line: &'a Line) -> Vec<Vec<Cell<'a>>> {
         vec![cells(line)]
     }
 
@@ -285,7 +285,7 @@ impl Report for OptimumReport {
         ["quantity", "value", "unit"].map(str::to_owned).to_vec()
     }
 
-    fn record<'a>(&'a self, line: &'a Line) -> Vec<Value<'a>> {
+    fn record<'a>(&'a self, line: &'a Line) -> Vec<Cell<'a>> {
         cells(line)
     }
 

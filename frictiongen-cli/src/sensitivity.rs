@@ -5,8 +5,8 @@ use crate::asked::{self, Part};
 use crate::failure::Failure;
 use crate::frequency::{Frequencies, Frequency};
 use crate::friction::{Friction, Frictions};
-use crate::measure::Measure;
-use crate::number::Value;
+use crate::measure::{self, Dimension, Measure};
+use crate::number::{Cell, Exact as _};
 use crate::output::{self, Report, Visitor};
 use crate::summary::Summary;
 use crate::table::Column;
@@ -23,7 +23,7 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let part = asked::part(&system, &arguments.of)?;
     frequencies.check(&system)?;
-    let measure = Measure::of(&arguments.point.load, &system)?;
+    let measure = measure::of(&arguments.point.load, &system)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
@@ -86,12 +86,12 @@ impl Found {
 
     /// Returns for each answer its derivative, and p/X times the derivative. For the phase the second is p times the
     /// derivative.
-    fn derivatives(&self, measure: &Measure) -> Vec<Value<'static>> {
+    fn derivatives(&self, measure: &Measure) -> Vec<Cell<'static>> {
         let parameter = self.sensitivity.value;
         let cells = self.answers().into_iter().enumerate();
         cells
             .flat_map(|(place, slope)| match slope {
-                None => [Value::Missing, Value::Missing],
+                None => [Cell::Missing, Cell::Missing],
                 Some(slope) if place == 1 => {
                     let derivative = measure.angle(slope.derivative);
                     [derivative.into(), (parameter * derivative).into()]
@@ -102,7 +102,7 @@ impl Found {
     }
 
     /// Returns the answers themselves.
-    fn values(&self, measure: &Measure) -> [Value<'static>; 4] {
+    fn values(&self, measure: &Measure) -> [Cell<'static>; 4] {
         let [amplitude, phase, continuous, sliding] =
             self.answers().map(|slope| slope.map(|slope| slope.value));
         [
@@ -129,14 +129,14 @@ impl SensitivityReport {
         }
     }
 
-    fn heading<'a>(&self, point: &'a Point) -> Vec<Value<'a>> {
-        let mut values: Vec<Value<'a>> = point.frequency.values();
+    fn heading<'a>(&self, point: &'a Point) -> Vec<Cell<'a>> {
+        let mut values: Vec<Cell<'a>> = point.frequency.values();
         values.extend(point.friction.values());
         values.extend([point.regime.into(), point.answer.into()]);
         values
     }
 
-    fn parameter(found: &Found) -> [Value<'_>; 3] {
+    fn parameter(found: &Found) -> [Cell<'_>; 3] {
         [
             found.symbol.as_str().into(),
             found.sensitivity.value.into(),
@@ -152,8 +152,8 @@ impl SensitivityReport {
             "(beta)"
         };
         [
-            self.measure.length_title(),
-            self.measure.angle_title(),
+            self.measure.title(Dimension::Length),
+            self.measure.title(Dimension::Angle),
             force,
             force,
         ]
@@ -240,16 +240,16 @@ impl Report for SensitivityReport {
         columns
     }
 
-    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Cell<'a>>> {
         let Some(found) = &point.found else {
             return vec![self.heading(point)];
         };
         let mut rows = Vec::new();
         if point.first {
             let mut row = self.heading(point);
-            row.extend([ITSELF.into(), Value::Missing, Value::Missing]);
+            row.extend([ITSELF.into(), Cell::Missing, Cell::Missing]);
             for value in found.values(&self.measure) {
-                row.extend([value, Value::Missing]);
+                row.extend([value, Cell::Missing]);
             }
             rows.push(row);
         }
@@ -269,8 +269,8 @@ impl Report for SensitivityReport {
         names.extend(["regime", "answer", "parameter", "value", "unit"].map(str::to_owned));
         let physical = self.measure.load().is_some();
         let named = |place: usize, name: &str| match place {
-            0 => self.measure.length_name(name),
-            1 => self.measure.angle_name(name),
+            0 => self.measure.name(name, Dimension::Length),
+            1 => self.measure.name(name, Dimension::Angle),
             _ if physical => format!("{name}_N"),
             _ => name.to_owned(),
         };
@@ -285,10 +285,10 @@ impl Report for SensitivityReport {
         names
     }
 
-    fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
+    fn record<'a>(&'a self, point: &'a Point) -> Vec<Cell<'a>> {
         let mut cells = self.heading(point);
         let Some(found) = &point.found else {
-            cells.resize(self.names().len(), Value::Missing);
+            cells.resize(self.names().len(), Cell::Missing);
             return cells;
         };
         cells.extend(Self::parameter(found));

@@ -1,6 +1,6 @@
 //! Both limits over frequency.
 
-use crate::asked::{Frequencies, FrequencyArguments, LoadArguments, Measure, check_size};
+use crate::asked::{Frequencies, FrequencyArguments, LoadArguments, check_size, measure};
 use crate::columns::{Columns, cell};
 use crate::errors::domain;
 use crate::system::NativeSystem;
@@ -96,7 +96,7 @@ pub fn limits<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let system = &system.system;
     let frequencies = Frequencies::of(system, &frequency, false)?;
-    let measure = Measure::of(system, &load)?;
+    let measure = measure::of(system, &load)?;
     let kind = match (search, estimates) {
         (false, _) => Kind::WithoutSearch,
         (true, false) => Kind::Exact,

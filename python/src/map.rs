@@ -1,8 +1,8 @@
 //! Maps over frequency and friction.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
-    Optional, check_size, parts,
+    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional,
+    check_size, measure, parts,
 };
 use crate::columns::{Columns, Words, cell, count};
 use crate::errors::domain;
@@ -10,6 +10,7 @@ use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::Error;
 use frictiongen::Limits;
+use frictiongen::study::columns::Dimension;
 use frictiongen::study::{MapPoint, MapRequest, words};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -31,7 +32,7 @@ pub fn map<'py>(
             "the frequency with the index {index} is infinite, but a map needs finite frequencies"
         )));
     }
-    let measure = Measure::of(system, &load)?;
+    let measure = measure::of(system, &load)?;
     let frictions = Frictions::of(&friction, &measure)?;
     let parts = parts(system, "of", of.as_ref())?;
     check_size(
@@ -50,7 +51,7 @@ pub fn map<'py>(
     let limit = |name: &str, read: fn(&Limits<f64>) -> f64, columns: &mut Columns<'_>| {
         let limits = map.columns.iter().map(|column| read(&column.limits));
         let limits = limits.map(|limit| cell(Some(measure.force(limit))));
-        columns.numbers(measure.name(name, "_N"), limits.collect())
+        columns.numbers(measure.name(name, Dimension::Force), limits.collect())
     };
     limit("continuous_limit", |limits| limits.continuous, &mut columns)?;
     limit("sliding_limit", |limits| limits.sliding, &mut columns)?;
@@ -98,7 +99,7 @@ pub fn map<'py>(
     let point = || found().map(|point| point.as_ref().ok());
     let sign = measure.sign();
     columns.numbers(
-        measure.name("offset", "_m"),
+        measure.name("offset", Dimension::Length),
         point()
             .map(|point| cell(point.map(|point| measure.length(sign * point.offset))))
             .collect(),
@@ -128,7 +129,7 @@ pub fn map<'py>(
                 cell(size.map(|size| measure.length(size)))
             });
             columns.numbers(
-                measure.name(&format!("{}.{what}", part.name), "_m"),
+                measure.name(&format!("{}.{what}", part.name), Dimension::Length),
                 sizes.collect(),
             )?;
         }

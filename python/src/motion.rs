@@ -3,6 +3,7 @@
 use crate::asked::{Measure, Part};
 use crate::columns::{Columns, cell};
 use frictiongen::Complex;
+use frictiongen::study::columns::Dimension;
 use frictiongen::study::units::{fundamental_phase, polar, reversed_phase};
 use frictiongen::study::{Swing, SystemOrbitMotion, SystemResponse};
 use pyo3::prelude::*;
@@ -116,7 +117,7 @@ pub fn put(
     extent: Extent<'_>,
     movements: &[(Movement, f64)],
 ) -> PyResult<()> {
-    let full = |what: &str, unit: &str| measure.name(&format!("{name}.{what}"), unit);
+    let full = |what: &str, unit: Dimension| measure.name(&format!("{name}.{what}"), unit);
     let all = |read: &dyn Fn(&Movement, f64) -> Option<f64>| -> Vec<f64> {
         let cells = movements
             .iter()
@@ -124,44 +125,44 @@ pub fn put(
         cells.collect()
     };
     columns.numbers(
-        full("amplitude", "_m"),
+        full("amplitude", Dimension::Length),
         all(&|movement, _| Some(measure.length(movement.swing?.amplitude))),
     )?;
     columns.numbers(
-        full("centred", "_m"),
+        full("centred", Dimension::Length),
         all(&|movement, _| Some(measure.length(movement.centred?))),
     )?;
     columns.numbers(
-        full("phase", "_deg"),
+        full("phase", Dimension::Angle),
         all(&|movement, _| Some(measure.angle(movement.swing?.phase?))),
     )?;
     columns.numbers(
-        full("fundamental_phase", "_deg"),
+        full("fundamental_phase", Dimension::Angle),
         all(&|movement, _| Some(measure.angle(movement.fundamental_phase?))),
     )?;
     if extent.monoharmonic {
         columns.numbers(
-            full("amplitude_monoharmonic", "_m"),
+            full("amplitude_monoharmonic", Dimension::Length),
             all(&|movement, _| Some(measure.length(movement.monoharmonic?))),
         )?;
     }
     if extent.rates {
         columns.numbers(
-            full("velocity", "_m_s"),
+            full("velocity", Dimension::Velocity),
             all(&|movement, omega| Some(measure.velocity(movement.rates?.0, omega))),
         )?;
         columns.numbers(
-            full("acceleration", "_m_s2"),
+            full("acceleration", Dimension::Acceleration),
             all(&|movement, omega| Some(measure.acceleration(movement.rates?.1, omega))),
         )?;
     }
     for (place, order) in extent.orders.iter().enumerate() {
         columns.numbers(
-            full(&format!("X{order}.amplitude"), "_m"),
+            full(&format!("X{order}.amplitude"), Dimension::Length),
             all(&|movement, _| Some(measure.length(polar(*movement.harmonics.get(place)?).0))),
         )?;
         columns.numbers(
-            full(&format!("X{order}.phase"), "_deg"),
+            full(&format!("X{order}.phase"), Dimension::Angle),
             all(&|movement, _| Some(measure.angle(polar(*movement.harmonics.get(place)?).1))),
         )?;
     }

@@ -1,10 +1,11 @@
 //! The friction that keeps the largest amplitude over a band smallest.
 
-use crate::asked::{Band, FrequencyArguments, LoadArguments, Measure, part};
+use crate::asked::{Band, FrequencyArguments, LoadArguments, measure, part};
 use crate::columns::{Columns, Words, cell};
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
+use frictiongen::study::columns::Dimension;
 use frictiongen::study::{FrequencyBand, OperatingPoint, OptimumRequest, words};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -21,7 +22,7 @@ pub fn optimum<'py>(
     let system = &system.system;
     let part = part(system, "of", &of)?;
     let band = Band::of(system, &frequency)?;
-    let measure = Measure::of(system, &load)?;
+    let measure = measure::of(system, &load)?;
     let request = OptimumRequest {
         of: part.of,
         band: FrequencyBand::Ratio(band.from, band.to),
@@ -34,7 +35,7 @@ pub fn optimum<'py>(
         once.numbers("friction_N", vec![scale.friction(optimum.beta)])?;
     }
     once.numbers("beta", vec![optimum.beta])?;
-    let length = |name: &str| measure.name(name, "_m");
+    let length = |name: &str| measure.name(name, Dimension::Length);
     once.numbers(length("amplitude"), vec![measure.length(optimum.amplitude)])?;
     once.words("kind", Words::from_iter([words::kind(optimum.kind)]))?;
     once.words("end", Words::from_iter([words::end(optimum.end)]))?;
@@ -46,7 +47,10 @@ pub fn optimum<'py>(
         ("free_of_sticking", optimum.free_of_sticking),
         ("locked", optimum.locked),
     ] {
-        once.numbers(measure.name(name, "_N"), vec![measure.force(beta)])?;
+        once.numbers(
+            measure.name(name, Dimension::Force),
+            vec![measure.force(beta)],
+        )?;
     }
     once.numbers(
         length("without_friction"),
@@ -87,13 +91,13 @@ pub fn optimum<'py>(
         "beta"
     };
     tolerances.numbers(
-        measure.name(&format!("{name}_from"), "_N"),
+        measure.name(&format!("{name}_from"), Dimension::Force),
         all()
             .map(|tolerance| measure.force(tolerance.from))
             .collect(),
     )?;
     tolerances.numbers(
-        measure.name(&format!("{name}_to"), "_N"),
+        measure.name(&format!("{name}_to"), Dimension::Force),
         all().map(|tolerance| measure.force(tolerance.to)).collect(),
     )?;
 

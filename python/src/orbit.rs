@@ -1,14 +1,15 @@
 //! The steady state at one point, with its stops.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
-    Optional, Part, harmonics, parts,
+    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional, Part,
+    harmonics, measure, parts,
 };
 use crate::columns::{Columns, Words, cell, count};
 use crate::errors::domain;
 use crate::motion::{self, Extent, Movement};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
+use frictiongen::study::columns::Dimension;
 use frictiongen::study::{SystemAt, SystemOrbit, words};
 use frictiongen::{Complex, NoOrbit, Of, OutOfDomain, System};
 use pyo3::prelude::*;
@@ -36,7 +37,7 @@ struct Question<'a> {
     system: &'a System,
     frequencies: Frequencies,
     frictions: Frictions,
-    measure: Measure,
+    measure: crate::asked::Measure,
     parts: Vec<Part>,
     orders: Vec<u32>,
 }
@@ -53,7 +54,7 @@ impl<'a> Question<'a> {
         of: Option<&Bound<'py, PyAny>>,
         highest: Optional<'py>,
     ) -> PyResult<Self> {
-        let measure = Measure::of(system, load)?;
+        let measure = measure::of(system, load)?;
         Ok(Self {
             system,
             frequencies: Frequencies::of(system, frequency, true)?,
@@ -177,7 +178,10 @@ impl<'a> Question<'a> {
         let largest = moduli.and_then(|moduli| moduli.reduce(f64::max));
         columns.numbers("largest_multiplier", vec![cell(largest)])?;
         let offset = steady.map(|steady| measure.length(measure.sign() * steady.offset));
-        columns.numbers(measure.name("offset", "_m"), vec![cell(offset)])?;
+        columns.numbers(
+            measure.name("offset", Dimension::Length),
+            vec![cell(offset)],
+        )?;
         columns.flags(
             "marginal",
             vec![steady.is_some_and(|steady| steady.marginal)],

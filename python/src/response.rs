@@ -1,14 +1,15 @@
 //! The response over frequency and friction, in every regime.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
-    Optional, Part, check_size, harmonics, parts,
+    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional, Part,
+    check_size, harmonics, measure, parts,
 };
 use crate::columns::{Columns, Words, cell};
 use crate::errors::domain;
 use crate::motion::{self, Extent, Movement};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
+use frictiongen::study::columns::Dimension;
 use frictiongen::study::words;
 use frictiongen::{OutOfDomain, System};
 use pyo3::prelude::*;
@@ -18,7 +19,7 @@ use rayon::prelude::*;
 /// The question at every point.
 struct Question<'a> {
     system: &'a System,
-    measure: &'a Measure,
+    measure: &'a crate::asked::Measure,
     parts: &'a [Part],
     orders: &'a [u32],
 }
@@ -90,7 +91,7 @@ pub fn response<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let system = &system.system;
     let frequencies = Frequencies::of(system, &frequency, false)?;
-    let measure = Measure::of(system, &load)?;
+    let measure = measure::of(system, &load)?;
     let frictions = Frictions::of(&friction, &measure)?;
     let parts = parts(system, "of", of.as_ref())?;
     let orders: Vec<u32> = (1..=harmonics(highest.as_ref())?).step_by(2).collect();
@@ -138,7 +139,7 @@ pub fn response<'py>(
     let sign = measure.sign();
     let offset = |point: &Point| cell(point.offset.map(|offset| measure.length(sign * offset)));
     columns.numbers(
-        measure.name("offset", "_m"),
+        measure.name("offset", Dimension::Length),
         found.iter().map(offset).collect(),
     )?;
     columns.flags(

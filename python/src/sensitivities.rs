@@ -1,12 +1,13 @@
 //! Derivatives of a response and of both limits with respect to every parameter.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure, part,
+    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, measure, part,
 };
 use crate::columns::{Columns, Words, cell};
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
+use frictiongen::study::columns::Dimension;
 use frictiongen::study::{OperatingPoint, ParameterSensitivity, Slope, words};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -15,11 +16,13 @@ use pyo3::types::PyDict;
 type Read = fn(&ParameterSensitivity) -> Option<Slope>;
 
 /// Answers: names of their columns, their units, and the functions that read them.
-const ANSWERS: [(&str, &str, Read); 4] = [
-    ("amplitude", "_m", |of| Some(of.amplitude)),
-    ("phase", "_deg", |of| of.phase),
-    ("continuous_limit", "_N", |of| of.continuous_limit),
-    ("sliding_limit", "_N", |of| of.sliding_limit),
+const ANSWERS: [(&str, Dimension, Read); 4] = [
+    ("amplitude", Dimension::Length, |of| Some(of.amplitude)),
+    ("phase", Dimension::Angle, |of| of.phase),
+    ("continuous_limit", Dimension::Force, |of| {
+        of.continuous_limit
+    }),
+    ("sliding_limit", Dimension::Force, |of| of.sliding_limit),
 ];
 
 /// Returns the derivatives at one point as columns, with one row for each parameter.
@@ -35,7 +38,7 @@ pub fn sensitivities<'py>(
     let system = &system.system;
     let part = part(system, "of", &of)?;
     let frequencies = Frequencies::of(system, &frequency, true)?;
-    let measure = Measure::of(system, &load)?;
+    let measure = measure::of(system, &load)?;
     let frictions = Frictions::of(&friction, &measure)?;
     let (r, (beta, force)) = (frequencies.only()?, frictions.only()?);
     let point = match measure.load() {

@@ -1,14 +1,15 @@
 //! The motion over time: samples and events.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
-    Optional, numbers, parts, whole,
+    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional,
+    measure, numbers, parts, whole,
 };
 use crate::columns::{Columns, Words, cell};
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::kernel::simulation::Contact;
+use frictiongen::study::columns::Dimension;
 use frictiongen::study::{HistoryError, HistoryRequest, MOST_SAMPLES, units, words};
 use frictiongen::{Of, System};
 use pyo3::prelude::*;
@@ -31,7 +32,7 @@ type Extent<'py> = (
 fn start(
     (displacements, velocities): &(Bound<'_, PyAny>, Bound<'_, PyAny>),
     system: &System,
-    (measure, omega): (&Measure, f64),
+    (measure, omega): (&crate::asked::Measure, f64),
 ) -> PyResult<(Vec<f64>, Vec<f64>)> {
     let scale = measure.scale();
     let half = |what: &str, given: &Bound<'_, PyAny>, ratio: &dyn Fn(f64) -> f64| {
@@ -75,7 +76,7 @@ pub fn simulate<'py>(
     let (cycles, skip, samples, from, steady) = extent;
     let system = &system.system;
     let frequencies = Frequencies::of(system, &frequency, true)?;
-    let measure = Measure::of(system, &load)?;
+    let measure = measure::of(system, &load)?;
     let frictions = Frictions::of(&friction, &measure)?;
     let (r, (beta, _)) = (frequencies.only()?, frictions.only()?);
     let omega = units::angular_frequency(frequencies.hertz(system, 0));
@@ -134,13 +135,13 @@ pub fn simulate<'py>(
         &mut columns,
     )?;
     for (part, track) in parts.iter().zip(&history.tracks) {
-        let name = measure.name(&format!("{}.displacement", part.name), "_m");
+        let name = measure.name(&format!("{}.displacement", part.name), Dimension::Length);
         let values = track
             .displacement
             .iter()
             .map(|value| cell(Some(measure.length(signed(part.of, *value)))));
         columns.numbers(name, values.collect())?;
-        let name = measure.name(&format!("{}.velocity", part.name), "_m_s");
+        let name = measure.name(&format!("{}.velocity", part.name), Dimension::Velocity);
         let values = track.velocity.iter();
         let values =
             values.map(|value| cell(Some(measure.velocity(signed(part.of, *value), omega))));
@@ -148,7 +149,10 @@ pub fn simulate<'py>(
     }
     let forces = history.friction.iter();
     let forces = forces.map(|force| cell(Some(measure.force(signed(Of::Contact, *force)))));
-    columns.numbers(measure.name("contact.friction", "_N"), forces.collect())?;
+    columns.numbers(
+        measure.name("contact.friction", Dimension::Force),
+        forces.collect(),
+    )?;
     columns.words(
         "contact.state",
         history
@@ -175,7 +179,7 @@ pub fn simulate<'py>(
         found().map(|event| state(event.contact)).collect::<Words>(),
     )?;
     for (place, part) in parts.iter().enumerate() {
-        let name = measure.name(&format!("{}.displacement", part.name), "_m");
+        let name = measure.name(&format!("{}.displacement", part.name), Dimension::Length);
         let values = found().map(|event| {
             let value = event.displacements.get(place);
             cell(value.map(|value| measure.length(signed(part.of, *value))))

@@ -3,8 +3,8 @@
 use super::lines::Line;
 use crate::failure::Failure;
 use crate::frequency::Band;
-use crate::measure::Measure;
-use crate::number::{Value, computed};
+use crate::measure::{Dimension, Measure};
+use crate::number::{Cell, Exact as _, computed};
 use crate::output::{Report, Visitor};
 use crate::table::Column;
 use frictiongen::System;
@@ -48,8 +48,8 @@ impl FeaturesReport<'_> {
         Some((name, parameter, relative))
     }
 
-    fn cells<'a>(&self, line: &'a Line) -> Vec<Value<'a>> {
-        let mut values: Vec<Value<'a>> = vec![
+    fn cells<'a>(&self, line: &'a Line) -> Vec<Cell<'a>> {
+        let mut values: Vec<Cell<'a>> = vec![
             line.feature.into(),
             line.of.as_str().into(),
             line.detail.as_str().into(),
@@ -70,8 +70,8 @@ impl FeaturesReport<'_> {
         let each = sensed.slopes.iter().map(|slope| {
             let fields = [
                 ("parameter", Json::from(self.symbol(slope.parameter))),
-                ("value", Value::from(slope.value).json()),
-                ("derivative", Value::from(slope.derivative).json()),
+                ("value", Cell::from(slope.value).json()),
+                ("derivative", Cell::from(slope.derivative).json()),
             ];
             fields
                 .into_iter()
@@ -89,11 +89,16 @@ impl FeaturesReport<'_> {
             }
             titles.push([ratio.to_owned(), String::new()]);
         }
-        let force = self.measure.name("beta", "(N)");
+        let force = if self.measure.scale().is_some() {
+            "(N)"
+        } else {
+            "beta"
+        }
+        .to_owned();
         titles.push(["friction".to_owned(), force]);
         titles.push([
             "amplitude".to_owned(),
-            self.measure.length_title().to_owned(),
+            self.measure.title(Dimension::Length).to_owned(),
         ]);
         titles
     }
@@ -151,7 +156,7 @@ impl Report for FeaturesReport<'_> {
         columns
     }
 
-    fn rows<'a>(&'a self, line: &'a Line) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, line: &'a Line) -> Vec<Vec<Cell<'a>>> {
         vec![self.record(line)]
     }
 
@@ -163,22 +168,29 @@ impl Report for FeaturesReport<'_> {
             }
             names.push(ratio.to_owned());
         }
-        names.push(self.measure.name("beta", "friction_N"));
-        names.push(self.measure.length_name("amplitude"));
+        names.push(
+            if self.measure.scale().is_some() {
+                "friction_N"
+            } else {
+                "beta"
+            }
+            .to_owned(),
+        );
+        names.push(self.measure.name("amplitude", Dimension::Length));
         names.push("found".to_owned());
         names.push("per_cent_for_one".to_owned());
         names.push("parameter".to_owned());
         names
     }
 
-    fn record<'a>(&'a self, line: &'a Line) -> Vec<Value<'a>> {
+    fn record<'a>(&'a self, line: &'a Line) -> Vec<Cell<'a>> {
         let mut values = self.cells(line);
         match Self::strongest(line) {
             Some((_, parameter, relative)) => {
                 values.push(relative.into());
-                values.push(Value::Owned(self.symbol(parameter)));
+                values.push(self.symbol(parameter).into());
             }
-            None => values.extend([Value::Missing, Value::Missing]),
+            None => values.extend([Cell::Missing, Cell::Missing]),
         }
         values
     }

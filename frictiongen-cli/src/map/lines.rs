@@ -3,7 +3,7 @@
 use super::points::MapReport;
 use crate::failure::Failure;
 use crate::frequency::Frequency;
-use crate::number::Value;
+use crate::number::{Cell, Exact as _};
 use crate::output::{Report, Visitor};
 use crate::table::Column;
 use frictiongen::study::{Boundary, words};
@@ -61,7 +61,7 @@ impl Report for BoundaryReport<'_> {
         columns
     }
 
-    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Cell<'a>>> {
         vec![self.record(point)]
     }
 
@@ -71,16 +71,16 @@ impl Report for BoundaryReport<'_> {
         all.map(str::to_owned).collect()
     }
 
-    fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
+    fn record<'a>(&'a self, point: &'a Point) -> Vec<Cell<'a>> {
         let mut values = point.frequency.values();
         let force = self
             .map
             .measure
             .scale()
             .map(|scale| scale.friction(point.beta));
-        values.extend(force.map(Value::from));
-        values.extend([point.beta, point.width].map(Value::from));
-        values.extend([Value::Text(&point.below), Value::Text(&point.above)]);
+        values.extend(force.map(Cell::from));
+        values.extend([point.beta, point.width].map(Cell::from));
+        values.extend([Cell::from(&*point.below), Cell::from(&*point.above)]);
         values
     }
 

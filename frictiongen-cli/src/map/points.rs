@@ -4,8 +4,8 @@ use crate::asked::Part;
 use crate::failure::Failure;
 use crate::frequency::{Frequencies, Frequency};
 use crate::friction::{Friction, Frictions};
-use crate::measure::Measure;
-use crate::number::Value;
+use crate::measure::{Dimension, Measure};
+use crate::number::{Cell, Exact as _};
 use crate::output::{Report, Visitor};
 use crate::table::Column;
 use frictiongen::study::{Map, MapPoint, words};
@@ -51,19 +51,19 @@ impl MapReport {
         })
     }
 
-    fn once<'a>(&self, point: &'a Point) -> Vec<Value<'a>> {
+    fn once<'a>(&self, point: &'a Point) -> Vec<Cell<'a>> {
         let mut values = point.frequency.values();
         values.extend(point.friction.values());
         let found = point.found.as_ref().ok();
         let pattern = found.map(|found| found.pattern);
-        let count = |value: Option<usize>| value.map_or(Value::Missing, Value::Count);
+        let count = |value: Option<usize>| value.map_or(Cell::Missing, Cell::Count);
         // A motion that does not repeat has no counts.
         let counted = pattern.filter(|pattern| 0 < pattern.period);
         values.extend([
-            pattern.map_or(Value::Missing, |pattern| {
+            pattern.map_or(Cell::Missing, |pattern| {
                 words::regime(pattern.regime).into()
             }),
-            Value::Text(&point.region),
+            Cell::from(&*point.region),
             count(counted.map(|pattern| pattern.period as usize)),
             count(counted.map(|pattern| pattern.stops)),
             count(counted.map(|pattern| pattern.reversals)),
@@ -102,12 +102,12 @@ impl MapReport {
         ]
         .concat();
         let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
-        names.push(self.measure.length_name("offset"));
+        names.push(self.measure.name("offset", Dimension::Length));
         names.extend(["marginal", "from_rest"].map(str::to_owned));
         names
     }
 
-    fn amplitudes(&self, point: &Point) -> Vec<Value<'static>> {
+    fn amplitudes(&self, point: &Point) -> Vec<Cell<'static>> {
         let found = point.found.as_ref().ok();
         let places = 0..self.parts.len();
         places
@@ -122,8 +122,10 @@ impl MapReport {
     fn amplitude_names(&self) -> impl Iterator<Item = String> {
         let parts = self.parts.iter();
         parts.flat_map(|part| {
-            ["amplitude", "centred"]
-                .map(|what| self.measure.length_name(&format!("{}.{what}", part.name)))
+            ["amplitude", "centred"].map(|what| {
+                self.measure
+                    .name(&format!("{}.{what}", part.name), Dimension::Length)
+            })
         })
     }
 }
@@ -162,7 +164,7 @@ impl Report for MapReport {
             Column::counts(&["reversals"]),
             Column::computed(&["stuck"]),
         ]);
-        let unit = self.measure.length_title();
+        let unit = self.measure.title(Dimension::Length);
         columns.extend([
             Column::computed(&["offset", unit]),
             Column::words(&["marginal"], ["false"]),
@@ -175,7 +177,7 @@ impl Report for MapReport {
         columns
     }
 
-    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Cell<'a>>> {
         vec![self.record(point)]
     }
 
@@ -184,7 +186,7 @@ impl Report for MapReport {
         once.chain(self.amplitude_names()).collect()
     }
 
-    fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
+    fn record<'a>(&'a self, point: &'a Point) -> Vec<Cell<'a>> {
         self.once(point)
             .into_iter()
             .chain(self.amplitudes(point))

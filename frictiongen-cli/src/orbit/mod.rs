@@ -8,7 +8,7 @@ use crate::asked;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
-use crate::measure::Measure;
+use crate::measure;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
@@ -28,7 +28,7 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let masses = asked::masses(&system, &arguments.mass)?;
     frequencies.check(&system)?;
-    let measure = Measure::of(&arguments.point.load, &system)?;
+    let measure = measure::of(&arguments.point.load, &system)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let summary = Summary::of(&system, frequencies.are_physical(), measure);

@@ -6,8 +6,8 @@ use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
 use crate::harmonics;
-use crate::measure::Measure;
-use crate::number::Value;
+use crate::measure::{Dimension, Measure};
+use crate::number::{Cell, Exact as _};
 use crate::output::{Report, Visitor};
 use crate::table::Column;
 use frictiongen::System;
@@ -43,7 +43,7 @@ const ONCE: [&str; 7] = [
 ];
 
 fn number(value: f64) -> Json {
-    Value::from(value).json()
+    Cell::from(value).json()
 }
 
 fn pair((first, second): (f64, f64)) -> Json {
@@ -52,12 +52,12 @@ fn pair((first, second): (f64, f64)) -> Json {
 
 impl OrbitReport {
     /// Returns the values that a point has once.
-    fn once<'a>(&self, point: &'a Point) -> Vec<Value<'a>> {
+    fn once<'a>(&self, point: &'a Point) -> Vec<Cell<'a>> {
         let orbit = point.orbit.as_ref();
         let period = orbit.and_then(|orbit| orbit.period.as_ref());
         let symmetry = |symmetric| if symmetric { "symmetric" } else { "asymmetric" };
-        let or_none = |value: Option<Value<'static>>| value.unwrap_or(Value::Missing);
-        let mut values: Vec<Value<'a>> = point.frequency.values();
+        let or_none = |value: Option<Cell<'static>>| value.unwrap_or(Cell::Missing);
+        let mut values: Vec<Cell<'a>> = point.frequency.values();
         values.extend(point.friction.values());
         values.extend([
             point.regime.into(),
@@ -79,7 +79,7 @@ impl OrbitReport {
     }
 
     /// Returns the columns that only CSV and JSON have.
-    fn flags(point: &Point) -> [Value<'static>; 2] {
+    fn flags(point: &Point) -> [Cell<'static>; 2] {
         let orbit = point.orbit.as_ref();
         [
             orbit.map(|orbit| orbit.marginal).into(),
@@ -99,9 +99,9 @@ impl OrbitReport {
     }
 
     /// Returns amplitudes and phases of a movement, then amplitude and phase of each harmonic.
-    fn values<'a>(&self, movement: Option<&Movement>) -> Vec<Value<'a>> {
+    fn values<'a>(&self, movement: Option<&Movement>) -> Vec<Cell<'a>> {
         let Some(movement) = movement else {
-            return vec![Value::Missing; 4 + 2 * self.orders.len()];
+            return vec![Cell::Missing; 4 + 2 * self.orders.len()];
         };
         let mut values = self.first(movement).to_vec();
         let harmonics = movement.harmonics.iter();
@@ -110,7 +110,7 @@ impl OrbitReport {
     }
 
     /// Returns the amplitudes and phases of a movement.
-    fn first(&self, movement: &Movement) -> [Value<'static>; 4] {
+    fn first(&self, movement: &Movement) -> [Cell<'static>; 4] {
         let measure = &self.measure;
         [
             measure.length(movement.amplitude).into(),
@@ -126,10 +126,10 @@ impl OrbitReport {
     /// Returns the names of the columns of [`first`](Self::first).
     fn first_names(&self) -> [String; 4] {
         [
-            self.measure.length_name("amplitude"),
-            self.measure.length_name("centred"),
-            self.measure.angle_name("phase"),
-            self.measure.angle_name("fundamental_phase"),
+            self.measure.name("amplitude", Dimension::Length),
+            self.measure.name("centred", Dimension::Length),
+            self.measure.name("phase", Dimension::Angle),
+            self.measure.name("fundamental_phase", Dimension::Angle),
         ]
     }
 
@@ -141,7 +141,7 @@ impl OrbitReport {
             names.push("longest_stop_s".to_owned());
         }
         names.push("largest_multiplier".to_owned());
-        names.push(self.measure.length_name("offset"));
+        names.push(self.measure.name("offset", Dimension::Length));
         names.extend(["marginal", "from_rest"].map(str::to_owned));
         names
     }
@@ -188,7 +188,10 @@ impl Report for OrbitReport {
     }
 
     fn columns(&self) -> Vec<Column> {
-        let (unit, angle) = (self.measure.length_title(), self.measure.angle_title());
+        let (unit, angle) = (
+            self.measure.title(Dimension::Length),
+            self.measure.title(Dimension::Angle),
+        );
         let mut columns = self.frequencies.columns();
         columns.extend(self.frictions.columns());
         columns.extend([
@@ -216,7 +219,7 @@ impl Report for OrbitReport {
         columns
     }
 
-    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Cell<'a>>> {
         let first = self.once(point);
         let Some(orbit) = &point.orbit else {
             return vec![first];
@@ -226,7 +229,7 @@ impl Report for OrbitReport {
             .map(|(index, (name, movement))| {
                 let mut row = match index {
                     0 => first.clone(),
-                    _ => vec![Value::Missing; first.len()],
+                    _ => vec![Cell::Missing; first.len()],
                 };
                 row.push(name.into());
                 row.extend(self.values(Some(movement)));
@@ -245,7 +248,7 @@ impl Report for OrbitReport {
         names
     }
 
-    fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
+    fn record<'a>(&'a self, point: &'a Point) -> Vec<Cell<'a>> {
         let mut record = self.once(point);
         record.extend(Self::flags(point));
         let orbit = point.orbit.as_ref();

@@ -35,7 +35,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         None => Failure::new(error),
     })?;
     let driven = Driven::of(&system, &inputs, parts)?;
-    let summary = Summary::of(&system, true, Measure::none(&system));
+    let summary = Summary::of(&system, true, Measure::groups(&system));
     destination.write(out, |out| {
         #[cfg(feature = "pictures")]
         if matches!(form, Form::Svg | Form::Png) {

@@ -2,7 +2,7 @@
 
 use crate::asked::{CONTACT, Part};
 use crate::failure::Failure;
-use crate::number::{Value, computed};
+use crate::number::{Cell, Exact as _, computed};
 use crate::output::{Report, Visitor};
 use crate::table::Column;
 use frictiongen::kernel::stepper::Work;
@@ -153,7 +153,7 @@ impl Report for Driven {
         columns
     }
 
-    fn rows<'a>(&'a self, sample: &'a Sample) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, sample: &'a Sample) -> Vec<Vec<Cell<'a>>> {
         vec![self.record(sample)]
     }
 
@@ -170,8 +170,8 @@ impl Report for Driven {
         names
     }
 
-    fn record<'a>(&'a self, sample: &'a Sample) -> Vec<Value<'a>> {
-        let mut record: Vec<Value<'a>> = vec![sample.time.into()];
+    fn record<'a>(&'a self, sample: &'a Sample) -> Vec<Cell<'a>> {
+        let mut record: Vec<Cell<'a>> = vec![sample.time.into()];
         record.extend(sample.motions.iter().flatten().map(|value| (*value).into()));
         record.extend([
             sample.force.into(),

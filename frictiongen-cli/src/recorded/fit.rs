@@ -23,7 +23,7 @@ pub fn run(arguments: &FitArguments, out: &mut dyn Write) -> Result<(), Failure>
         SweepPoint::read(&text, &system).map_err(|error| read::told(&arguments.sweep, &error))?;
     let found = system.fit_sweep(&points, arguments.damping);
     let found = found.map_err(|error| read::told(&arguments.sweep, &error))?;
-    let summary = Summary::of(&system, true, Measure::none(&system));
+    let summary = Summary::of(&system, true, Measure::groups(&system));
     let lines = lines(&system, &found, points.len());
     destination.write(out, |out| {
         output::print(&lines, &summary, destination.form, out)

@@ -27,7 +27,7 @@ pub fn run(arguments: &IdentifyArguments, out: &mut dyn Write) -> Result<(), Fai
         !arguments.decay,
     )?;
     let system = read::scene(&files.scene)?;
-    let summary = Summary::of(&system, true, Measure::none(&system));
+    let summary = Summary::of(&system, true, Measure::groups(&system));
     if arguments.decay {
         let lines = decay::lines(arguments, &system)?;
         return destination.write(out, |out| {

@@ -1,7 +1,7 @@
 //! Results as lines: a quantity, its value with an interval, and its unit.
 
 use crate::failure::Failure;
-use crate::number::Value;
+use crate::number::{Cell, Exact as _};
 use crate::output::{Report, Visitor};
 use crate::table::Column;
 use frictiongen::measure::Estimate;
@@ -10,7 +10,7 @@ use serde_json::Value as Json;
 /// A quantity with its value, interval and unit.
 pub struct Line {
     name: String,
-    value: Value<'static>,
+    value: Cell<'static>,
     interval: Option<(f64, f64)>,
     unit: &'static str,
 }
@@ -54,7 +54,7 @@ impl Lines {
     fn add(
         &mut self,
         name: String,
-        value: Value<'static>,
+        value: Cell<'static>,
         interval: Option<(f64, f64)>,
         unit: &'static str,
     ) {
@@ -67,7 +67,7 @@ impl Lines {
     }
 }
 
-fn cells(line: &Line) -> Vec<Value<'_>> {
+fn cells(line: &Line) -> Vec<Cell<'_>> {
     vec![
         line.name.as_str().into(),
         line.value.clone(),
@@ -101,7 +101,7 @@ impl Report for Lines {
         ]
     }
 
-    fn rows<'a>(&'a self, line: &'a Line) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, line: &'a Line) -> Vec<Vec<Cell<'a>>> {
         vec![cells(line)]
     }
 
@@ -111,7 +111,7 @@ impl Report for Lines {
             .to_vec()
     }
 
-    fn record<'a>(&'a self, line: &'a Line) -> Vec<Value<'a>> {
+    fn record<'a>(&'a self, line: &'a Line) -> Vec<Cell<'a>> {
         cells(line)
     }
 

@@ -5,7 +5,7 @@ use crate::args::TransmissibilityArguments;
 use crate::destination::Destination;
 use crate::failure::Failure;
 use crate::measure::Measure;
-use crate::number::Value;
+use crate::number::{Cell, Exact as _};
 use crate::output::{self, Report, Visitor};
 use crate::summary::Summary;
 use crate::table::Column;
@@ -27,7 +27,7 @@ pub fn run(arguments: &TransmissibilityArguments, out: &mut dyn Write) -> Result
         .collect();
     masses.sort_unstable();
     masses.dedup();
-    let summary = Summary::of(&system, true, Measure::none(&system));
+    let summary = Summary::of(&system, true, Measure::groups(&system));
     let report = TransmissibilityReport {
         system,
         measured,
@@ -91,7 +91,7 @@ impl Report for TransmissibilityReport {
         columns
     }
 
-    fn rows<'a>(&'a self, point: &'a Measured) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, point: &'a Measured) -> Vec<Vec<Cell<'a>>> {
         vec![self.record(point)]
     }
 
@@ -109,8 +109,8 @@ impl Report for TransmissibilityReport {
         names
     }
 
-    fn record<'a>(&'a self, point: &'a Measured) -> Vec<Value<'a>> {
-        let mut cells: Vec<Value<'a>> = vec![
+    fn record<'a>(&'a self, point: &'a Measured) -> Vec<Cell<'a>> {
+        let mut cells: Vec<Cell<'a>> = vec![
             point.hertz.into(),
             point.steady.0.into(),
             point.drive_amplitude().into(),

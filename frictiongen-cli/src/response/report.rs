@@ -6,8 +6,8 @@ use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
 use crate::harmonics;
-use crate::measure::Measure;
-use crate::number::Value;
+use crate::measure::{Dimension, Measure};
+use crate::number::{Cell, Exact as _};
 use crate::output::{Report, Visitor};
 use crate::table::Column;
 use frictiongen::System;
@@ -43,22 +43,20 @@ impl ResponseReport {
     }
 
     /// Returns amplitudes, phases and estimate of a movement, then amplitude and phase of each harmonic.
-    fn values<'a>(&self, movement: &Movement) -> Vec<Value<'a>> {
+    fn values<'a>(&self, movement: &Movement) -> Vec<Cell<'a>> {
         let mut values = self.first(movement).to_vec();
         let mut harmonics = movement.harmonics.iter();
         for _ in &self.orders {
             let harmonic = harmonics.next();
-            values.extend(
-                harmonic.map_or([Value::Missing, Value::Missing], |harmonic| {
-                    harmonics::values(*harmonic, &self.measure)
-                }),
-            );
+            values.extend(harmonic.map_or([Cell::Missing, Cell::Missing], |harmonic| {
+                harmonics::values(*harmonic, &self.measure)
+            }));
         }
         values
     }
 
     /// Returns the amplitudes, phases and estimate of a movement.
-    fn first(&self, movement: &Movement) -> [Value<'static>; 5] {
+    fn first(&self, movement: &Movement) -> [Cell<'static>; 5] {
         let measure = &self.measure;
         let swing = movement.swing;
         [
@@ -82,11 +80,12 @@ impl ResponseReport {
     /// Returns the names of the columns of [`first`](Self::first).
     fn first_names(&self) -> [String; 5] {
         [
-            self.measure.length_name("amplitude"),
-            self.measure.length_name("centred"),
-            self.measure.angle_name("phase"),
-            self.measure.angle_name("fundamental_phase"),
-            self.measure.length_name("amplitude_monoharmonic"),
+            self.measure.name("amplitude", Dimension::Length),
+            self.measure.name("centred", Dimension::Length),
+            self.measure.name("phase", Dimension::Angle),
+            self.measure.name("fundamental_phase", Dimension::Angle),
+            self.measure
+                .name("amplitude_monoharmonic", Dimension::Length),
         ]
     }
 
@@ -105,8 +104,8 @@ impl ResponseReport {
     }
 
     /// Returns the values that a point has once.
-    fn once<'a>(&self, point: &'a Point) -> Vec<Value<'a>> {
-        let mut values: Vec<Value<'a>> = point.frequency.values();
+    fn once<'a>(&self, point: &'a Point) -> Vec<Cell<'a>> {
+        let mut values: Vec<Cell<'a>> = point.frequency.values();
         values.extend(point.friction.values());
         values.extend([
             point.regime.into(),
@@ -121,7 +120,7 @@ impl ResponseReport {
     }
 
     /// Returns the columns that only CSV and JSON have.
-    fn flags(point: &Point) -> [Value<'static>; 2] {
+    fn flags(point: &Point) -> [Cell<'static>; 2] {
         [point.marginal.into(), point.from_rest.into()]
     }
 
@@ -130,7 +129,7 @@ impl ResponseReport {
         let groups = [self.frequencies.names(), self.frictions.names()];
         let first = [groups.concat(), vec!["regime", "margin", "answer"]].concat();
         let mut names: Vec<String> = first.into_iter().map(str::to_owned).collect();
-        names.push(self.measure.length_name("offset"));
+        names.push(self.measure.name("offset", Dimension::Length));
         names.extend(["marginal", "from_rest"].map(str::to_owned));
         names
     }
@@ -157,7 +156,10 @@ impl Report for ResponseReport {
     }
 
     fn columns(&self) -> Vec<Column> {
-        let (unit, angle) = (self.measure.length_title(), self.measure.angle_title());
+        let (unit, angle) = (
+            self.measure.title(Dimension::Length),
+            self.measure.title(Dimension::Angle),
+        );
         let mut columns = self.frequencies.columns();
         columns.extend(self.frictions.columns());
         columns.extend([
@@ -176,13 +178,13 @@ impl Report for ResponseReport {
         columns
     }
 
-    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Cell<'a>>> {
         let first = self.once(point);
         let movements = self.movements(point);
-        let mut rows: Vec<Vec<Value<'a>>> = movements
+        let mut rows: Vec<Vec<Cell<'a>>> = movements
             .filter(|(_, movement)| movement.swing.is_some())
             .map(|(name, movement)| {
-                let mut row = vec![Value::Missing; first.len()];
+                let mut row = vec![Cell::Missing; first.len()];
                 row.push(name.into());
                 row.extend(self.values(movement));
                 row
@@ -208,7 +210,7 @@ impl Report for ResponseReport {
         names
     }
 
-    fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
+    fn record<'a>(&'a self, point: &'a Point) -> Vec<Cell<'a>> {
         let mut record = self.once(point);
         record.extend(Self::flags(point));
         for (_, movement) in self.movements(point) {

@@ -3,7 +3,8 @@
 use super::motion::Motion;
 use crate::asked::CONTACT;
 use crate::failure::Failure;
-use crate::number::Value;
+use crate::measure::Dimension;
+use crate::number::Cell;
 use crate::output::{Report, Visitor};
 use crate::table::Column;
 use frictiongen::study::{HistoryEvent, words};
@@ -27,7 +28,7 @@ impl Report for EventsReport<'_> {
     }
 
     fn columns(&self) -> Vec<Column> {
-        let unit = self.motion.course.measure.length_title();
+        let unit = self.motion.course.measure.title(Dimension::Length);
         let mut columns = self.motion.time_columns();
         columns.extend([
             Column::words(&["event"], ["break-away"]),
@@ -38,7 +39,7 @@ impl Report for EventsReport<'_> {
         columns
     }
 
-    fn rows<'a>(&'a self, event: &'a HistoryEvent) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, event: &'a HistoryEvent) -> Vec<Vec<Cell<'a>>> {
         vec![self.record(event)]
     }
 
@@ -46,14 +47,18 @@ impl Report for EventsReport<'_> {
         let time = self.motion.time_names().iter();
         let mut names: Vec<String> = time.map(|name| (*name).to_owned()).collect();
         names.extend(["event".to_owned(), format!("{CONTACT}.state")]);
-        let displacement = self.motion.course.measure.length_name("displacement");
+        let displacement = self
+            .motion
+            .course
+            .measure
+            .name("displacement", Dimension::Length);
         let parts = self.motion.course.parts.iter();
         names.extend(parts.map(|part| Motion::name(part, &displacement)));
         names
     }
 
-    fn record<'a>(&'a self, event: &'a HistoryEvent) -> Vec<Value<'a>> {
-        let mut record: Vec<Value<'a>> = self.motion.time(event.tau);
+    fn record<'a>(&'a self, event: &'a HistoryEvent) -> Vec<Cell<'a>> {
+        let mut record: Vec<Cell<'a>> = self.motion.time(event.tau);
         record.extend([
             words::event(event.event).into(),
             self.motion.state(event.contact).into(),

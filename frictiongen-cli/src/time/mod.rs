@@ -17,7 +17,7 @@ use crate::destination::Form;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
-use crate::measure::Measure;
+use crate::measure;
 use crate::output;
 use crate::summary::Summary;
 use asked::{Asked, start};
@@ -51,12 +51,12 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let parts = parts(&system, &arguments.of)?;
     frequencies.check(&system)?;
-    let measure = Measure::of(&arguments.point.load, &system)?;
+    let measure = measure::of(&arguments.point.load, &system)?;
     if system.scene().friction != FrictionLaw::Coulomb && measure.load().is_none() {
         return Err(Failure::new(format_args!(
             "{}: `friction: stribeck` has speeds in the units of the scene, so that the load is needed; give it by {}",
             file.name(),
-            measure.option()
+            measure::option(&measure)
         )));
     }
     let frequencies = frequencies.under(&measure);

@@ -5,7 +5,7 @@ use super::course::Course;
 use crate::asked::{CONTACT, MOST_HARMONICS, Part};
 use crate::failure::Failure;
 use crate::json::object;
-use crate::number::{Value, computed};
+use crate::number::{Cell, Exact as _, computed};
 use crate::table::Column;
 use frictiongen::kernel::simulation::Contact;
 use frictiongen::study::{History, HistoryError, HistoryRequest, Spectrum, units, words};
@@ -90,7 +90,7 @@ impl Motion {
     }
 
     /// Returns a displacement of a part in its unit.
-    pub fn displacement(&self, of: Of, value: f64) -> Value<'static> {
+    pub fn displacement(&self, of: Of, value: f64) -> Cell<'static> {
         let value = self.signed(of, value);
         self.course.measure.length(value).into()
     }
@@ -105,10 +105,10 @@ impl Motion {
     }
 
     /// Returns the cells of an instant.
-    pub fn time(&self, tau: f64) -> Vec<Value<'static>> {
+    pub fn time(&self, tau: f64) -> Vec<Cell<'static>> {
         let seconds = units::seconds(tau, self.course.omega);
         let seconds = self.course.in_seconds.then_some(seconds);
-        seconds.into_iter().chain([tau]).map(Value::from).collect()
+        seconds.into_iter().chain([tau]).map(Cell::from).collect()
     }
 
     /// Returns the names of the cells of an instant.
@@ -138,7 +138,7 @@ impl Motion {
     }
 
     /// Returns a point as JSON, with an object for the contact and a list for the masses.
-    pub fn json(&self, names: Vec<String>, values: &[Value<'_>]) -> Json {
+    pub fn json(&self, names: Vec<String>, values: &[Cell<'_>]) -> Json {
         let (mut point, mut contact) = (Map::new(), Map::new());
         let mut masses: Vec<Map<String, Json>> = Vec::new();
         for (name, value) in names.iter().zip(values) {
@@ -166,7 +166,7 @@ impl Motion {
     }
 
     /// Returns frequency and friction with their names.
-    fn point(&self) -> impl Iterator<Item = (&'static str, Value<'static>)> {
+    fn point(&self) -> impl Iterator<Item = (&'static str, Cell<'static>)> {
         let (names, frequency) = self.course.frequency;
         let frequency = names.iter().copied().zip(frequency.values());
         let (names, friction) = self.course.friction;
@@ -192,8 +192,8 @@ impl Motion {
     /// Returns the lines that a table has once.
     pub fn preamble(&self) -> Vec<(&'static str, String)> {
         let history = &self.history;
-        let number = |value: &Value<'_>| match value {
-            Value::Number(value) => computed(*value),
+        let number = |value: &Cell<'_>| match value {
+            Cell::Number(value) => computed(*value),
             other => other.exact().into_owned(),
         };
         let point = self.point();

@@ -3,7 +3,8 @@
 use super::motion::Motion;
 use crate::asked::{CONTACT, Part};
 use crate::failure::Failure;
-use crate::number::Value;
+use crate::measure::Dimension;
+use crate::number::Cell;
 use crate::output::{Report, Visitor};
 use crate::table::Column;
 use frictiongen::Of;
@@ -17,7 +18,7 @@ pub struct SamplesReport<'m> {
 
 impl SamplesReport<'_> {
     /// Returns displacement and velocity of each part.
-    fn movements(&self, index: usize) -> impl Iterator<Item = (&Part, [Value<'static>; 2])> {
+    fn movements(&self, index: usize) -> impl Iterator<Item = (&Part, [Cell<'static>; 2])> {
         let motion = self.motion;
         let course = &motion.course;
         let tracks = course.parts.iter().zip(&motion.history.tracks);
@@ -29,7 +30,7 @@ impl SamplesReport<'_> {
                 course.measure.velocity(value, course.omega)
             });
             let displacement =
-                displacement.map_or(Value::Missing, |value| motion.displacement(part.of, value));
+                displacement.map_or(Cell::Missing, |value| motion.displacement(part.of, value));
             (part, [displacement, velocity.into()])
         })
     }
@@ -38,13 +39,13 @@ impl SamplesReport<'_> {
     fn movement_names(&self) -> [String; 2] {
         let measure = &self.motion.course.measure;
         [
-            measure.length_name("displacement"),
-            measure.velocity_name("velocity"),
+            measure.name("displacement", Dimension::Length),
+            measure.name("velocity", Dimension::Velocity),
         ]
     }
 
     /// Returns friction force and state of the contact.
-    fn contact(&self, index: usize) -> [Value<'static>; 2] {
+    fn contact(&self, index: usize) -> [Cell<'static>; 2] {
         let motion = self.motion;
         let friction = motion.history.friction.get(index).copied();
         let friction = friction.map(|force| {
@@ -52,13 +53,17 @@ impl SamplesReport<'_> {
             motion.course.measure.force(force)
         });
         let state = motion.history.contact.get(index);
-        let state = state.map_or(Value::Missing, |contact| motion.state(*contact).into());
+        let state = state.map_or(Cell::Missing, |contact| motion.state(*contact).into());
         [friction.into(), state]
     }
 
     /// Returns the names of friction force and state.
     fn contact_names(&self) -> [String; 2] {
-        let force = self.motion.course.measure.force_name("friction");
+        let force = self
+            .motion
+            .course
+            .measure
+            .name("friction", Dimension::Force);
         [force, "state".to_owned()]
     }
 }
@@ -76,7 +81,10 @@ impl Report for SamplesReport<'_> {
 
     fn columns(&self) -> Vec<Column> {
         let measure = &self.motion.course.measure;
-        let (length, velocity) = (measure.length_title(), measure.velocity_title());
+        let (length, velocity) = (
+            measure.title(Dimension::Length),
+            measure.title(Dimension::Velocity),
+        );
         let mut columns = self.motion.time_columns();
         columns.extend(self.motion.course.parts.iter().flat_map(|part| {
             [
@@ -85,13 +93,13 @@ impl Report for SamplesReport<'_> {
             ]
         }));
         columns.extend([
-            Column::computed(&[CONTACT, "friction", measure.force_title()]),
+            Column::computed(&[CONTACT, "friction", measure.title(Dimension::Force)]),
             Motion::state_column(),
         ]);
         columns
     }
 
-    fn rows<'a>(&'a self, index: &'a usize) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, index: &'a usize) -> Vec<Vec<Cell<'a>>> {
         vec![self.record(index)]
     }
 
@@ -107,8 +115,8 @@ impl Report for SamplesReport<'_> {
         names
     }
 
-    fn record<'a>(&'a self, index: &'a usize) -> Vec<Value<'a>> {
-        let mut record: Vec<Value<'a>> = self.motion.time(self.motion.history.tau(*index));
+    fn record<'a>(&'a self, index: &'a usize) -> Vec<Cell<'a>> {
+        let mut record: Vec<Cell<'a>> = self.motion.time(self.motion.history.tau(*index));
         record.extend(self.movements(*index).flat_map(|(_, values)| values));
         record.extend(self.contact(*index));
         record

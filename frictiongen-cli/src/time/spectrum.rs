@@ -4,7 +4,8 @@ use super::motion::Motion;
 use crate::asked::Part;
 use crate::failure::Failure;
 use crate::harmonics;
-use crate::number::Value;
+use crate::measure::Dimension;
+use crate::number::Cell;
 use crate::output::{Report, Visitor};
 use crate::table::Column;
 use frictiongen::Complex;
@@ -44,7 +45,7 @@ impl<'m> SpectrumReport<'m> {
     }
 
     /// Returns the cells of an order.
-    fn order(&self, index: usize) -> Vec<Value<'static>> {
+    fn order(&self, index: usize) -> Vec<Cell<'static>> {
         let line = self
             .spectra
             .first()
@@ -53,11 +54,11 @@ impl<'m> SpectrumReport<'m> {
         let hertz = units::hertz(self.motion.course.omega) * line.order;
         let hertz = self.motion.course.in_seconds.then_some(hertz);
         let both = hertz.into_iter().chain([line.order]);
-        both.map(Value::from).collect()
+        both.map(Cell::from).collect()
     }
 
     /// Returns amplitude and phase of each part.
-    fn components(&self, index: usize) -> impl Iterator<Item = (&Part, [Value<'static>; 2])> {
+    fn components(&self, index: usize) -> impl Iterator<Item = (&Part, [Cell<'static>; 2])> {
         let parts = self.motion.course.parts.iter().zip(&*self.spectra);
         parts.filter_map(move |(part, spectrum)| {
             let component = spectrum.lines.get(index)?.component;
@@ -84,7 +85,10 @@ impl Report for SpectrumReport<'_> {
 
     fn columns(&self) -> Vec<Column> {
         let measure = &self.motion.course.measure;
-        let (length, angle) = (measure.length_title(), measure.angle_title());
+        let (length, angle) = (
+            measure.title(Dimension::Length),
+            measure.title(Dimension::Angle),
+        );
         let seconds = self.motion.course.in_seconds;
         let hertz = seconds.then(|| Column::computed(&["frequency", "(Hz)"]));
         let mut columns: Vec<Column> = hertz.into_iter().collect();
@@ -98,7 +102,7 @@ impl Report for SpectrumReport<'_> {
         columns
     }
 
-    fn rows<'a>(&'a self, index: &'a usize) -> Vec<Vec<Value<'a>>> {
+    fn rows<'a>(&'a self, index: &'a usize) -> Vec<Vec<Cell<'a>>> {
         vec![self.record(index)]
     }
 
@@ -106,16 +110,16 @@ impl Report for SpectrumReport<'_> {
         let course = &self.motion.course;
         let hertz = course.in_seconds.then(|| "frequency_Hz".to_owned());
         let mut names: Vec<String> = hertz.into_iter().chain(["order".to_owned()]).collect();
-        let amplitude = course.measure.length_name("amplitude");
-        let phase = course.measure.angle_name("phase");
+        let amplitude = course.measure.name("amplitude", Dimension::Length);
+        let phase = course.measure.name("phase", Dimension::Angle);
         for part in &course.parts {
             names.extend([&amplitude, &phase].map(|what| Motion::name(part, what)));
         }
         names
     }
 
-    fn record<'a>(&'a self, index: &'a usize) -> Vec<Value<'a>> {
-        let mut record: Vec<Value<'a>> = self.order(*index);
+    fn record<'a>(&'a self, index: &'a usize) -> Vec<Cell<'a>> {
+        let mut record: Vec<Cell<'a>> = self.order(*index);
         record.extend(self.components(*index).flat_map(|(_, values)| values));
         record
     }

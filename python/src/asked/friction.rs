@@ -2,11 +2,12 @@
 
 use super::UP;
 use super::frequency::survives;
-use super::measure::Measure;
+use super::measure::{self, Measure};
 use super::numbers::{Given, ends, points};
 use crate::columns::{Columns, cell};
 use crate::errors::domain;
 use frictiongen::study::LoadScale;
+use frictiongen::study::columns::Friction;
 use pyo3::prelude::*;
 
 /// The arguments `beta` and `friction`.
@@ -20,6 +21,7 @@ pub struct Frictions {
     pub beta: Vec<f64>,
     /// Friction forces in N, if the load is known.
     force: Option<Vec<f64>>,
+    scale: Option<LoadScale>,
 }
 
 impl Frictions {
@@ -47,7 +49,7 @@ impl Frictions {
         if scale.is_none() && argument == "friction" {
             return Err(domain(format_args!(
                 "friction is a force and needs the amplitude of the load: give {}",
-                measure.argument()
+                measure::argument(measure)
             )));
         }
         let values = || given.values.iter();
@@ -81,6 +83,7 @@ impl Frictions {
             argument,
             beta,
             force,
+            scale,
         })
     }
 
@@ -111,6 +114,16 @@ impl Frictions {
                 self.argument
             ))),
         }
+    }
+
+    /// Returns the frictions in the order given.
+    pub fn all(&self) -> Vec<Friction> {
+        let given = self.given.values.iter();
+        let friction = |given: &f64| match self.scale {
+            Some(scale) if self.argument == "friction" => Friction::of_force(*given, scale),
+            scale => Friction::of_ratio(*given, scale),
+        };
+        given.map(friction).collect()
     }
 
     /// Returns the shape of an answer over the frictions.

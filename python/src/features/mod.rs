@@ -5,7 +5,7 @@ mod sheet;
 mod tables;
 
 use crate::asked::{
-    Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure, Optional, parts,
+    Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional, measure, parts,
 };
 use crate::errors::domain;
 use crate::system::NativeSystem;
@@ -30,7 +30,7 @@ pub fn features<'py>(
     of: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let system = &system.system;
-    let measure = Measure::of(system, &load)?;
+    let measure = measure::of(system, &load)?;
     let band = Band::of_or_usual(system, &frequency, &measure)?;
     let frictions = match friction {
         (None, None) => Vec::new(),

@@ -3,6 +3,7 @@
 use crate::asked::{Band, Measure};
 use crate::columns::{Columns, Words, cell};
 use frictiongen::System;
+use frictiongen::study::columns::Dimension;
 use frictiongen::study::{OperatingPoint, Parameter, Sensed};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -82,13 +83,13 @@ impl<'a, 'py, T> Sheet<'a, 'py, T> {
 
     /// Adds numbers that are forces under a load.
     pub fn forces(&mut self, name: &str, of: impl Fn(&T) -> Option<f64>) -> PyResult<()> {
-        let name = self.counted.measure.name(name, "_N");
+        let name = self.counted.measure.name(name, Dimension::Force);
         self.numbers(&name, of)
     }
 
     /// Adds numbers that are lengths under a load.
     pub fn lengths(&mut self, name: &str, of: impl Fn(&T) -> Option<f64>) -> PyResult<()> {
-        let name = self.counted.measure.name(name, "_m");
+        let name = self.counted.measure.name(name, Dimension::Length);
         self.numbers(&name, of)
     }
 
@@ -132,7 +133,7 @@ impl<'a, 'py, T> Sheet<'a, 'py, T> {
         name: &str,
         of: impl Fn(&'a T) -> Option<&'a Sensed>,
     ) -> PyResult<()> {
-        let name = self.counted.measure.name(name, "_N");
+        let name = self.counted.measure.name(name, Dimension::Force);
         self.moved(&name, of)
     }
 
@@ -142,7 +143,7 @@ impl<'a, 'py, T> Sheet<'a, 'py, T> {
         name: &str,
         of: impl Fn(&'a T) -> Option<&'a Sensed>,
     ) -> PyResult<()> {
-        let name = self.counted.measure.name(name, "_m");
+        let name = self.counted.measure.name(name, Dimension::Length);
         self.moved(&name, of)
     }
 

@@ -6,7 +6,7 @@ use super::asked::Asked;
 use crate::failure::Failure;
 use crate::features::lines::{Line, lines};
 use crate::features::report::FeaturesReport;
-use crate::number::Value;
+use crate::number::{Cell, Exact as _};
 use crate::output::Report as _;
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
@@ -127,7 +127,7 @@ impl Features {
             let record = report.record(line);
             let fields = names.iter().cloned();
             fields
-                .zip(record.iter().map(Value::json))
+                .zip(record.iter().map(Cell::json))
                 .collect::<serde_json::Map<_, _>>()
                 .into()
         };
