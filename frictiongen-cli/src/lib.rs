@@ -19,6 +19,7 @@ mod file;
 mod frequency;
 mod friction;
 mod grid;
+mod grids;
 mod harmonics;
 mod input;
 mod interrupt;

@@ -1,6 +1,6 @@
 //! Answers for Python: arrays by name, in the order of the command's columns.
 
-use frictiongen::study::columns::{Cell, Column, Kind};
+use frictiongen::study::columns::{Axis, Cell, Column, Kind};
 use numpy::{Complex64, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -71,6 +71,15 @@ impl<'py> Columns<'py> {
     pub fn table<R>(&mut self, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
         let shown = columns.iter().filter(|column| column.is_in_python());
         for column in shown {
+            self.column(column, rows)?;
+        }
+        Ok(())
+    }
+
+    /// Adds the columns of a table that depend on the whole row, and not on the frequency or the friction alone.
+    pub fn points<R>(&mut self, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
+        let shown = columns.iter().filter(|column| column.is_in_python());
+        for column in shown.filter(|column| column.axis == Axis::Row) {
             self.column(column, rows)?;
         }
         Ok(())

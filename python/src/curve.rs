@@ -2,14 +2,14 @@
 
 use crate::asked::{
     Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, MOST_POINTS, Optional,
-    Part, check_size, harmonics, measure, one, parts,
+    Part, check_size, harmonics, measure, one, parts, setting,
 };
 use crate::columns::Columns;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::Of;
-use frictiongen::study::columns::{CurveTable, Setting};
+use frictiongen::study::columns::CurveTable;
 use frictiongen::study::{CurveError, CurveRequest, CurveStart, words};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -71,15 +71,7 @@ pub fn curve<'py>(
     request.rates = rates;
     request.turned = measure.turns(Of::Contact);
     let table = CurveTable {
-        setting: Setting {
-            system,
-            measure,
-            frequency: band.unit(&measure),
-            frequencies: &[],
-            frictions: &[],
-            forces: false,
-            parts: &parts,
-        },
+        setting: setting(system, measure, band.unit(&measure), &parts),
         starts: starts != [CurveStart::Rest],
         rates,
         orders: &request.harmonics,

@@ -3,11 +3,10 @@
 use super::ACROSS;
 use super::measure::Measure;
 use super::numbers::{Given, ends, numbers, one, points};
-use crate::columns::{Columns, cell};
+use crate::columns::Columns;
 use crate::errors::domain;
 use frictiongen::System;
-use frictiongen::study::columns::{self, FrequencyUnit as Unit};
-use frictiongen::study::units;
+use frictiongen::study::columns::{self, FrequencyUnit as Unit, Setting};
 use pyo3::prelude::*;
 
 /// The arguments `r`, `hz` and `omega`.
@@ -91,9 +90,9 @@ impl Frequencies {
     }
 
     /// Returns the only frequency, or an error if several are given.
-    pub fn only(&self) -> PyResult<f64> {
-        match (self.given.is_one, self.r.as_slice()) {
-            (true, [r]) => Ok(*r),
+    pub fn only(&self, system: &System) -> PyResult<columns::Frequency> {
+        match (self.given.is_one, self.given.values.as_slice()) {
+            (true, [given]) => Ok(self.unit.given(system, *given)),
             _ => Err(domain(format_args!(
                 "{}: one number is needed here, not an array",
                 argument(self.unit)
@@ -117,38 +116,9 @@ impl Frequencies {
         self.given.shape()
     }
 
-    /// Returns a frequency in Hz, as given or computed from r.
-    pub fn hertz(&self, system: &System, index: usize) -> f64 {
-        let given = self.given.values.get(index).copied().unwrap_or(f64::NAN);
-        match self.unit {
-            Unit::Ratio | Unit::RatioUnderLoad => system.hertz(given),
-            Unit::Hertz => given,
-            Unit::AngularFrequency => units::hertz(given),
-        }
-    }
-
-    /// Returns whether an answer has Hz next to r, because the frequencies were given in a unit or the load was.
-    pub fn tell_hertz(&self, measure: &Measure) -> bool {
-        self.unit != Unit::Ratio || measure.scale().is_some()
-    }
-
     /// Adds the columns of the frequencies.
-    pub fn put(
-        &self,
-        columns: &mut Columns<'_>,
-        system: &System,
-        measure: &Measure,
-    ) -> PyResult<()> {
-        if self.tell_hertz(measure) {
-            let hertz = (0..self.r.len()).map(|index| cell(Some(self.hertz(system, index))));
-            columns.numbers("frequency_Hz", hertz.collect())?;
-        }
-        if self.unit == Unit::AngularFrequency {
-            let given = self.given.values.iter();
-            let omega = given.map(|omega| cell(Some(*omega)));
-            columns.numbers("omega_rad_s", omega.collect())?;
-        }
-        columns.numbers("r", self.r.iter().map(|r| cell(Some(*r))).collect())
+    pub fn put(&self, columns: &mut Columns<'_>, setting: &Setting<'_>) -> PyResult<()> {
+        columns.table(&setting.frequency_columns(), &self.all(setting.system))
     }
 }
 
@@ -235,22 +205,5 @@ impl Band {
             )));
         }
         Ok(step)
-    }
-
-    /// Adds the columns of frequencies in the band.
-    pub fn put(
-        &self,
-        columns: &mut Columns<'_>,
-        (system, measure): (&System, &Measure),
-        r: Vec<f64>,
-    ) -> PyResult<()> {
-        let omega = || r.iter().map(|r| system.angular_frequency(*r));
-        if self.tells_hertz(measure) {
-            columns.numbers("frequency_Hz", omega().map(units::hertz).collect())?;
-        }
-        if self.unit == Unit::AngularFrequency {
-            columns.numbers("omega_rad_s", omega().collect())?;
-        }
-        columns.numbers("r", r)
     }
 }

@@ -13,6 +13,7 @@ pub use numbers::{numbers, one, whole};
 use crate::errors::{domain, wrong_type};
 use frictiongen::System;
 pub use frictiongen::study::columns::{CONTACT, Part};
+use frictiongen::study::columns::{FrequencyUnit, Setting};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
@@ -33,6 +34,24 @@ pub const MOST_HARMONICS: u32 = 9999;
 
 /// An argument that may be left out.
 pub type Optional<'py> = Option<Bound<'py, PyAny>>;
+
+/// Returns what the tables of the library need. The decimals of given numbers are for tables for people alone.
+pub fn setting<'a>(
+    system: &'a System,
+    measure: Measure,
+    frequency: FrequencyUnit,
+    parts: &'a [Part],
+) -> Setting<'a> {
+    Setting {
+        system,
+        measure,
+        frequency,
+        frequencies: &[],
+        frictions: &[],
+        forces: false,
+        parts,
+    }
+}
 
 /// Reads one name or several names.
 pub fn names(argument: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {

@@ -19,6 +19,34 @@ pub enum Cell<'a> {
     Missing,
 }
 
+impl Cell<'_> {
+    /// Returns the cell with its own word.
+    #[must_use]
+    pub fn into_owned(self) -> Cell<'static> {
+        match self {
+            Self::Number(value) => Cell::Number(value),
+            Self::Count(value) => Cell::Count(value),
+            Self::Word(word) => Cell::Word(Cow::Owned(word.into_owned())),
+            Self::Flag(value) => Cell::Flag(value),
+            Self::Pairs(pairs) => Cell::Pairs(pairs),
+            Self::Missing => Cell::Missing,
+        }
+    }
+
+    /// Returns the same cell, which borrows its word.
+    #[must_use]
+    pub fn borrowed(&self) -> Cell<'_> {
+        match self {
+            Self::Word(word) => Cell::Word(Cow::Borrowed(word)),
+            Self::Number(value) => Cell::Number(*value),
+            Self::Count(value) => Cell::Count(*value),
+            Self::Flag(value) => Cell::Flag(*value),
+            Self::Pairs(pairs) => Cell::Pairs(pairs.clone()),
+            Self::Missing => Cell::Missing,
+        }
+    }
+}
+
 impl From<f64> for Cell<'_> {
     fn from(value: f64) -> Self {
         if value.is_nan() {

@@ -121,6 +121,9 @@ impl From<&'static str> for Head {
 /// Function that reads a cell.
 type Read<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
 
+/// Function that returns whether a value says something in a list of lines.
+type Says<'a, Row> = Box<dyn Fn(&Row) -> bool + 'a>;
+
 /// A column of a table.
 pub struct Column<'a, Row> {
     /// Name of the contact or of the mass whose motion it is.
@@ -139,13 +142,27 @@ pub struct Column<'a, Row> {
     pub shown: Shown,
     name: String,
     attribute: Option<&'static str>,
+    /// Unit, or reference of a displacement without a load.
+    of_what: &'static str,
     read: Read<'a, Row>,
+    says: Option<Says<'a, Row>>,
 }
 
 impl<Row> Column<'_, Row> {
     /// Reads the cell of a row.
     pub fn read<'r>(&self, row: &'r Row) -> Cell<'r> {
         (self.read)(row)
+    }
+
+    /// Returns whether the value of a row says something in a list of lines, such as a bound that was reached.
+    pub fn says(&self, row: &Row) -> bool {
+        self.says.as_ref().is_none_or(|says| says(row))
+    }
+
+    /// Returns the unit, and for a displacement without a load its reference: `m`, `P/k1`.
+    #[must_use]
+    pub fn of_what(&self) -> &'static str {
+        self.of_what
     }
 
     /// Returns the name without part and harmonic: `amplitude_m`.
@@ -233,6 +250,12 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
             shown: Shown::Everywhere,
             all: Vec::new(),
         }
+    }
+
+    /// Returns the units of the columns.
+    #[must_use]
+    pub fn measure(&self) -> &Measure {
+        &self.measure
     }
 
     /// Sets the part to which the columns from now on belong.
@@ -325,6 +348,23 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(move |row| read(row).into()));
     }
 
+    /// Adds cells of any kind.
+    pub fn cell(
+        &mut self,
+        head: impl Into<Head>,
+        kind: Kind<'a>,
+        read: impl for<'r> Fn(&'r R) -> Cell<'r> + 'a,
+    ) {
+        self.push(head.into(), kind, Box::new(read));
+    }
+
+    /// Sets the condition under which the last column says something in a list of lines.
+    pub fn say_if(&mut self, says: impl Fn(&R) -> bool + 'a) {
+        if let Some(last) = self.all.last_mut() {
+            last.says = Some(Box::new(says));
+        }
+    }
+
     fn push(&mut self, head: Head, kind: Kind<'a>, read: Read<'a, R>) {
         let name = match (head.under_load, self.measure.scale()) {
             (Some(name), Some(_)) => name,
@@ -344,7 +384,12 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
             shown: self.shown,
             name: self.measure.name(name, head.dimension),
             attribute: head.attribute,
+            of_what: match (self.measure.unit(head.dimension), head.dimension) {
+                ("", Dimension::Length) => self.measure.reference(Dimension::Length),
+                (unit, _) => unit,
+            },
             read,
+            says: None,
         });
     }
 

@@ -42,16 +42,33 @@ mod cell;
 mod column;
 #[cfg(feature = "desk")]
 mod curve;
+#[cfg(feature = "desk")]
+mod history;
+mod limits;
+#[cfg(feature = "desk")]
+mod map;
 mod measure;
+
 mod motion;
+mod optimum;
+mod sensitivity;
 mod setting;
+mod steady;
 
 pub use cell::Cell;
 pub use column::{Axis, Column, Columns, Head, Kind, Row, Shown};
 #[cfg(feature = "desk")]
 pub use curve::{CurveRow, CurveTable};
+#[cfg(feature = "desk")]
+pub use history::{EventRow, HistoryTable, SampleRow, SpectrumRow};
+pub use limits::{LimitsAsked, LimitsRow, LimitsTable};
+#[cfg(feature = "desk")]
+pub use map::{BoundaryRow, MapLimitsRow, MapRow, MapTable};
 pub use measure::{Dimension, Measure};
 pub use motion::{Extent, Moving, PartMotion, motions};
+pub use optimum::{OptimumLine, OptimumSensitivityRow, OptimumTable, PeakRow, Tuned};
+pub use sensitivity::{SensitivityRow, SensitivityTable};
 pub use setting::{
-    AtFrequency, AtFriction, CONTACT, Frequency, FrequencyUnit, Friction, GridPoint, Part, Setting,
+    AtFrequency, AtFriction, CONTACT, Frequency, FrequencyUnit, Friction, Part, Setting,
 };
+pub use steady::{OrbitRow, OrbitTable, ResponseRow, ResponseTable};

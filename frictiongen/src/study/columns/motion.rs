@@ -46,6 +46,7 @@ pub struct Extent<'a> {
 /// Adds the columns of the motion of every part.
 pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part], of: Extent<'_>) {
     use Dimension::{Acceleration, Angle, Length, Velocity};
+    let [length, angle] = [Length, Angle].map(|dimension| columns.measure().title(dimension));
     for (part, named) in parts.iter().enumerate() {
         columns.begin_part(&named.name);
         columns.number(Head::of("amplitude", Length), move |row: &R| {
@@ -57,11 +58,13 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
         columns.number(Head::of("phase", Angle), move |row| {
             row.motion(part)?.swing?.phase
         });
-        columns.number(Head::of("fundamental_phase", Angle), move |row| {
+        let head = Head::of("fundamental_phase", Angle);
+        columns.number(head.titled(&["fundamental", angle]), move |row| {
             row.motion(part)?.fundamental_phase
         });
         if of.monoharmonic {
-            columns.number(Head::of("amplitude_monoharmonic", Length), move |row| {
+            let head = Head::of("amplitude_monoharmonic", Length);
+            columns.number(head.titled(&["monoharmonic", length]), move |row| {
                 row.motion(part)?.monoharmonic
             });
         }
@@ -89,10 +92,11 @@ fn harmonic<'a, R: Moving + 'a>(
     use Dimension::{Angle, Length};
     let of = move |row: &R| row.motion(part)?.harmonics.get(place).copied();
     columns.begin_harmonic(order);
-    columns.number(Head::of("amplitude", Length), move |row| {
-        Some(polar(of(row)?).0)
-    });
-    columns.number(Head::of("phase", Angle), move |row| Some(polar(of(row)?).1));
+    let [length, angle] = [Length, Angle].map(|dimension| columns.measure().title(dimension));
+    let head = Head::of("amplitude", Length).titled(&[&format!("|X_{order}|"), length]);
+    columns.number(head, move |row| Some(polar(of(row)?).0));
+    let head = Head::of("phase", Angle).titled(&[&format!("lag X_{order}"), angle]);
+    columns.number(head, move |row| Some(polar(of(row)?).1));
     if complex {
         columns.show(Shown::Json);
         columns.number(Head::of("re", Length), move |row| Some(of(row)?.re));

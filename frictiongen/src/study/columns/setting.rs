@@ -1,6 +1,6 @@
 //! System, units, frequency, friction and parts, which the tables have in common.
 
-use super::column::{Axis, Columns, Head, Row};
+use super::column::{Axis, Column, Columns, Head, Row};
 use super::measure::{Dimension, Measure};
 use crate::Of;
 use crate::study::{LoadScale, System, units};
@@ -174,34 +174,43 @@ pub trait AtFriction: Row {
     fn friction(&self) -> Friction;
 }
 
-/// A point of a grid: a row without an answer.
-#[derive(Clone, Copy, Debug)]
-pub struct GridPoint {
-    /// The frequency.
-    pub frequency: Frequency,
-    /// The friction.
-    pub friction: Friction,
-}
-
-impl Row for GridPoint {
+impl Row for Frequency {
     fn omega(&self) -> f64 {
-        self.frequency.omega
+        self.omega
     }
 }
 
-impl AtFrequency for GridPoint {
+impl AtFrequency for Frequency {
     fn frequency(&self) -> Frequency {
-        self.frequency
+        *self
     }
 }
 
-impl AtFriction for GridPoint {
+impl Row for Friction {}
+
+impl AtFriction for Friction {
     fn friction(&self) -> Friction {
-        self.friction
+        *self
     }
 }
 
 impl<'a> Setting<'a> {
+    /// Returns the columns of the frequency alone.
+    #[must_use]
+    pub fn frequency_columns(&self) -> Vec<Column<'a, Frequency>> {
+        let mut columns = Columns::new(&self.measure);
+        self.frequency(&mut columns);
+        columns.done()
+    }
+
+    /// Returns the columns of the friction alone.
+    #[must_use]
+    pub fn friction_columns(&self) -> Vec<Column<'a, Friction>> {
+        let mut columns = Columns::new(&self.measure);
+        self.friction(&mut columns);
+        columns.done()
+    }
+
     /// Adds the columns of the frequency.
     pub fn frequency<R: AtFrequency + 'a>(&self, columns: &mut Columns<'a, R>) {
         let given = |unit: FrequencyUnit| -> &'a [f64] {
