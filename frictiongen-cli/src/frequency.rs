@@ -4,11 +4,9 @@ use crate::args::FrequencyArguments;
 use crate::failure::Failure;
 use crate::grid::{self, Quantity};
 use crate::measure::Measure;
-use crate::number::{Cell, survives};
-use crate::table::Column;
+use crate::number::survives;
 use frictiongen::System;
-use frictiongen::study::columns::{self, FrequencyUnit as Unit};
-use frictiongen::study::units;
+use frictiongen::study::columns::{Frequency, FrequencyUnit as Unit};
 
 /// A continuous range of frequencies.
 #[derive(Clone, Debug)]
@@ -79,29 +77,12 @@ impl Band {
 
     /// Returns whether Hz are printed next to r.
     pub fn tells_hertz(&self) -> bool {
-        self.unit != Unit::Ratio
+        self.unit.has_hertz()
     }
 
     /// Returns the unit of the range.
     pub fn unit(&self) -> Unit {
         self.unit
-    }
-
-    /// Returns a frequency of the range.
-    pub fn frequency(&self, system: &System, r: f64) -> Frequency {
-        let omega = system.angular_frequency(r);
-        match self.unit {
-            Unit::Ratio => Frequency::of_ratio(r),
-            Unit::RatioUnderLoad | Unit::Hertz => Frequency {
-                hertz: Some(units::hertz(omega)),
-                ..Frequency::of_ratio(r)
-            },
-            Unit::AngularFrequency => Frequency {
-                r,
-                hertz: Some(units::hertz(omega)),
-                omega: Some(omega),
-            },
-        }
     }
 }
 
@@ -134,35 +115,6 @@ fn quantity(unit: Unit, in_time: bool) -> Quantity {
     }
 }
 
-fn frequency(unit: Unit, system: &System, given: f64) -> Frequency {
-    match unit {
-        Unit::Ratio => Frequency::of_ratio(given),
-        Unit::RatioUnderLoad => Frequency {
-            hertz: Some(system.hertz(given)),
-            ..Frequency::of_ratio(given)
-        },
-        Unit::Hertz => Frequency {
-            r: system.frequency_ratio_at_hertz(given),
-            hertz: Some(given),
-            omega: None,
-        },
-        Unit::AngularFrequency => Frequency {
-            r: system.frequency_ratio(given),
-            hertz: Some(units::hertz(given)),
-            omega: Some(given),
-        },
-    }
-}
-
-/// Returns the names of the cells.
-fn names(unit: Unit) -> &'static [&'static str] {
-    match unit {
-        Unit::Ratio => &["r"],
-        Unit::RatioUnderLoad | Unit::Hertz => &["frequency_Hz", "r"],
-        Unit::AngularFrequency => &["frequency_Hz", "omega_rad_s", "r"],
-    }
-}
-
 /// A grid of frequencies.
 #[derive(Clone, Debug)]
 pub struct Frequencies {
@@ -170,38 +122,6 @@ pub struct Frequencies {
     unit: Unit,
     /// The quantity as which the frequencies are read.
     pub quantity: Quantity,
-}
-
-/// One frequency.
-#[derive(Clone, Copy, Debug)]
-pub struct Frequency {
-    /// Frequency ratio r.
-    pub r: f64,
-    /// Frequency in Hz, if it was given in a unit or the load was.
-    hertz: Option<f64>,
-    /// Angular frequency in rad/s, if it was given so.
-    omega: Option<f64>,
-}
-
-impl Frequency {
-    /// Returns the frequency in Hz, as given or computed from r.
-    pub fn hertz(&self, system: &System) -> f64 {
-        self.hertz.unwrap_or_else(|| system.hertz(self.r))
-    }
-
-    fn of_ratio(r: f64) -> Self {
-        Self {
-            r,
-            hertz: None,
-            omega: None,
-        }
-    }
-
-    /// Returns the cells of the frequency.
-    pub fn values(&self) -> Vec<Cell<'static>> {
-        let before = [self.hertz, self.omega].into_iter().flatten();
-        before.chain([self.r]).map(Cell::from).collect()
-    }
 }
 
 impl Frequencies {
@@ -254,10 +174,9 @@ impl Frequencies {
         &self.given
     }
 
-    /// Returns the frequencies in the order given, as the tables of the library have them.
-    pub fn all<'a>(&'a self, system: &'a System) -> impl Iterator<Item = columns::Frequency> + 'a {
-        let given = self.given.iter();
-        given.map(|given| self.unit.given(system, *given))
+    /// Returns the frequencies in the order given.
+    pub fn all<'a>(&'a self, system: &'a System) -> impl Iterator<Item = Frequency> + 'a {
+        self.given.iter().map(|given| self.of(system, *given))
     }
 
     /// Returns whether the frequencies were given in a unit.
@@ -265,37 +184,7 @@ impl Frequencies {
         self.unit.is_physical()
     }
 
-    /// Returns the frequencies in the order written.
-    pub fn iter<'a>(&'a self, system: &'a System) -> impl Iterator<Item = Frequency> + 'a {
-        self.given.iter().map(|given| self.of(system, *given))
-    }
-
     fn of(&self, system: &System, given: f64) -> Frequency {
-        frequency(self.unit, system, given)
-    }
-
-    /// Returns whether Hz are printed next to r.
-    pub fn tell_hertz(&self) -> bool {
-        self.unit != Unit::Ratio
-    }
-
-    /// Returns the columns of the table.
-    pub fn columns(&self) -> Vec<Column> {
-        let given = |title: &[&str]| Column::given(title, &self.given);
-        match self.unit {
-            Unit::Ratio => vec![given(&["r"])],
-            Unit::RatioUnderLoad => vec![Column::computed(&["frequency", "(Hz)"]), given(&["r"])],
-            Unit::Hertz => vec![given(&["frequency", "(Hz)"]), Column::computed(&["r"])],
-            Unit::AngularFrequency => vec![
-                Column::computed(&["frequency", "(Hz)"]),
-                given(&["omega", "(rad/s)"]),
-                Column::computed(&["r"]),
-            ],
-        }
-    }
-
-    /// Returns the names of the cells.
-    pub fn names(&self) -> &'static [&'static str] {
-        names(self.unit)
+        self.unit.given(system, given)
     }
 }

@@ -20,7 +20,6 @@ mod frequency;
 mod friction;
 mod grid;
 mod grids;
-mod harmonics;
 mod input;
 mod interrupt;
 mod json;

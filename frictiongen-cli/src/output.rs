@@ -70,6 +70,10 @@ pub trait Table {
     fn preamble(&self) -> Vec<(&'static str, String)> {
         Vec::new()
     }
+    /// Returns a further field of a row's JSON.
+    fn more(&self, _row: &Self::Row) -> Option<(&'static str, serde_json::Value)> {
+        None
+    }
     /// Returns the lines of a row in a table for people.
     fn lines<'r>(
         &self,
@@ -95,7 +99,11 @@ pub fn write<T: Table>(
         report.each(&mut |row| {
             progress.step();
             let motions = report.has_motions(row);
-            Ok(writer.point(&layout.json(&columns, row, motions))?)
+            let mut point = layout.json(&columns, row, motions);
+            if let (Some((name, value)), Some(fields)) = (report.more(row), point.as_object_mut()) {
+                fields.insert(name.to_owned(), value);
+            }
+            Ok(writer.point(&point)?)
         })?;
         writer.end()?;
     } else if let Form::Csv(extras) = form {

@@ -79,7 +79,7 @@ impl Asked {
                         given.len()
                     )));
                 }
-                Some(given.iter().map(|friction| friction.beta).collect())
+                Some(given.all().map(|friction| friction.beta).collect())
             }
         };
         Ok(Self {

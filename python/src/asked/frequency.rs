@@ -149,11 +149,6 @@ impl Band {
         Ok(Self { from, to, unit })
     }
 
-    /// Returns whether an answer has Hz next to r, because the band was given in a unit or the load was.
-    pub fn tells_hertz(&self, measure: &Measure) -> bool {
-        self.unit != Unit::Ratio || measure.scale().is_some()
-    }
-
     /// Returns the unit of the band under a load.
     pub fn unit(&self, measure: &Measure) -> Unit {
         self.unit.under(measure)

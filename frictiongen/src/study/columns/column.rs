@@ -2,6 +2,7 @@
 
 use super::cell::Cell;
 use super::measure::{Dimension, Measure};
+use crate::study::Sensed;
 use std::borrow::Cow;
 
 /// The kind of a column's values.
@@ -124,6 +125,9 @@ type Read<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
 /// Function that returns whether a value says something in a list of lines.
 type Says<'a, Row> = Box<dyn Fn(&Row) -> bool + 'a>;
 
+/// Function that returns the derivatives of a value.
+type Moves<'a, Row> = Box<dyn Fn(&Row) -> Option<&Sensed> + 'a>;
+
 /// A column of a table.
 pub struct Column<'a, Row> {
     /// Name of the contact or of the mass whose motion it is.
@@ -146,6 +150,7 @@ pub struct Column<'a, Row> {
     of_what: &'static str,
     read: Read<'a, Row>,
     says: Option<Says<'a, Row>>,
+    moves: Option<Moves<'a, Row>>,
 }
 
 impl<Row> Column<'_, Row> {
@@ -157,6 +162,17 @@ impl<Row> Column<'_, Row> {
     /// Returns whether the value of a row says something in a list of lines, such as a bound that was reached.
     pub fn says(&self, row: &Row) -> bool {
         self.says.as_ref().is_none_or(|says| says(row))
+    }
+
+    /// Returns true if the values may have derivatives with respect to the parameters.
+    #[must_use]
+    pub fn has_derivatives(&self) -> bool {
+        self.moves.is_some()
+    }
+
+    /// Returns the derivatives of the value of a row, if it has any.
+    pub fn derivatives<'r>(&self, row: &'r Row) -> Option<&'r Sensed> {
+        self.moves.as_ref()?(row)
     }
 
     /// Returns the unit, and for a displacement without a load its reference: `m`, `P/k1`.
@@ -358,6 +374,18 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(read));
     }
 
+    /// Sets the derivatives of the last column.
+    pub fn moves(&mut self, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
+        self.moves_before(0, of);
+    }
+
+    /// Sets the derivatives of a column before the last one.
+    pub fn moves_before(&mut self, before: usize, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
+        if let Some(column) = self.all.iter_mut().rev().nth(before) {
+            column.moves = Some(Box::new(of));
+        }
+    }
+
     /// Sets the condition under which the last column says something in a list of lines.
     pub fn say_if(&mut self, says: impl Fn(&R) -> bool + 'a) {
         if let Some(last) = self.all.last_mut() {
@@ -390,6 +418,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
             },
             read,
             says: None,
+            moves: None,
         });
     }
 

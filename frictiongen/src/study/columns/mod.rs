@@ -42,6 +42,7 @@ mod cell;
 mod column;
 #[cfg(feature = "desk")]
 mod curve;
+mod features;
 #[cfg(feature = "desk")]
 mod history;
 mod limits;
@@ -59,6 +60,9 @@ pub use cell::Cell;
 pub use column::{Axis, Column, Columns, Head, Kind, Row, Shown};
 #[cfg(feature = "desk")]
 pub use curve::{CurveRow, CurveTable};
+pub use features::{
+    FeatureLine, FeatureLists, FeatureTable, FeatureVisitor, FeaturesAsked, Ground,
+};
 #[cfg(feature = "desk")]
 pub use history::{EventRow, HistoryTable, SampleRow, SpectrumRow};
 pub use limits::{LimitsAsked, LimitsRow, LimitsTable};

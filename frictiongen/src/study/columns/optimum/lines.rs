@@ -23,6 +23,8 @@ pub struct OptimumLine {
     pub unit: &'static str,
     /// Unit of the change to which a relative change belongs.
     pub per: Option<&'static str>,
+    /// Excess over the best amplitude, as a fraction, to which a tolerance belongs.
+    pub excess: Option<f64>,
 }
 
 impl Row for OptimumLine {}
@@ -41,6 +43,7 @@ struct Entry<'l> {
     lines: &'l mut Vec<OptimumLine>,
     list: Option<&'static str>,
     row: Option<usize>,
+    excess: Option<f64>,
     /// Text that replaces `{}` in the headings.
     name: &'l str,
 }
@@ -55,6 +58,7 @@ impl Entry<'_> {
             value: value.into_owned(),
             unit,
             per: None,
+            excess: self.excess,
         });
     }
 
@@ -83,6 +87,7 @@ impl<'a> OptimumTable<'a> {
                 lines,
                 list,
                 row,
+                excess: None,
                 name,
             }
             .lines(&columns, optimum);
@@ -105,6 +110,7 @@ impl<'a> OptimumTable<'a> {
             lines,
             list: Some("tuned"),
             row: None,
+            excess: None,
             name: "",
         };
         let name = tuned.of.symbol(self.setting.system.scene());
@@ -137,6 +143,7 @@ impl<'a> OptimumTable<'a> {
                 lines: &mut *lines,
                 list: Some("peaks"),
                 row: Some(row),
+                excess: None,
                 name: match peak.peak.at_end {
                     true => "peak at the end of the band at",
                     false => "peak at",
@@ -158,6 +165,7 @@ impl<'a> OptimumTable<'a> {
                 lines: &mut *lines,
                 list: Some("tolerances"),
                 row: Some(row),
+                excess: Some(tolerance.excess),
                 name: &format!("{:.0} % above the best", tolerance.excess * 100.0),
             };
             entry.lines(columns.get(1..).unwrap_or_default(), tolerance);
@@ -177,6 +185,7 @@ impl<'a> OptimumTable<'a> {
                 value: row.relative.into(),
                 unit: "%",
                 per: Some("%"),
+                excess: None,
             });
         }
     }
@@ -196,6 +205,7 @@ impl<'a> OptimumTable<'a> {
                 lines: &mut *lines,
                 list: Some("scan"),
                 row: Some(row),
+                excess: None,
                 name: "",
             };
             entry.line(
@@ -226,6 +236,7 @@ impl<'a> OptimumTable<'a> {
         columns.word("unit", "P/k1", |line| Some(line.unit));
         columns.show(Shown::Json);
         columns.word("per", "", |line| line.per);
+        columns.number("excess", |line| line.excess);
         columns.done()
     }
 }
