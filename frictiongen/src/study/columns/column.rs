@@ -280,6 +280,12 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.order = None;
     }
 
+    /// Ends the parts: the columns from now on belong to the whole row.
+    pub fn end_parts(&mut self) {
+        self.part = None;
+        self.order = None;
+    }
+
     /// Sets the order of the harmonic to which the columns from now on belong.
     pub fn begin_harmonic(&mut self, order: u32) {
         self.order = Some(order);

@@ -63,6 +63,15 @@ impl Measure {
         })
     }
 
+    /// Makes the units of answers that are in SI units already.
+    #[must_use]
+    pub fn si(system: &System) -> Self {
+        Self {
+            scale: Some(LoadScale::UNIT),
+            ..Self::groups(system)
+        }
+    }
+
     /// Returns the units of length and force, if a load is given.
     #[must_use]
     pub fn scale(&self) -> Option<LoadScale> {
