@@ -1,6 +1,7 @@
 //! Rows and columns of curves.
 
-use super::column::{Column, Columns, Head, Row};
+use super::builder::Columns;
+use super::column::{Column, Head, Row};
 use super::measure::Dimension;
 use super::motion::{Extent, Moving, PartMotion, motions};
 use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};

@@ -1,6 +1,7 @@
 //! Rows and columns of motions over time: samples, events and spectra.
 
-use super::column::{Column, Columns, Head, Row};
+use super::builder::Columns;
+use super::column::{Column, Head, Row};
 use super::measure::Dimension;
 use super::setting::{CONTACT, Frequency, Setting};
 use crate::study::units::{hertz, polar, seconds};

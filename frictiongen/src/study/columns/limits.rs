@@ -1,6 +1,7 @@
 //! Rows and columns of both limits.
 
-use super::column::{Column, Columns, Head, Row};
+use super::builder::Columns;
+use super::column::{Column, Head, Row};
 use super::measure::Dimension;
 use super::setting::{AtFrequency, Frequency, Setting};
 use crate::OutOfDomain;

@@ -1,6 +1,7 @@
 //! Rows and columns of maps.
 
-use super::column::{Axis, Column, Columns, Head, Row};
+use super::builder::Columns;
+use super::column::{Axis, Column, Head, Row};
 use super::measure::Dimension;
 use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
 use crate::study::{Boundary, Map, MapColumn, MapPoint, words};

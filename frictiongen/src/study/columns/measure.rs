@@ -247,3 +247,63 @@ impl Measure {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may fail")]
+
+    use super::{Dimension, Measure};
+    use crate::study::{Load, System};
+
+    #[test]
+    fn names_units_and_headings() {
+        let system: System = "struct Block { masses: { block: 2 }, springs: { base - block: 50 },
+            contact: block - wall, excitation: base }"
+            .parse()
+            .unwrap();
+        let groups = Measure::groups(&system);
+        let metres = Measure::under(&system, Load::Base(0.1)).unwrap();
+        let cases = [
+            (Dimension::One, ["", "", ""], ["", "", ""]),
+            (Dimension::Length, ["", "", "(of Y)"], ["_m", "m", "(m)"]),
+            (
+                Dimension::Velocity,
+                ["", "", "(of Y)"],
+                ["_m_s", "m/s", "(m/s)"],
+            ),
+            (
+                Dimension::Acceleration,
+                ["", "", "(of Y)"],
+                ["_m_s2", "m/s2", "(m/s2)"],
+            ),
+            (
+                Dimension::Angle,
+                ["", "rad", "(rad)"],
+                ["_deg", "deg", "(deg)"],
+            ),
+            (Dimension::Force, ["", "", "(of k1 Y)"], ["_N", "N", "(N)"]),
+            (Dimension::Power, ["", "", ""], ["_W", "W", "(W)"]),
+            (
+                Dimension::Hertz,
+                ["_Hz", "Hz", "(Hz)"],
+                ["_Hz", "Hz", "(Hz)"],
+            ),
+            (
+                Dimension::AngularFrequency,
+                ["_rad_s", "rad/s", "(rad/s)"],
+                ["_rad_s", "rad/s", "(rad/s)"],
+            ),
+            (Dimension::Time, ["_s", "s", "(s)"], ["_s", "s", "(s)"]),
+        ];
+        for (dimension, without, with) in cases {
+            for (measure, [ending, unit, title]) in [(&groups, without), (&metres, with)] {
+                assert_eq!(measure.name("x", dimension), format!("x{ending}"));
+                assert_eq!(measure.unit(dimension), unit, "{dimension:?}");
+                assert_eq!(measure.title(dimension), title, "{dimension:?}");
+            }
+        }
+        assert_eq!(metres.convert(Dimension::Force, 1.0, 0.0), 5.0);
+        assert_eq!(metres.convert(Dimension::Acceleration, 1.0, 3.0), 0.9);
+        assert_eq!(groups.convert(Dimension::Acceleration, 1.0, 3.0), 1.0);
+    }
+}

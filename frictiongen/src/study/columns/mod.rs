@@ -38,6 +38,7 @@
 //! # }
 //! ```
 
+mod builder;
 mod cell;
 mod column;
 #[cfg(feature = "desk")]
@@ -56,8 +57,9 @@ mod sensitivity;
 mod setting;
 mod steady;
 
+pub use builder::Columns;
 pub use cell::Cell;
-pub use column::{Axis, Column, Columns, Head, Kind, Row, Shown};
+pub use column::{Axis, Column, Head, Kind, Row, Shown};
 #[cfg(feature = "desk")]
 pub use curve::{CurveRow, CurveTable};
 pub use features::{

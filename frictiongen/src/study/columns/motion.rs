@@ -1,6 +1,7 @@
 //! Columns of the motions of the contact and of masses.
 
-use super::column::{Columns, Head, Row, Shown};
+use super::builder::Columns;
+use super::column::{Head, Row, Shown};
 use super::measure::Dimension;
 use super::setting::Part;
 use crate::Complex;

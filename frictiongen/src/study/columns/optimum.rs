@@ -4,7 +4,8 @@ mod lines;
 
 pub use lines::{OptimumLine, Tuned};
 
-use super::column::{Column, Columns, Head, Row};
+use super::builder::Columns;
+use super::column::{Column, Head, Row};
 use super::measure::Dimension;
 use super::setting::{AtFrequency, Frequency, Setting};
 use crate::study::{

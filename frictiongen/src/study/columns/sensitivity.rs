@@ -1,6 +1,7 @@
 //! Rows and columns of derivatives with respect to the parameters.
 
-use super::column::{Column, Columns, Head, Row, Shown};
+use super::builder::Columns;
+use super::column::{Column, Head, Row, Shown};
 use super::measure::Dimension;
 use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
 use crate::study::{

@@ -1,6 +1,7 @@
 //! System, units, frequency, friction and parts, which the tables have in common.
 
-use super::column::{Axis, Column, Columns, Head, Row};
+use super::builder::Columns;
+use super::column::{Axis, Column, Head, Row};
 use super::measure::{Dimension, Measure};
 use crate::Of;
 use crate::study::{LoadScale, System, units};

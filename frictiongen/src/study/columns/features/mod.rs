@@ -4,7 +4,9 @@ mod found;
 mod lines;
 mod lists;
 mod sheet;
+mod table;
 
 pub use found::FeatureLists;
-pub use lines::{FeatureLine, FeatureTable, FeaturesAsked, Ground};
+pub use lines::{FeatureLine, FeaturesAsked, Ground};
 pub use lists::FeatureVisitor;
+pub use table::FeatureTable;

@@ -1,7 +1,8 @@
 //! Columns that several lists of features have.
 
 use crate::study::Sensed;
-use crate::study::columns::column::{Columns, Head, Row};
+use crate::study::columns::builder::Columns;
+use crate::study::columns::column::{Head, Row};
 use crate::study::columns::measure::Dimension;
 use crate::study::columns::setting::Setting;
 

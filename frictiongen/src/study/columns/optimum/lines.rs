@@ -1,8 +1,9 @@
 //! The answer about the best friction as lines: a label for people, a key for programs, and the value.
 
 use super::OptimumTable;
+use crate::study::columns::builder::Columns;
 use crate::study::columns::cell::Cell;
-use crate::study::columns::column::{Column, Columns, Head, Kind, Row, Shown};
+use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
 use crate::study::columns::measure::Dimension;
 use crate::study::{Optimum, Tunable, TunedOptimum, TunedPoint};
 

@@ -1,7 +1,8 @@
 //! Rows and columns of steady states.
 
 use super::Motion;
-use crate::study::columns::column::{Column, Columns, Head, Kind, Row, Shown};
+use crate::study::columns::builder::Columns;
+use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
 use crate::study::columns::measure::Dimension;
 use crate::study::columns::motion::{Extent, Moving, PartMotion, motions};
 use crate::study::columns::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};

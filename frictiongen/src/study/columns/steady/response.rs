@@ -1,7 +1,8 @@
 //! Rows and columns of responses.
 
 use super::{Motion, is_stuck};
-use crate::study::columns::column::{Column, Columns, Head, Row, Shown};
+use crate::study::columns::builder::Columns;
+use crate::study::columns::column::{Column, Head, Row, Shown};
 use crate::study::columns::measure::Dimension;
 use crate::study::columns::motion::{Extent, Moving, PartMotion, motions};
 use crate::study::columns::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
