@@ -2,14 +2,12 @@
 
 use crate::failure::Failure;
 use frictiongen::study::UnknownMass;
+pub use frictiongen::study::columns::{CONTACT, Part};
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
 /// Largest order of a harmonic.
 pub const MOST_HARMONICS: u32 = 9999;
-
-/// Name of the contact, which no mass can have.
-pub const CONTACT: &str = "contact";
 
 /// A requested mass.
 #[derive(Clone, Debug)]
@@ -17,15 +15,6 @@ pub struct Mass {
     /// Index of the mass in the description.
     pub index: usize,
     /// Name of the mass.
-    pub name: String,
-}
-
-/// A moving part: the contact or a mass.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// The motion of the part.
-    pub of: Of,
-    /// Name of the part.
     pub name: String,
 }
 
@@ -94,13 +83,9 @@ pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
 
 /// Returns the named parts, each once. Without names it returns the contact and all masses.
 pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
-    let contact = || Part {
-        of: Of::Contact,
-        name: CONTACT.to_owned(),
-    };
     if names.is_empty() {
         let masses = known(system).map(Part::from);
-        return Ok(std::iter::once(contact()).chain(masses).collect());
+        return Ok(std::iter::once(Part::contact()).chain(masses).collect());
     }
     let mut parts: Vec<Part> = Vec::new();
     for name in names {
@@ -110,7 +95,7 @@ pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
             )));
         }
         parts.push(match name.as_str() {
-            CONTACT => contact(),
+            CONTACT => Part::contact(),
             name => mass(system, "--of", name)?.into(),
         });
     }

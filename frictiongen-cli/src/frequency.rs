@@ -4,20 +4,9 @@ use crate::args::FrequencyArguments;
 use crate::failure::Failure;
 use crate::grid::{self, Quantity};
 use crate::measure::Measure;
-use crate::number::{Value, survives};
-use crate::table::Column;
+use crate::number::survives;
 use frictiongen::System;
-use frictiongen::study::units;
-
-/// The unit in which frequencies are given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Unit {
-    Ratio,
-    /// Ratios r, printed with Hz because the load has units.
-    RatioUnderLoad,
-    Hertz,
-    Omega,
-}
+use frictiongen::study::columns::{Frequency, FrequencyUnit as Unit};
 
 /// A continuous range of frequencies.
 #[derive(Clone, Debug)]
@@ -35,9 +24,9 @@ impl Band {
     /// Parses a range a:b or a:step:b.
     pub fn parse(arguments: &FrequencyArguments, system: &System) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
-        let quantity = unit.quantity(true);
+        let quantity = quantity(unit, true);
         let [from, step, to] = grid::band(text, quantity).map_err(Failure::new)?;
-        let ratio = |value: f64| unit.frequency(system, value).r;
+        let ratio = |value: f64| unit.given(system, value).r;
         let band = Self {
             from: ratio(from),
             to: ratio(to),
@@ -88,39 +77,12 @@ impl Band {
 
     /// Returns whether Hz are printed next to r.
     pub fn tells_hertz(&self) -> bool {
-        self.unit != Unit::Ratio
+        self.unit.has_hertz()
     }
 
-    /// Returns a frequency of the range.
-    pub fn frequency(&self, system: &System, r: f64) -> Frequency {
-        let omega = system.angular_frequency(r);
-        match self.unit {
-            Unit::Ratio => Frequency::of_ratio(r),
-            Unit::RatioUnderLoad | Unit::Hertz => Frequency {
-                hertz: Some(units::hertz(omega)),
-                ..Frequency::of_ratio(r)
-            },
-            Unit::Omega => Frequency {
-                r,
-                hertz: Some(units::hertz(omega)),
-                omega: Some(omega),
-            },
-        }
-    }
-
-    /// Returns the columns of the table.
-    pub fn columns(&self) -> Vec<Column> {
-        let titles: &[&[&str]] = match self.unit {
-            Unit::Ratio => &[&["r"]],
-            Unit::RatioUnderLoad | Unit::Hertz => &[&["frequency", "(Hz)"], &["r"]],
-            Unit::Omega => &[&["frequency", "(Hz)"], &["omega", "(rad/s)"], &["r"]],
-        };
-        titles.iter().map(|title| Column::computed(title)).collect()
-    }
-
-    /// Returns the names of the cells.
-    pub fn names(&self) -> &'static [&'static str] {
-        self.unit.names()
+    /// Returns the unit of the range.
+    pub fn unit(&self) -> Unit {
+        self.unit
     }
 }
 
@@ -129,7 +91,7 @@ fn given(arguments: &FrequencyArguments) -> Result<(&str, Unit), Failure> {
     match (&arguments.r, &arguments.hz, &arguments.omega) {
         (Some(r), ..) => Ok((r, Unit::Ratio)),
         (_, Some(hz), _) => Ok((hz, Unit::Hertz)),
-        (.., Some(omega)) => Ok((omega, Unit::Omega)),
+        (.., Some(omega)) => Ok((omega, Unit::AngularFrequency)),
         (None, None, None) => Err(Failure::new("give --r, --hz or --omega")),
     }
 }
@@ -141,57 +103,15 @@ fn too_far(quantity: Quantity, given: f64) -> Failure {
     ))
 }
 
-impl Unit {
-    fn under(self, measure: &Measure) -> Self {
-        match (self, measure.scale()) {
-            (Self::Ratio, Some(_)) => Self::RatioUnderLoad,
-            (unit, _) => unit,
-        }
-    }
-
-    fn is_physical(self) -> bool {
-        matches!(self, Self::Hertz | Self::Omega)
-    }
-
-    /// Returns the quantity as which a frequency is read. `in_time` requires a frequency that has a cycle.
-    fn quantity(self, in_time: bool) -> Quantity {
-        match (self, in_time) {
-            (Self::Ratio | Self::RatioUnderLoad, false) => Quantity::FrequencyRatio,
-            (Self::Ratio | Self::RatioUnderLoad, true) => Quantity::FrequencyRatioInTime,
-            (Self::Hertz, false) => Quantity::Hertz,
-            (Self::Hertz, true) => Quantity::HertzInTime,
-            (Self::Omega, false) => Quantity::Omega,
-            (Self::Omega, true) => Quantity::OmegaInTime,
-        }
-    }
-
-    fn frequency(self, system: &System, given: f64) -> Frequency {
-        match self {
-            Self::Ratio => Frequency::of_ratio(given),
-            Self::RatioUnderLoad => Frequency {
-                hertz: Some(system.hertz(given)),
-                ..Frequency::of_ratio(given)
-            },
-            Self::Hertz => Frequency {
-                r: system.frequency_ratio_at_hertz(given),
-                hertz: Some(given),
-                omega: None,
-            },
-            Self::Omega => Frequency {
-                r: system.frequency_ratio(given),
-                hertz: Some(units::hertz(given)),
-                omega: Some(given),
-            },
-        }
-    }
-
-    /// Returns the names of the cells.
-    fn names(self) -> &'static [&'static str] {
-        match self {
-            Self::Ratio => &["r"],
-            Self::RatioUnderLoad | Self::Hertz => &["frequency_Hz", "r"],
-            Self::Omega => &["frequency_Hz", "omega_rad_s", "r"],
-        }
+/// Returns the quantity as which a frequency is read. `in_time` requires a frequency that has a cycle.
+fn quantity(unit: Unit, in_time: bool) -> Quantity {
+    match (unit, in_time) {
+        (Unit::Ratio | Unit::RatioUnderLoad, false) => Quantity::FrequencyRatio,
+        (Unit::Ratio | Unit::RatioUnderLoad, true) => Quantity::FrequencyRatioInTime,
+        (Unit::Hertz, false) => Quantity::Hertz,
+        (Unit::Hertz, true) => Quantity::HertzInTime,
+        (Unit::AngularFrequency, false) => Quantity::Omega,
+        (Unit::AngularFrequency, true) => Quantity::OmegaInTime,
     }
 }
 
@@ -204,43 +124,11 @@ pub struct Frequencies {
     pub quantity: Quantity,
 }
 
-/// One frequency.
-#[derive(Clone, Copy, Debug)]
-pub struct Frequency {
-    /// Frequency ratio r.
-    pub r: f64,
-    /// Frequency in Hz, if it was given in a unit or the load was.
-    hertz: Option<f64>,
-    /// Angular frequency in rad/s, if it was given so.
-    omega: Option<f64>,
-}
-
-impl Frequency {
-    /// Returns the frequency in Hz, as given or computed from r.
-    pub fn hertz(&self, system: &System) -> f64 {
-        self.hertz.unwrap_or_else(|| system.hertz(self.r))
-    }
-
-    fn of_ratio(r: f64) -> Self {
-        Self {
-            r,
-            hertz: None,
-            omega: None,
-        }
-    }
-
-    /// Returns the cells of the frequency.
-    pub fn values(&self) -> Vec<Value<'static>> {
-        let before = [self.hertz, self.omega].into_iter().flatten();
-        before.chain([self.r]).map(Value::from).collect()
-    }
-}
-
 impl Frequencies {
     /// Parses the grid. `in_time` requires frequencies that have a cycle.
     pub fn parse(arguments: &FrequencyArguments, in_time: bool) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
-        let quantity = unit.quantity(in_time);
+        let quantity = quantity(unit, in_time);
         Ok(Self {
             given: grid::parse(text, quantity).map_err(Failure::new)?,
             unit,
@@ -276,42 +164,27 @@ impl Frequencies {
         self
     }
 
+    /// Returns the unit of the frequencies.
+    pub fn unit(&self) -> Unit {
+        self.unit
+    }
+
+    /// Returns the frequencies as given.
+    pub fn given(&self) -> &[f64] {
+        &self.given
+    }
+
+    /// Returns the frequencies in the order given.
+    pub fn all<'a>(&'a self, system: &'a System) -> impl Iterator<Item = Frequency> + 'a {
+        self.given.iter().map(|given| self.of(system, *given))
+    }
+
     /// Returns whether the frequencies were given in a unit.
     pub fn are_physical(&self) -> bool {
         self.unit.is_physical()
     }
 
-    /// Returns the frequencies in the order written.
-    pub fn iter<'a>(&'a self, system: &'a System) -> impl Iterator<Item = Frequency> + 'a {
-        self.given.iter().map(|given| self.of(system, *given))
-    }
-
     fn of(&self, system: &System, given: f64) -> Frequency {
-        self.unit.frequency(system, given)
-    }
-
-    /// Returns whether Hz are printed next to r.
-    pub fn tell_hertz(&self) -> bool {
-        self.unit != Unit::Ratio
-    }
-
-    /// Returns the columns of the table.
-    pub fn columns(&self) -> Vec<Column> {
-        let given = |title: &[&str]| Column::given(title, &self.given);
-        match self.unit {
-            Unit::Ratio => vec![given(&["r"])],
-            Unit::RatioUnderLoad => vec![Column::computed(&["frequency", "(Hz)"]), given(&["r"])],
-            Unit::Hertz => vec![given(&["frequency", "(Hz)"]), Column::computed(&["r"])],
-            Unit::Omega => vec![
-                Column::computed(&["frequency", "(Hz)"]),
-                given(&["omega", "(rad/s)"]),
-                Column::computed(&["r"]),
-            ],
-        }
-    }
-
-    /// Returns the names of the cells.
-    pub fn names(&self) -> &'static [&'static str] {
-        self.unit.names()
+        self.unit.given(system, given)
     }
 }

@@ -4,10 +4,10 @@ use crate::args::FrictionArguments;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::grid::{self, MOST_POINTS, Quantity};
-use crate::measure::Measure;
-use crate::number::{Value, survives};
-use crate::table::Column;
+use crate::measure::{self, Measure};
+use crate::number::survives;
 use frictiongen::study::LoadScale;
+use frictiongen::study::columns::Friction;
 
 /// A grid of friction ratios or forces.
 #[derive(Clone, Debug)]
@@ -15,28 +15,6 @@ pub struct Frictions {
     given: Vec<f64>,
     quantity: Quantity,
     scale: Option<LoadScale>,
-}
-
-/// One friction.
-#[derive(Clone, Copy, Debug)]
-pub struct Friction {
-    /// Friction ratio β.
-    pub beta: f64,
-    /// Friction force in N, if the load is known.
-    force: Option<f64>,
-}
-
-impl Friction {
-    /// Returns the friction force if the load is known, and otherwise β.
-    pub fn force(&self) -> f64 {
-        self.force.unwrap_or(self.beta)
-    }
-
-    /// Returns the cells of the friction.
-    pub fn values(&self) -> Vec<Value<'static>> {
-        let before = self.force.into_iter();
-        before.chain([self.beta]).map(Value::from).collect()
-    }
 }
 
 impl Frictions {
@@ -71,12 +49,12 @@ impl Frictions {
         if self.scale.is_none() && self.are_forces() {
             return Err(Failure::new(format_args!(
                 "--friction needs the amplitude of the load: give {}",
-                measure.option()
+                measure::option(measure)
             )));
         }
         let lost = |given: &&f64| {
             let friction = self.of(**given);
-            let force = friction.force.unwrap_or(friction.beta);
+            let force = friction.force();
             !(survives(**given, friction.beta) && survives(**given, force))
         };
         if let Some(given) = self.given.iter().find(lost) {
@@ -89,7 +67,18 @@ impl Frictions {
         Ok(self)
     }
 
-    fn are_forces(&self) -> bool {
+    /// Returns the frictions as given.
+    pub fn given(&self) -> &[f64] {
+        &self.given
+    }
+
+    /// Returns the frictions in the order given.
+    pub fn all(&self) -> impl Iterator<Item = Friction> + Clone + '_ {
+        self.given.iter().map(|given| self.of(*given))
+    }
+
+    /// Returns true if the frictions were given as forces.
+    pub fn are_forces(&self) -> bool {
         self.quantity == Quantity::FrictionForce
     }
 
@@ -106,39 +95,10 @@ impl Frictions {
         self.given.len()
     }
 
-    /// Returns the frictions in the order written.
-    pub fn iter(&self) -> impl Iterator<Item = Friction> + Clone + '_ {
-        self.given.iter().map(|given| self.of(*given))
-    }
-
     fn of(&self, given: f64) -> Friction {
         match self.scale {
-            Some(scale) if self.are_forces() => Friction {
-                beta: scale.friction_ratio(given),
-                force: Some(given),
-            },
-            scale => Friction {
-                beta: given,
-                force: scale.map(|scale| scale.friction(given)),
-            },
-        }
-    }
-
-    /// Returns the columns of the table.
-    pub fn columns(&self) -> Vec<Column> {
-        let (force, beta): (&[&str], &[&str]) = (&["friction", "(N)"], &["beta"]);
-        match (self.scale, self.are_forces()) {
-            (None, _) => vec![Column::given(beta, &self.given)],
-            (_, true) => vec![Column::given(force, &self.given), Column::computed(beta)],
-            (_, false) => vec![Column::computed(force), Column::given(beta, &self.given)],
-        }
-    }
-
-    /// Returns the names of the cells.
-    pub fn names(&self) -> &'static [&'static str] {
-        match self.scale {
-            None => &["beta"],
-            Some(_) => &["friction_N", "beta"],
+            Some(scale) if self.are_forces() => Friction::of_force(given, scale),
+            scale => Friction::of_ratio(given, scale),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Writes JSON: one object. Its points are written as they are computed, each on its own line.
 
-use crate::number::Value;
+use crate::number::{Cell, Exact as _};
 use crate::summary::Summary;
 use serde_json::Value as Json;
 use std::io::{self, Write};
@@ -60,7 +60,7 @@ impl<'a> Writer<'a> {
 
 /// Returns a list of numbers.
 fn numbers(values: impl Iterator<Item = f64>) -> Json {
-    values.map(|value| Value::from(value).json()).collect()
+    values.map(|value| Cell::from(value).json()).collect()
 }
 
 /// Returns an object. serde_json sorts its fields by name.

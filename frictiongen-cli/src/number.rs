@@ -1,87 +1,49 @@
 //! Formats values.
 
+pub use frictiongen::study::columns::Cell;
 use std::borrow::Cow;
-
-/// One value of a row.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Value<'a> {
-    /// A number, never NaN and never −0.
-    Number(f64),
-    /// A count.
-    Count(usize),
-    /// A word with a static name.
-    Text(&'a str),
-    /// A word made for this row.
-    Owned(String),
-    /// A flag: yes or no.
-    Flag(bool),
-    /// A missing value, printed as an empty cell.
-    Missing,
-}
-
-impl From<Option<bool>> for Value<'_> {
-    fn from(value: Option<bool>) -> Self {
-        value.map_or(Self::Missing, Self::Flag)
-    }
-}
 
 /// Returns the text of a flag in tables and CSV.
 pub fn word(flag: bool) -> &'static str {
     if flag { "true" } else { "false" }
 }
 
-impl From<f64> for Value<'_> {
-    fn from(value: f64) -> Self {
-        if value.is_nan() {
-            Self::Missing
-        } else {
-            Self::Number(value + 0.0)
-        }
-    }
-}
-
-impl From<Option<f64>> for Value<'_> {
-    fn from(value: Option<f64>) -> Self {
-        value.map_or(Self::Missing, Self::from)
-    }
-}
-
-impl From<usize> for Value<'_> {
-    fn from(value: usize) -> Self {
-        Self::Count(value)
-    }
-}
-
-impl<'a> From<&'a str> for Value<'a> {
-    fn from(value: &'a str) -> Self {
-        Self::Text(value)
-    }
-}
-
-impl Value<'_> {
+/// A cell as text for programs.
+pub trait Exact {
     /// Formats a value with every digit, as few as read back as the same number.
-    pub fn exact(&self) -> Cow<'_, str> {
+    fn exact(&self) -> Cow<'_, str>;
+    /// Converts a value to JSON.
+    fn json(&self) -> serde_json::Value;
+}
+
+impl Exact for Cell<'_> {
+    fn exact(&self) -> Cow<'_, str> {
         match self {
             Self::Number(value) => Cow::Owned(format!("{value:?}")),
             Self::Count(value) => Cow::Owned(value.to_string()),
-            Self::Text(text) => Cow::Borrowed(text),
-            Self::Owned(text) => Cow::Borrowed(text),
+            Self::Word(text) => Cow::Borrowed(text),
             Self::Flag(value) => Cow::Borrowed(word(*value)),
-            Self::Missing => Cow::Borrowed(""),
+            // CSV has no column of lists.
+            Self::Pairs(_) | Self::Missing => Cow::Borrowed(""),
         }
     }
 
     /// Converts a value to JSON. JSON has no infinity, so that the string "inf" replaces it.
-    pub fn json(&self) -> serde_json::Value {
+    fn json(&self) -> serde_json::Value {
         match self {
             Self::Number(value) if value.is_infinite() => {
                 if *value < 0.0 { "-inf" } else { "inf" }.into()
             }
             Self::Number(value) => (*value).into(),
             Self::Count(value) => (*value).into(),
-            Self::Text(text) => (*text).into(),
-            Self::Owned(text) => text.as_str().into(),
+            Self::Word(text) => text.as_ref().into(),
             Self::Flag(value) => (*value).into(),
+            Self::Pairs(pairs) => {
+                let pair = |pair: &[f64; 2]| -> serde_json::Value {
+                    pair.iter().map(|value| Cell::from(*value).json()).collect()
+                };
+                pairs.iter().map(pair).collect()
+            }
             Self::Missing => serde_json::Value::Null,
         }
     }
@@ -128,7 +90,7 @@ pub fn decimals(value: f64) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{Value, computed, decimals, given};
+    use super::{Cell, Exact as _, computed, decimals, given};
 
     #[test]
     fn for_people() {
@@ -154,14 +116,14 @@ mod tests {
 
     #[test]
     fn for_programs() {
-        assert_eq!(Value::from(0.1).exact(), "0.1");
-        assert_eq!(Value::from(-0.0).exact(), "0.0");
-        assert_eq!(Value::from(1e300).exact(), "1e300");
-        assert_eq!(Value::from(f64::INFINITY).exact(), "inf");
-        assert_eq!(Value::from(f64::NAN), Value::Missing);
-        assert_eq!(Value::from(None::<f64>).exact(), "");
-        assert_eq!(Value::from(f64::INFINITY).json(), "inf");
-        assert_eq!(Value::from(f64::NEG_INFINITY).json(), "-inf");
-        assert_eq!(Value::Missing.json(), serde_json::Value::Null);
+        assert_eq!(Cell::from(0.1).exact(), "0.1");
+        assert_eq!(Cell::from(-0.0).exact(), "0.0");
+        assert_eq!(Cell::from(1e300).exact(), "1e300");
+        assert_eq!(Cell::from(f64::INFINITY).exact(), "inf");
+        assert_eq!(Cell::from(f64::NAN), Cell::Missing);
+        assert_eq!(Cell::from(None::<f64>).exact(), "");
+        assert_eq!(Cell::from(f64::INFINITY).json(), "inf");
+        assert_eq!(Cell::from(f64::NEG_INFINITY).json(), "-inf");
+        assert_eq!(Cell::Missing.json(), serde_json::Value::Null);
     }
 }

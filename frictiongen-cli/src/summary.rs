@@ -1,6 +1,6 @@
 //! Preamble of a table: the scene, its natural frequencies and its groups.
 
-use crate::measure::Measure;
+use crate::measure::{self, Measure};
 use crate::number::computed;
 use frictiongen::System;
 use frictiongen::study::scene::{Damping, Excitation, Scene};
@@ -77,7 +77,7 @@ impl Summary {
             "groups                       r = omega sqrt(m1/k1), beta = {}",
             self.friction_ratio()
         )?;
-        if let Some(load) = self.measure.description(computed) {
+        if let Some(load) = measure::description(&self.measure, computed) {
             writeln!(out, "load                         {load}")?;
         }
         for (title, text) in more {

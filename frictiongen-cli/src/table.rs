@@ -1,6 +1,7 @@
 //! Writes tables for people, with aligned columns and decimal points.
 
-use crate::number::{Value, computed, decimals, given, word};
+use crate::number::{Cell, computed, decimals, given, word};
+use frictiongen::study::columns::{self, Kind};
 use std::io::{self, Write};
 
 /// The format of a column's values.
@@ -61,15 +62,25 @@ impl Column {
         Self::new(title, Style::Computed, COMPUTED_WIDTH)
     }
 
-    fn text(&self, value: &Value<'_>) -> String {
+    /// Makes the column that prints a column of the library under this heading.
+    pub fn of<R>(column: &columns::Column<'_, R>, title: &[&str]) -> Self {
+        match column.kind {
+            Kind::Given(grid) => Self::given(title, grid),
+            Kind::Count => Self::counts(title),
+            Kind::Word(widest) => Self::new(title, Style::Words, widest),
+            Kind::Flag => Self::words(title, [word(false)]),
+            Kind::Number | Kind::Complex | Kind::Intervals => Self::computed(title),
+        }
+    }
+
+    fn text(&self, value: &Cell<'_>) -> String {
         match (value, self.style) {
-            (Value::Number(value), Style::Given(decimals)) => given(*value, decimals),
-            (Value::Number(value), _) => computed(*value),
-            (Value::Count(value), _) => value.to_string(),
-            (Value::Text(text), _) => (*text).to_owned(),
-            (Value::Owned(text), _) => text.clone(),
-            (Value::Flag(value), _) => word(*value).to_owned(),
-            (Value::Missing, _) => String::new(),
+            (Cell::Number(value), Style::Given(decimals)) => given(*value, decimals),
+            (Cell::Number(value), _) => computed(*value),
+            (Cell::Count(value), _) => value.to_string(),
+            (Cell::Word(text), _) => text.clone().into_owned(),
+            (Cell::Flag(value), _) => word(*value).to_owned(),
+            (Cell::Pairs(_) | Cell::Missing, _) => String::new(),
         }
     }
 
@@ -95,7 +106,7 @@ pub fn header(out: &mut dyn Write, columns: &[Column]) -> io::Result<()> {
 }
 
 /// Writes a line of values.
-pub fn row(out: &mut dyn Write, columns: &[Column], values: &[Value<'_>]) -> io::Result<()> {
+pub fn row(out: &mut dyn Write, columns: &[Column], values: &[Cell<'_>]) -> io::Result<()> {
     let cells = columns.iter().zip(values);
     write_line(
         out,

@@ -1,5 +1,6 @@
 //! Answers for Python: arrays by name, in the order of the command's columns.
 
+use frictiongen::study::columns::{Axis, Cell, Column, Kind};
 use numpy::{Complex64, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -8,24 +9,24 @@ use std::borrow::Cow;
 /// Words of a column. Each distinct word is stored once.
 #[derive(Default)]
 pub struct Words {
-    known: Vec<Cow<'static, str>>,
+    known: Vec<String>,
     places: Vec<i64>,
 }
 
 impl Words {
     /// Adds a word.
-    pub fn push(&mut self, word: impl Into<Cow<'static, str>>) {
+    pub fn push<'w>(&mut self, word: impl Into<Cow<'w, str>>) {
         let word = word.into();
         let place = self.known.iter().position(|known| *known == word);
         let place = place.unwrap_or_else(|| {
-            self.known.push(word);
+            self.known.push(word.into_owned());
             self.known.len() - 1
         });
         self.places.push(place as i64);
     }
 }
 
-impl<W: Into<Cow<'static, str>>> FromIterator<W> for Words {
+impl<'w, W: Into<Cow<'w, str>>> FromIterator<W> for Words {
     fn from_iter<I: IntoIterator<Item = W>>(words: I) -> Self {
         let mut all = Self::default();
         words.into_iter().for_each(|word| all.push(word));
@@ -64,6 +65,73 @@ impl<'py> Columns<'py> {
     /// Sets the shape of the arrays added from now on.
     pub fn reshape(&mut self, shape: &[usize]) {
         self.shape = shape.to_vec();
+    }
+
+    /// Adds the columns of a table.
+    pub fn table<R>(&mut self, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
+        let shown = columns.iter().filter(|column| column.is_in_python());
+        for column in shown {
+            self.column(column, rows)?;
+        }
+        Ok(())
+    }
+
+    /// Adds the columns of a table that depend on the whole row, and not on the frequency or the friction alone.
+    pub fn points<R>(&mut self, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
+        let shown = columns.iter().filter(|column| column.is_in_python());
+        for column in shown.filter(|column| column.axis == Axis::Row) {
+            self.column(column, rows)?;
+        }
+        Ok(())
+    }
+
+    fn column<R>(&mut self, column: &Column<'_, R>, rows: &[R]) -> PyResult<()> {
+        let (name, cells) = (column.attribute(), rows.iter().map(|row| column.read(row)));
+        match column.kind {
+            Kind::Number | Kind::Given(_) => {
+                let number = |cell| match cell {
+                    Cell::Number(value) => value,
+                    _ => f64::NAN,
+                };
+                self.numbers(name, cells.map(number).collect())
+            }
+            Kind::Count => {
+                let counts = cells.map(|cell| match cell {
+                    Cell::Count(value) => count(Some(value)),
+                    _ => count(None),
+                });
+                self.counts(name, counts.collect())
+            }
+            Kind::Word(_) => {
+                let words = cells.map(|cell| match cell {
+                    Cell::Word(word) => word,
+                    _ => Cow::Borrowed(""),
+                });
+                self.words(name, words.collect())
+            }
+            Kind::Flag => self.flags(name, cells.map(|cell| cell == Cell::Flag(true)).collect()),
+            Kind::Complex | Kind::Intervals => self.list(column, cells.last()),
+        }
+    }
+
+    /// Adds the list of the only row.
+    fn list<R>(&mut self, column: &Column<'_, R>, cell: Option<Cell<'_>>) -> PyResult<()> {
+        let pairs = match cell {
+            Some(Cell::Pairs(pairs)) => pairs,
+            _ => Vec::new(),
+        };
+        let name = column.attribute();
+        let shape = std::mem::take(&mut self.shape);
+        if column.kind == Kind::Complex {
+            self.shape = vec![pairs.len()];
+            let values = pairs.iter().map(|[re, im]| Complex64::new(*re, *im));
+            self.complex(name, values.collect())?;
+        } else {
+            self.shape = vec![pairs.len(), 2];
+            self.numbers(name, pairs.into_iter().flatten().collect())?;
+        }
+        self.shape = shape;
+        Ok(())
     }
 
     /// Adds numbers.

@@ -1,57 +1,18 @@
 //! Responses along frequency, with more points where a curve bends.
 
 use crate::asked::{
-    Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, MOST_POINTS, Measure,
-    Optional, Part, check_size, harmonics, one, parts,
+    Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, MOST_POINTS, Optional,
+    Part, check_size, harmonics, measure, one, parts, setting,
 };
-use crate::columns::{Columns, Words, cell, count};
+use crate::columns::Columns;
 use crate::errors::domain;
-use crate::motion::{self, Extent, Movement};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::study::{Curve, CurveError, CurvePoint, CurveRequest, CurveStart, words};
-use frictiongen::{Error, Of};
+use frictiongen::Of;
+use frictiongen::study::columns::CurveTable;
+use frictiongen::study::{CurveError, CurveRequest, CurveStart, words};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-
-/// A line of the answer: a point of a piece, or an end point of a gap.
-struct Line {
-    /// Index of the friction.
-    friction: usize,
-    start: CurveStart,
-    r: f64,
-    piece: Option<usize>,
-    found: Result<CurvePoint, Error>,
-}
-
-/// Returns the lines of one curve, with ascending frequency.
-fn lines(friction: usize, curve: Curve) -> Vec<Line> {
-    let (start, mut lines) = (curve.start, Vec::new());
-    for (piece, found) in (1..).zip(curve.pieces) {
-        lines.extend(found.points.into_iter().map(|point| Line {
-            friction,
-            start,
-            r: point.r,
-            piece: Some(piece),
-            found: Ok(point),
-        }));
-    }
-    for gap in curve.gaps {
-        let ends = [gap.from, gap.to].into_iter();
-        lines.extend(
-            ends.take(if gap.from < gap.to { 2 } else { 1 })
-                .map(|r| Line {
-                    friction,
-                    start,
-                    r,
-                    piece: None,
-                    found: Err(gap.reason),
-                }),
-        );
-    }
-    lines.sort_by(|a, b| a.r.total_cmp(&b.r));
-    lines
-}
 
 /// Accuracy, largest step, highest harmonic, whether velocities are asked for, and the starts.
 type Fineness<'py> = (
@@ -97,7 +58,7 @@ pub fn curve<'py>(
     let starts = starts(&starts_of)?;
     let system = &system.system;
     let band = Band::of(system, &frequency)?;
-    let measure = Measure::of(system, &load)?;
+    let measure = measure::of(system, &load)?;
     let frictions = Frictions::listed(&friction, &measure)?;
     let parts: Vec<Part> = parts(system, "of", of.as_ref())?;
     let of: Vec<Of> = parts.iter().map(|part| part.of).collect();
@@ -109,126 +70,36 @@ pub fn curve<'py>(
     request.harmonics = (1..=harmonics(highest.as_ref())?).collect();
     request.rates = rates;
     request.turned = measure.turns(Of::Contact);
-    let extent = Extent {
-        monoharmonic: false,
+    let table = CurveTable {
+        setting: setting(system, measure, band.unit(&measure), &parts),
+        starts: starts != [CurveStart::Rest],
         rates,
         orders: &request.harmonics,
     };
+    let columns = table.columns();
+    let frictions = frictions.all();
     // The number of points is not known before the refinement.
     check_size(
-        frictions.beta.len().saturating_mul(1000 * starts.len()),
-        11 + parts.len() * extent.numbers(),
+        frictions.len().saturating_mul(1000 * starts.len()),
+        columns.len(),
     )?;
     let found = without_lock(py, |stop| {
         let mut found = Vec::new();
-        for (place, beta) in frictions.beta.iter().enumerate() {
+        for friction in &frictions {
             if !stop.goes_on() || MOST_POINTS < found.len() {
                 break;
             }
             // A sweep goes from point to point, so that several sweeps run in parallel.
-            let asked: Vec<_> = starts.iter().map(|start| (*beta, *start)).collect();
-            for curve in system.curves(&request, &asked)? {
-                found.extend(lines(place, curve));
+            let asked = starts.iter().map(|start| (friction.beta, *start));
+            for curve in system.curves(&request, &asked.collect::<Vec<_>>())? {
+                found.extend(table.rows(*friction, &curve));
             }
         }
         Ok::<_, CurveError>(found)
     })?
     .map_err(domain)?;
-    check_size(found.len(), 11 + parts.len() * extent.numbers())?;
-
-    let points = || found.iter().map(|line| line.found.as_ref().ok());
-    let mut columns = Columns::new(py, &[found.len()]);
-    let places: Vec<usize> = found.iter().map(|line| line.friction).collect();
-    frictions.put_places(&mut columns, &places)?;
-    band.put(
-        &mut columns,
-        (system, &measure),
-        found.iter().map(|line| line.r).collect(),
-    )?;
-    if starts != [CurveStart::Rest] {
-        columns.words(
-            "start",
-            found
-                .iter()
-                .map(|line| words::start(line.start))
-                .collect::<Words>(),
-        )?;
-    }
-    columns.counts(
-        "piece",
-        found.iter().map(|line| count(line.piece)).collect(),
-    )?;
-    let regimes = points().map(|point| point.map_or("", |point| words::regime(point.regime)));
-    columns.words("regime", regimes.collect::<Words>())?;
-    columns.words(
-        "answer",
-        found
-            .iter()
-            .map(|line| words::on_curve(line.found.as_ref().map_err(|error| *error)))
-            .collect::<Words>(),
-    )?;
-    columns.counts(
-        "stops",
-        points()
-            .map(|point| count(point.map(|point| point.stops)))
-            .collect(),
-    )?;
-    columns.counts(
-        "period",
-        points()
-            .map(|point| count(point.map(|point| point.period as usize)))
-            .collect(),
-    )?;
-    let omegas: Vec<f64> = found
-        .iter()
-        .map(|line| system.angular_frequency(line.r))
-        .collect();
-    let force =
-        |point: Option<&CurvePoint>| cell(point.map(|point| measure.force(point.contact_force)));
-    columns.numbers(
-        measure.name("contact_force", "_N"),
-        points().map(force).collect(),
-    )?;
-    let work = points().zip(&omegas);
-    let work = work
-        .map(|(point, omega)| cell(point.map(|point| measure.power(point.friction_work, *omega))));
-    let name = if measure.scale().is_some() {
-        "friction_power_W"
-    } else {
-        "friction_work"
-    };
-    columns.numbers(name, work.collect())?;
-    let sign = measure.sign();
-    let offset =
-        |point: Option<&CurvePoint>| cell(point.map(|point| measure.length(sign * point.offset)));
-    columns.numbers(measure.name("offset", "_m"), points().map(offset).collect())?;
-    columns.flags(
-        "marginal",
-        points()
-            .map(|point| point.is_some_and(|point| point.marginal))
-            .collect(),
-    )?;
-    columns.flags(
-        "from_rest",
-        points()
-            .map(|point| point.is_some_and(|point| point.from_rest))
-            .collect(),
-    )?;
-    for (place, part) in parts.iter().enumerate() {
-        let movements = points().zip(&omegas).map(|(point, omega)| {
-            let movement = point.and_then(|point| point.movements.get(place));
-            let movement = movement.map(|movement| Movement {
-                swing: Some(movement.swing),
-                centred: Some(movement.centred),
-                fundamental_phase: movement.fundamental_phase,
-                monoharmonic: None,
-                rates: movement.rates,
-                harmonics: movement.harmonics.clone(),
-            });
-            (movement.unwrap_or_default(), *omega)
-        });
-        let movements: Vec<_> = movements.collect();
-        motion::put(&mut columns, (&part.name, &measure), extent, &movements)?;
-    }
-    Ok(columns.done())
+    check_size(found.len(), columns.len())?;
+    let mut arrays = Columns::new(py, &[found.len()]);
+    arrays.table(&columns, &found)?;
+    Ok(arrays.done())
 }

@@ -1,13 +1,13 @@
 //! Follows a load step by step, from rest, from a state, or from the end of an earlier run.
 
 use crate::asked::{Part, check_size, numbers};
-use crate::columns::{Columns, Words, cell};
+use crate::columns::Columns;
 use crate::errors::{domain, wrong_type};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::kernel::simulation::Contact;
-use frictiongen::study::{SystemInput, SystemStepSaved, SystemStepper, words};
-use frictiongen::{Of, Stepping, System};
+use frictiongen::measure::columns::Driven;
+use frictiongen::study::{SystemInput, SystemStepSaved, SystemStepper};
+use frictiongen::{Stepping, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -64,41 +64,6 @@ pub struct Course {
     pub start: Start,
     /// Ratio μ from the start on, if it differs from the description's.
     pub stiction: Option<f64>,
-}
-
-/// Result of the steps.
-#[derive(Default)]
-struct Followed {
-    /// Displacements and velocities, one pair for each part.
-    motions: Vec<[Vec<f64>; 2]>,
-    force: Vec<f64>,
-    state: Vec<Contact>,
-    events: Vec<i64>,
-    time: Vec<f64>,
-}
-
-impl Followed {
-    fn note(&mut self, stepper: &SystemStepper<'_>, parts: &[Part], turned: bool, events: u32) {
-        let signed = |value: f64| if turned { 0.0 - value } else { value };
-        let contact = stepper.contact();
-        for (part, [displacement, velocity]) in parts.iter().zip(&mut self.motions) {
-            let (x, v) = match part.of {
-                Of::Contact => (signed(contact.displacement()), signed(contact.velocity())),
-                Of::Mass(index) => {
-                    let mass = stepper.mass_at(index);
-                    (mass.displacement(), mass.velocity())
-                }
-            };
-            displacement.push(cell(Some(x)));
-            velocity.push(cell(Some(v)));
-        }
-        self.force.push(cell(Some(signed(contact.force()))));
-        let state = contact.contact();
-        self.state
-            .push(if turned { state.reversed() } else { state });
-        self.events.push(events.into());
-        self.time.push(stepper.time());
-    }
 }
 
 /// Returns a stepper at the start of the run. The flag tells whether the first sample is the end of a step instead of
@@ -163,10 +128,7 @@ pub fn follow<'py, 'r>(
     let turned = system.get().system.contact_is_reversed();
     let (mut stepper, goes_on) = ready(py, system, &course)?;
     let (followed, stepper) = without_lock(py, |stop| {
-        let mut followed = Followed {
-            motions: vec![Default::default(); parts.len()],
-            ..Followed::default()
-        };
+        let mut followed = Driven::new(parts);
         for index in 0..samples {
             if index % PORTION == 0 && !stop.goes_on() {
                 break;
@@ -178,33 +140,26 @@ pub fn follow<'py, 'r>(
             };
             let events =
                 stepped.map_err(|error| domain(format_args!("sample {index}: {error}")))?;
-            followed.note(&stepper, parts, turned, events);
+            followed.push(&stepper, parts, turned, events);
         }
         Ok::<_, PyErr>((followed, stepper))
     })??;
 
-    let mut columns = Columns::new(py, &[samples]);
-    columns.numbers("time_s", followed.time)?;
-    for (part, [displacement, velocity]) in parts.iter().zip(followed.motions) {
-        columns.numbers(format!("{}.displacement_m", part.name), displacement)?;
-        columns.numbers(format!("{}.velocity_m_s", part.name), velocity)?;
-    }
-    columns.numbers("contact.friction_N", followed.force)?;
-    let states = followed.state.iter();
-    let states = states.map(|contact| words::contact(*contact));
-    columns.words("contact.state", states.collect::<Words>())?;
-    columns.counts("events", followed.events)?;
+    let columns = Driven::columns(&system.get().system, parts);
+    let rows: Vec<_> = followed.rows().collect();
+    let mut arrays = Columns::new(py, &[samples]);
+    arrays.table(&columns, &rows)?;
     let work = Stepping::work(&stepper);
-    columns.other(
+    arrays.other(
         "work",
         (work.load, work.friction, work.damping, work.stored),
     )?;
-    columns.other("exceeded", stepper.exceeded())?;
+    arrays.other("exceeded", stepper.exceeded())?;
     let end = NativeStepState {
         saved: stepper.save(),
         dt: course.dt,
         system: system.clone().unbind(),
     };
-    columns.other("end", end)?;
-    Ok(columns.done())
+    arrays.other("end", end)?;
+    Ok(arrays.done())
 }

@@ -1,8 +1,8 @@
 //! `frictiongen._native`: the functions that Python calls, one file for each group of answers.
 //!
 //! This crate computes nothing itself. Arguments become numbers and groups (`asked`). `frictiongen::System` answers
-//! without Python's lock (`work`). The answers become arrays by name (`columns`, `motion`), with the words of the
-//! command (`words`). The classes around them are written in Python, in `frictiongen/`.
+//! without Python's lock (`work`). The answers become arrays by name (`columns`), whose names, units and words are those of
+//! the library's tables (`frictiongen::study::columns`). The classes around them are written in Python, in `frictiongen/`.
 #![forbid(unsafe_code)]
 
 mod asked;
@@ -14,7 +14,6 @@ mod follow;
 mod limits;
 mod map;
 mod measure;
-mod motion;
 mod optimum;
 mod orbit;
 mod response;

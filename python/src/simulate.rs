@@ -2,15 +2,15 @@
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
-    Optional, numbers, parts, whole,
+    Optional, measure, numbers, parts, setting, whole,
 };
-use crate::columns::{Columns, Words, cell};
+use crate::columns::Columns;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::kernel::simulation::Contact;
-use frictiongen::study::{HistoryError, HistoryRequest, MOST_SAMPLES, units, words};
-use frictiongen::{Of, System};
+use frictiongen::System;
+use frictiongen::study::columns::HistoryTable;
+use frictiongen::study::{HistoryError, HistoryRequest, MOST_SAMPLES};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -75,10 +75,10 @@ pub fn simulate<'py>(
     let (cycles, skip, samples, from, steady) = extent;
     let system = &system.system;
     let frequencies = Frequencies::of(system, &frequency, true)?;
-    let measure = Measure::of(system, &load)?;
+    let measure = measure::of(system, &load)?;
     let frictions = Frictions::of(&friction, &measure)?;
-    let (r, (beta, _)) = (frequencies.only()?, frictions.only()?);
-    let omega = units::angular_frequency(frequencies.hertz(system, 0));
+    let (frequency, friction) = (frequencies.only(system)?, frictions.only()?);
+    let (r, beta, omega) = (frequency.r, friction.beta, frequency.omega);
     let parts = parts(system, "of", of.as_ref())?;
     let number = |argument, given: &Option<Bound<'py, PyAny>>, least, default| {
         given
@@ -109,78 +109,16 @@ pub fn simulate<'py>(
     })?
     .map_err(|error: HistoryError| domain(error))?;
 
-    let signed = |of: Of, value: f64| {
-        if measure.turns(of) {
-            0.0 - value
-        } else {
-            value
-        }
+    let table = HistoryTable {
+        setting: setting(system, measure, frequencies.unit(&measure), &parts),
+        at: frequency,
+        in_seconds: true,
     };
-    let state = |contact: Contact| match measure.turns(Of::Contact) {
-        true => words::contact(contact.reversed()),
-        false => words::contact(contact),
-    };
-    let times = |taus: Vec<f64>, columns: &mut Columns<'_>| {
-        columns.numbers(
-            "time_s",
-            taus.iter().map(|tau| units::seconds(*tau, omega)).collect(),
-        )?;
-        columns.numbers("tau", taus)
-    };
-
-    let mut columns = Columns::new(py, &[history.len()]);
-    times(
-        (0..history.len()).map(|index| history.tau(index)).collect(),
-        &mut columns,
-    )?;
-    for (part, track) in parts.iter().zip(&history.tracks) {
-        let name = measure.name(&format!("{}.displacement", part.name), "_m");
-        let values = track
-            .displacement
-            .iter()
-            .map(|value| cell(Some(measure.length(signed(part.of, *value)))));
-        columns.numbers(name, values.collect())?;
-        let name = measure.name(&format!("{}.velocity", part.name), "_m_s");
-        let values = track.velocity.iter();
-        let values =
-            values.map(|value| cell(Some(measure.velocity(signed(part.of, *value), omega))));
-        columns.numbers(name, values.collect())?;
-    }
-    let forces = history.friction.iter();
-    let forces = forces.map(|force| cell(Some(measure.force(signed(Of::Contact, *force)))));
-    columns.numbers(measure.name("contact.friction", "_N"), forces.collect())?;
-    columns.words(
-        "contact.state",
-        history
-            .contact
-            .iter()
-            .map(|contact| state(*contact))
-            .collect::<Words>(),
-    )?;
-
-    let mut events = Columns::new(py, &[history.events.len()]);
-    times(
-        history.events.iter().map(|event| event.tau).collect(),
-        &mut events,
-    )?;
-    let found = || history.events.iter();
-    events.words(
-        "event",
-        found()
-            .map(|event| words::event(event.event))
-            .collect::<Words>(),
-    )?;
-    events.words(
-        "contact.state",
-        found().map(|event| state(event.contact)).collect::<Words>(),
-    )?;
-    for (place, part) in parts.iter().enumerate() {
-        let name = measure.name(&format!("{}.displacement", part.name), "_m");
-        let values = found().map(|event| {
-            let value = event.displacements.get(place);
-            cell(value.map(|value| measure.length(signed(part.of, *value))))
-        });
-        events.numbers(name, values.collect())?;
-    }
-    Ok((columns.done(), events.done()))
+    let rows: Vec<_> = table.samples(&history).collect();
+    let mut samples = Columns::new(py, &[rows.len()]);
+    samples.table(&table.sample_columns(), &rows)?;
+    let rows: Vec<_> = table.events(&history).collect();
+    let mut events = Columns::new(py, &[rows.len()]);
+    events.table(&table.event_columns(), &rows)?;
+    Ok((samples.done(), events.done()))
 }

@@ -190,7 +190,7 @@ def test_optimum(command):
         "amplitudes computed": best.evaluations,
     }.items():
         assert str(value) == known[name] or float(value) == float(known[name]), name
-    per_cent = [value for name, value in known.items() if name.startswith("per cent of it")]
+    per_cent = [value for name, value in known.items() if name.startswith("change in per cent for 1 % more")]
     assert best.sensitivities.relative.tolist() == [float(value) for value in per_cent] and len(per_cent) > 5
 
 

@@ -164,7 +164,7 @@ def test_a_friction_that_is_known_comes_back(frame):
     """Two storeys at three frequencies, with the damping and the stiction of the description."""
     recordings = [made(frame, hz, 0.35, 0.001, noise=0.01, seed=place) for place, hz in enumerate((1.3, 2.4, 4.0))]
     found = frame.identify(recordings)
-    assert found.verdict == "told" and found.friction_N.value == pytest.approx(0.35, rel=0.01)
+    assert found.verdict == "determined" and found.friction_N.value == pytest.approx(0.35, rel=0.01)
     # The intervals hold 95 % of such truths; this seed is one of them.
     assert found.friction_N.holds(0.35) and found.is_explained and found.freedom == 11
     assert set(found.regime) == {"continuous", "stick-slip"} and set(found["of"]) == {"lower", "upper"}
@@ -181,7 +181,7 @@ def test_from_amplitudes_and_phases(plate):
     observed = {"hz": hz, "base": base, "deviation_m": 1e-6, "phase_deviation_deg": 0.1}
     for told in [{"amplitude_m": amplitude, "phase_deg": phase}, {"amplitude_m": amplitude}, {"phase_deg": phase}]:
         found = plate.identify(Observation(**observed, **told))
-        assert found.verdict == "told" and found.friction_N.value == pytest.approx(0.5, rel=1e-6), told
+        assert found.verdict == "determined" and found.friction_N.value == pytest.approx(0.5, rel=1e-6), told
         assert found.friction_N.holds(0.5) and (found.residual_over_deviation < 1e-3).all()
         assert np.isnan(found.amplitude_measured).all() == ("amplitude_m" not in told)
         assert np.isnan(found.lag_measured_deg).all() == ("phase_deg" not in told)
@@ -218,7 +218,7 @@ def test_an_unknown_that_does_not_show(plate):
     seen = Observation(hz=hz, base=base, phase_deviation_deg=0.1, **seen)
     found = plate.identify(seen, also=["stiction", "damping"])
     assert found.undetermined == ["stiction"] and found.unknowns["stiction"].high == math.inf
-    assert found.verdict == "told" and found.unknowns["damping"].high < 0.1
+    assert found.verdict == "determined" and found.unknowns["damping"].high < 0.1
     alone = plate.identify(seen, also="damping")
     assert found.friction_N.value == pytest.approx(alone.friction_N.value, rel=1e-6) and alone.undetermined == []
 

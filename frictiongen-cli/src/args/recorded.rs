@@ -176,13 +176,13 @@ pub const IDENTIFICATIONS: &str = "\
 Answers:
   not explained   the description does not move like the rig: noise explains such residuals in
                   fewer than one of 1000 recordings. The force may be far from that of the rig
-  told            the measurement determines the force: the 95 % interval contains one friction force and
+  determined      the measurement determines the force: the 95 % interval contains one friction force and
                   is narrower than that force is large
   several levels  several friction forces give this response; each has its own interval
   stuck           the contact never slides; the interval begins at the least force that holds it
-  not told        the measurement does not determine the force: the response hardly changes with friction
+  not determined  the measurement does not determine the force: the response hardly changes with friction
                   here, as at an invariant point
-  all but stuck   amplitudes without phases are so small that a unit may be wrong by 1000
+  almost stuck    amplitudes without phases are so small that a unit may be wrong by 1000
 
 Quantities:
   friction force  F in N, for a scene in kg and N/m

@@ -11,11 +11,12 @@ use crate::destination::Destination;
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::frequency::Band;
-use crate::friction::{Friction, Frictions};
-use crate::measure::Measure;
+use crate::friction::Frictions;
+use crate::measure;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
+use frictiongen::study::columns::Friction;
 use frictiongen::study::{CurveRequest, CurveStart, words};
 use frictiongen_codegen::Limits;
 use report::CurveReport;
@@ -38,7 +39,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let band = Band::parse(&arguments.point.frequency, &system)?;
     let parts = asked::parts(&system, &arguments.of)?;
-    let measure = Measure::of(&arguments.point.load, &system)?;
+    let measure = measure::of(&arguments.point.load, &system)?;
     let band = band.under(&measure);
     let frictions = frictions.under(&measure)?;
     let of: Vec<_> = parts.iter().map(|part| part.of).collect();
@@ -54,7 +55,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     }
     let starts = starts(&arguments.from)?;
     let of_friction = |friction: Friction| starts.iter().map(move |start| (friction, *start));
-    let asked: Vec<(Friction, CurveStart)> = frictions.iter().flat_map(of_friction).collect();
+    let asked: Vec<(Friction, CurveStart)> = frictions.all().flat_map(of_friction).collect();
     let pairs: Vec<(f64, CurveStart)> = asked
         .iter()
         .map(|(friction, start)| (friction.beta, *start))
@@ -77,7 +78,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     destination.write(out, |out| match destination.form {
         #[cfg(feature = "pictures")]
         Form::Svg | Form::Png => draw::draw(&report, destination.form, out),
-        form => output::print(&report, &summary, form, out),
+        form => output::write(&report, &summary, form, out),
     })
 }
 

@@ -7,7 +7,7 @@ mod parameters;
 use crate::args::{DiffArguments, FileArgument};
 use crate::failure::Failure;
 use crate::json::object;
-use crate::number::{Value, computed};
+use crate::number::{Cell, Exact as _, computed};
 use answers::{Answers, Difference, FREQUENCIES};
 use code::Code;
 use frictiongen::System;
@@ -247,7 +247,7 @@ impl Differences {
 
     fn json(&self) -> Json {
         let [old, new] = &self.names;
-        let number = |value: f64| Value::from(value).json();
+        let number = |value: f64| Cell::from(value).json();
         let field = |field: &Option<Field>| match field {
             None => Json::Null,
             Some(Field {

@@ -1,6 +1,5 @@
 //! Draws the amplitudes with the features marked.
 
-use super::lines::Line;
 use super::report::FeaturesReport;
 use crate::asked::Part;
 use crate::destination::Form;
@@ -8,6 +7,7 @@ use crate::failure::Failure;
 use crate::measure::Measure;
 use crate::picture;
 use frictiongen::study::CurveRequest;
+use frictiongen::study::columns::FeatureLine;
 use frictiongen_plot::desk::{Drawn, Reading, Scales, keys, panel};
 use frictiongen_plot::{Colour, Figure, Label, Marker, Markers};
 use std::io::Write;
@@ -20,7 +20,12 @@ const MARKS: [(&str, Marker, &str); 3] = [
 ];
 
 /// Returns the features to mark among the amplitudes of a motion.
-pub fn marks(lines: &[Line], part: &Part, measure: &Measure, scales: &Scales) -> Vec<Markers> {
+pub fn marks(
+    lines: &[FeatureLine],
+    part: &Part,
+    measure: &Measure,
+    scales: &Scales,
+) -> Vec<Markers> {
     let mut marks = Vec::new();
     for (feature, marker, name) in MARKS {
         // The picture shows amplitudes. Points of the fundamental component would not lie on those curves.

@@ -2,7 +2,6 @@
 
 #[cfg(feature = "pictures")]
 pub mod draw;
-pub mod lines;
 pub mod report;
 
 use crate::args::{FeaturesArguments, FrequencyArguments, FrictionArguments};
@@ -13,9 +12,10 @@ use crate::destination::Form;
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::friction::Frictions;
-use crate::measure::Measure;
+use crate::measure;
 use crate::output;
 use crate::summary::Summary;
+use frictiongen::study::columns::FeaturesAsked;
 use frictiongen::{Of, System};
 use frictiongen_codegen::Limits;
 use report::FeaturesReport;
@@ -53,7 +53,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
         hz: arguments.hz.clone(),
         omega: arguments.omega.clone(),
     };
-    let measure = Measure::of(&arguments.load, &system)?;
+    let measure = measure::of(&arguments.load, &system)?;
     let band = if frequency.r.is_none() && frequency.hz.is_none() && frequency.omega.is_none() {
         Band::about_resonances(&system, measure.load().is_some())
     } else {
@@ -76,11 +76,18 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
         .transpose()?;
     let frictions: Vec<f64> = frictions
         .iter()
-        .flat_map(Frictions::iter)
+        .flat_map(Frictions::all)
         .map(|friction| friction.beta)
         .collect();
     let summary = Summary::of(&system, band.is_physical(), measure);
-    let lines = lines::lines(&system, &band, &measure, &parts, &frictions, true)?;
+    let asked = FeaturesAsked {
+        range: [band.from, band.to],
+        frictions: &frictions,
+        peaks: true,
+    };
+    let features = system.features(measure.load()).map_err(Failure::new)?;
+    let lines = report::table(&system, &band, measure, &parts).rows(&features, asked);
+    let lines = lines.map_err(Failure::new)?;
     let report = FeaturesReport {
         system: &system,
         band,
@@ -90,6 +97,6 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
     destination.write(out, |out| match destination.form {
         #[cfg(feature = "pictures")]
         Form::Svg | Form::Png => draw::draw(&report, &parts, &frictions, destination.form, out),
-        form => output::print(&report, &summary, form, out),
+        form => output::write(&report, &summary, form, out),
     })
 }

@@ -15,13 +15,13 @@ const LINES: f64 = 2e-4;
 
 /// Draws a map with the limits over it.
 pub fn draw(
-    report: &MapReport,
+    report: &MapReport<'_>,
     boundaries: &[Boundary],
     shade: Shade,
     form: Form,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let map = &report.map;
+    let (map, grids) = (report.map, &report.grids);
     let ends = map
         .columns
         .iter()
@@ -33,7 +33,7 @@ pub fn draw(
             "a picture of a map needs two frequencies and two frictions",
         ));
     }
-    let lines = report
+    let lines = grids
         .system
         .limit_lines(ends.0, ends.1, LINES)
         .map_err(Failure::new)?;
@@ -43,12 +43,12 @@ pub fn draw(
         Shade::Amplitude => desk::Shade::Amplitude(0),
     };
     let scales = picture::scales(
-        &report.system,
-        report.frequencies.are_physical(),
-        &report.measure,
+        &grids.system,
+        grids.frequencies.are_physical(),
+        &grids.measure,
     );
-    let name = &report.system.scene().name;
-    let title = match (shade, report.parts.first()) {
+    let name = &grids.system.scene().name;
+    let title = match (shade, grids.parts.first()) {
         (desk::Shade::Amplitude(_), Some(part)) => format!("{name}: {}", part.name),
         _ => name.clone(),
     };
@@ -60,5 +60,5 @@ pub fn draw(
         shade,
         &scales,
     );
-    picture::write(figure, &report.system, form, out)
+    picture::write(figure, &grids.system, form, out)
 }

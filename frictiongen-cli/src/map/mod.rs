@@ -2,7 +2,6 @@
 
 #[cfg(feature = "pictures")]
 mod draw;
-mod lines;
 mod points;
 
 use crate::args::MapArguments;
@@ -13,16 +12,16 @@ use crate::destination::Form;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
+use crate::grids::Grids;
 use crate::interrupt;
-use crate::measure::Measure;
+use crate::measure;
 use crate::output;
 use crate::progress::Progress;
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::study::MapRequest;
 use frictiongen_codegen::Limits;
-use lines::BoundaryReport;
-use points::MapReport;
+use points::{BoundaryReport, MapReport};
 use std::io::Write;
 use std::sync::Mutex;
 
@@ -48,15 +47,15 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;
     let parts = asked::parts(&system, &arguments.of)?;
-    let measure = Measure::of(&arguments.point.load, &system)?;
+    let measure = measure::of(&arguments.point.load, &system)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let request = MapRequest {
         r: frequencies
-            .iter(&system)
+            .all(&system)
             .map(|frequency| frequency.r)
             .collect(),
-        beta: frictions.iter().map(|friction| friction.beta).collect(),
+        beta: frictions.all().map(|friction| friction.beta).collect(),
         of: parts.iter().map(|part| part.of).collect(),
     };
     interrupt::watch();
@@ -73,12 +72,14 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let boundaries = digits.map(|digits| system.boundaries(&map, digits));
     let report = MapReport {
-        system,
-        frequencies,
-        frictions,
-        measure,
-        parts,
-        map,
+        grids: Grids {
+            system,
+            frequencies,
+            frictions,
+            measure,
+            parts,
+        },
+        map: &map,
     };
     destination.write(out, |out| match (destination.form, boundaries) {
         #[cfg(feature = "pictures")]
@@ -91,9 +92,9 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
                 map: &report,
                 boundaries,
             };
-            output::print(&report, &summary, form, out)
+            output::write(&report, &summary, form, out)
         }
-        (form, None) => output::print(&report, &summary, form, out),
+        (form, None) => output::write(&report, &summary, form, out),
     })?;
     if done < asked {
         return Err(Failure::new(format_args!(

@@ -1,199 +1,68 @@
-//! Writes the points of a map.
+//! Writes the points and the boundaries of a map.
 
-use crate::asked::Part;
 use crate::failure::Failure;
-use crate::frequency::{Frequencies, Frequency};
-use crate::friction::{Friction, Frictions};
-use crate::measure::Measure;
-use crate::number::Value;
-use crate::output::{Report, Visitor};
-use crate::table::Column;
-use frictiongen::study::{Map, MapPoint, words};
-use frictiongen::{Error, System};
-use serde_json::Value as Json;
-use std::borrow::Cow;
+use crate::grids::Grids;
+use crate::output::{Table, Visitor};
+use frictiongen::study::columns::{BoundaryRow, Column, MapRow, MapTable};
+use frictiongen::study::{Boundary, Map};
 
 /// The map with everything needed to write it.
-pub struct MapReport {
-    /// The system.
-    pub system: System,
-    /// The frequencies.
-    pub frequencies: Frequencies,
-    /// The frictions.
-    pub frictions: Frictions,
-    /// The units of the answers.
-    pub measure: Measure,
-    /// The motions whose amplitudes are written.
-    pub parts: Vec<Part>,
+pub struct MapReport<'m> {
+    /// Grids, units and parts.
+    pub grids: Grids,
     /// The map.
-    pub map: Map,
+    pub map: &'m Map,
 }
 
-/// A point with the name of its region.
-pub struct Point {
-    frequency: Frequency,
-    friction: Friction,
-    region: Cow<'static, str>,
-    found: Result<MapPoint, Error>,
+/// The boundaries between the regions of a map, with the map itself.
+pub struct BoundaryReport<'m> {
+    /// The map.
+    pub map: &'m MapReport<'m>,
+    /// The boundaries, in the order of the frequencies, with ascending friction.
+    pub boundaries: Vec<Boundary>,
 }
 
-impl MapReport {
-    /// Pairs the entries of the map with their frequencies, in order. A map that was cancelled lacks some frequencies.
-    pub fn placed<'a, T>(
-        &'a self,
-        found: &'a [T],
-        r: impl Fn(&T) -> f64 + 'a,
-    ) -> impl Iterator<Item = (Frequency, &'a T)> {
-        let mut frequencies = self.frequencies.iter(&self.system).peekable();
-        found.iter().filter_map(move |found| {
-            while frequencies.next_if(|at| at.r != r(found)).is_some() {}
-            Some((*frequencies.peek()?, found))
-        })
-    }
-
-    fn once<'a>(&self, point: &'a Point) -> Vec<Value<'a>> {
-        let mut values = point.frequency.values();
-        values.extend(point.friction.values());
-        let found = point.found.as_ref().ok();
-        let pattern = found.map(|found| found.pattern);
-        let count = |value: Option<usize>| value.map_or(Value::Missing, Value::Count);
-        // A motion that does not repeat has no counts.
-        let counted = pattern.filter(|pattern| 0 < pattern.period);
-        values.extend([
-            pattern.map_or(Value::Missing, |pattern| {
-                words::regime(pattern.regime).into()
-            }),
-            Value::Text(&point.region),
-            count(counted.map(|pattern| pattern.period as usize)),
-            count(counted.map(|pattern| pattern.stops)),
-            count(counted.map(|pattern| pattern.reversals)),
-            found.map(|found| found.stuck_fraction).into(),
-            found
-                .map(|found| self.measure.length(self.sign() * found.offset))
-                .into(),
-            found.map(|found| found.marginal).into(),
-            found.map(|found| found.from_rest).into(),
-        ]);
-        values
-    }
-
-    /// Returns the sign with which the scene's contact moves.
-    fn sign(&self) -> f64 {
-        if self.measure.turns_contact() {
-            -1.0
-        } else {
-            1.0
-        }
-    }
-
-    fn once_names(&self) -> Vec<String> {
-        let counts = vec![
-            "regime",
-            "region",
-            "period",
-            "stops",
-            "reversals",
-            "stuck_fraction",
-        ];
-        let names = [
-            self.frequencies.names().to_vec(),
-            self.frictions.names().to_vec(),
-            counts,
-        ]
-        .concat();
-        let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
-        names.push(self.measure.length_name("offset"));
-        names.extend(["marginal", "from_rest"].map(str::to_owned));
-        names
-    }
-
-    fn amplitudes(&self, point: &Point) -> Vec<Value<'static>> {
-        let found = point.found.as_ref().ok();
-        let places = 0..self.parts.len();
-        places
-            .flat_map(|index| {
-                let sizes = found.map(|found| [&found.amplitudes, &found.centred]);
-                let size = |which: usize| sizes?.get(which)?.get(index).copied();
-                [size(0), size(1)].map(|size| size.map(|size| self.measure.length(size)).into())
-            })
-            .collect()
-    }
-
-    fn amplitude_names(&self) -> impl Iterator<Item = String> {
-        let parts = self.parts.iter();
-        parts.flat_map(|part| {
-            ["amplitude", "centred"]
-                .map(|what| self.measure.length_name(&format!("{}.{what}", part.name)))
-        })
+impl MapReport<'_> {
+    fn table(&self) -> MapTable<'_> {
+        let setting = self.grids.setting();
+        MapTable { setting }
     }
 }
 
-impl Report for MapReport {
-    type Point = Point;
+impl<'m> Table for MapReport<'m> {
+    type Row = MapRow<'m>;
 
     fn len(&self) -> usize {
         self.map.columns.len().saturating_mul(self.map.beta.len())
     }
 
-    fn each(&self, visit: Visitor<'_, Point>) -> Result<(), Failure> {
-        for (frequency, column) in self.placed(&self.map.columns, |column| column.r) {
-            for (friction, found) in self.frictions.iter().zip(&column.points) {
-                let pattern = found.as_ref().map(|found| found.pattern);
-                let pattern = pattern.map_err(|error| *error);
-                visit(&Point {
-                    frequency,
-                    friction,
-                    region: words::region(pattern),
-                    found: found.clone(),
-                })?;
-            }
-        }
-        Ok(())
+    fn each(&self, visit: Visitor<'_, MapRow<'m>>) -> Result<(), Failure> {
+        let frequencies = self.grids.frequencies.all(&self.grids.system);
+        let frictions = self.grids.frictions.all();
+        let mut rows = MapTable::rows(self.map, frequencies, frictions);
+        rows.try_for_each(|row| visit(&row))
     }
 
-    fn columns(&self) -> Vec<Column> {
-        let mut columns = self.frequencies.columns();
-        columns.extend(self.frictions.columns());
-        columns.extend([
-            Column::words(&["regime"], ["continuous"]),
-            Column::words(&["region"], ["sliding reversals"]),
-            Column::counts(&["period"]),
-            Column::counts(&["stops"]),
-            Column::counts(&["reversals"]),
-            Column::computed(&["stuck"]),
-        ]);
-        let unit = self.measure.length_title();
-        columns.extend([
-            Column::computed(&["offset", unit]),
-            Column::words(&["marginal"], ["false"]),
-            Column::words(&["from", "rest"], ["false"]),
-        ]);
-        let parts = self.parts.iter();
-        columns.extend(parts.flat_map(|part| {
-            ["amplitude", "centred"].map(|what| Column::computed(&[&part.name, what, unit]))
-        }));
-        columns
+    fn columns(&self) -> Vec<Column<'_, MapRow<'m>>> {
+        self.table().columns()
+    }
+}
+
+impl Table for BoundaryReport<'_> {
+    type Row = BoundaryRow;
+
+    fn len(&self) -> usize {
+        self.boundaries.len()
     }
 
-    fn rows<'a>(&'a self, point: &'a Point) -> Vec<Vec<Value<'a>>> {
-        vec![self.record(point)]
+    fn each(&self, visit: Visitor<'_, BoundaryRow>) -> Result<(), Failure> {
+        let grids = &self.map.grids;
+        let frequencies = grids.frequencies.all(&grids.system);
+        let mut rows = self.map.table().boundaries(&self.boundaries, frequencies);
+        rows.try_for_each(|row| visit(&row))
     }
 
-    fn names(&self) -> Vec<String> {
-        let once = self.once_names().into_iter();
-        once.chain(self.amplitude_names()).collect()
-    }
-
-    fn record<'a>(&'a self, point: &'a Point) -> Vec<Value<'a>> {
-        self.once(point)
-            .into_iter()
-            .chain(self.amplitudes(point))
-            .collect()
-    }
-
-    fn json(&self, point: &Point) -> Json {
-        let names = self.names().into_iter();
-        let values = self.record(point).into_iter().map(|value| value.json());
-        Json::Object(names.zip(values).collect())
+    fn columns(&self) -> Vec<Column<'_, BoundaryRow>> {
+        self.map.table().boundary_columns()
     }
 }

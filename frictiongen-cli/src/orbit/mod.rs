@@ -1,14 +1,14 @@
 //! `frictiongen orbit`: computes the steady state over frequency and friction, also where the contact stops.
 
-mod point;
 mod report;
 
 use crate::args::OrbitArguments;
-use crate::asked;
+use crate::asked::{self, Part};
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
-use crate::measure::Measure;
+use crate::grids::Grids;
+use crate::measure;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
@@ -27,19 +27,23 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
     let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let masses = asked::masses(&system, &arguments.mass)?;
+    let masses = masses.into_iter().map(Part::from);
+    let parts = std::iter::once(Part::contact()).chain(masses).collect();
     frequencies.check(&system)?;
-    let measure = Measure::of(&arguments.point.load, &system)?;
+    let measure = measure::of(&arguments.point.load, &system)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let report = OrbitReport {
-        system,
-        frequencies,
-        frictions,
-        measure,
-        masses,
+        grids: Grids {
+            system,
+            frequencies,
+            frictions,
+            measure,
+            parts,
+        },
         orders,
         states: arguments.states,
     };
-    output::print(&report, &summary, arguments.format.checked()?, out)
+    output::write(&report, &summary, arguments.format.checked()?, out)
 }

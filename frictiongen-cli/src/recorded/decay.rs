@@ -5,9 +5,10 @@ use super::read;
 use crate::args::IdentifyArguments;
 use crate::failure::Failure;
 use frictiongen::System;
+use frictiongen::measure::columns::decay_lines;
 
 /// Returns the result for the only recording.
-pub fn lines(arguments: &IdentifyArguments, system: &System) -> Result<Lines, Failure> {
+pub fn lines<'a>(arguments: &IdentifyArguments, system: &'a System) -> Result<Lines<'a>, Failure> {
     let files = &arguments.recordings;
     let recordings = files.recordings()?;
     let ([recording], [path]) = (recordings.as_slice(), files.recordings.as_slice()) else {
@@ -21,13 +22,10 @@ pub fn lines(arguments: &IdentifyArguments, system: &System) -> Result<Lines, Fa
     let found = system
         .free_decay(recording, known)
         .map_err(|error| read::told(path, &error))?;
-    let mut lines = Lines::default();
-    lines.estimate("friction force", found.friction, 1.0, "N");
-    lines.estimate("F/k", found.length, 1.0, "m");
-    lines.number("F/k by the linear decrement", found.linear_decrement, "m");
-    lines.estimate("natural frequency", found.hertz, 1.0, "Hz");
-    lines.estimate("zeta", found.damping, 1.0, "");
-    lines.number("extremes used", found.extremes.len() as f64, "");
-    lines.number("misfit (1 is noise)", found.misfit, "");
-    Ok(lines)
+    Ok(Lines {
+        system,
+        lines: decay_lines(&found),
+        said: Vec::new(),
+        keys: Vec::new(),
+    })
 }

@@ -1,6 +1,6 @@
 //! Draws the residuals of an identification, and the motion under a recorded input.
 
-use super::driven::{Driven, Sample};
+use super::driven::DrivenReport;
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::picture;
@@ -62,23 +62,24 @@ pub fn residuals(
 /// Draws displacements and the friction force over time.
 pub fn driven(
     system: &System,
-    driven: &Driven,
+    driven: &DrivenReport<'_>,
     form: Form,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let last = driven.samples.last().map_or(1.0, |sample| sample.time);
+    let times = &driven.motion.time;
+    let last = times.last().copied().unwrap_or(1.0);
     let time = || Axis::new("time (s)", 0.0, last);
-    let track = |value: &dyn Fn(&Sample) -> f64| -> Vec<(f64, f64)> {
-        let samples = driven.samples.iter();
-        samples.map(|sample| (sample.time, value(sample))).collect()
+    let track = |values: &[f64]| -> Vec<(f64, f64)> {
+        times.iter().copied().zip(values.iter().copied()).collect()
     };
     let edge = |tracks: &[Vec<(f64, f64)>]| {
         let values = tracks.iter().flatten().map(|(_, value)| value.abs());
         let most = values.fold(0.0, f64::max);
         if 0.0 < most { most * ROOM } else { 1.0 }
     };
-    let motions: Vec<Vec<(f64, f64)>> = (0..driven.parts.len())
-        .map(|part| track(&|sample| sample.motions.get(part).map_or(0.0, |motion| motion[0])))
+    let motions = driven.motion.motions.iter();
+    let motions: Vec<Vec<(f64, f64)>> = motions
+        .map(|[displacement, _]| track(displacement))
         .collect();
     let high = edge(&motions);
     let mut moved = Panel::new("", time(), Axis::new("displacement (m)", -high, high));
@@ -90,7 +91,7 @@ pub fn driven(
             vec![motion],
         ));
     }
-    let force = track(&|sample| sample.force);
+    let force = track(&driven.motion.force);
     let high = edge(std::slice::from_ref(&force));
     let gripped = Panel::new("", time(), Axis::new("friction force (N)", -high, high)).with(
         Line::new("friction force", Colour::Black, Stroke::Solid, vec![force]),

@@ -1,6 +1,6 @@
 //! `frictiongen drive`: computes the motion of a scene under a recorded input.
 
-use super::driven::Driven;
+use super::driven::DrivenReport;
 use super::read;
 use crate::args::DriveArguments;
 use crate::asked::{number_that, parts};
@@ -34,13 +34,13 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         Some(path) => read::told(path, &error),
         None => Failure::new(error),
     })?;
-    let driven = Driven::of(&system, &inputs, parts)?;
-    let summary = Summary::of(&system, true, Measure::none(&system));
+    let driven = DrivenReport::of(&system, &inputs, parts)?;
+    let summary = Summary::of(&system, true, Measure::groups(&system));
     destination.write(out, |out| {
         #[cfg(feature = "pictures")]
         if matches!(form, Form::Svg | Form::Png) {
             return super::draw::driven(&system, &driven, form, out);
         }
-        output::print(&driven, &summary, form, out)
+        output::write(&&driven, &summary, form, out)
     })
 }

@@ -1,40 +1,30 @@
 //! The motion of a scene under a recorded input, sample by sample.
 
-use crate::asked::{CONTACT, Part};
+use crate::asked::Part;
 use crate::failure::Failure;
-use crate::number::{Value, computed};
-use crate::output::{Report, Visitor};
-use crate::table::Column;
+use crate::number::computed;
+use crate::output::{Table, Visitor};
+use frictiongen::System;
 use frictiongen::kernel::stepper::Work;
 use frictiongen::measure::Inputs;
-use frictiongen::study::{SystemStepper, words};
-use frictiongen::{Of, System};
+use frictiongen::measure::columns::{Driven, DrivenRow};
+use frictiongen::study::columns::Column;
 use serde_json::{Value as Json, json};
 
 /// The motion under the recorded inputs.
-pub struct Driven {
+pub struct DrivenReport<'s> {
+    system: &'s System,
     /// The moving parts.
     pub parts: Vec<Part>,
-    /// The samples in order.
-    pub samples: Vec<Sample>,
+    /// The motion at every sample.
+    pub motion: Driven,
     work: Work<f64>,
     exceeded: u64,
 }
 
-/// State at one sample.
-pub struct Sample {
-    /// Time, in s.
-    pub time: f64,
-    /// Displacement and velocity of each part, in m and m/s.
-    pub motions: Vec<[f64; 2]>,
-    /// Friction force, in N.
-    pub force: f64,
-    state: &'static str,
-    events: u32,
-}
-
-impl Driven {
-    pub fn of(system: &System, inputs: &Inputs<'_>, parts: Vec<Part>) -> Result<Self, Failure> {
+impl<'s> DrivenReport<'s> {
+    /// Computes the motion.
+    pub fn of(system: &'s System, inputs: &Inputs<'_>, parts: Vec<Part>) -> Result<Self, Failure> {
         let turned = system.contact_is_reversed();
         let mut step = system.stepper(inputs.dt()).map_err(|_| {
             Failure::new(format_args!(
@@ -43,17 +33,18 @@ impl Driven {
             ))
         })?;
         step.begin(inputs.at(0)).map_err(Failure::new)?;
-        let mut samples = vec![Sample::of(&step, &parts, turned, 0.0, 0)];
+        let mut motion = Driven::new(&parts);
+        motion.push(&step, &parts, turned, 0);
         for sample in 1..inputs.len() {
             let stepped = step.advance(inputs.at(sample)).map_err(|error| {
                 Failure::new(format_args!("sample {sample} of the recording: {error}"))
             })?;
-            let time = sample as f64 * inputs.dt();
-            samples.push(Sample::of(&step, &parts, turned, time, stepped.events));
+            motion.push(&step, &parts, turned, stepped.events);
         }
         Ok(Self {
+            system,
             parts,
-            samples,
+            motion,
             work: step.work(),
             exceeded: step.exceeded(),
         })
@@ -100,91 +91,24 @@ impl Driven {
     }
 }
 
-impl Sample {
-    fn of(step: &SystemStepper<'_>, parts: &[Part], turned: bool, time: f64, events: u32) -> Self {
-        let contact = step.contact();
-        let sign = if turned { -1.0 } else { 1.0 };
-        let motions = parts.iter().map(|part| match part.of {
-            Of::Contact => [sign * contact.displacement(), sign * contact.velocity()],
-            Of::Mass(index) => {
-                let mass = step.mass_at(index);
-                [mass.displacement(), mass.velocity()]
-            }
-        });
-        let slides = if turned {
-            contact.contact().reversed()
-        } else {
-            contact.contact()
-        };
-        Self {
-            time,
-            motions: motions.collect(),
-            force: sign * contact.force(),
-            state: words::contact(slides),
-            events,
-        }
-    }
-}
-
-impl Report for Driven {
-    type Point = Sample;
+impl<'d> Table for &'d DrivenReport<'_> {
+    type Row = DrivenRow<'d>;
 
     fn len(&self) -> usize {
-        self.samples.len()
+        self.motion.time.len()
     }
 
-    fn each(&self, visit: Visitor<'_, Sample>) -> Result<(), Failure> {
-        self.samples.iter().try_for_each(visit)
+    fn each(&self, visit: Visitor<'_, DrivenRow<'d>>) -> Result<(), Failure> {
+        self.motion.rows().try_for_each(|row| visit(&row))
     }
 
-    fn columns(&self) -> Vec<Column> {
-        let mut columns = vec![Column::computed(&["time", "(s)"])];
-        columns.extend(self.parts.iter().flat_map(|part| {
-            [
-                Column::computed(&[&part.name, "displacement", "(m)"]),
-                Column::computed(&[&part.name, "velocity", "(m/s)"]),
-            ]
-        }));
-        columns.extend([
-            Column::computed(&[CONTACT, "friction", "(N)"]),
-            Column::words(&[CONTACT, "state"], ["backward"]),
-            Column::computed(&["events"]),
-        ]);
-        columns
-    }
-
-    fn rows<'a>(&'a self, sample: &'a Sample) -> Vec<Vec<Value<'a>>> {
-        vec![self.record(sample)]
-    }
-
-    fn names(&self) -> Vec<String> {
-        let mut names = vec!["time_s".to_owned()];
-        names.extend(self.parts.iter().flat_map(|part| {
-            [
-                format!("{}.displacement_m", part.name),
-                format!("{}.velocity_m_per_s", part.name),
-            ]
-        }));
-        names.extend(["friction_N", "state"].map(|what| format!("{CONTACT}.{what}")));
-        names.push("events".to_owned());
-        names
-    }
-
-    fn record<'a>(&'a self, sample: &'a Sample) -> Vec<Value<'a>> {
-        let mut record: Vec<Value<'a>> = vec![sample.time.into()];
-        record.extend(sample.motions.iter().flatten().map(|value| (*value).into()));
-        record.extend([
-            sample.force.into(),
-            sample.state.into(),
-            f64::from(sample.events).into(),
-        ]);
-        record
+    fn columns(&self) -> Vec<Column<'_, DrivenRow<'d>>> {
+        Driven::columns(self.system, &self.parts)
     }
 
     fn head(&self) -> Vec<(String, Json)> {
-        let work: serde_json::Map<String, Json> = self
-            .sums()
-            .into_iter()
+        let sums = self.sums().into_iter();
+        let work: serde_json::Map<String, Json> = sums
             .map(|(name, value)| (name.to_owned(), json!(value)))
             .collect();
         vec![
@@ -195,13 +119,5 @@ impl Report for Driven {
 
     fn preamble(&self) -> Vec<(&'static str, String)> {
         vec![("work", self.account())]
-    }
-
-    fn json(&self, sample: &Sample) -> Json {
-        self.names()
-            .into_iter()
-            .zip(self.record(sample))
-            .map(|(name, value)| (name, value.json()))
-            .collect()
     }
 }

@@ -6,7 +6,7 @@ use crate::asked::{self, Part};
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::friction::Frictions;
-use crate::measure::Measure;
+use crate::measure;
 use crate::picture;
 use frictiongen::study::scene::{Excitation, Node};
 use frictiongen::study::units;
@@ -42,7 +42,7 @@ pub struct Asked {
 impl Asked {
     /// Reads the options.
     pub fn of(arguments: &ReportArguments, system: System) -> Result<Self, Failure> {
-        let measure = Measure::of(&arguments.load, &system)?;
+        let measure = measure::of(&arguments.load, &system)?;
         let mut chosen = Vec::new();
         let band = match arguments.range() {
             Some(range) => Band::parse(&range, &system)?,
@@ -79,7 +79,7 @@ impl Asked {
                         given.len()
                     )));
                 }
-                Some(given.iter().map(|friction| friction.beta).collect())
+                Some(given.all().map(|friction| friction.beta).collect())
             }
         };
         Ok(Self {

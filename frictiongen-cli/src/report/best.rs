@@ -4,6 +4,7 @@ use super::asked::Asked;
 use super::found::at_once;
 use super::words::{Words, number, object};
 use crate::asked::Part;
+use crate::measure::Dimension;
 use frictiongen::Of;
 use frictiongen::study::{FrequencyBand, Optimum, OptimumEnd, OptimumKind, OptimumRequest, words};
 use maud::{Markup, html};
@@ -194,7 +195,7 @@ pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
         Err(error) => json!({ "of": best.part.name, "none": error }),
         Ok(optimum) => {
             let length = |ratio: f64| number(words.measure.length(ratio));
-            let name = |name: &str| words.measure.length_name(name);
+            let name = |name: &str| words.measure.name(name, Dimension::Length);
             let mut fields: Vec<(String, Json)> = vec![
                 ("of".to_owned(), best.part.name.as_str().into()),
                 ("limited_by".to_owned(), kind(optimum).into()),

@@ -8,6 +8,7 @@ use super::map::Regimes;
 use super::modes::Modes;
 use super::response::Responses;
 use super::{scene, summary};
+use crate::measure;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
@@ -113,7 +114,7 @@ impl Page<'_> {
     /// Returns the choices that were made, and the units of the page.
     fn chosen(&self) -> Markup {
         let words = &self.asked.words;
-        let option = words.measure.option();
+        let option = measure::option(&words.measure);
         html! {
             @if words.measure.load().is_none() || !self.asked.chosen.is_empty() {
                 aside aria-label="What was chosen" {

@@ -7,7 +7,8 @@ use super::words::{Words, object};
 
 use crate::failure::Failure;
 use crate::features::draw::marks;
-use crate::features::lines::Line;
+use crate::measure::Dimension;
+use frictiongen::study::columns::FeatureLine;
 use frictiongen::study::{Curve, CurveRequest, End, words};
 use frictiongen::{Of, Regime};
 use frictiongen_plot::desk::{Drawn, Reading, keys, lines};
@@ -117,7 +118,7 @@ impl Responses {
     }
 
     /// Returns a picture for each motion, with its features marked.
-    pub fn plots(&self, asked: &Asked, features: &[Line]) -> Vec<Plot> {
+    pub fn plots(&self, asked: &Asked, features: &[FeatureLine]) -> Vec<Plot> {
         let parts = asked.parts.iter().enumerate();
         parts
             .map(|(index, part)| {
@@ -341,7 +342,7 @@ impl Responses {
         let cell = |found: &Found| match found {
             Err(error) => json!({ "none": words::no_answer(*error) }),
             Ok((regime, swing)) => {
-                let phase = words.measure.angle_name("phase");
+                let phase = words.measure.name("phase", Dimension::Angle);
                 let lag = swing.phase.map(|phase| words.measure.angle(phase));
                 object([
                     words.length_json(swing.amplitude),

@@ -1,6 +1,7 @@
 //! Formats the numbers of the page for people: four digits with the unit.
 
-use crate::measure::Measure;
+use crate::measure::{Dimension, Measure};
+use crate::number::Exact as _;
 use frictiongen::System;
 use frictiongen::study::units;
 use frictiongen_plot::desk::Scales;
@@ -53,7 +54,7 @@ fn trimmed(text: &str) -> String {
 
 /// Converts a number to JSON. JSON has no infinity, so that a string replaces it.
 pub fn number(value: f64) -> Json {
-    crate::number::Value::from(value).json()
+    crate::number::Cell::from(value).json()
 }
 
 /// Rounds to six digits, which is what a picture shows.
@@ -64,9 +65,9 @@ pub fn rounded(value: f64) -> f64 {
 impl Words {
     /// Returns the unit of displacements.
     pub fn length_unit(&self) -> &'static str {
-        match (self.measure.scale(), self.measure.option()) {
+        match (self.measure.scale(), self.measure.is_base_motion()) {
             (Some(_), _) => "mm",
-            (None, "--base") => "Y",
+            (None, true) => "Y",
             (None, _) => "P/k₁",
         }
     }
@@ -133,7 +134,7 @@ impl Words {
 
     /// Returns the JSON field of an amplitude.
     pub fn length_json(&self, ratio: f64) -> (String, Json) {
-        let name = self.measure.length_name("amplitude");
+        let name = self.measure.name("amplitude", Dimension::Length);
         (name, number(self.measure.length(ratio)))
     }
 }

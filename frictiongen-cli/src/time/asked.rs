@@ -54,7 +54,7 @@ impl Asked {
 pub type Start = (Vec<f64>, Vec<f64>);
 
 /// Parses the state of `--from`, in the units of the load if there is one.
-pub fn start(text: &str, system: &System, course: &Course) -> Result<Start, Failure> {
+pub fn start(text: &str, system: &System, course: &Course<'_>) -> Result<Start, Failure> {
     let refuse = |why: &str| Failure::new(format_args!("--from `{text}`: {why}"));
     let halves: Vec<&str> = text.split(';').collect();
     let [displacements, velocities] = *halves else {
@@ -91,7 +91,7 @@ pub fn start(text: &str, system: &System, course: &Course) -> Result<Start, Fail
     };
     let scale = course.measure.scale();
     let displacement = |x| scale.map_or(x, |scale| scale.displacement_ratio(x));
-    let velocity = |v| scale.map_or(v, |scale| scale.velocity_ratio(v, course.omega));
+    let velocity = |v| scale.map_or(v, |scale| scale.velocity_ratio(v, course.frequency.omega));
     Ok((
         numbers(displacements, "displacements", &displacement)?,
         numbers(velocities, "velocities", &velocity)?,

@@ -1,22 +1,43 @@
-//! Frequency, friction and units of a motion over time.
+//! Frequency, friction, parts and units of a motion.
 
 use crate::asked::Part;
-use crate::frequency::Frequency;
-use crate::friction::Friction;
 use crate::measure::Measure;
+use frictiongen::System;
+use frictiongen::study::columns::{Frequency, FrequencyUnit, Friction, HistoryTable, Setting};
 
 /// Frequency, friction, parts and units of a motion.
-pub struct Course {
-    /// Names of the frequency's cells, and the frequency.
-    pub frequency: (&'static [&'static str], Frequency),
-    /// Names of the friction's cells, and the friction.
-    pub friction: (&'static [&'static str], Friction),
+pub struct Course<'a> {
+    /// The system.
+    pub system: &'a System,
+    /// The unit of the frequency.
+    pub unit: FrequencyUnit,
+    /// The frequency.
+    pub frequency: Frequency,
+    /// The friction.
+    pub friction: Friction,
     /// The units of the answers.
     pub measure: Measure,
     /// The moving parts.
     pub parts: Vec<Part>,
-    /// Angular frequency, rad/s.
-    pub omega: f64,
     /// True if times are given in seconds too.
     pub in_seconds: bool,
+}
+
+impl Course<'_> {
+    /// Returns the tables of the motion.
+    pub fn table(&self) -> HistoryTable<'_> {
+        HistoryTable {
+            setting: Setting {
+                system: self.system,
+                measure: self.measure,
+                frequency: self.unit,
+                frequencies: &[],
+                frictions: &[],
+                forces: false,
+                parts: &self.parts,
+            },
+            at: self.frequency,
+            in_seconds: self.in_seconds,
+        }
+    }
 }

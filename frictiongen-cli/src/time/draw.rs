@@ -1,7 +1,7 @@
 //! Draws motions over time and spectra.
 
 use super::motion::Motion;
-use super::spectrum::SpectrumReport;
+use super::spectrum::spectra;
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::picture;
@@ -13,7 +13,7 @@ use std::io::Write;
 /// Draws the motion or its spectrum.
 pub fn draw(
     system: &System,
-    motion: &Motion,
+    motion: &Motion<'_>,
     spectrum: bool,
     form: Form,
     out: &mut dyn Write,
@@ -21,13 +21,12 @@ pub fn draw(
     let course = &motion.course;
     let mut scales = picture::scales(system, false, &course.measure);
     if course.in_seconds {
-        scales = scales.at(course.omega);
+        scales = scales.at(course.frequency.omega);
     }
     let parts: Vec<Label> = course.parts.iter().map(picture::part_name).collect();
     let title = Label::verbatim(&system.scene().name);
     let figure = if spectrum {
-        let report = SpectrumReport::of(motion);
-        spectrum_figure(title, report.spectra(), &parts, &scales)
+        spectrum_figure(title, &spectra(motion), &parts, &scales)
     } else {
         let turned = course.measure.turns_contact();
         history_figure(title, &motion.history, &parts, turned, &scales)

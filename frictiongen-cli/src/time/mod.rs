@@ -4,7 +4,6 @@ mod asked;
 mod course;
 #[cfg(feature = "pictures")]
 mod draw;
-mod events;
 mod motion;
 mod samples;
 mod spectrum;
@@ -17,18 +16,17 @@ use crate::destination::Form;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
-use crate::measure::Measure;
+use crate::measure;
 use crate::output;
 use crate::summary::Summary;
 use asked::{Asked, start};
 use course::Course;
-use events::EventsReport;
 use frictiongen::System;
 use frictiongen::study::scene::FrictionLaw;
 use frictiongen_codegen::Limits;
 use motion::Motion;
-use samples::SamplesReport;
-use spectrum::SpectrumReport;
+use samples::{EventsReport, SamplesReport};
+use spectrum::{SpectrumReport, spectra};
 use std::io::Write;
 
 /// Runs the command.
@@ -51,12 +49,12 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let parts = parts(&system, &arguments.of)?;
     frequencies.check(&system)?;
-    let measure = Measure::of(&arguments.point.load, &system)?;
+    let measure = measure::of(&arguments.point.load, &system)?;
     if system.scene().friction != FrictionLaw::Coulomb && measure.load().is_none() {
         return Err(Failure::new(format_args!(
             "{}: `friction: stribeck` has speeds in the units of the scene, so that the load is needed; give it by {}",
             file.name(),
-            measure.option()
+            measure::option(&measure)
         )));
     }
     let frequencies = frequencies.under(&measure);
@@ -65,28 +63,32 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let friction = frictions.only()?;
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
     let course = Course {
-        omega: system.angular_frequency(frequency.r),
-        in_seconds: frequencies.are_physical() || measure.scale().is_some(),
-        frequency: (frequencies.names(), frequency),
-        friction: (frictions.names(), friction),
+        system: &system,
+        unit: frequencies.unit(),
+        frequency,
+        friction,
         measure,
         parts,
+        in_seconds: frequencies.are_physical() || measure.scale().is_some(),
     };
     let from = arguments.from.as_deref();
     let from = from.map(|text| start(text, &system, &course)).transpose()?;
-    let motion = Motion::of(&system, course, &asked, from)?;
+    let motion = Motion::of(course, &asked, from)?;
     let write = |out: &mut dyn Write| {
         #[cfg(feature = "pictures")]
         if matches!(form, Form::Svg | Form::Png) {
             return draw::draw(&system, &motion, arguments.spectrum, form, out);
         }
         if arguments.events {
-            output::print(&EventsReport { motion: &motion }, &summary, form, out)
+            output::write(&EventsReport { motion: &motion }, &summary, form, out)
         } else if arguments.spectrum {
-            let report = SpectrumReport::of(&motion);
-            output::print(&report, &summary, form, out)
+            let report = SpectrumReport {
+                motion: &motion,
+                spectra: &spectra(&motion),
+            };
+            output::write(&report, &summary, form, out)
         } else {
-            output::print(&SamplesReport { motion: &motion }, &summary, form, out)
+            output::write(&SamplesReport { motion: &motion }, &summary, form, out)
         }
     };
     destination.write(out, write)

@@ -1,117 +1,42 @@
-//! Writes samples, one per line.
+//! Writes the samples and the events of a motion.
 
 use super::motion::Motion;
-use crate::asked::{CONTACT, Part};
 use crate::failure::Failure;
-use crate::number::Value;
-use crate::output::{Report, Visitor};
-use crate::table::Column;
-use frictiongen::Of;
+use crate::layout::Layout;
+use crate::output::{Table, Visitor};
+use frictiongen::study::columns::{Column, EventRow, SampleRow};
 use serde_json::Value as Json;
 
 /// Writer of the samples of a motion.
 pub struct SamplesReport<'m> {
     /// The motion.
-    pub motion: &'m Motion,
+    pub motion: &'m Motion<'m>,
 }
 
-impl SamplesReport<'_> {
-    /// Returns displacement and velocity of each part.
-    fn movements(&self, index: usize) -> impl Iterator<Item = (&Part, [Value<'static>; 2])> {
-        let motion = self.motion;
-        let course = &motion.course;
-        let tracks = course.parts.iter().zip(&motion.history.tracks);
-        tracks.map(move |(part, track)| {
-            let displacement = track.displacement.get(index).copied();
-            let velocity = track.velocity.get(index).copied();
-            let velocity = velocity.map(|value| {
-                let value = motion.signed(part.of, value);
-                course.measure.velocity(value, course.omega)
-            });
-            let displacement =
-                displacement.map_or(Value::Missing, |value| motion.displacement(part.of, value));
-            (part, [displacement, velocity.into()])
-        })
-    }
-
-    /// Returns the names of displacement and velocity.
-    fn movement_names(&self) -> [String; 2] {
-        let measure = &self.motion.course.measure;
-        [
-            measure.length_name("displacement"),
-            measure.velocity_name("velocity"),
-        ]
-    }
-
-    /// Returns friction force and state of the contact.
-    fn contact(&self, index: usize) -> [Value<'static>; 2] {
-        let motion = self.motion;
-        let friction = motion.history.friction.get(index).copied();
-        let friction = friction.map(|force| {
-            let force = motion.signed(Of::Contact, force);
-            motion.course.measure.force(force)
-        });
-        let state = motion.history.contact.get(index);
-        let state = state.map_or(Value::Missing, |contact| motion.state(*contact).into());
-        [friction.into(), state]
-    }
-
-    /// Returns the names of friction force and state.
-    fn contact_names(&self) -> [String; 2] {
-        let force = self.motion.course.measure.force_name("friction");
-        [force, "state".to_owned()]
-    }
+/// Writer of the events of a motion.
+pub struct EventsReport<'m> {
+    /// The motion.
+    pub motion: &'m Motion<'m>,
 }
 
-impl Report for SamplesReport<'_> {
-    type Point = usize;
+impl<'m> Table for SamplesReport<'m> {
+    type Row = SampleRow<'m>;
 
     fn len(&self) -> usize {
         self.motion.history.len()
     }
 
-    fn each(&self, visit: Visitor<'_, usize>) -> Result<(), Failure> {
-        (0..self.len()).try_for_each(|index| visit(&index))
+    fn each(&self, visit: Visitor<'_, SampleRow<'m>>) -> Result<(), Failure> {
+        let mut rows = self.motion.course.table().samples(&self.motion.history);
+        rows.try_for_each(|row| visit(&row))
     }
 
-    fn columns(&self) -> Vec<Column> {
-        let measure = &self.motion.course.measure;
-        let (length, velocity) = (measure.length_title(), measure.velocity_title());
-        let mut columns = self.motion.time_columns();
-        columns.extend(self.motion.course.parts.iter().flat_map(|part| {
-            [
-                Column::computed(&[&part.name, "displacement", length]),
-                Column::computed(&[&part.name, "velocity", velocity]),
-            ]
-        }));
-        columns.extend([
-            Column::computed(&[CONTACT, "friction", measure.force_title()]),
-            Motion::state_column(),
-        ]);
-        columns
+    fn columns(&self) -> Vec<Column<'_, SampleRow<'m>>> {
+        self.motion.course.table().sample_columns()
     }
 
-    fn rows<'a>(&'a self, index: &'a usize) -> Vec<Vec<Value<'a>>> {
-        vec![self.record(index)]
-    }
-
-    fn names(&self) -> Vec<String> {
-        let time = self.motion.time_names().iter();
-        let mut names: Vec<String> = time.map(|name| (*name).to_owned()).collect();
-        for part in &self.motion.course.parts {
-            let both = self.movement_names();
-            names.extend(both.map(|what| Motion::name(part, &what)));
-        }
-        let contact = self.contact_names();
-        names.extend(contact.map(|what| format!("{CONTACT}.{what}")));
-        names
-    }
-
-    fn record<'a>(&'a self, index: &'a usize) -> Vec<Value<'a>> {
-        let mut record: Vec<Value<'a>> = self.motion.time(self.motion.history.tau(*index));
-        record.extend(self.movements(*index).flat_map(|(_, values)| values));
-        record.extend(self.contact(*index));
-        record
+    fn layout(&self) -> Layout {
+        Layout::Masses
     }
 
     fn head(&self) -> Vec<(String, Json)> {
@@ -121,8 +46,33 @@ impl Report for SamplesReport<'_> {
     fn preamble(&self) -> Vec<(&'static str, String)> {
         self.motion.preamble()
     }
+}
 
-    fn json(&self, index: &usize) -> Json {
-        self.motion.json(self.names(), &self.record(index))
+impl<'m> Table for EventsReport<'m> {
+    type Row = EventRow<'m>;
+
+    fn len(&self) -> usize {
+        self.motion.history.events.len()
+    }
+
+    fn each(&self, visit: Visitor<'_, EventRow<'m>>) -> Result<(), Failure> {
+        let mut rows = self.motion.course.table().events(&self.motion.history);
+        rows.try_for_each(|row| visit(&row))
+    }
+
+    fn columns(&self) -> Vec<Column<'_, EventRow<'m>>> {
+        self.motion.course.table().event_columns()
+    }
+
+    fn layout(&self) -> Layout {
+        Layout::Masses
+    }
+
+    fn head(&self) -> Vec<(String, Json)> {
+        self.motion.head()
+    }
+
+    fn preamble(&self) -> Vec<(&'static str, String)> {
+        self.motion.preamble()
     }
 }

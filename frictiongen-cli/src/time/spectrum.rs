@@ -1,123 +1,50 @@
-//! Writes spectra, one order per line.
+//! Writes the spectra of a motion.
 
 use super::motion::Motion;
-use crate::asked::Part;
 use crate::failure::Failure;
-use crate::harmonics;
-use crate::number::Value;
-use crate::output::{Report, Visitor};
-use crate::table::Column;
-use frictiongen::Complex;
-use frictiongen::study::{Spectrum, units};
+use crate::layout::Layout;
+use crate::output::{Table, Visitor};
+use frictiongen::study::Spectrum;
+use frictiongen::study::columns::{Column, SpectrumRow};
 use serde_json::Value as Json;
 use std::borrow::Cow;
 
 /// Writer of the spectra of a motion.
 pub struct SpectrumReport<'m> {
-    motion: &'m Motion,
+    /// The motion.
+    pub motion: &'m Motion<'m>,
     /// Spectrum of each part.
-    spectra: Cow<'m, [Spectrum]>,
+    pub spectra: &'m [Spectrum],
 }
 
-impl SpectrumReport<'_> {
-    /// Returns the spectrum of each part.
-    #[cfg(feature = "pictures")]
-    pub fn spectra(&self) -> &[Spectrum] {
-        &self.spectra
+/// Returns the exact spectra of a steady state, or computes those of a run's samples.
+pub fn spectra<'m>(motion: &'m Motion<'_>) -> Cow<'m, [Spectrum]> {
+    if !motion.exact.is_empty() {
+        return Cow::Borrowed(&*motion.exact);
     }
+    let parts = motion.course.parts.iter();
+    let spectra = parts.filter_map(|part| motion.history.spectrum(part.of));
+    Cow::Owned(spectra.collect())
 }
 
-impl<'m> SpectrumReport<'m> {
-    /// Takes the exact spectra of a steady state, or computes those of a run's samples.
-    pub fn of(motion: &'m Motion) -> Self {
-        let parts = &motion.course.parts;
-        let spectra = match motion.exact.is_empty() {
-            false => Cow::Borrowed(&*motion.exact),
-            true => {
-                let spectra = parts
-                    .iter()
-                    .filter_map(|part| motion.history.spectrum(part.of));
-                Cow::Owned(spectra.collect())
-            }
-        };
-        Self { motion, spectra }
-    }
-
-    /// Returns the cells of an order.
-    fn order(&self, index: usize) -> Vec<Value<'static>> {
-        let line = self
-            .spectra
-            .first()
-            .and_then(|first| first.lines.get(index));
-        let Some(line) = line else { return Vec::new() };
-        let hertz = units::hertz(self.motion.course.omega) * line.order;
-        let hertz = self.motion.course.in_seconds.then_some(hertz);
-        let both = hertz.into_iter().chain([line.order]);
-        both.map(Value::from).collect()
-    }
-
-    /// Returns amplitude and phase of each part.
-    fn components(&self, index: usize) -> impl Iterator<Item = (&Part, [Value<'static>; 2])> {
-        let parts = self.motion.course.parts.iter().zip(&*self.spectra);
-        parts.filter_map(move |(part, spectrum)| {
-            let component = spectrum.lines.get(index)?.component;
-            let signed = |value| self.motion.signed(part.of, value);
-            let component = Complex::new(signed(component.re), signed(component.im));
-            Some((
-                part,
-                harmonics::values(component, &self.motion.course.measure),
-            ))
-        })
-    }
-}
-
-impl Report for SpectrumReport<'_> {
-    type Point = usize;
+impl<'m> Table for SpectrumReport<'m> {
+    type Row = SpectrumRow<'m>;
 
     fn len(&self) -> usize {
         self.spectra.first().map_or(0, |first| first.lines.len())
     }
 
-    fn each(&self, visit: Visitor<'_, usize>) -> Result<(), Failure> {
-        (0..self.len()).try_for_each(|index| visit(&index))
+    fn each(&self, visit: Visitor<'_, SpectrumRow<'m>>) -> Result<(), Failure> {
+        let mut rows = self.motion.course.table().lines(self.spectra);
+        rows.try_for_each(|row| visit(&row))
     }
 
-    fn columns(&self) -> Vec<Column> {
-        let measure = &self.motion.course.measure;
-        let (length, angle) = (measure.length_title(), measure.angle_title());
-        let seconds = self.motion.course.in_seconds;
-        let hertz = seconds.then(|| Column::computed(&["frequency", "(Hz)"]));
-        let mut columns: Vec<Column> = hertz.into_iter().collect();
-        columns.push(Column::computed(&["order"]));
-        columns.extend(self.motion.course.parts.iter().flat_map(|part| {
-            [
-                Column::computed(&[&part.name, "amplitude", length]),
-                Column::computed(&[&part.name, "phase", angle]),
-            ]
-        }));
-        columns
+    fn columns(&self) -> Vec<Column<'_, SpectrumRow<'m>>> {
+        self.motion.course.table().spectrum_columns()
     }
 
-    fn rows<'a>(&'a self, index: &'a usize) -> Vec<Vec<Value<'a>>> {
-        vec![self.record(index)]
-    }
-
-    fn names(&self) -> Vec<String> {
-        let course = &self.motion.course;
-        let hertz = course.in_seconds.then(|| "frequency_Hz".to_owned());
-        let mut names: Vec<String> = hertz.into_iter().chain(["order".to_owned()]).collect();
-        let amplitude = course.measure.length_name("amplitude");
-        let phase = course.measure.angle_name("phase");
-        for part in &course.parts {
-            names.extend([&amplitude, &phase].map(|what| Motion::name(part, what)));
-        }
-        names
-    }
-
-    fn record<'a>(&'a self, index: &'a usize) -> Vec<Value<'a>> {
-        let mut record: Vec<Value<'a>> = self.order(*index);
-        record.extend(self.components(*index).flat_map(|(_, values)| values));
-        record
+    fn layout(&self) -> Layout {
+        Layout::Masses
     }
 
     fn head(&self) -> Vec<(String, Json)> {
@@ -126,9 +53,5 @@ impl Report for SpectrumReport<'_> {
 
     fn preamble(&self) -> Vec<(&'static str, String)> {
         self.motion.preamble()
-    }
-
-    fn json(&self, index: &usize) -> Json {
-        self.motion.json(self.names(), &self.record(index))
     }
 }

@@ -3,6 +3,7 @@
 
 #[path = "../cli/common/mod.rs"]
 mod common;
+mod desk_page;
 mod features_page;
 mod fuzz;
 mod measure_page;

@@ -14,6 +14,7 @@
 //!
 //! On a microcontroller [`crate::watch`] follows one frequency sample by sample.
 
+pub mod columns;
 mod decay;
 mod drive;
 mod error;

@@ -3,6 +3,7 @@
 
 mod at;
 mod builder;
+pub mod columns;
 mod compiled;
 mod compiled_stuck;
 #[cfg(feature = "desk")]

@@ -81,6 +81,26 @@ impl Parameter {
         short.to_owned()
     }
 
+    /// Returns the key of the parameter, for programs: `m.upper`, `k.base-lower`, `zeta.1`, `F`.
+    #[must_use]
+    pub fn key(&self, scene: &Scene, point: &OperatingPoint) -> String {
+        let symbol = self.symbol(scene, point);
+        symbol.replace(" - ", "-").replace(' ', ".")
+    }
+
+    /// Returns the parameter in words, for people: ``m of `upper` ``, ``k of `base - lower` ``, `zeta of mode 1`, `F`.
+    #[must_use]
+    pub fn label(&self, scene: &Scene, point: &OperatingPoint) -> String {
+        let symbol = self.symbol(scene, point);
+        match (self, symbol.split_once(' ')) {
+            (Self::Quantity(Quantity::DampingRatio(_)), Some((zeta, mode))) => {
+                format!("{zeta} of mode {mode}")
+            }
+            (_, Some((short, name))) => format!("{short} of `{name}`"),
+            (_, None) => symbol,
+        }
+    }
+
     /// Returns the SI unit of the parameter. The unit of a ratio is empty.
     #[must_use]
     pub fn unit(&self, point: &OperatingPoint) -> &'static str {

@@ -37,6 +37,14 @@ pub struct LoadScale<S = f64> {
     force: S,
 }
 
+impl LoadScale {
+    /// Units of 1 m and 1 N.
+    pub(super) const UNIT: Self = Self {
+        length: 1.0,
+        force: 1.0,
+    };
+}
+
 impl<S: Float> LoadScale<S> {
     /// Returns the unit of x̄: P/k₁, for base motion Y.
     #[must_use]

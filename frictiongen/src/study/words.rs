@@ -2,11 +2,11 @@
 
 use super::{
     Certainty, Condition, Edge, InvariantPoint, Measured, NoDerivative, OptimumEnd, OptimumKind,
-    StudyError, SystemOrbit, SystemResponse,
+    StudyError, SystemAt, SystemOrbit, SystemResponse,
 };
 #[cfg(feature = "desk")]
 use super::{CurvePoint, CurveStart, Pattern};
-use crate::{Error, NoOrbit, OutOfDomain, Regime, Unsupported};
+use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, Unsupported};
 use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
 use std::borrow::Cow;
@@ -30,6 +30,27 @@ pub fn regime_without(error: Error) -> &'static str {
         Error::NoOrbit(_) => regime(Regime::StickSlip),
         _ => "unbounded",
     }
+}
+
+/// Returns the word for the regime where there is no steady state.
+///
+/// # Errors
+/// [`OutOfDomain`] for a friction ratio that is negative or NaN.
+pub fn regime_without_orbit(at: &SystemAt<'_>, beta: f64) -> Result<&'static str, OutOfDomain> {
+    Ok(match at.motion(beta) {
+        Ok(_) => regime(Regime::Continuous),
+        Err(NotContinuous::StickSlip) => regime(Regime::StickSlip),
+        Err(NotContinuous::Stuck) if at.stuck().is_ok() => regime(Regime::Stuck),
+        // This is an undamped resonance of the chain, or of the chain with its contact stuck.
+        Err(NotContinuous::Stuck | NotContinuous::Unbounded) => "unbounded",
+        Err(_) => return Err(OutOfDomain::FrictionRatio(Given::of(beta))),
+    })
+}
+
+/// Returns the word for the symmetry of a periodic motion: whether its second half is the first with the opposite sign.
+#[must_use]
+pub fn symmetry(symmetric: bool) -> &'static str {
+    if symmetric { "symmetric" } else { "asymmetric" }
 }
 
 /// Returns the reason why there is no response.

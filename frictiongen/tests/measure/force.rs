@@ -39,7 +39,7 @@ fn identified(system: &System, seen: Observation, using: Using) -> Identified {
 }
 
 /// Friction ratios 0.2, 0.4 and 0.6 are identified over r = 0.5 to 2.5 from 60 s at 2 kHz and 40 dB. Wherever the
-/// verdict is `Told`, β is within 2 %.
+/// verdict is `Determined`, β is within 2 %.
 #[test]
 fn within_two_per_cent_over_the_range_of_chapter_4() {
     let system = rig("");
@@ -62,7 +62,7 @@ fn within_two_per_cent_over_the_range_of_chapter_4() {
                 // At r = 1/2 the steady state is one of a continuum. The model reaches the same one from rest.
                 assert_eq!(
                     found.verdict,
-                    Verdict::Told,
+                    Verdict::Determined,
                     "β = {beta}, r = {r}, {using:?}: {:?}",
                     found.levels
                 );
@@ -144,14 +144,14 @@ fn at_an_invariant_point_it_says_so() {
     let invariant = at(2.0_f64.sqrt(), 1);
     assert_eq!(
         invariant.verdict,
-        Verdict::NotTold,
+        Verdict::NotDetermined,
         "{:?}",
         invariant.levels
     );
     assert!(invariant.friction.holds(0.3));
     // The other mass determines the friction.
     let other = at(2.0_f64.sqrt(), 0);
-    assert_eq!(other.verdict, Verdict::Told);
+    assert_eq!(other.verdict, Verdict::Determined);
     assert!((other.friction.value - 0.3).abs() < 1e-3);
 }
 
@@ -188,7 +188,7 @@ fn two_levels_of_friction_with_one_amplitude() {
         assert!((size - observation.motions[0].value.norm()).abs() < 1e-3);
     }
     let both = identified(&system, observation, Using::Complex);
-    assert_eq!(both.verdict, Verdict::Told);
+    assert_eq!(both.verdict, Verdict::Determined);
 }
 
 #[test]

@@ -30,7 +30,7 @@ fn no_size_counts() {
             let found = system
                 .identify(&sized(factor), &by(Using::PhaseAlone))
                 .unwrap();
-            assert_eq!(found.verdict, Verdict::Told);
+            assert_eq!(found.verdict, Verdict::Determined);
             assert!(
                 (found.friction.value / truth - 1.0).abs() < 1e-6 && found.friction.holds(truth)
             );

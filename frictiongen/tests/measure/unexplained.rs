@@ -51,7 +51,7 @@ fn damping_that_is_not_the_rigs() {
     let all = measured(&truth, &[0.85, 0.95, 1.05, 1.2], 0.3, 1);
     unexplained("ζ of 0.015 for 0.05", &identified(&guess, &all));
     let told = identified(&truth, &all);
-    assert_eq!(told.verdict, Verdict::Told);
+    assert_eq!(told.verdict, Verdict::Determined);
     assert!(told.friction.holds(0.3 * scale(&truth)));
 }
 
@@ -77,7 +77,7 @@ fn another_stiction() {
     );
     let all = measured(&truth, &[0.3, 0.42, 0.5], 0.4, 3);
     unexplained("μ of 1 for 1.6", &identified(&guess, &all));
-    assert_eq!(identified(&truth, &all).verdict, Verdict::Told);
+    assert_eq!(identified(&truth, &all).verdict, Verdict::Determined);
 }
 
 /// The scene stays unexplained with an unknown next to the friction force.
@@ -104,7 +104,7 @@ fn the_right_scene_is_told() {
         let count = (0..400)
             .filter(|seed| {
                 let all = measured(&truth, places, 0.3, 100 + seed);
-                identified(&truth, &all).verdict != Verdict::Told
+                identified(&truth, &all).verdict != Verdict::Determined
             })
             .count();
         // Three of 400 at a probability of 1e-3 occur once in 130 runs. The seeds are fixed.
@@ -130,7 +130,7 @@ fn an_unknown_that_does_not_show() {
     for also in [None, Some(Unknown::Damping)] {
         let alone = ask(also.into_iter().chain([Unknown::Damping]).take(1).collect());
         let found = ask([Unknown::Stiction].into_iter().chain(also).collect());
-        assert_eq!(found.verdict, Verdict::Told, "{found:?}");
+        assert_eq!(found.verdict, Verdict::Determined, "{found:?}");
         assert_eq!(found.undetermined(), [Unknown::Stiction]);
         assert!(found.unknowns[0].1.to.is_infinite());
         assert_eq!(found.unknowns[0].1.value, 1.1);
@@ -188,7 +188,7 @@ fn damping_of_a_rig_that_has_none() {
             ..IdentifyRequest::default()
         };
         let found = truth.identify(&all, &request).unwrap();
-        assert_eq!(found.verdict, Verdict::Told, "{found:?}");
+        assert_eq!(found.verdict, Verdict::Determined, "{found:?}");
         assert!(found.friction.holds(0.3 * scale(&truth)), "{found:?}");
         let damping = found.unknowns.last().unwrap().1;
         assert!(damping.value < 1e-9 && damping.to < 0.05, "{damping:?}");

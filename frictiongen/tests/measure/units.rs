@@ -23,11 +23,11 @@ fn amplitudes_in_a_doubtful_unit() {
                 small.motions[0].value *= factor;
                 small.motions[0].deviation *= factor;
                 let verdict = system.identify(&[small], &request).unwrap().verdict;
-                assert_eq!(verdict, Verdict::AllButStuck, "{r} {beta} {factor}");
+                assert_eq!(verdict, Verdict::AlmostStuck, "{r} {beta} {factor}");
                 doubted += 1;
             }
             let verdict = system.identify(&[good], &request).unwrap().verdict;
-            assert!(!matches!(verdict, Verdict::AllButStuck), "{r} {beta}");
+            assert!(!matches!(verdict, Verdict::AlmostStuck), "{r} {beta}");
             believed += 1;
         }
     }
@@ -35,7 +35,7 @@ fn amplitudes_in_a_doubtful_unit() {
     // The contact is all but stuck, and its phase confirms it.
     let close = seen(&system, 1.3, 0.999, &[0], 1e-6);
     let found = system.identify(&[close], &IdentifyRequest::default());
-    assert_ne!(found.unwrap().verdict, Verdict::AllButStuck);
+    assert_ne!(found.unwrap().verdict, Verdict::AlmostStuck);
 }
 
 /// Units wrong by 1000, of the base and of the mass, and a motion of another scene.

@@ -3,10 +3,10 @@
 use super::ACROSS;
 use super::measure::Measure;
 use super::numbers::{Given, ends, numbers, one, points};
-use crate::columns::{Columns, cell};
+use crate::columns::Columns;
 use crate::errors::domain;
 use frictiongen::System;
-use frictiongen::study::units;
+use frictiongen::study::columns::{self, FrequencyUnit as Unit, Setting};
 use pyo3::prelude::*;
 
 /// The arguments `r`, `hz` and `omega`.
@@ -16,29 +16,12 @@ pub type FrequencyArguments<'py> = (
     Option<Bound<'py, PyAny>>,
 );
 
-/// The unit in which frequencies are given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Unit {
-    Ratio,
-    Hertz,
-    Omega,
-}
-
-impl Unit {
-    fn argument(self) -> &'static str {
-        match self {
-            Self::Ratio => "r",
-            Self::Hertz => "hz",
-            Self::Omega => "omega",
-        }
-    }
-
-    fn ratio(self, system: &System, given: f64) -> f64 {
-        match self {
-            Self::Ratio => given,
-            Self::Hertz => system.frequency_ratio_at_hertz(given),
-            Self::Omega => system.frequency_ratio(given),
-        }
+/// Returns the argument that gives frequencies in a unit.
+fn argument(unit: Unit) -> &'static str {
+    match unit {
+        Unit::Ratio | Unit::RatioUnderLoad => "r",
+        Unit::Hertz => "hz",
+        Unit::AngularFrequency => "omega",
     }
 }
 
@@ -48,7 +31,7 @@ fn chosen<'a, 'py>(
     match (r, hz, omega) {
         (Some(r), None, None) => Ok((r, Unit::Ratio)),
         (None, Some(hz), None) => Ok((hz, Unit::Hertz)),
-        (None, None, Some(omega)) => Ok((omega, Unit::Omega)),
+        (None, None, Some(omega)) => Ok((omega, Unit::AngularFrequency)),
         _ => Err(domain("the frequency: give one of r, hz and omega")),
     }
 }
@@ -74,10 +57,10 @@ impl Frequencies {
         in_time: bool,
     ) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
-        let given = points(unit.argument(), given, ACROSS)?;
+        let given = points(argument(unit), given, ACROSS)?;
         let mut r = Vec::with_capacity(given.values.len());
         for (index, value) in given.values.iter().enumerate() {
-            let place = || given.place(unit.argument(), index);
+            let place = || given.place(argument(unit), index);
             let usable = if in_time {
                 0.0 < *value && value.is_finite()
             } else {
@@ -94,7 +77,7 @@ impl Frequencies {
                     place()
                 )));
             }
-            let ratio = unit.ratio(system, *value);
+            let ratio = unit.given(system, *value).r;
             if !survives(*value, ratio) {
                 return Err(domain(format_args!(
                     "{} is {value:?}: its frequency ratio is too small or too large to compute with",
@@ -107,14 +90,25 @@ impl Frequencies {
     }
 
     /// Returns the only frequency, or an error if several are given.
-    pub fn only(&self) -> PyResult<f64> {
-        match (self.given.is_one, self.r.as_slice()) {
-            (true, [r]) => Ok(*r),
+    pub fn only(&self, system: &System) -> PyResult<columns::Frequency> {
+        match (self.given.is_one, self.given.values.as_slice()) {
+            (true, [given]) => Ok(self.unit.given(system, *given)),
             _ => Err(domain(format_args!(
                 "{}: one number is needed here, not an array",
-                self.unit.argument()
+                argument(self.unit)
             ))),
         }
+    }
+
+    /// Returns the frequencies in the order given.
+    pub fn all(&self, system: &System) -> Vec<columns::Frequency> {
+        let given = self.given.values.iter();
+        given.map(|given| self.unit.given(system, *given)).collect()
+    }
+
+    /// Returns the unit of the frequencies under a load.
+    pub fn unit(&self, measure: &Measure) -> Unit {
+        self.unit.under(measure)
     }
 
     /// Returns the shape of an answer over the frequencies.
@@ -122,38 +116,9 @@ impl Frequencies {
         self.given.shape()
     }
 
-    /// Returns a frequency in Hz, as given or computed from r.
-    pub fn hertz(&self, system: &System, index: usize) -> f64 {
-        let given = self.given.values.get(index).copied().unwrap_or(f64::NAN);
-        match self.unit {
-            Unit::Ratio => system.hertz(given),
-            Unit::Hertz => given,
-            Unit::Omega => units::hertz(given),
-        }
-    }
-
-    /// Returns whether an answer has Hz next to r, because the frequencies were given in a unit or the load was.
-    pub fn tell_hertz(&self, measure: &Measure) -> bool {
-        self.unit != Unit::Ratio || measure.scale().is_some()
-    }
-
     /// Adds the columns of the frequencies.
-    pub fn put(
-        &self,
-        columns: &mut Columns<'_>,
-        system: &System,
-        measure: &Measure,
-    ) -> PyResult<()> {
-        if self.tell_hertz(measure) {
-            let hertz = (0..self.r.len()).map(|index| cell(Some(self.hertz(system, index))));
-            columns.numbers("frequency_Hz", hertz.collect())?;
-        }
-        if self.unit == Unit::Omega {
-            let given = self.given.values.iter();
-            let omega = given.map(|omega| cell(Some(*omega)));
-            columns.numbers("omega_rad_s", omega.collect())?;
-        }
-        columns.numbers("r", self.r.iter().map(|r| cell(Some(*r))).collect())
+    pub fn put(&self, columns: &mut Columns<'_>, setting: &Setting<'_>) -> PyResult<()> {
+        columns.table(&setting.frequency_columns(), &self.all(setting.system))
     }
 }
 
@@ -184,15 +149,15 @@ impl Band {
         Ok(Self { from, to, unit })
     }
 
-    /// Returns whether an answer has Hz next to r, because the band was given in a unit or the load was.
-    pub fn tells_hertz(&self, measure: &Measure) -> bool {
-        self.unit != Unit::Ratio || measure.scale().is_some()
+    /// Returns the unit of the band under a load.
+    pub fn unit(&self, measure: &Measure) -> Unit {
+        self.unit.under(measure)
     }
 
     /// Reads the two bounds of a band.
     pub fn of(system: &System, arguments: &FrequencyArguments<'_>) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
-        let argument = unit.argument();
+        let argument = argument(unit);
         let Some((from, to)) = ends(argument, given)? else {
             // A text must be refused as a text, before the message about bands.
             numbers(argument, given)?;
@@ -205,7 +170,7 @@ impl Band {
                 "{argument} is ({from:?}, {to:?}): a band must begin above 0 and end above its start"
             )));
         }
-        let [first, last] = [from, to].map(|value| unit.ratio(system, value));
+        let [first, last] = [from, to].map(|value| unit.given(system, value).r);
         if !(0.0 < first && first < last && last.is_finite()) {
             return Err(domain(format_args!(
                 "{argument} is ({from:?}, {to:?}): its frequency ratios are too small or too large to compute with"
@@ -221,7 +186,7 @@ impl Band {
     /// Reads a distance between frequencies and returns it in r.
     pub fn step(&self, system: &System, given: &Bound<'_, PyAny>) -> PyResult<f64> {
         let given = one("step", given)?;
-        let step = self.unit.ratio(system, given);
+        let step = self.unit.given(system, given).r;
         if !(0.0 < step && step.is_finite()) {
             return Err(domain(format_args!(
                 "step is {given:?}: it must be above 0 and finite"
@@ -235,22 +200,5 @@ impl Band {
             )));
         }
         Ok(step)
-    }
-
-    /// Adds the columns of frequencies in the band.
-    pub fn put(
-        &self,
-        columns: &mut Columns<'_>,
-        (system, measure): (&System, &Measure),
-        r: Vec<f64>,
-    ) -> PyResult<()> {
-        let omega = || r.iter().map(|r| system.angular_frequency(*r));
-        if self.tells_hertz(measure) {
-            columns.numbers("frequency_Hz", omega().map(units::hertz).collect())?;
-        }
-        if self.unit == Unit::Omega {
-            columns.numbers("omega_rad_s", omega().collect())?;
-        }
-        columns.numbers("r", r)
     }
 }

@@ -2,11 +2,11 @@
 
 use super::UP;
 use super::frequency::survives;
-use super::measure::Measure;
+use super::measure::{self, Measure};
 use super::numbers::{Given, ends, points};
-use crate::columns::{Columns, cell};
+use crate::columns::Columns;
 use crate::errors::domain;
-use frictiongen::study::LoadScale;
+use frictiongen::study::columns::{Friction, Setting};
 use pyo3::prelude::*;
 
 /// The arguments `beta` and `friction`.
@@ -18,8 +18,7 @@ pub struct Frictions {
     argument: &'static str,
     /// Friction ratios β.
     pub beta: Vec<f64>,
-    /// Friction forces in N, if the load is known.
-    force: Option<Vec<f64>>,
+    all: Vec<Friction>,
 }
 
 impl Frictions {
@@ -47,31 +46,16 @@ impl Frictions {
         if scale.is_none() && argument == "friction" {
             return Err(domain(format_args!(
                 "friction is a force and needs the amplitude of the load: give {}",
-                measure.argument()
+                measure::argument(measure)
             )));
         }
-        let values = || given.values.iter();
-        let convert = |scale: LoadScale, of: fn(&LoadScale, f64) -> f64| -> Vec<f64> {
-            values().map(|value| of(&scale, *value)).collect()
+        let friction = |given: &f64| match scale {
+            Some(scale) if argument == "friction" => Friction::of_force(*given, scale),
+            scale => Friction::of_ratio(*given, scale),
         };
-        let (beta, force): (Vec<f64>, Option<Vec<f64>>) = match scale {
-            None => (given.values.clone(), None),
-            Some(scale) if argument == "friction" => (
-                convert(scale, LoadScale::friction_ratio),
-                Some(given.values.clone()),
-            ),
-            Some(scale) => (
-                given.values.clone(),
-                Some(convert(scale, LoadScale::friction)),
-            ),
-        };
-        let computed = if argument == "friction" {
-            Some(&beta)
-        } else {
-            force.as_ref()
-        };
-        for (index, (value, computed)) in values().zip(computed.into_iter().flatten()).enumerate() {
-            if !survives(*value, *computed) {
+        let all: Vec<Friction> = given.values.iter().map(friction).collect();
+        for (index, (value, friction)) in given.values.iter().zip(&all).enumerate() {
+            if !(survives(*value, friction.beta) && survives(*value, friction.force())) {
                 let why = "with this load it is too small or too large to compute with";
                 return Err(refused(index, *value, why));
             }
@@ -79,8 +63,8 @@ impl Frictions {
         Ok(Self {
             given,
             argument,
-            beta,
-            force,
+            beta: all.iter().map(|friction| friction.beta).collect(),
+            all,
         })
     }
 
@@ -99,18 +83,20 @@ impl Frictions {
         Self::of(arguments, measure)
     }
 
-    /// Returns the only friction ratio, with its force if the load is known and the ratio again if not.
-    pub fn only(&self) -> PyResult<(f64, f64)> {
-        match (self.given.is_one, self.beta.as_slice()) {
-            (true, [beta]) => {
-                let force = self.force.as_ref().and_then(|force| force.first());
-                Ok((*beta, force.copied().unwrap_or(*beta)))
-            }
+    /// Returns the only friction, or an error if several are given.
+    pub fn only(&self) -> PyResult<Friction> {
+        match (self.given.is_one, self.all.as_slice()) {
+            (true, [friction]) => Ok(*friction),
             _ => Err(domain(format_args!(
                 "{}: one number is needed here, not an array",
                 self.argument
             ))),
         }
+    }
+
+    /// Returns the frictions in the order given.
+    pub fn all(&self) -> Vec<Friction> {
+        self.all.clone()
     }
 
     /// Returns the shape of an answer over the frictions.
@@ -119,21 +105,7 @@ impl Frictions {
     }
 
     /// Adds the columns of the frictions.
-    pub fn put(&self, columns: &mut Columns<'_>) -> PyResult<()> {
-        self.put_places(columns, &(0..self.beta.len()).collect::<Vec<_>>())
-    }
-
-    /// Adds the columns of the frictions at some indices.
-    pub fn put_places(&self, columns: &mut Columns<'_>, places: &[usize]) -> PyResult<()> {
-        let of = |values: &[f64]| {
-            places
-                .iter()
-                .map(|place| cell(values.get(*place).copied()))
-                .collect()
-        };
-        if let Some(force) = &self.force {
-            columns.numbers("friction_N", of(force))?;
-        }
-        columns.numbers("beta", of(&self.beta))
+    pub fn put(&self, columns: &mut Columns<'_>, setting: &Setting<'_>) -> PyResult<()> {
+        columns.table(&setting.friction_columns(), &self.all)
     }
 }

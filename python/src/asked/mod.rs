@@ -2,7 +2,7 @@
 
 mod frequency;
 mod friction;
-mod measure;
+pub mod measure;
 mod numbers;
 
 pub use frequency::{Band, Frequencies, FrequencyArguments};
@@ -11,7 +11,9 @@ pub use measure::{LoadArguments, Measure};
 pub use numbers::{numbers, one, whole};
 
 use crate::errors::{domain, wrong_type};
-use frictiongen::{Of, System};
+use frictiongen::System;
+pub use frictiongen::study::columns::{CONTACT, Part};
+use frictiongen::study::columns::{FrequencyUnit, Setting};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
@@ -30,19 +32,25 @@ const MOST_NUMBERS: usize = 100_000_000;
 /// Largest order of a harmonic.
 pub const MOST_HARMONICS: u32 = 9999;
 
-/// Name of the contact, which no mass can have.
-pub const CONTACT: &str = "contact";
-
 /// An argument that may be left out.
 pub type Optional<'py> = Option<Bound<'py, PyAny>>;
 
-/// A moving part: the contact or a mass.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// The motion of the part.
-    pub of: Of,
-    /// Name of the part.
-    pub name: String,
+/// Returns what the tables of the library need. The decimals of given numbers are for tables for people alone.
+pub fn setting<'a>(
+    system: &'a System,
+    measure: Measure,
+    frequency: FrequencyUnit,
+    parts: &'a [Part],
+) -> Setting<'a> {
+    Setting {
+        system,
+        measure,
+        frequency,
+        frequencies: &[],
+        frictions: &[],
+        forces: false,
+        parts,
+    }
 }
 
 /// Reads one name or several names.

@@ -1,12 +1,13 @@
 //! Friction and damping from a free vibration.
 
-use super::estimate::interval;
+use super::once::once;
 use super::recording::NativeRecording;
 use crate::asked::{Optional, one};
 use crate::columns::Columns;
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
+use frictiongen::measure::columns::{decay_values, extreme_columns, extremes};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -37,20 +38,8 @@ pub fn free_decay<'py>(
     };
     let found = without_lock(py, |_| system.free_decay(&recording.recording, known))?;
     let found = found.map_err(|error| measurement(py, recording.source.as_deref(), &error))?;
-    let once = PyDict::new(py);
-    for (name, estimate) in [
-        ("friction_N", found.friction),
-        ("length_m", found.length),
-        ("frequency_Hz", found.hertz),
-        ("damping", found.damping),
-    ] {
-        once.set_item(name, interval(estimate))?;
-    }
-    once.set_item("linear_decrement_m", found.linear_decrement)?;
-    once.set_item("misfit", found.misfit)?;
-    let mut extremes = Columns::new(py, &[found.extremes.len()]);
-    let (times, places) = found.extremes.into_iter().unzip();
-    extremes.numbers("time_s", times)?;
-    extremes.numbers("displacement_m", places)?;
-    Ok((once, extremes.done()))
+    let rows = extremes(&found);
+    let mut arrays = Columns::new(py, &[rows.len()]);
+    arrays.table(&extreme_columns(system), &rows)?;
+    Ok((once(py, decay_values(&found))?, arrays.done()))
 }

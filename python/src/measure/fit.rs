@@ -1,13 +1,14 @@
 //! Fits a scene's parameters to a sweep without friction.
 
-use super::estimate::{Interval, interval};
+use super::once::once;
 use crate::asked::numbers;
 use crate::columns::Columns;
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::System;
-use frictiongen::measure::{SweepFit, SweepPoint};
+use frictiongen::measure::SweepPoint;
+use frictiongen::measure::columns::{fit_values, fitted as fitted_rows, fitted_columns};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -92,60 +93,14 @@ fn answer<'py>(
 ) -> PyResult<Answer<'py>> {
     let found = without_lock(py, |_| system.fit_sweep(points, damping))?;
     let found = found.map_err(|error| measurement(py, source, &error))?;
-    let once = PyDict::new(py);
-    once.set_item("reference_Hz", interval(found.reference))?;
-    let scene = system.scene();
-    let masses = scene.masses.iter().skip(1).zip(&found.masses);
-    let masses: Vec<(&str, Interval)> = masses
-        .map(|(mass, ratio)| (mass.name.as_str(), interval(*ratio)))
-        .collect();
-    once.set_item("mass_ratios", masses)?;
-    let springs = scene.springs.iter().skip(1).zip(&found.springs);
-    let springs: Vec<(String, Interval)> = springs
-        .map(|(spring, ratio)| {
-            let (from, to) = (scene.node_name(spring.from), scene.node_name(spring.to));
-            (format!("{from} - {to}"), interval(*ratio))
-        })
-        .collect();
-    once.set_item("stiffness_ratios", springs)?;
-    once.set_item("damping", found.damping.map(interval))?;
-    let natural = found.natural.iter().copied().map(interval);
-    once.set_item("natural_frequencies_Hz", natural.collect::<Vec<_>>())?;
-    once.set_item("misfit", found.misfit)?;
-    once.set_item("freedom", found.freedom)?;
-    once.set_item("is_explained", found.is_explained())?;
-    once.set_item("scatter", found.scatter)?;
-    once.set_item("condition", found.condition)?;
-    let columns = compared(py, system, points, &found)?;
+    let once = once(py, fit_values(system, &found))?;
+    let rows = fitted_rows(system, points, &found);
+    let mut arrays = Columns::new(py, &[rows.len()]);
+    arrays.table(&fitted_columns(system), &rows)?;
     let fitted = NativeSystem {
         system: found.system,
     };
-    Ok((once, columns, fitted))
-}
-
-/// Returns the measured and the computed amplitudes.
-fn compared<'py>(
-    py: Python<'py>,
-    system: &System,
-    points: &[SweepPoint],
-    found: &SweepFit,
-) -> PyResult<Bound<'py, PyDict>> {
-    let mut columns = Columns::new(py, &[points.len()]);
-    let all = |of: &dyn Fn(&SweepPoint) -> f64| points.iter().map(of).collect::<Vec<f64>>();
-    columns.numbers("frequency_Hz", all(&|point| point.hertz))?;
-    let masses = &system.scene().masses;
-    let names = points.iter().map(|point| {
-        let mass = masses.get(point.mass);
-        mass.map_or_else(String::new, |mass| mass.name.clone())
-    });
-    columns.words("of", names.collect())?;
-    columns.numbers("transmissibility", all(&|point| point.amplitude))?;
-    columns.numbers(
-        "deviation",
-        all(&|point| point.deviation.unwrap_or(f64::NAN)),
-    )?;
-    columns.numbers("residual", found.residuals.clone())?;
-    Ok(columns.done())
+    Ok((once, arrays.done(), fitted))
 }
 
 /// Fits a sweep given as arrays. If `gaps`, NaN marks a point that was not measured.

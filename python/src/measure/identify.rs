@@ -1,15 +1,15 @@
 //! Finds the friction force from measurements.
 
-use super::estimate::{Interval, interval, scaled};
 use super::observed::Observed;
-use super::residuals;
+use super::once::once;
 use crate::asked::{Optional, harmonics, names, numbers};
+use crate::columns::Columns;
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::measure::{Estimate, IdentifyRequest, Unknown};
-use frictiongen::study::units::hertz;
-use frictiongen::{Of, System};
+use frictiongen::Of;
+use frictiongen::measure::columns::{identify_values, residual_columns, residuals};
+use frictiongen::measure::{IdentifyRequest, Unknown};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -41,28 +41,6 @@ fn range(given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<(f64, f64)>> {
             "between: two friction forces in N are needed, (from, to)",
         )),
     }
-}
-
-/// Returns the names of the other unknowns, each with its unit.
-fn named(system: &System, found: &[(Unknown, Estimate)]) -> Vec<(String, Interval)> {
-    let mut all = Vec::new();
-    for (unknown, estimate) in found {
-        match unknown {
-            Unknown::Frequencies => {
-                let natural = system.natural_frequencies().into_iter();
-                all.extend((1..).zip(natural).map(|(mode, omega): (u32, f64)| {
-                    (
-                        format!("natural_frequency_{mode}_Hz"),
-                        scaled(*estimate, hertz(omega)),
-                    )
-                }));
-            }
-            Unknown::Damping => all.push(("damping".to_owned(), interval(*estimate))),
-            Unknown::Stiction => all.push(("stiction".to_owned(), interval(*estimate))),
-            _ => all.push((unknown.symbol(system), interval(*estimate))),
-        }
-    }
-    all
 }
 
 /// Finds the friction force that explains the measurements, in any regime, with its interval.
@@ -102,28 +80,12 @@ pub fn identify<'py>(
     };
     let found = without_lock(py, |_| system.identify(&observed.all, &request))?;
     let found = found.map_err(|error| measurement(py, None, &error))?;
-    let once = PyDict::new(py);
-    once.set_item("friction_N", interval(found.friction))?;
-    let levels = found.levels.iter().copied().map(interval);
-    once.set_item("levels", levels.collect::<Vec<_>>())?;
-    once.set_item("verdict", found.verdict.word())?;
-    once.set_item("says", found.verdict.to_string())?;
-    once.set_item("unknowns", named(system, &found.unknowns))?;
-    let open: Vec<(Unknown, Estimate)> = found
-        .unknowns
-        .iter()
-        .filter(|(unknown, _)| found.undetermined().contains(unknown))
-        .copied()
-        .collect();
-    let open = named(system, &open).into_iter().map(|(name, _)| name);
-    once.set_item("undetermined", open.collect::<Vec<_>>())?;
-    once.set_item("condition", found.condition)?;
-    once.set_item("misfit", found.misfit)?;
-    once.set_item("freedom", found.freedom)?;
-    once.set_item("is_explained", found.is_explained())?;
-    let columns = residuals::table(py, system, &observed, &found)?;
+    let once = once(py, identify_values(system, &found))?;
+    let rows = residuals(system, &observed.all, &observed.known, &found);
+    let mut arrays = Columns::new(py, &[rows.len()]);
+    arrays.table(&residual_columns(system), &rows)?;
     let fitted = NativeSystem {
         system: found.system,
     };
-    Ok((once, columns, fitted))
+    Ok((once, arrays.done(), fitted))
 }

@@ -2,10 +2,9 @@
 
 pub mod decay;
 pub mod drive;
-mod estimate;
 pub mod fit;
 pub mod identify;
 mod observed;
+mod once;
 pub mod recording;
-mod residuals;
 pub mod transmissibility;

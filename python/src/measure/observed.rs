@@ -4,6 +4,7 @@ use super::recording::NativeRecording;
 use super::transmissibility::measured;
 use crate::asked::{LoadArguments, Optional, numbers};
 use crate::errors::{domain, wrong_type};
+use frictiongen::measure::columns::MotionKnown as Known;
 use frictiongen::measure::{Datum, Observation, Using};
 use frictiongen::study::Load;
 use frictiongen::study::scene::Excitation;
@@ -28,17 +29,6 @@ type Points<'py> = (
     Bound<'py, PyAny>,
     Vec<Told<'py>>,
 );
-
-/// The quantities of a motion that the caller gave.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Known {
-    /// Amplitude and phase.
-    Both,
-    /// The amplitude alone.
-    Amplitude,
-    /// The phase alone.
-    Phase,
-}
 
 /// Observations, and for each observation the quantities that the caller gave.
 #[derive(Default)]

@@ -3,11 +3,10 @@
 mod tables;
 
 use super::asked::Asked;
-use crate::failure::Failure;
-use crate::features::lines::{Line, lines};
-use crate::features::report::FeaturesReport;
-use crate::number::Value;
-use crate::output::Report as _;
+use crate::features::report::{FeaturesReport, table};
+use crate::number::Exact as _;
+use crate::output::Table as _;
+use frictiongen::study::columns::{FeatureLine, FeaturesAsked};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
@@ -23,7 +22,7 @@ const MOST_ROWS: usize = 24;
 pub struct Features {
     /// Friction ratios β of the features that depend on friction.
     frictions: Vec<f64>,
-    lines: Result<Vec<Line>, String>,
+    lines: Result<Vec<FeatureLine>, String>,
 }
 
 /// A table of the section.
@@ -55,27 +54,36 @@ impl Features {
         if ALL_FRICTIONS < masses {
             frictions.truncate(1);
         }
-        let found = lines(
-            &asked.system,
-            &asked.band,
-            &asked.words.measure,
-            &asked.parts,
-            &frictions,
-            masses <= ALL_FRICTIONS,
-        );
-        let lines = found.map_err(|failure| match failure {
-            Failure::Lines(lines) => lines.join(" ").replace("frictiongen: ", ""),
-            Failure::Closed => String::new(),
-        });
+        let lines = asked
+            .system
+            .features(asked.words.measure.load())
+            .map_err(|error| error.to_string())
+            .and_then(|features| {
+                let table = table(
+                    &asked.system,
+                    &asked.band,
+                    asked.words.measure,
+                    &asked.parts,
+                );
+                let found = table.rows(
+                    &features,
+                    FeaturesAsked {
+                        range: [asked.band.from, asked.band.to],
+                        frictions: &frictions,
+                        peaks: masses <= ALL_FRICTIONS,
+                    },
+                );
+                found.map_err(|error| error.to_string())
+            });
         Self { frictions, lines }
     }
 
     /// Returns all features.
-    pub fn lines(&self) -> &[Line] {
+    pub fn lines(&self) -> &[FeatureLine] {
         self.lines.as_deref().unwrap_or_default()
     }
 
-    fn named<'s>(&'s self, feature: &'static str) -> impl Iterator<Item = &'s Line> {
+    fn named<'s>(&'s self, feature: &'static str) -> impl Iterator<Item = &'s FeatureLine> {
         let lines = self.lines().iter();
         lines.filter(move |line| line.feature == feature)
     }
@@ -122,14 +130,11 @@ impl Features {
             return json!({ "none": reason });
         }
         let report = self.report(asked);
-        let names = report.names();
-        let one = |line: &Line| -> Json {
-            let record = report.record(line);
-            let fields = names.iter().cloned();
-            fields
-                .zip(record.iter().map(Value::json))
-                .collect::<serde_json::Map<_, _>>()
-                .into()
+        let columns = report.columns();
+        let one = |line: &FeatureLine| -> Json {
+            let shown = columns.iter().filter(|column| column.is_in_csv());
+            let fields = shown.map(|column| (column.key(), column.read(line).json()));
+            fields.collect::<serde_json::Map<_, _>>().into()
         };
         let frictions = self.frictions.iter();
         json!({

@@ -3,8 +3,7 @@
 use super::super::asked::Asked;
 use super::super::words::{Words, digits};
 use super::{Features, Table};
-use crate::features::lines::Line;
-use crate::features::report::FeaturesReport;
+use frictiongen::study::columns::FeatureLine;
 
 impl Features {
     /// Returns the tables that have rows.
@@ -21,18 +20,18 @@ impl Features {
     fn about_the_chain(&self, asked: &Asked) -> Vec<Table> {
         let words = &asked.words;
         let report = self.report(asked);
-        let moved = |line: &Line| match FeaturesReport::strongest(line) {
+        let moved = |line: &FeatureLine| match line.strongest() {
             Some((_, parameter, percent)) => {
                 format!(
                     "{} % for 1 % of {}",
                     digits(percent),
-                    report.symbol(parameter)
+                    report.table().symbol(parameter)
                 )
             }
             None => String::new(),
         };
         let damped = asked.system.modal().is_damped();
-        let force = |line: &Line| {
+        let force = |line: &FeatureLine| {
             line.friction
                 .map_or_else(|| line.detail.clone(), |force| limit(words, force))
         };
@@ -172,7 +171,7 @@ impl Features {
             [only] => format!(" with {only}"),
             _ => String::new(),
         };
-        let force = |line: &Line| {
+        let force = |line: &FeatureLine| {
             line.friction
                 .map_or_else(String::new, |force| words.force(force))
         };
@@ -187,7 +186,7 @@ impl Features {
             ]
         });
         // A mass that a sticking contact keeps at rest has no peak.
-        let moving = |line: &&Line| line.amplitude != Some(0.0);
+        let moving = |line: &&FeatureLine| line.amplitude != Some(0.0);
         let peaks = self.named("peak").filter(moving).map(|line| {
             let (mode, regime) = line.detail.split_once(": ").unwrap_or((&line.detail, ""));
             let estimate = self.named("peak by estimate").find(|other| {
@@ -265,11 +264,11 @@ impl Features {
     }
 }
 
-fn place(words: &Words, line: &Line) -> String {
+fn place(words: &Words, line: &FeatureLine) -> String {
     line.r.map_or_else(String::new, |r| words.frequency(r))
 }
 
-fn range(words: &Words, line: &Line) -> String {
+fn range(words: &Words, line: &FeatureLine) -> String {
     match (line.r, line.to) {
         (Some(from), Some(to)) => {
             format!("{} … {}", words.frequency(from), words.frequency(to))
@@ -288,7 +287,7 @@ fn limit(words: &Words, force: f64) -> String {
 }
 
 /// Formats the amplitude of a line, which is already in its unit.
-fn amplitude(words: &Words, line: &Line) -> String {
+fn amplitude(words: &Words, line: &FeatureLine) -> String {
     match line.amplitude {
         None => String::new(),
         Some(size) if size.is_infinite() => "unbounded".to_owned(),

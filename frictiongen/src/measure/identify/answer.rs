@@ -33,30 +33,43 @@ pub enum Verdict {
     /// the rig.
     NotExplained,
     /// The measurement determines one friction force.
-    Told,
+    Determined,
     /// Several friction forces give this response; [`Identified::levels`] lists them.
     SeveralLevels,
     /// The contact is stuck. Any force from the lower bound of the interval on gives this response.
     Stuck,
     /// The measurement does not determine the friction force. The response hardly changes with friction there, as at an
     /// invariant point, or friction is too small to exceed the noise.
-    NotTold,
+    NotDetermined,
     /// From amplitudes without phases: either friction almost sticks the contact, or a unit is wrong by 1000 or a
     /// million, because a motion that many times as large is explained as well.
-    AllButStuck,
+    AlmostStuck,
 }
 
 impl Verdict {
+    /// Returns the key of the verdict, for programs.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::NotExplained => "not_explained",
+            Self::Determined => "determined",
+            Self::SeveralLevels => "several_levels",
+            Self::Stuck => "stuck",
+            Self::NotDetermined => "not_determined",
+            Self::AlmostStuck => "almost_stuck",
+        }
+    }
+
     /// Returns the verdict in one or two words.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
             Self::NotExplained => "not explained",
-            Self::Told => "told",
+            Self::Determined => "determined",
             Self::SeveralLevels => "several levels",
             Self::Stuck => "stuck",
-            Self::NotTold => "not told",
-            Self::AllButStuck => "all but stuck",
+            Self::NotDetermined => "not determined",
+            Self::AlmostStuck => "almost stuck",
         }
     }
 }
@@ -65,11 +78,11 @@ impl std::fmt::Display for Verdict {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::NotExplained => "the description does not explain the measurement: residuals exceed the noise; check damping, stiction, masses and springs, and delays between the channels, before you use the force below",
-            Self::Told => "the measurement determines the friction force",
+            Self::Determined => "the measurement determines the friction force",
             Self::SeveralLevels => "several friction forces give this response; to find the right one, measure at another frequency, or use amplitude and phase together",
             Self::Stuck => "the contact is stuck: the measurement gives only the least friction force that holds it",
-            Self::NotTold => "the measurement does not determine the friction force: compared with the noise, the response hardly changes with the force here; measure at another frequency or another mass",
-            Self::AllButStuck => "the motion is very small: either the contact is almost stuck, or a unit is wrong by 1000 or a million; amplitudes alone do not show which, but phases would",
+            Self::NotDetermined => "the measurement does not determine the friction force: compared with the noise, the response hardly changes with the force here; measure at another frequency or another mass",
+            Self::AlmostStuck => "the motion is very small: either the contact is almost stuck, or a unit is wrong by 1000 or a million; amplitudes alone do not show which, but phases would",
         })
     }
 }
@@ -93,7 +106,7 @@ pub struct Identified {
     /// The friction force F, N.
     pub friction: Estimate,
     /// All friction forces that explain the measurements equally well, with their intervals, ascending. There is one if
-    /// the verdict is [`Verdict::Told`].
+    /// the verdict is [`Verdict::Determined`].
     pub levels: Vec<Estimate>,
     /// The conclusion about the friction force.
     pub verdict: Verdict,

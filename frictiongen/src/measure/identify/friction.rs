@@ -298,8 +298,9 @@ impl Alone {
         let mut friction = self.best()?;
         let explained = problem.explained(problem.system, friction.value)?;
         let mut verdict = verdict(&friction, self.levels.len(), &explained);
-        if matches!(verdict, Verdict::Told | Verdict::NotTold) && problem.doubts_unit() {
-            verdict = Verdict::AllButStuck;
+        if matches!(verdict, Verdict::Determined | Verdict::NotDetermined) && problem.doubts_unit()
+        {
+            verdict = Verdict::AlmostStuck;
         }
         if verdict == Verdict::Stuck {
             // Every force from the lower bound on fits equally well.
@@ -331,9 +332,9 @@ pub(super) fn verdict(friction: &Estimate, levels: usize, explained: &[Explained
     } else if stuck && friction.to.is_infinite() && 0.0 < friction.from {
         Verdict::Stuck
     } else if WIDE * friction.value < width {
-        Verdict::NotTold
+        Verdict::NotDetermined
     } else {
-        Verdict::Told
+        Verdict::Determined
     }
 }
 

@@ -45,7 +45,7 @@ impl System {
     /// let datum = Datum { mass: 0, harmonic: 1, value, deviation: 1e-3 };
     /// let seen = Observation { hertz: 4.0, load, load_deviation: 1e-6, motions: vec![datum] };
     /// let found = plate.identify(&[seen], &IdentifyRequest::default())?;
-    /// assert_eq!(found.verdict, Verdict::Told);
+    /// assert_eq!(found.verdict, Verdict::Determined);
     /// assert!((found.friction.value - 0.5).abs() < 1e-6 && found.friction.holds(0.5));
     /// # Ok(())
     /// # }

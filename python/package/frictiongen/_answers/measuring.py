@@ -57,9 +57,9 @@ class Identification(Table):
     """The friction force that explains measurements, and a line for each motion, measured and computed.
 
     * `friction_N`: the friction force with its interval.
-    * `verdict`: the conclusion.  "told": the measurements determine the force.  "several levels": each of `levels`
-      explains the measurements.  "stuck": any force from `friction_N.low` on explains them.  "not told": they do
-      not determine the force.  "all but stuck": friction almost sticks the contact, or a unit is wrong.  "not
+    * `verdict`: the conclusion.  "determined": the measurements determine the force.  "several levels": each of `levels`
+      explains the measurements.  "stuck": any force from `friction_N.low` on explains them.  "not determined": they do
+      not determine the force.  "almost stuck": friction almost sticks the contact, or a unit is wrong.  "not
       explained": the residuals exceed the noise, and the force may be far from the rig's.
     * `says`: the verdict as a sentence.
     * `unknowns`: the other unknowns by name.  `undetermined`: the names of those that the measurements do not

@@ -1,11 +1,10 @@
 //! Collects the features, one per line.
 
-use crate::asked::Part;
-use crate::failure::Failure;
-use crate::frequency::Band;
-use crate::measure::Measure;
-use frictiongen::System;
-use frictiongen::study::{Certainty, FeatureError, Features, Measured, RegimeEnd, Sensed, words};
+use crate::study::columns::column::Row;
+use crate::study::columns::setting::{Part, Setting};
+use crate::study::{
+    Certainty, FeatureError, Features, Measured, Parameter, RegimeEnd, Sensed, words,
+};
 
 /// The method that found a feature, which tells how certain it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +19,7 @@ pub enum Ground {
 
 impl Ground {
     /// Returns the method in one word.
+    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",
@@ -31,7 +31,7 @@ impl Ground {
 
 /// A feature with its numbers.
 #[derive(Clone, Debug)]
-pub struct Line {
+pub struct FeatureLine {
     /// Name of the feature.
     pub feature: &'static str,
     /// The chain, the contact or the mass that has the feature.
@@ -53,7 +53,7 @@ pub struct Line {
     pub sensed: Vec<(&'static str, Sensed)>,
 }
 
-impl Line {
+impl FeatureLine {
     fn new(feature: &'static str, of: impl Into<String>, ground: Ground) -> Self {
         Self {
             feature,
@@ -86,51 +86,71 @@ impl Line {
         self
     }
 
+    /// Returns the parameter to which the first number is most sensitive: the number's name, the parameter, and the
+    /// change in per cent for one per cent of the parameter.
+    #[must_use]
+    pub fn strongest(&self) -> Option<(&'static str, Parameter, f64)> {
+        let (name, sensed) = self.sensed.first()?;
+        let (parameter, relative) = sensed.strongest()?;
+        Some((name, parameter, relative))
+    }
+
     fn saying(mut self, detail: impl Into<String>) -> Self {
         self.detail = detail.into();
         self
     }
 }
 
+impl Row for FeatureLine {}
+
+/// The frictions and the range of the features.
+#[derive(Clone, Copy, Debug)]
+pub struct FeaturesAsked<'a> {
+    /// Range of r.
+    pub range: [f64; 2],
+    /// Friction ratios β.
+    pub frictions: &'a [f64],
+    /// True for the true peaks, which take long for a long chain.
+    pub peaks: bool,
+}
+
 /// Returns all features of a scene. The features at each friction come after those that do not depend on friction.
-/// `peaks` adds the true peaks, which take long for a long chain.
-pub fn lines(
-    system: &System,
-    band: &Band,
-    measure: &Measure,
-    parts: &[Part],
-    frictions: &[f64],
-    peaks: bool,
-) -> Result<Vec<Line>, Failure> {
-    let features = system.features(measure.load()).map_err(Failure::new)?;
-    let range = [band.from, band.to];
+pub(super) fn lines(
+    features: &Features<'_>,
+    setting: &Setting<'_>,
+    asked: FeaturesAsked<'_>,
+) -> Result<Vec<FeatureLine>, FeatureError> {
+    let (system, measure, parts) = (setting.system, &setting.measure, setting.parts);
+    let FeaturesAsked {
+        range,
+        frictions,
+        peaks,
+    } = asked;
     let mut lines = Vec::new();
-    resonances(&features, &mut lines);
-    ends(&features, &mut lines);
+    resonances(features, &mut lines);
+    ends(features, &mut lines);
     if !system.modal().is_damped() {
         for part in parts {
-            undamped(&features, part, range, &mut lines).map_err(Failure::new)?;
+            undamped(features, part, range, &mut lines)?;
         }
     }
     for beta in frictions {
         let own = Own {
-            features: &features,
+            features,
             friction: measure.force(*beta),
             beta: *beta,
             range,
         };
         let parts = if peaks { parts } else { &[] };
-        own.lines(parts, &mut lines).map_err(Failure::new)?;
+        own.lines(parts, &mut lines)?;
     }
     for pair in frictions.windows(2) {
         let &[one, other] = pair else { continue };
         for part in parts {
-            let found = features
-                .crossings(part.of, [one, other], range)
-                .map_err(Failure::new)?;
+            let found = features.crossings(part.of, [one, other], range)?;
             for crossing in found {
                 let [one, other] = [one, other].map(|beta| measure.force(beta));
-                let mut line = Line::new("same amplitude", &part.name, Ground::Sampled)
+                let mut line = FeatureLine::new("same amplitude", &part.name, Ground::Sampled)
                     .at(crossing.r, crossing.frequency)
                     .saying(format!("with friction {one:?} and {other:?}"));
                 line.amplitude = Some(crossing.amplitude);
@@ -141,12 +161,12 @@ pub fn lines(
     Ok(lines)
 }
 
-fn resonances(features: &Features<'_>, lines: &mut Vec<Line>) {
+fn resonances(features: &Features<'_>, lines: &mut Vec<FeatureLine>) {
     for (mode, resonance) in (1..).zip(features.resonances()) {
         let damped = 0.0 < resonance.damping_ratio;
         let of = format!("mode {mode}");
-        let mut line =
-            Line::new("resonance", of.as_str(), Ground::Exact).at(resonance.r, resonance.frequency);
+        let mut line = FeatureLine::new("resonance", of.as_str(), Ground::Exact)
+            .at(resonance.r, resonance.frequency);
         let bounded = if damped {
             "slides all the time up to"
         } else {
@@ -157,7 +177,7 @@ fn resonances(features: &Features<'_>, lines: &mut Vec<Line>) {
             Some(threshold) => {
                 line = line.saying(bounded);
                 line.friction = Some(resonance.continuous_limit);
-                let mut without = Line::new("threshold without damping", of, Ground::Exact)
+                let mut without = FeatureLine::new("threshold without damping", of, Ground::Exact)
                     .with_friction(threshold);
                 without.r = Some(resonance.r);
                 lines.push(without);
@@ -172,7 +192,7 @@ fn resonances(features: &Features<'_>, lines: &mut Vec<Line>) {
             (true, true) => "slides whatever the friction",
             (true, false) => "slides up to",
         };
-        let mut line = Line::new("resonance if stuck", "", Ground::Exact)
+        let mut line = FeatureLine::new("resonance if stuck", "", Ground::Exact)
             .at(held.r, held.frequency)
             .saying(detail);
         if held.new {
@@ -182,10 +202,10 @@ fn resonances(features: &Features<'_>, lines: &mut Vec<Line>) {
     }
 }
 
-fn ends(features: &Features<'_>, lines: &mut Vec<Line>) {
+fn ends(features: &Features<'_>, lines: &mut Vec<FeatureLine>) {
     let rest = features.limits_at_rest();
     lines.push(
-        Line::new("limit for r -> 0", "contact", Ground::Exact)
+        FeatureLine::new("limit for r -> 0", "contact", Ground::Exact)
             .with_friction(rest.sliding)
             .saying("slides up to"),
     );
@@ -195,7 +215,7 @@ fn ends(features: &Features<'_>, lines: &mut Vec<Line>) {
         (infinity.sliding, "slides up to"),
     ] {
         lines.push(
-            Line::new("limit for r -> inf", "contact", Ground::Exact)
+            FeatureLine::new("limit for r -> inf", "contact", Ground::Exact)
                 .with_friction(limit)
                 .saying(detail),
         );
@@ -206,16 +226,18 @@ fn undamped(
     features: &Features<'_>,
     part: &Part,
     range: [f64; 2],
-    lines: &mut Vec<Line>,
+    lines: &mut Vec<FeatureLine>,
 ) -> Result<(), FeatureError> {
     for zero in features.antiresonances(part.of, range)? {
-        lines.push(Line::new("antiresonance", &part.name, Ground::All).at(zero.r, zero.frequency));
+        lines.push(
+            FeatureLine::new("antiresonance", &part.name, Ground::All).at(zero.r, zero.frequency),
+        );
     }
     for measured in [Measured::Amplitude, Measured::Fundamental] {
         let name = words::measured(measured);
         for point in features.invariant_points(part.of, measured, range)? {
             let condition = words::condition(&point);
-            let mut line = Line::new("invariant point", &part.name, Ground::All)
+            let mut line = FeatureLine::new("invariant point", &part.name, Ground::All)
                 .at(point.r, point.frequency)
                 .saying(format!("{name}: {condition}"));
             line.amplitude = Some(point.amplitude);
@@ -224,7 +246,7 @@ fn undamped(
         }
         for found in features.inversions(part.of, measured, range)? {
             let [from, to] = [found.from_edge, found.to_edge].map(words::edge);
-            let mut line = Line::new("grows with friction", &part.name, Ground::All)
+            let mut line = FeatureLine::new("grows with friction", &part.name, Ground::All)
                 .saying(format!("{name}: {from} to {to}"));
             (line.r, line.to) = (Some(found.from), Some(found.to));
             lines.push(line);
@@ -243,13 +265,13 @@ struct Own<'f, 's> {
 
 impl Own<'_, '_> {
     /// Returns a line with this friction.
-    fn line(&self, feature: &'static str, of: &str, ground: Ground) -> Line {
-        let mut line = Line::new(feature, of, ground);
+    fn line(&self, feature: &'static str, of: &str, ground: Ground) -> FeatureLine {
+        let mut line = FeatureLine::new(feature, of, ground);
         line.friction = Some(self.friction);
         line
     }
 
-    fn lines(&self, parts: &[Part], lines: &mut Vec<Line>) -> Result<(), FeatureError> {
+    fn lines(&self, parts: &[Part], lines: &mut Vec<FeatureLine>) -> Result<(), FeatureError> {
         let masses = &self.features.system().scene().masses;
         match self.features.quasi_static_start(self.beta)? {
             Some(start) => {

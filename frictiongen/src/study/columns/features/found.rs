@@ -1,55 +1,81 @@
 //! Computes all features.
 
-use crate::asked::Part;
-use frictiongen::study::{
+use crate::study::columns::column::Row;
+use crate::study::columns::setting::Part;
+use crate::study::{
     Antiresonance, Certainty, Crossing, FeatureError, Features, HeldResonance, InvariantPoint,
     Inversion, LimitsAtEnd, Measured, RegimeRange, Resonance, ResonantPeak, Sensed, SlidingRange,
 };
 
 /// A feature of a motion.
-pub struct Named<T> {
+pub(super) struct Named<T> {
     /// Name of the motion.
-    pub of: String,
+    pub(super) of: String,
     /// The feature.
-    pub it: T,
+    pub(super) it: T,
 }
 
 /// A feature at a friction.
-pub struct At<T> {
+pub(super) struct At<T> {
     /// Friction ratio β.
-    pub beta: f64,
+    pub(super) beta: f64,
     /// The feature.
-    pub it: T,
+    pub(super) it: T,
 }
 
 /// Lists of features, each in the order of the library.
-pub struct Found {
+pub struct FeatureLists {
     /// Resonances of the chain.
-    pub resonances: Vec<Resonance>,
+    pub(super) resonances: Vec<Mode>,
     /// Resonances of the chain with its contact stuck.
-    pub held: Vec<HeldResonance>,
+    pub(super) held: Vec<HeldResonance>,
     /// Limits for r → 0 and r → ∞.
-    pub ends: Vec<(f64, LimitsAtEnd)>,
+    pub(super) ends: Vec<EndRow>,
     /// Frequencies at which a motion vanishes without friction.
-    pub antiresonances: Vec<Named<Antiresonance>>,
+    pub(super) antiresonances: Vec<Named<Antiresonance>>,
     /// Frequencies at which no friction changes a motion.
-    pub invariant: Vec<Named<(Measured, InvariantPoint)>>,
+    pub(super) invariant: Vec<Named<(Measured, InvariantPoint)>>,
     /// Ranges in which friction enlarges a motion.
-    pub inversions: Vec<Named<(Measured, Inversion)>>,
+    pub(super) inversions: Vec<Named<(Measured, Inversion)>>,
     /// Motion of each mass for r → 0; `None` where the contact is stuck.
-    pub starts: Vec<At<Named<Option<Sensed>>>>,
+    pub(super) starts: Vec<At<Named<Option<Sensed>>>>,
     /// Ranges in which the contact slides.
-    pub sliding: Vec<At<SlidingRange>>,
+    pub(super) sliding: Vec<At<SlidingRange>>,
     /// Regimes along frequency.
-    pub regimes: Vec<At<(Certainty, RegimeRange)>>,
+    pub(super) regimes: Vec<At<(Certainty, RegimeRange)>>,
     /// Peaks at the resonances.
-    pub peaks: Vec<At<Named<ResonantPeak>>>,
+    pub(super) peaks: Vec<At<Named<ResonantPeak>>>,
     /// Frequencies at which two neighbouring frictions give the same amplitude.
-    pub crossings: Vec<At<Named<(f64, Crossing)>>>,
+    pub(super) crossings: Vec<At<Named<(f64, Crossing)>>>,
 }
 
-impl Found {
+impl<T> Row for Named<T> {}
+
+impl<T> Row for At<T> {}
+
+impl Row for HeldResonance {}
+
+/// A resonance with the number of its mode, counted from 1.
+pub(super) struct Mode {
+    pub(super) number: usize,
+    pub(super) it: Resonance,
+}
+
+impl Row for Mode {}
+
+/// The limits at an end of the frequency axis.
+pub(super) struct EndRow {
+    pub(super) r: f64,
+    pub(super) limits: LimitsAtEnd,
+}
+
+impl Row for EndRow {}
+
+impl FeatureLists {
     /// Computes all features in a range.
+    ///
+    /// # Errors
+    /// Same errors as the calls of [`Features`].
     pub fn of(
         features: &Features<'_>,
         parts: &[Part],
@@ -57,11 +83,20 @@ impl Found {
         range: [f64; 2],
     ) -> Result<Self, FeatureError> {
         let mut found = Self {
-            resonances: features.resonances(),
+            resonances: (1..)
+                .zip(features.resonances())
+                .map(|(number, it)| Mode { number, it })
+                .collect(),
             held: features.held_resonances(),
             ends: vec![
-                (0.0, features.limits_at_rest()),
-                (f64::INFINITY, features.limits_at_infinity()),
+                EndRow {
+                    r: 0.0,
+                    limits: features.limits_at_rest(),
+                },
+                EndRow {
+                    r: f64::INFINITY,
+                    limits: features.limits_at_infinity(),
+                },
             ],
             antiresonances: Vec::new(),
             invariant: Vec::new(),

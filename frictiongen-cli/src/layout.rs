@@ -1,0 +1,170 @@
+//! Arranges the cells of a table for its output: lines of text, and objects of JSON.
+
+use crate::number::{Cell, Exact as _};
+use crate::table;
+use frictiongen::study::columns::{CONTACT, Column, Kind};
+use serde_json::{Map, Value as Json};
+
+/// The arrangement of the motions of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layout {
+    /// A line of text, and in JSON a field for each column.
+    Flat,
+    /// A line of text, and in JSON an object for each part.
+    Objects,
+    /// A line of text, and in JSON an object for the contact and a list of the masses.
+    Masses,
+    /// A line of text for each part that moves, and JSON as for [`Layout::Masses`].
+    Lines,
+}
+
+/// Heading of the column with the names of the parts.
+const MOTION: &str = "motion";
+
+impl Layout {
+    /// Returns the columns of a table for people.
+    pub fn titles<R>(self, columns: &[Column<'_, R>]) -> Vec<table::Column> {
+        let first = columns.iter().find_map(|column| column.part.as_ref());
+        let shown = columns.iter().filter(|column| column.is_in_text());
+        let mut titles = Vec::new();
+        let mut parts = false;
+        for column in shown {
+            let title = column.title.iter().map(String::as_str);
+            match (&column.part, self) {
+                (None, _) => titles.push(table::Column::of(column, &title.collect::<Vec<_>>())),
+                (part, Self::Lines) => {
+                    if !parts {
+                        let names = columns.iter().filter_map(|column| column.part.as_deref());
+                        titles.push(table::Column::words(&[MOTION], names));
+                        parts = true;
+                    }
+                    if part.as_ref() == first {
+                        titles.push(table::Column::of(column, &title.collect::<Vec<_>>()));
+                    }
+                }
+                (Some(part), _) => {
+                    let title: Vec<&str> = std::iter::once(part.as_str()).chain(title).collect();
+                    titles.push(table::Column::of(column, &title));
+                }
+            }
+        }
+        titles
+    }
+
+    /// Returns the lines of a row in a table for people.
+    pub fn lines<'r, R>(self, columns: &'r [Column<'_, R>], row: &'r R) -> Vec<Vec<Cell<'r>>> {
+        let shown = || columns.iter().filter(|column| column.is_in_text());
+        if self != Self::Lines {
+            return vec![shown().map(|column| column.read(row)).collect()];
+        }
+        let once = shown().filter(|column| column.part.is_none());
+        let once: Vec<Cell<'r>> = once.map(|column| column.read(row)).collect();
+        let mut lines: Vec<Vec<Cell<'r>>> = Vec::new();
+        let mut name = None;
+        for column in shown() {
+            let Some(part) = &column.part else { continue };
+            if name != Some(part) {
+                name = Some(part);
+                let mut line = vec![Cell::Missing; once.len()];
+                line.push(part.as_str().into());
+                lines.push(line);
+            }
+            if let Some(line) = lines.last_mut() {
+                line.push(column.read(row));
+            }
+        }
+        // A part without an amplitude does not move.
+        let amplitude = once.len() + 1;
+        lines.retain(|line| line.get(amplitude) != Some(&Cell::Missing));
+        match lines.first_mut() {
+            Some(line) => line
+                .iter_mut()
+                .zip(once)
+                .for_each(|(cell, value)| *cell = value),
+            None => lines.push(once),
+        }
+        lines
+    }
+
+    /// Returns a row as JSON. Without `motions` it has no motions and no lists.
+    pub fn json<R>(self, columns: &[Column<'_, R>], row: &R, motions: bool) -> Json {
+        let mut fields = Map::new();
+        let mut parts: Vec<(&str, Map<String, Json>)> = Vec::new();
+        for column in columns.iter().filter(|column| column.is_in_json()) {
+            let is_list = matches!(column.kind, Kind::Complex | Kind::Intervals);
+            if !motions && (is_list || column.part.is_some()) {
+                continue;
+            }
+            let value = column.read(row).json();
+            let Some(part) = column.part.as_deref().filter(|_| self != Self::Flat) else {
+                fields.insert(column.key(), value);
+                continue;
+            };
+            if parts.iter().all(|(name, _)| *name != part) {
+                parts.push((part, Map::new()));
+            }
+            let Some((_, own)) = parts.iter_mut().find(|(name, _)| *name == part) else {
+                continue;
+            };
+            match column.order {
+                Some(order) if self != Self::Objects => {
+                    harmonic(own, order, column.name(), value);
+                }
+                _ => drop(own.insert(column.name_in_part(), value)),
+            }
+        }
+        if matches!(self, Self::Masses | Self::Lines) && motions {
+            fields.insert("masses".to_owned(), Json::Array(Vec::new()));
+        }
+        for (name, mut own) in parts {
+            if self != Self::Objects {
+                leave_out_missing(&mut own);
+            }
+            match fields.get_mut("masses") {
+                Some(Json::Array(masses)) if name != CONTACT => {
+                    own.insert("name".to_owned(), name.into());
+                    masses.push(Json::Object(own));
+                }
+                _ => drop(fields.insert(name.to_owned(), Json::Object(own))),
+            }
+        }
+        Json::Object(fields)
+    }
+}
+
+/// Name of the list of harmonics in JSON, and of the order in its entries.
+const HARMONICS: &str = "harmonics";
+const ORDER: &str = "n";
+
+/// Adds a value to the entry of its harmonic.
+fn harmonic(fields: &mut Map<String, Json>, order: u32, name: &str, value: Json) {
+    let list = fields
+        .entry(HARMONICS)
+        .or_insert_with(|| Json::Array(Vec::new()));
+    let Json::Array(list) = list else { return };
+    let is_new = list
+        .last()
+        .and_then(|last| last.get(ORDER))
+        .is_none_or(|known| *known != Json::from(order));
+    if is_new {
+        let entry = Map::from_iter([(ORDER.to_owned(), Json::from(order))]);
+        list.push(Json::Object(entry));
+    }
+    if let Some(Json::Object(entry)) = list.last_mut() {
+        entry.insert(name.to_owned(), value);
+    }
+}
+
+/// Replaces a list of harmonics without values by null.
+fn leave_out_missing(fields: &mut Map<String, Json>) {
+    let is_empty = |entry: &Json| {
+        let entry = entry.as_object().into_iter().flatten();
+        let mut values = entry.filter(|(name, _)| *name != ORDER);
+        values.all(|(_, value)| value.is_null())
+    };
+    if let Some(Json::Array(list)) = fields.get(HARMONICS)
+        && list.iter().all(is_empty)
+    {
+        fields.insert(HARMONICS.to_owned(), Json::Null);
+    }
+}

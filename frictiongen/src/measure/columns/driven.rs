@@ -1,0 +1,109 @@
+//! Rows and columns of a motion that follows an input step by step.
+
+use crate::Of;
+use crate::study::columns::{CONTACT, Column, Columns, Dimension, Head, Measure, Part, Row};
+use crate::study::{System, SystemStepper, words};
+use frictiongen_kernel::simulation::Contact;
+
+/// The motion of some parts at every sample of an input.
+#[derive(Clone, Debug, Default)]
+pub struct Driven {
+    /// Times, s.
+    pub time: Vec<f64>,
+    /// Displacements in m and velocities in m/s, one pair of lists for each part.
+    pub motions: Vec<[Vec<f64>; 2]>,
+    /// Friction force, N.
+    pub force: Vec<f64>,
+    state: Vec<Contact>,
+    events: Vec<u32>,
+}
+
+/// A row: a sample.
+#[derive(Clone, Copy, Debug)]
+pub struct DrivenRow<'d> {
+    driven: &'d Driven,
+    index: usize,
+}
+
+impl Row for DrivenRow<'_> {}
+
+impl Driven {
+    /// Starts without samples.
+    #[must_use]
+    pub fn new(parts: &[Part]) -> Self {
+        Self {
+            motions: vec![Default::default(); parts.len()],
+            ..Self::default()
+        }
+    }
+
+    /// Adds the present state of a stepper. `events` is the number of events since the sample before.
+    pub fn push(&mut self, stepper: &SystemStepper<'_>, parts: &[Part], turned: bool, events: u32) {
+        let signed = |value: f64| if turned { 0.0 - value } else { value };
+        let contact = stepper.contact();
+        for (part, [displacement, velocity]) in parts.iter().zip(&mut self.motions) {
+            let (x, v) = match part.of {
+                Of::Contact => (signed(contact.displacement()), signed(contact.velocity())),
+                Of::Mass(index) => {
+                    let mass = stepper.mass_at(index);
+                    (mass.displacement(), mass.velocity())
+                }
+            };
+            displacement.push(x);
+            velocity.push(v);
+        }
+        self.force.push(signed(contact.force()));
+        let state = contact.contact();
+        self.state.push(match turned {
+            true => state.reversed(),
+            false => state,
+        });
+        self.events.push(events);
+        self.time.push(stepper.time());
+    }
+
+    /// Returns the rows.
+    pub fn rows(&self) -> impl Iterator<Item = DrivenRow<'_>> {
+        (0..self.time.len()).map(|index| DrivenRow {
+            driven: self,
+            index,
+        })
+    }
+
+    /// Returns the columns.
+    #[must_use]
+    pub fn columns<'d>(system: &System, parts: &[Part]) -> Vec<Column<'d, DrivenRow<'d>>> {
+        let mut columns = Columns::new(&Measure::si(system));
+        let head = Head::of("time", Dimension::Time);
+        columns.number(head, |row: &DrivenRow<'_>| {
+            row.driven.time.get(row.index).copied()
+        });
+        for (place, part) in parts.iter().enumerate() {
+            columns.begin_part(&part.name);
+            for (which, (name, dimension)) in [
+                ("displacement", Dimension::Length),
+                ("velocity", Dimension::Velocity),
+            ]
+            .into_iter()
+            .enumerate()
+            {
+                columns.converted(Head::of(name, dimension), move |row| {
+                    let motion = row.driven.motions.get(place)?.get(which)?;
+                    motion.get(row.index).copied()
+                });
+            }
+        }
+        columns.begin_part(CONTACT);
+        columns.number(Head::of("friction", Dimension::Force), |row| {
+            row.driven.force.get(row.index).copied()
+        });
+        columns.word("state", "backward", |row| {
+            Some(words::contact(*row.driven.state.get(row.index)?))
+        });
+        columns.end_parts();
+        columns.count("events", |row| {
+            Some(*row.driven.events.get(row.index)? as usize)
+        });
+        columns.done()
+    }
+}

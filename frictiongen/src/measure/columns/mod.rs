@@ -1,0 +1,42 @@
+//! The tables of measurements: rows and columns as those of [`study::columns`](crate::study::columns), and single values
+//! by key. All have SI units.
+
+mod driven;
+mod lines;
+mod once;
+mod residuals;
+mod transmissibility;
+
+pub use driven::{Driven, DrivenRow};
+pub use lines::{QuantityLine, decay_lines, fit_lines, identify_lines, line_columns};
+pub use once::{Keyed, SingleValue, decay_values, fit_values, identify_values};
+pub use residuals::{
+    ExtremeRow, FittedRow, MotionKnown, ResidualRow, extreme_columns, extremes, fitted,
+    fitted_columns, residual_columns, residuals,
+};
+pub use transmissibility::TransmissibilityTable;
+
+use crate::study::System;
+use crate::study::columns::{Columns, Dimension, Head, Measure, Row};
+use crate::study::scene::Excitation;
+
+/// Returns the name and the physical quantity of the excitation.
+fn drive(system: &System) -> (&'static str, Dimension) {
+    match system.scene().excitation {
+        Excitation::Base => ("base", Dimension::Length),
+        Excitation::Force(_) => ("force", Dimension::Force),
+    }
+}
+
+/// Adds the column of the amplitude of the excitation.
+fn drive_amplitude<'a, R: Row + 'a>(
+    columns: &mut Columns<'a, R>,
+    system: &System,
+    read: impl Fn(&R) -> Option<f64> + 'a,
+) {
+    let (name, dimension) = drive(system);
+    let title = Measure::si(system).title(dimension);
+    let name = format!("{name}.amplitude");
+    let (short, _) = drive(system);
+    columns.number(Head::of(name, dimension).titled(&[short, title]), read);
+}

@@ -1,0 +1,135 @@
+//! Single values of measurements, by key.
+
+use crate::measure::{Estimate, FreeDecay, Identified, SweepFit, Unknown};
+use crate::study::System;
+use crate::study::units::hertz;
+
+/// A value with its key.
+pub type Keyed = (&'static str, SingleValue);
+
+/// A single value of a measurement.
+#[derive(Clone, Debug)]
+pub enum SingleValue {
+    /// A number, if it is known.
+    Number(Option<f64>),
+    /// A count.
+    Count(usize),
+    /// A flag.
+    Flag(bool),
+    /// A word or a sentence.
+    Text(String),
+    /// A number with its interval, if it is known.
+    Estimate(Option<Estimate>),
+    /// Numbers with their intervals.
+    Estimates(Vec<Estimate>),
+    /// Numbers with their intervals, by name.
+    Named(Vec<(String, Estimate)>),
+    /// Names.
+    Names(Vec<String>),
+}
+
+/// Returns a number with its interval, both multiplied by `scale`.
+pub(super) fn scaled(found: Estimate, scale: f64) -> Estimate {
+    Estimate {
+        value: found.value * scale,
+        from: found.from * scale,
+        to: found.to * scale,
+    }
+}
+
+/// Returns unknowns by name, each with its unit.
+fn unknowns<'f>(
+    system: &System,
+    found: impl Iterator<Item = &'f (Unknown, Estimate)>,
+) -> Vec<(String, Estimate)> {
+    let mut all = Vec::new();
+    for (unknown, estimate) in found {
+        match unknown {
+            Unknown::Frequencies => {
+                let natural = (1..).zip(system.natural_frequencies());
+                all.extend(natural.map(|(mode, omega): (u32, f64)| {
+                    let name = format!("natural_frequency_{mode}_Hz");
+                    (name, scaled(*estimate, hertz(omega)))
+                }));
+            }
+            Unknown::Damping => all.push(("damping".to_owned(), *estimate)),
+            Unknown::Stiction => all.push(("stiction".to_owned(), *estimate)),
+            _ => all.push((unknown.symbol(system), *estimate)),
+        }
+    }
+    all
+}
+
+/// Returns the single values of an identification.
+#[must_use]
+pub fn identify_values(system: &System, found: &Identified) -> Vec<Keyed> {
+    let open = found.undetermined();
+    let open = found
+        .unknowns
+        .iter()
+        .filter(|(unknown, _)| open.contains(unknown));
+    let open = unknowns(system, open).into_iter().map(|(name, _)| name);
+    vec![
+        ("friction_N", SingleValue::Estimate(Some(found.friction))),
+        ("levels", SingleValue::Estimates(found.levels.clone())),
+        (
+            "verdict",
+            SingleValue::Text(found.verdict.word().to_owned()),
+        ),
+        ("says", SingleValue::Text(found.verdict.to_string())),
+        (
+            "unknowns",
+            SingleValue::Named(unknowns(system, found.unknowns.iter())),
+        ),
+        ("undetermined", SingleValue::Names(open.collect())),
+        ("condition", SingleValue::Number(Some(found.condition))),
+        ("misfit", SingleValue::Number(found.misfit)),
+        ("freedom", SingleValue::Count(found.freedom)),
+        ("is_explained", SingleValue::Flag(found.is_explained())),
+    ]
+}
+
+/// Returns the single values of a fit.
+#[must_use]
+pub fn fit_values(system: &System, found: &SweepFit) -> Vec<Keyed> {
+    let scene = system.scene();
+    let masses = scene.masses.iter().skip(1).zip(&found.masses);
+    let masses = masses.map(|(mass, ratio)| (mass.name.clone(), *ratio));
+    let springs = scene.springs.iter().skip(1).zip(&found.springs);
+    let springs = springs.map(|(spring, ratio)| {
+        let (from, to) = (scene.node_name(spring.from), scene.node_name(spring.to));
+        (format!("{from} - {to}"), *ratio)
+    });
+    vec![
+        ("reference_Hz", SingleValue::Estimate(Some(found.reference))),
+        ("mass_ratios", SingleValue::Named(masses.collect())),
+        ("stiffness_ratios", SingleValue::Named(springs.collect())),
+        ("damping", SingleValue::Estimate(found.damping)),
+        (
+            "natural_frequencies_Hz",
+            SingleValue::Estimates(found.natural.clone()),
+        ),
+        ("misfit", SingleValue::Number(found.misfit)),
+        ("freedom", SingleValue::Count(found.freedom)),
+        ("is_explained", SingleValue::Flag(found.is_explained())),
+        ("scatter", SingleValue::Number(Some(found.scatter))),
+        ("condition", SingleValue::Number(Some(found.condition))),
+    ]
+}
+
+/// Returns the single values of a free vibration.
+#[must_use]
+pub fn decay_values(found: &FreeDecay) -> Vec<Keyed> {
+    let estimate = |found| SingleValue::Estimate(Some(found));
+    vec![
+        ("friction_N", estimate(found.friction)),
+        ("length_m", estimate(found.length)),
+        ("frequency_Hz", estimate(found.hertz)),
+        ("damping", estimate(found.damping)),
+        (
+            "linear_decrement_m",
+            SingleValue::Number(Some(found.linear_decrement)),
+        ),
+        ("misfit", SingleValue::Number(Some(found.misfit))),
+    ]
+}

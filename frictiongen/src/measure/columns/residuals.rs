@@ -1,0 +1,187 @@
+//! Rows and columns of measured and computed values.
+
+use super::drive_amplitude;
+use crate::Complex;
+use crate::measure::{Datum, Explained, FreeDecay, Identified, Observation, SweepFit, SweepPoint};
+use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
+use crate::study::units::polar;
+use crate::study::{Load, System, words};
+
+/// The quantities of a motion that were measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MotionKnown {
+    /// Amplitude and phase.
+    Both,
+    /// The amplitude alone.
+    Amplitude,
+    /// The phase alone.
+    Phase,
+}
+
+/// A row: one measured motion of an observation, and that of the scene.
+#[derive(Clone, Copy, Debug)]
+pub struct ResidualRow<'o> {
+    recording: usize,
+    seen: &'o Observation,
+    point: &'o Explained,
+    datum: &'o Datum,
+    mass: &'o str,
+    model: Complex<f64>,
+    residual: Complex<f64>,
+    known: MotionKnown,
+}
+
+/// A row: one point of a sweep, and that of the fitted scene.
+#[derive(Clone, Copy, Debug)]
+pub struct FittedRow<'o> {
+    point: &'o SweepPoint,
+    mass: &'o str,
+    residual: f64,
+}
+
+/// A row: an extreme of a free vibration.
+#[derive(Clone, Copy, Debug)]
+pub struct ExtremeRow {
+    time: f64,
+    displacement: f64,
+}
+
+impl Row for ResidualRow<'_> {}
+
+impl Row for FittedRow<'_> {}
+
+impl Row for ExtremeRow {}
+
+impl ResidualRow<'_> {
+    /// Returns the residual over its deviation: of the complex value, of the amplitude or of the phase, whichever was
+    /// measured.
+    fn over_deviation(&self) -> f64 {
+        let apart = match self.known {
+            MotionKnown::Amplitude => (self.datum.value.norm() - self.model.norm()).abs(),
+            MotionKnown::Phase => polar(self.datum.value * self.model.conj()).1.abs(),
+            MotionKnown::Both => self.residual.norm(),
+        };
+        apart / self.datum.deviation
+    }
+
+    /// Returns a residual over its deviation, if amplitude and phase were measured.
+    fn whole(&self, residual: f64) -> Option<f64> {
+        (self.known == MotionKnown::Both).then(|| residual / self.datum.deviation)
+    }
+}
+
+fn name(system: &System, mass: usize) -> &str {
+    let mass = system.scene().masses.get(mass);
+    mass.map_or("", |mass| mass.name.as_str())
+}
+
+/// Returns the rows of all motions of all observations. `known` has for each observation what was measured.
+#[must_use]
+pub fn residuals<'o>(
+    system: &'o System,
+    observations: &'o [Observation],
+    known: &[MotionKnown],
+    found: &'o Identified,
+) -> Vec<ResidualRow<'o>> {
+    let mut rows = Vec::new();
+    let each = observations.iter().zip(known).zip(&found.explained);
+    for (index, ((seen, known), point)) in each.enumerate() {
+        let residuals = found.residuals(observations, index);
+        let motions = seen.motions.iter().zip(&point.model).zip(residuals);
+        rows.extend(motions.map(|((datum, model), residual)| ResidualRow {
+            recording: index + 1,
+            seen,
+            point,
+            datum,
+            mass: name(system, datum.mass),
+            model: *model,
+            residual,
+            known: *known,
+        }));
+    }
+    rows
+}
+
+/// Returns the columns of [`residuals`].
+#[must_use]
+pub fn residual_columns<'o>(system: &System) -> Vec<Column<'o, ResidualRow<'o>>> {
+    use Dimension::Angle;
+    let mut columns = Columns::new(&Measure::si(system));
+    columns.count("recording", |row: &ResidualRow<'_>| Some(row.recording));
+    let head = Head::of("frequency", Dimension::Hertz);
+    columns.number(head, |row| Some(row.seen.hertz));
+    drive_amplitude(&mut columns, system, |row| {
+        let (Load::Base(size) | Load::Force(size)) = row.seen.load;
+        Some(size)
+    });
+    columns.number("r", |row| Some(row.point.r));
+    columns.number("beta", |row| Some(row.point.beta));
+    columns.word("regime", "", |row| Some(words::regime(row.point.regime)));
+    columns.word("of", "", |row| Some(row.mass));
+    columns.count("harmonic", |row| Some(row.datum.harmonic as usize));
+    columns.number("amplitude_measured", |row| {
+        (row.known != MotionKnown::Phase).then(|| polar(row.datum.value).0)
+    });
+    columns.number("amplitude_computed", |row| Some(polar(row.model).0));
+    columns.number(Head::of("lag_measured", Angle), |row| {
+        (row.known != MotionKnown::Amplitude).then(|| polar(row.datum.value).1)
+    });
+    columns.number(Head::of("lag_computed", Angle), |row| {
+        Some(polar(row.model).1)
+    });
+    columns.number("residual_over_deviation", |row| Some(row.over_deviation()));
+    columns.number("residual_real", |row| row.whole(row.residual.re));
+    columns.number("residual_imaginary", |row| row.whole(row.residual.im));
+    columns.done()
+}
+
+/// Returns the rows of the points of a sweep.
+#[must_use]
+pub fn fitted<'o>(
+    system: &'o System,
+    points: &'o [SweepPoint],
+    found: &SweepFit,
+) -> Vec<FittedRow<'o>> {
+    let rows = points.iter().zip(&found.residuals);
+    let rows = rows.map(|(point, residual)| FittedRow {
+        point,
+        mass: name(system, point.mass),
+        residual: *residual,
+    });
+    rows.collect()
+}
+
+/// Returns the columns of [`fitted`].
+#[must_use]
+pub fn fitted_columns<'o>(system: &System) -> Vec<Column<'o, FittedRow<'o>>> {
+    let mut columns = Columns::new(&Measure::si(system));
+    let head = Head::of("frequency", Dimension::Hertz);
+    columns.number(head, |row: &FittedRow<'_>| Some(row.point.hertz));
+    columns.word("of", "", |row| Some(row.mass));
+    columns.number("transmissibility", |row| Some(row.point.amplitude));
+    columns.number("deviation", |row| row.point.deviation);
+    columns.number("residual", |row| Some(row.residual));
+    columns.done()
+}
+
+/// Returns the rows of the extremes of a free vibration.
+#[must_use]
+pub fn extremes(found: &FreeDecay) -> Vec<ExtremeRow> {
+    let all = found.extremes.iter();
+    let rows = all.map(|(time, displacement)| ExtremeRow {
+        time: *time,
+        displacement: *displacement,
+    });
+    rows.collect()
+}
+
+/// Returns the columns of [`extremes`].
+#[must_use]
+pub fn extreme_columns<'o>(system: &System) -> Vec<Column<'o, ExtremeRow>> {
+    let mut columns = Columns::new(&Measure::si(system));
+    let head = Head::of("time", Dimension::Time);
+    columns.number(head, |row: &ExtremeRow| Some(row.time));
+    let head = Head::of("displacement", Dimension::Length);
+    columns.number(head, |row| Some(row.displacement));
+    columns.done()
+}

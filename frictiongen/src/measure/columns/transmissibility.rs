@@ -1,0 +1,54 @@
+//! Columns of transmissibilities.
+
+use super::drive_amplitude;
+use crate::measure::Measured;
+use crate::study::System;
+use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
+
+/// The table of the transmissibilities of recorded masses, with one row for each recording.
+#[derive(Clone, Debug)]
+pub struct TransmissibilityTable<'a> {
+    system: &'a System,
+    /// Indices of the recorded masses, ascending.
+    masses: Vec<usize>,
+}
+
+impl Row for Measured {}
+
+impl<'a> TransmissibilityTable<'a> {
+    /// Makes the table of the masses that some of the recordings have.
+    #[must_use]
+    pub fn of(system: &'a System, measured: &[Measured]) -> Self {
+        let each = measured.iter().flat_map(|measured| &measured.masses);
+        let mut masses: Vec<usize> = each.map(|(mass, _)| *mass).collect();
+        masses.sort_unstable();
+        masses.dedup();
+        Self { system, masses }
+    }
+
+    /// Returns the columns.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column<'a, Measured>> {
+        let mut columns = Columns::new(&Measure::si(self.system));
+        let head = Head::of("frequency", Dimension::Hertz);
+        columns.number(head, |row: &Measured| Some(row.hertz));
+        let head = Head::of("steady_from", Dimension::Time).titled(&["steady", "from (s)"]);
+        columns.number(head, |row| Some(row.steady.0));
+        drive_amplitude(&mut columns, self.system, |row| Some(row.drive_amplitude()));
+        for mass in self.masses.iter().copied() {
+            let named = self.system.scene().masses.get(mass);
+            columns.begin_part(named.map_or("", |mass| mass.name.as_str()));
+            columns.number("transmissibility", move |row| {
+                Some(row.transmissibility(mass)?.amplitude())
+            });
+            let head = Head::of("lag", Dimension::Angle).titled(&["lag (deg)"]);
+            columns.number(head, move |row| Some(row.transmissibility(mass)?.lag()));
+            columns.number("deviation", move |row| {
+                Some(row.transmissibility(mass)?.deviation)
+            });
+            let head = Head::new("third_harmonic").titled(&["third harmonic"]);
+            columns.number(head, move |row| Some(row.harmonic(mass, 3)?.norm()));
+        }
+        columns.done()
+    }
+}

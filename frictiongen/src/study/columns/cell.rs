@@ -1,0 +1,94 @@
+//! Values of columns.
+
+use std::borrow::Cow;
+
+/// A value of a column.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell<'a> {
+    /// A number, never NaN and never −0.
+    Number(f64),
+    /// A count.
+    Count(usize),
+    /// A word.
+    Word(Cow<'a, str>),
+    /// A flag.
+    Flag(bool),
+    /// A list of complex numbers or of intervals (start and length).
+    Pairs(Vec<[f64; 2]>),
+    /// A missing value.
+    Missing,
+}
+
+impl Cell<'_> {
+    /// Returns the cell with its own word.
+    #[must_use]
+    pub fn into_owned(self) -> Cell<'static> {
+        match self {
+            Self::Number(value) => Cell::Number(value),
+            Self::Count(value) => Cell::Count(value),
+            Self::Word(word) => Cell::Word(Cow::Owned(word.into_owned())),
+            Self::Flag(value) => Cell::Flag(value),
+            Self::Pairs(pairs) => Cell::Pairs(pairs),
+            Self::Missing => Cell::Missing,
+        }
+    }
+
+    /// Returns the same cell, which borrows its word.
+    #[must_use]
+    pub fn borrowed(&self) -> Cell<'_> {
+        match self {
+            Self::Word(word) => Cell::Word(Cow::Borrowed(word)),
+            Self::Number(value) => Cell::Number(*value),
+            Self::Count(value) => Cell::Count(*value),
+            Self::Flag(value) => Cell::Flag(*value),
+            Self::Pairs(pairs) => Cell::Pairs(pairs.clone()),
+            Self::Missing => Cell::Missing,
+        }
+    }
+}
+
+impl From<f64> for Cell<'_> {
+    fn from(value: f64) -> Self {
+        if value.is_nan() {
+            Self::Missing
+        } else {
+            Self::Number(value + 0.0)
+        }
+    }
+}
+
+impl From<usize> for Cell<'_> {
+    fn from(value: usize) -> Self {
+        Self::Count(value)
+    }
+}
+
+impl From<bool> for Cell<'_> {
+    fn from(value: bool) -> Self {
+        Self::Flag(value)
+    }
+}
+
+impl<'a> From<&'a str> for Cell<'a> {
+    fn from(value: &'a str) -> Self {
+        Self::Word(Cow::Borrowed(value))
+    }
+}
+
+impl From<String> for Cell<'_> {
+    fn from(value: String) -> Self {
+        Self::Word(Cow::Owned(value))
+    }
+}
+
+impl From<Vec<[f64; 2]>> for Cell<'_> {
+    fn from(value: Vec<[f64; 2]>) -> Self {
+        Self::Pairs(value)
+    }
+}
+
+impl<'a, T: Into<Cell<'a>>> From<Option<T>> for Cell<'a> {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Self::Missing, Into::into)
+    }
+}

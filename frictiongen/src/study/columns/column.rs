@@ -1,0 +1,245 @@
+//! Columns: key, heading, unit, and the function that reads a cell from a row.
+
+use super::cell::Cell;
+use super::measure::Dimension;
+use crate::study::Sensed;
+use std::borrow::Cow;
+
+/// The kind of a column's values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind<'a> {
+    /// Numbers.
+    Number,
+    /// Numbers that the user gave: all of them, from which a table takes the number of decimals.
+    Given(&'a [f64]),
+    /// Counts.
+    Count,
+    /// Words. The number of characters of the widest usual word.
+    Word(usize),
+    /// Flags.
+    Flag,
+    /// Lists of complex numbers.
+    Complex,
+    /// Lists of intervals, each with start and length.
+    Intervals,
+}
+
+/// The arguments on which the values of a column depend.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The frequency alone.
+    Frequency,
+    /// The friction alone.
+    Friction,
+    /// The whole row.
+    Row,
+}
+
+/// The outputs that have a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// Every output.
+    Everywhere,
+    /// Every output except tables for people.
+    Files,
+    /// JSON and Python, for values that do not fit into a cell.
+    Objects,
+    /// JSON alone.
+    Json,
+    /// Tables for people and CSV.
+    Lines,
+    /// Python alone.
+    Python,
+}
+
+/// Name, unit and heading of a column.
+#[derive(Clone, Debug)]
+pub struct Head {
+    pub(super) name: Cow<'static, str>,
+    pub(super) under_load: Option<&'static str>,
+    pub(super) attribute: Option<&'static str>,
+    pub(super) dimension: Dimension,
+    pub(super) title: Option<Vec<String>>,
+}
+
+impl Head {
+    /// Makes the head of a column of ratios or words.
+    #[must_use]
+    pub fn new(name: impl Into<Cow<'static, str>>) -> Self {
+        Self {
+            name: name.into(),
+            under_load: None,
+            attribute: None,
+            dimension: Dimension::One,
+            title: None,
+        }
+    }
+
+    /// Makes the head of a column of this physical quantity.
+    #[must_use]
+    pub fn of(name: impl Into<Cow<'static, str>>, dimension: Dimension) -> Self {
+        Self {
+            dimension,
+            ..Self::new(name)
+        }
+    }
+
+    /// Sets another name for use under a load.
+    #[must_use]
+    pub fn under_load(self, name: &'static str) -> Self {
+        Self {
+            under_load: Some(name),
+            ..self
+        }
+    }
+
+    /// Sets another name for Python, where the name is a reserved word.
+    #[must_use]
+    pub fn attribute(self, name: &'static str) -> Self {
+        Self {
+            attribute: Some(name),
+            ..self
+        }
+    }
+
+    /// Sets the lines of the heading. By default they are the name and the unit.
+    #[must_use]
+    pub fn titled(self, lines: &[&str]) -> Self {
+        let lines = lines.iter().map(|line| (*line).to_owned());
+        Self {
+            title: Some(lines.collect()),
+            ..self
+        }
+    }
+}
+
+impl From<&'static str> for Head {
+    fn from(name: &'static str) -> Self {
+        Self::new(name)
+    }
+}
+
+/// Function that reads a cell.
+pub(super) type Read<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
+
+/// Function that returns whether a value says something in a list of lines.
+type Says<'a, Row> = Box<dyn Fn(&Row) -> bool + 'a>;
+
+/// Function that returns the derivatives of a value.
+type Moves<'a, Row> = Box<dyn Fn(&Row) -> Option<&Sensed> + 'a>;
+
+/// A column of a table.
+pub struct Column<'a, Row> {
+    /// Name of the contact or of the mass whose motion it is.
+    pub part: Option<String>,
+    /// Order of the harmonic.
+    pub order: Option<u32>,
+    /// Lines of the heading, without the name of the part.
+    pub title: Vec<String>,
+    /// Unit of the numbers, empty for ratios.
+    pub unit: &'static str,
+    /// Kind of the values.
+    pub kind: Kind<'a>,
+    /// The arguments on which the values depend.
+    pub axis: Axis,
+    /// The outputs that have the column.
+    pub shown: Shown,
+    pub(super) name: String,
+    pub(super) attribute: Option<&'static str>,
+    /// Unit, or reference of a displacement without a load.
+    pub(super) of_what: &'static str,
+    pub(super) read: Read<'a, Row>,
+    pub(super) says: Option<Says<'a, Row>>,
+    pub(super) moves: Option<Moves<'a, Row>>,
+}
+
+impl<Row> Column<'_, Row> {
+    /// Reads the cell of a row.
+    pub fn read<'r>(&self, row: &'r Row) -> Cell<'r> {
+        (self.read)(row)
+    }
+
+    /// Returns whether the value of a row says something in a list of lines, such as a bound that was reached.
+    pub fn says(&self, row: &Row) -> bool {
+        self.says.as_ref().is_none_or(|says| says(row))
+    }
+
+    /// Returns true if the values may have derivatives with respect to the parameters.
+    #[must_use]
+    pub fn has_derivatives(&self) -> bool {
+        self.moves.is_some()
+    }
+
+    /// Returns the derivatives of the value of a row, if it has any.
+    pub fn derivatives<'r>(&self, row: &'r Row) -> Option<&'r Sensed> {
+        self.moves.as_ref()?(row)
+    }
+
+    /// Returns the unit, and for a displacement without a load its reference: `m`, `P/k1`.
+    #[must_use]
+    pub fn of_what(&self) -> &'static str {
+        self.of_what
+    }
+
+    /// Returns the name without part and harmonic: `amplitude_m`.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Returns the name without the part: `X3.amplitude_m`.
+    #[must_use]
+    pub fn name_in_part(&self) -> String {
+        match self.order {
+            Some(order) => format!("X{order}.{}", self.name),
+            None => self.name.clone(),
+        }
+    }
+
+    /// Returns the name of the column in CSV and JSON: `upper.X3.amplitude_m`.
+    #[must_use]
+    pub fn key(&self) -> String {
+        match &self.part {
+            Some(part) => format!("{part}.{}", self.name_in_part()),
+            None => self.name_in_part(),
+        }
+    }
+
+    /// Returns the name of the column in Python, which is its key unless that is a reserved word.
+    #[must_use]
+    pub fn attribute(&self) -> String {
+        self.attribute.map_or_else(|| self.key(), str::to_owned)
+    }
+
+    /// Returns true if tables for people have the column.
+    #[must_use]
+    pub fn is_in_text(&self) -> bool {
+        matches!(self.shown, Shown::Everywhere | Shown::Lines)
+    }
+
+    /// Returns true if CSV has the column.
+    #[must_use]
+    pub fn is_in_csv(&self) -> bool {
+        matches!(self.shown, Shown::Everywhere | Shown::Files | Shown::Lines)
+    }
+
+    /// Returns true if JSON has the column.
+    #[must_use]
+    pub fn is_in_json(&self) -> bool {
+        !matches!(self.shown, Shown::Lines | Shown::Python)
+    }
+
+    /// Returns true if Python has the column.
+    #[must_use]
+    pub fn is_in_python(&self) -> bool {
+        !matches!(self.shown, Shown::Lines | Shown::Json)
+    }
+}
+
+/// A row of a table.
+pub trait Row {
+    /// Returns ω in rad/s, which converts velocities, accelerations and powers of the row.
+    fn omega(&self) -> f64 {
+        f64::NAN
+    }
+}

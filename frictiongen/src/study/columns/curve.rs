@@ -1,0 +1,151 @@
+//! Rows and columns of curves.
+
+use super::builder::Columns;
+use super::column::{Column, Head, Row};
+use super::measure::Dimension;
+use super::motion::{Extent, Moving, PartMotion, motions};
+use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use crate::Error;
+use crate::study::{Curve, CurvePoint, CurveStart, words};
+
+/// A row: a point of a piece, or an end point of a gap.
+#[derive(Clone, Debug)]
+pub struct CurveRow {
+    /// The friction of the curve.
+    pub friction: Friction,
+    /// The start of the motions of the curve.
+    pub start: CurveStart,
+    /// The frequency.
+    pub frequency: Frequency,
+    /// Number of the piece, counted from 1 along the frequency. `None` in a gap.
+    pub piece: Option<usize>,
+    /// The point, or the reason for the gap.
+    pub found: Result<CurvePoint, Error>,
+}
+
+/// The table of curves along frequency.
+#[derive(Clone, Copy)]
+pub struct CurveTable<'a> {
+    /// System, units and parts.
+    pub setting: Setting<'a>,
+    /// True for the start of each curve.
+    pub starts: bool,
+    /// True for velocities and accelerations.
+    pub rates: bool,
+    /// The orders of the harmonics.
+    pub orders: &'a [u32],
+}
+
+impl CurveRow {
+    fn point(&self) -> Option<&CurvePoint> {
+        self.found.as_ref().ok()
+    }
+}
+
+impl Row for CurveRow {
+    fn omega(&self) -> f64 {
+        self.frequency.omega
+    }
+}
+
+impl AtFrequency for CurveRow {
+    fn frequency(&self) -> Frequency {
+        self.frequency
+    }
+}
+
+impl AtFriction for CurveRow {
+    fn friction(&self) -> Friction {
+        self.friction
+    }
+}
+
+impl Moving for CurveRow {
+    fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
+        let movement = self.point()?.movements.get(part)?;
+        Some(PartMotion {
+            swing: Some(movement.swing),
+            centred: Some(movement.centred),
+            fundamental_phase: movement.fundamental_phase,
+            monoharmonic: None,
+            rates: movement.rates,
+            harmonics: &movement.harmonics,
+        })
+    }
+}
+
+impl<'a> CurveTable<'a> {
+    /// Returns the rows of one curve, with ascending frequency.
+    #[must_use]
+    pub fn rows(&self, friction: Friction, curve: &Curve) -> Vec<CurveRow> {
+        let row = |r: f64, piece: Option<usize>, found: Result<CurvePoint, Error>| CurveRow {
+            friction,
+            start: curve.start,
+            frequency: Frequency::at(self.setting.system, r),
+            piece,
+            found,
+        };
+        let mut rows = Vec::new();
+        for (piece, found) in (1..).zip(&curve.pieces) {
+            let points = found.points.iter();
+            rows.extend(points.map(|point| row(point.r, Some(piece), Ok(point.clone()))));
+        }
+        for gap in &curve.gaps {
+            let ends = [gap.from, gap.to].into_iter();
+            let ends = ends.take(if gap.from < gap.to { 2 } else { 1 });
+            rows.extend(ends.map(|r| row(r, None, Err(gap.reason))));
+        }
+        rows.sort_by(|a, b| a.frequency.r.total_cmp(&b.frequency.r));
+        rows
+    }
+
+    /// Returns the columns.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column<'a, CurveRow>> {
+        use Dimension::{Force, Length, Power};
+        let measure = self.setting.measure;
+        let (newton, power) = match measure.scale() {
+            Some(_) => ("(N)", ["power", "(W)"]),
+            None => ("", ["work", ""]),
+        };
+        let mut columns = Columns::new(&measure);
+        self.setting.friction(&mut columns);
+        if self.starts {
+            let head = Head::new("from").attribute("start");
+            columns.word(head, "down", |row: &CurveRow| Some(words::start(row.start)));
+        }
+        self.setting.frequency(&mut columns);
+        columns.count("piece", |row| row.piece);
+        columns.word("regime", "continuous", |row| {
+            Some(words::regime(row.point()?.regime))
+        });
+        columns.word("answer", "last 64 cycles", |row| {
+            Some(words::on_curve(row.found.as_ref().map_err(|error| *error)))
+        });
+        columns.count("stops", |row| Some(row.point()?.stops));
+        columns.count("period", |row| Some(row.point()?.period as usize));
+        let head = Head::of("contact_force", Force).titled(&["force", newton]);
+        columns.number(head, |row| Some(row.point()?.contact_force));
+        let head = Head::of("friction_work", Power).under_load("friction_power");
+        columns.number(head.titled(&power), |row| Some(row.point()?.friction_work));
+        columns.number(Head::of("offset", Length), move |row| {
+            Some(measure.sign() * row.point()?.offset)
+        });
+        columns.flag("marginal", |row| Some(row.point()?.marginal));
+        columns.flag(Head::new("from_rest").titled(&["from", "rest"]), |row| {
+            Some(row.point()?.from_rest)
+        });
+        let extent = Extent {
+            monoharmonic: false,
+            rates: self.rates,
+            orders: self.orders,
+            complex: false,
+        };
+        motions(&mut columns, self.setting.parts, extent);
+        let mut columns = columns.done();
+        for column in columns.iter_mut().filter(|column| column.part.is_some()) {
+            column.title = vec![column.name_in_part()];
+        }
+        columns
+    }
+}

@@ -1,0 +1,75 @@
+//! Columns that several lists of features have.
+
+use crate::study::Sensed;
+use crate::study::columns::builder::Columns;
+use crate::study::columns::column::{Head, Row};
+use crate::study::columns::measure::Dimension;
+use crate::study::columns::setting::Setting;
+
+/// The columns of a list of features. Under a load features have their units already.
+pub(super) struct Sheet<'a, R> {
+    setting: Setting<'a>,
+    pub(super) columns: Columns<'a, R>,
+}
+
+impl<'a, R: Row + 'a> Sheet<'a, R> {
+    /// Starts without columns.
+    pub(super) fn new(setting: &Setting<'a>) -> Self {
+        Self {
+            setting: *setting,
+            columns: Columns::new(&setting.measure),
+        }
+    }
+
+    /// Adds the name of the motion that has the feature.
+    pub(super) fn of(&mut self, of: impl Fn(&R) -> &String + 'a) {
+        self.columns.word("of", "", move |row| Some(of(row)));
+    }
+
+    /// Adds forces, which have their unit under a load.
+    pub(super) fn force(&mut self, name: &'static str, of: impl Fn(&R) -> Option<f64> + 'a) {
+        self.columns.converted(Head::of(name, Dimension::Force), of);
+    }
+
+    /// Adds lengths, which have their unit under a load.
+    pub(super) fn length(&mut self, name: &'static str, of: impl Fn(&R) -> Option<f64> + 'a) {
+        self.columns
+            .converted(Head::of(name, Dimension::Length), of);
+    }
+
+    /// Adds the requested friction ratio, and under a load the force.
+    pub(super) fn friction(&mut self, beta: impl Fn(&R) -> f64 + Copy + 'a) {
+        if self.setting.measure.scale().is_some() {
+            let head = Head::of("friction", Dimension::Force);
+            self.columns.number(head, move |row| Some(beta(row)));
+        }
+        self.columns.number("beta", move |row| Some(beta(row)));
+    }
+
+    /// Adds the friction with which another is compared.
+    pub(super) fn other_friction(&mut self, beta: impl Fn(&R) -> f64 + 'a) {
+        let head = Head::of("other_beta", Dimension::Force).under_load("other_friction");
+        self.columns.number(head, move |row| Some(beta(row)));
+    }
+
+    /// Adds frequencies. Their names begin with `before`.
+    pub(super) fn places(
+        &mut self,
+        before: &'static str,
+        of: impl Fn(&R) -> Option<f64> + Copy + 'a,
+    ) {
+        if self.setting.frequency.has_hertz() {
+            let system = self.setting.system;
+            let head = Head::of(format!("{before}frequency"), Dimension::Hertz);
+            self.columns
+                .converted(head, move |row| of(row).map(|r| system.hertz(r)));
+        }
+        self.columns.number(Head::new(format!("{before}r")), of);
+    }
+
+    /// Sets the derivatives of the last frequencies: under a load those of the Hz, else of r.
+    pub(super) fn places_move(&mut self, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
+        let before = usize::from(self.setting.measure.load().is_some());
+        self.columns.moves_before(before, of);
+    }
+}

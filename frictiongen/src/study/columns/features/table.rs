@@ -1,0 +1,111 @@
+//! Columns of the lines of features.
+
+use super::lines::{FeatureLine, FeaturesAsked, lines};
+use crate::study::columns::builder::Columns;
+use crate::study::columns::column::{Column, Head, Kind, Shown};
+use crate::study::columns::measure::Dimension;
+use crate::study::columns::setting::Setting;
+use crate::study::{FeatureError, Features, OperatingPoint, Parameter};
+
+/// The table of the features of a scene.
+#[derive(Clone, Copy)]
+pub struct FeatureTable<'a> {
+    /// System, units and parts.
+    pub setting: Setting<'a>,
+}
+
+impl<'a> FeatureTable<'a> {
+    /// Returns all features of a scene. The features at each friction come after those that do not depend on friction.
+    ///
+    /// # Errors
+    /// Same errors as the calls of [`Features`].
+    pub fn rows(
+        &self,
+        features: &Features<'_>,
+        asked: FeaturesAsked<'_>,
+    ) -> Result<Vec<FeatureLine>, FeatureError> {
+        lines(features, &self.setting, asked)
+    }
+
+    /// Returns the symbol of a parameter.
+    #[must_use]
+    pub fn symbol(&self, parameter: Parameter) -> String {
+        // Names and units do not depend on the numbers of the operating point.
+        let point = match self.setting.measure.load() {
+            Some(load) => OperatingPoint::Physical {
+                hertz: 1.0,
+                friction: 1.0,
+                load,
+            },
+            None => OperatingPoint::Groups { r: 1.0, beta: 1.0 },
+        };
+        parameter.symbol(self.setting.system.scene(), &point)
+    }
+
+    /// Returns the columns. Words are as wide as those of the rows.
+    #[must_use]
+    pub fn columns(&self, rows: &[FeatureLine]) -> Vec<Column<'a, FeatureLine>> {
+        let (table, measure) = (*self, &self.setting.measure);
+        let widest = |of: &dyn Fn(&FeatureLine) -> String| {
+            let words = rows.iter().map(of);
+            let widest = words.max_by_key(|word| word.chars().count());
+            widest.unwrap_or_default()
+        };
+        let mut columns = Columns::new(measure);
+        let width = widest(&|row| row.feature.to_owned());
+        columns.word("feature", &width, |row: &FeatureLine| Some(row.feature));
+        columns.word("of", &widest(&|row| row.of.clone()), |row| Some(&row.of));
+        let head = Head::new("detail").titled(&["what"]);
+        columns.word(head, &widest(&|row| row.detail.clone()), |row| {
+            Some(&row.detail)
+        });
+        self.place(&mut columns, ("frequency", "at"), ("r", "r"), |row| row.r);
+        self.place(
+            &mut columns,
+            ("to_frequency", "to"),
+            ("to_r", "to r"),
+            |row| row.to,
+        );
+        let unit = if measure.scale().is_some() {
+            "(N)"
+        } else {
+            "beta"
+        };
+        let head = Head::of("beta", Dimension::Force).under_load("friction");
+        columns.converted(head.titled(&["friction", unit]), |row| row.friction);
+        columns.converted(Head::of("amplitude", Dimension::Length), |row| {
+            row.amplitude
+        });
+        let width = widest(&|row| row.ground.name().to_owned());
+        columns.word("found", &width, |row| Some(row.ground.name()));
+        columns.show(Shown::Lines);
+        let head = Head::new("per_cent_for_one").titled(&["% for", "1 % of"]);
+        columns.number(head, |row| Some(row.strongest()?.2));
+        let symbol = move |row: &FeatureLine| Some(table.symbol(row.strongest()?.1));
+        let kind = Kind::Word(
+            widest(&|row| symbol(row).unwrap_or_default())
+                .chars()
+                .count(),
+        );
+        columns.cell(Head::new("parameter").titled(&[""]), kind, move |row| {
+            symbol(row).into()
+        });
+        columns.done()
+    }
+
+    /// Adds the columns of a frequency: name and heading of the Hz, name and heading of r.
+    fn place(
+        &self,
+        columns: &mut Columns<'a, FeatureLine>,
+        (hertz, at): (&'static str, &str),
+        (ratio, title): (&'static str, &str),
+        of: impl Fn(&FeatureLine) -> Option<f64> + Copy + 'a,
+    ) {
+        let system = self.setting.system;
+        if self.setting.frequency.has_hertz() {
+            let head = Head::of(hertz, Dimension::Hertz).titled(&[at, "(Hz)"]);
+            columns.converted(head, move |row| of(row).map(|r| system.hertz(r)));
+        }
+        columns.number(Head::new(ratio).titled(&[title, ""]), of);
+    }
+}

@@ -1,0 +1,244 @@
+//! Rows and columns of motions over time: samples, events and spectra.
+
+use super::builder::Columns;
+use super::column::{Column, Head, Row};
+use super::measure::Dimension;
+use super::setting::{CONTACT, Frequency, Setting};
+use crate::study::units::{hertz, polar, seconds};
+use crate::study::{History, HistoryEvent, Spectrum, words};
+use crate::{Complex, Of};
+use frictiongen_kernel::simulation::Contact;
+
+/// A row: a sample.
+#[derive(Clone, Copy, Debug)]
+pub struct SampleRow<'h> {
+    /// The motion.
+    pub history: &'h History,
+    /// Index of the sample.
+    pub index: usize,
+    /// Angular frequency in rad/s.
+    pub omega: f64,
+}
+
+/// A row: an event.
+#[derive(Clone, Copy, Debug)]
+pub struct EventRow<'h> {
+    /// The event.
+    pub event: &'h HistoryEvent,
+    /// Angular frequency in rad/s.
+    pub omega: f64,
+}
+
+/// A row: a line of the spectra.
+#[derive(Clone, Copy, Debug)]
+pub struct SpectrumRow<'h> {
+    /// The spectrum of each part.
+    pub spectra: &'h [Spectrum],
+    /// Index of the line.
+    pub index: usize,
+    /// Angular frequency in rad/s.
+    pub omega: f64,
+}
+
+/// The tables of a motion over time.
+#[derive(Clone, Copy)]
+pub struct HistoryTable<'a> {
+    /// System, units and parts.
+    pub setting: Setting<'a>,
+    /// Frequency of the excitation.
+    pub at: Frequency,
+    /// True for seconds and Hz besides τ and orders.
+    pub in_seconds: bool,
+}
+
+/// A row with an instant.
+trait Timed: Row {
+    /// Returns the instant τ.
+    fn tau(&self) -> f64;
+}
+
+impl Row for SampleRow<'_> {
+    fn omega(&self) -> f64 {
+        self.omega
+    }
+}
+
+impl Timed for SampleRow<'_> {
+    fn tau(&self) -> f64 {
+        self.history.tau(self.index)
+    }
+}
+
+impl Row for EventRow<'_> {
+    fn omega(&self) -> f64 {
+        self.omega
+    }
+}
+
+impl Timed for EventRow<'_> {
+    fn tau(&self) -> f64 {
+        self.event.tau
+    }
+}
+
+impl Row for SpectrumRow<'_> {
+    fn omega(&self) -> f64 {
+        self.omega
+    }
+}
+
+impl SpectrumRow<'_> {
+    fn order(&self) -> Option<f64> {
+        Some(self.spectra.first()?.lines.get(self.index)?.order)
+    }
+
+    fn component(&self, part: usize) -> Option<Complex<f64>> {
+        Some(self.spectra.get(part)?.lines.get(self.index)?.component)
+    }
+}
+
+impl<'a> HistoryTable<'a> {
+    /// Returns a value of a part with the sign of the units.
+    #[must_use]
+    pub fn signed(&self, of: Of, value: f64) -> f64 {
+        // The subtraction avoids −0.
+        if self.setting.measure.turns(of) {
+            0.0 - value
+        } else {
+            value
+        }
+    }
+
+    fn state(&self, contact: Contact) -> &'static str {
+        match self.setting.measure.turns_contact() {
+            true => words::contact(contact.reversed()),
+            false => words::contact(contact),
+        }
+    }
+
+    /// Returns the rows of the samples.
+    pub fn samples<'h>(
+        &self,
+        history: &'h History,
+    ) -> impl Iterator<Item = SampleRow<'h>> + use<'h> {
+        let omega = self.at.omega;
+        (0..history.len()).map(move |index| SampleRow {
+            history,
+            index,
+            omega,
+        })
+    }
+
+    /// Returns the rows of the events.
+    pub fn events<'h>(&self, history: &'h History) -> impl Iterator<Item = EventRow<'h>> + use<'h> {
+        let omega = self.at.omega;
+        let events = history.events.iter();
+        events.map(move |event| EventRow { event, omega })
+    }
+
+    /// Returns the rows of the spectra of all parts.
+    pub fn lines<'h>(
+        &self,
+        spectra: &'h [Spectrum],
+    ) -> impl Iterator<Item = SpectrumRow<'h>> + use<'h> {
+        let omega = self.at.omega;
+        let count = spectra.first().map_or(0, |first| first.lines.len());
+        (0..count).map(move |index| SpectrumRow {
+            spectra,
+            index,
+            omega,
+        })
+    }
+
+    fn time<R: Timed + 'a>(&self, columns: &mut Columns<'a, R>) {
+        if self.in_seconds {
+            columns.number(Head::of("time", Dimension::Time), |row: &R| {
+                Some(seconds(row.tau(), row.omega()))
+            });
+        }
+        columns.number("tau", |row: &R| Some(row.tau()));
+    }
+
+    /// Returns the columns of the samples.
+    #[must_use]
+    pub fn sample_columns<'h: 'a>(&self) -> Vec<Column<'a, SampleRow<'h>>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        self.time(&mut columns);
+        let table = *self;
+        for (place, part) in self.setting.parts.iter().enumerate() {
+            columns.begin_part(&part.name);
+            let head = Head::of("displacement", Dimension::Length);
+            columns.number(head, move |row: &SampleRow<'_>| {
+                let track = row.history.tracks.get(place)?;
+                let value = track.displacement.get(row.index)?;
+                Some(table.signed(part.of, *value))
+            });
+            let head = Head::of("velocity", Dimension::Velocity);
+            columns.number(head, move |row| {
+                let track = row.history.tracks.get(place)?;
+                Some(table.signed(part.of, *track.velocity.get(row.index)?))
+            });
+        }
+        columns.begin_part(CONTACT);
+        columns.number(Head::of("friction", Dimension::Force), move |row| {
+            let force = row.history.friction.get(row.index)?;
+            Some(table.signed(Of::Contact, *force))
+        });
+        columns.word("state", "backward", move |row| {
+            Some(table.state(*row.history.contact.get(row.index)?))
+        });
+        columns.done()
+    }
+
+    /// Returns the columns of the events.
+    #[must_use]
+    pub fn event_columns<'h: 'a>(&self) -> Vec<Column<'a, EventRow<'h>>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        self.time(&mut columns);
+        let table = *self;
+        columns.word("event", "break-away", |row: &EventRow<'_>| {
+            Some(words::event(row.event.event))
+        });
+        columns.begin_part(CONTACT);
+        columns.word("state", "backward", move |row| {
+            Some(table.state(row.event.contact))
+        });
+        for (place, part) in self.setting.parts.iter().enumerate() {
+            columns.begin_part(&part.name);
+            let head = Head::of("displacement", Dimension::Length);
+            columns.number(head, move |row| {
+                let value = row.event.displacements.get(place)?;
+                Some(table.signed(part.of, *value))
+            });
+        }
+        columns.done()
+    }
+
+    /// Returns the columns of the spectra.
+    #[must_use]
+    pub fn spectrum_columns<'h: 'a>(&self) -> Vec<Column<'a, SpectrumRow<'h>>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        let table = *self;
+        if self.in_seconds {
+            let head = Head::of("frequency", Dimension::Hertz);
+            columns.number(head, |row: &SpectrumRow<'_>| {
+                Some(hertz(row.omega) * row.order()?)
+            });
+        }
+        columns.number("order", |row: &SpectrumRow<'_>| row.order());
+        for (place, part) in self.setting.parts.iter().enumerate() {
+            let component = move |row: &SpectrumRow<'_>| {
+                let component = row.component(place)?;
+                let signed = |value| table.signed(part.of, value);
+                let component = Complex::new(signed(component.re), signed(component.im));
+                Some(polar(component))
+            };
+            columns.begin_part(&part.name);
+            let head = Head::of("amplitude", Dimension::Length);
+            columns.number(head, move |row| Some(component(row)?.0));
+            let head = Head::of("phase", Dimension::Angle);
+            columns.number(head, move |row| Some(component(row)?.1));
+        }
+        columns.done()
+    }
+}

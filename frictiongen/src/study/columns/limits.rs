@@ -1,0 +1,139 @@
+//! Rows and columns of both limits.
+
+use super::builder::Columns;
+use super::column::{Column, Head, Row};
+use super::measure::Dimension;
+use super::setting::{AtFrequency, Frequency, Setting};
+use crate::OutOfDomain;
+
+/// The limits that a table has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LimitsAsked {
+    /// The limits β_lim and β*_lim, exact.
+    Exact,
+    /// Also the estimates of β_lim.
+    All,
+    /// The limit β*_lim, and β_lim with S at its start value τ → 0.
+    WithoutSearch,
+}
+
+/// A row: the limits at one frequency, as friction ratios. A limit that was not asked for is missing.
+#[derive(Clone, Copy, Debug)]
+pub struct LimitsRow {
+    /// The frequency.
+    pub frequency: Frequency,
+    /// β_lim.
+    pub continuous: Option<f64>,
+    /// β_lim with S at its start value τ → 0.
+    pub without_search: Option<f64>,
+    /// β_lim with S for each mode.
+    pub per_mode: Option<f64>,
+    /// β*_lim.
+    pub sliding: f64,
+}
+
+/// The table of both limits over frequency.
+#[derive(Clone, Copy)]
+pub struct LimitsTable<'a> {
+    /// System and units.
+    pub setting: Setting<'a>,
+    /// The limits of the table.
+    pub asked: LimitsAsked,
+}
+
+impl Row for LimitsRow {
+    fn omega(&self) -> f64 {
+        self.frequency.omega
+    }
+}
+
+impl AtFrequency for LimitsRow {
+    fn frequency(&self) -> Frequency {
+        self.frequency
+    }
+}
+
+/// Function that reads a limit.
+type Read = fn(&LimitsRow) -> Option<f64>;
+
+/// The limits in order: name, heading, symbol of the ratio, and the function that reads the limit.
+const LIMITS: [(&str, &str, &str, Read); 4] = [
+    ("continuous_limit", "continuous limit", "beta_lim", |row| {
+        row.continuous
+    }),
+    (
+        "continuous_limit_without_search",
+        "without search",
+        "beta_lim",
+        |row| row.without_search,
+    ),
+    ("continuous_limit_per_mode", "per mode", "beta_lim", |row| {
+        row.per_mode
+    }),
+    ("sliding_limit", "sliding limit", "beta*_lim", |row| {
+        Some(row.sliding)
+    }),
+];
+
+impl LimitsAsked {
+    /// Returns whether the table has the limit with this index.
+    fn has(self, index: usize) -> bool {
+        match self {
+            Self::Exact => matches!(index, 0 | 3),
+            Self::All => true,
+            Self::WithoutSearch => matches!(index, 1 | 3),
+        }
+    }
+}
+
+impl<'a> LimitsTable<'a> {
+    /// Computes the row at a frequency.
+    ///
+    /// # Errors
+    /// Same errors as [`System::at`](crate::study::System::at).
+    pub fn row(&self, frequency: Frequency) -> Result<LimitsRow, OutOfDomain> {
+        let system = self.setting.system;
+        if self.asked == LimitsAsked::WithoutSearch {
+            let limits = system.limits_without_search(frequency.r)?;
+            return Ok(LimitsRow {
+                frequency,
+                continuous: None,
+                without_search: Some(limits.continuous),
+                per_mode: None,
+                sliding: limits.sliding,
+            });
+        }
+        let at = system.at(frequency.r)?;
+        let limits = at.limits();
+        let all = self.asked == LimitsAsked::All;
+        Ok(LimitsRow {
+            frequency,
+            continuous: Some(limits.continuous),
+            without_search: all.then(|| at.continuous_limit_without_search()),
+            per_mode: all.then(|| at.continuous_limit_per_mode()),
+            sliding: limits.sliding,
+        })
+    }
+
+    /// Returns the columns.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column<'a, LimitsRow>> {
+        let measure = self.setting.measure;
+        let mut columns = Columns::new(&measure);
+        self.setting.frequency(&mut columns);
+        let asked = || {
+            let all = LIMITS.iter().enumerate();
+            all.filter(|(index, _)| self.asked.has(*index))
+        };
+        if measure.scale().is_some() {
+            for (_, (name, title, _, read)) in asked() {
+                let head = Head::of(*name, Dimension::Force).titled(&[title, "(N)"]);
+                columns.number(head, *read);
+            }
+        }
+        for (_, (name, title, symbol, read)) in asked() {
+            columns.number(Head::new(*name).titled(&[title, symbol]), *read);
+        }
+        columns.done()
+    }
+}

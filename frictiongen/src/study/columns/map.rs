@@ -1,0 +1,228 @@
+//! Rows and columns of maps.
+
+use super::builder::Columns;
+use super::column::{Axis, Column, Head, Row};
+use super::measure::Dimension;
+use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use crate::study::{Boundary, Map, MapColumn, MapPoint, words};
+use crate::{Error, Limits};
+use std::borrow::Cow;
+
+/// A row: a point of a map.
+#[derive(Clone, Debug)]
+pub struct MapRow<'m> {
+    /// The frequency.
+    pub frequency: Frequency,
+    /// The friction.
+    pub friction: Friction,
+    /// Name of the region.
+    pub region: Cow<'static, str>,
+    /// The point, or the reason why there is no response.
+    pub found: &'m Result<MapPoint, Error>,
+}
+
+/// A row: both limits at a frequency of a map.
+#[derive(Clone, Copy, Debug)]
+pub struct MapLimitsRow {
+    /// The frequency.
+    pub frequency: Frequency,
+    /// The limits as friction ratios.
+    pub limits: Limits<f64>,
+}
+
+/// A row: a boundary between the regions of a map.
+#[derive(Clone, Debug)]
+pub struct BoundaryRow {
+    /// The frequency.
+    pub frequency: Frequency,
+    /// The friction on the boundary.
+    pub friction: Friction,
+    /// Width of the interval of β that contains the boundary.
+    pub width: f64,
+    /// Name of the region below.
+    pub below: Cow<'static, str>,
+    /// Name of the region above.
+    pub above: Cow<'static, str>,
+}
+
+/// The table of a map over frequency and friction.
+#[derive(Clone, Copy)]
+pub struct MapTable<'a> {
+    /// System, units and parts.
+    pub setting: Setting<'a>,
+}
+
+macro_rules! at {
+    ($($row:ty),*) => {$(
+        impl Row for $row {
+            fn omega(&self) -> f64 {
+                self.frequency.omega
+            }
+        }
+
+        impl AtFrequency for $row {
+            fn frequency(&self) -> Frequency {
+                self.frequency
+            }
+        }
+    )*};
+}
+
+at!(MapRow<'_>, MapLimitsRow, BoundaryRow);
+
+impl AtFriction for MapRow<'_> {
+    fn friction(&self) -> Friction {
+        self.friction
+    }
+}
+
+impl AtFriction for BoundaryRow {
+    fn friction(&self) -> Friction {
+        self.friction
+    }
+}
+
+impl MapRow<'_> {
+    fn point(&self) -> Option<&MapPoint> {
+        self.found.as_ref().ok()
+    }
+
+    /// Returns the point if its motion repeats. Another motion has no counts.
+    fn counted(&self) -> Option<&MapPoint> {
+        self.point().filter(|point| 0 < point.pattern.period)
+    }
+}
+
+/// Pairs the entries of a map with their frequencies, in order. A map that was cancelled lacks some frequencies.
+fn placed<'m, T>(
+    frequencies: impl Iterator<Item = Frequency>,
+    found: &'m [T],
+    r: impl Fn(&T) -> f64,
+) -> impl Iterator<Item = (Frequency, &'m T)> {
+    let mut frequencies = frequencies.peekable();
+    found.iter().filter_map(move |found| {
+        while frequencies.next_if(|at| at.r != r(found)).is_some() {}
+        Some((*frequencies.peek()?, found))
+    })
+}
+
+impl<'a> MapTable<'a> {
+    /// Returns the rows of a map at these frequencies and frictions, column by column.
+    pub fn rows<'m>(
+        map: &'m Map,
+        frequencies: impl Iterator<Item = Frequency>,
+        frictions: impl Iterator<Item = Friction> + Clone,
+    ) -> impl Iterator<Item = MapRow<'m>> {
+        let columns = placed(frequencies, &map.columns, |column: &MapColumn| column.r);
+        columns.flat_map(move |(frequency, column)| {
+            let points = frictions.clone().zip(&column.points);
+            points.map(move |(friction, found)| {
+                let pattern = found.as_ref().map(|found| found.pattern);
+                MapRow {
+                    frequency,
+                    friction,
+                    region: words::region(pattern.map_err(|error| *error)),
+                    found,
+                }
+            })
+        })
+    }
+
+    /// Returns the rows of the limits of a map.
+    pub fn limits(
+        map: &Map,
+        frequencies: impl Iterator<Item = Frequency>,
+    ) -> impl Iterator<Item = MapLimitsRow> {
+        let columns = placed(frequencies, &map.columns, |column| column.r);
+        columns.map(|(frequency, column)| MapLimitsRow {
+            frequency,
+            limits: column.limits,
+        })
+    }
+
+    /// Returns the rows of the boundaries of a map.
+    pub fn boundaries(
+        self,
+        boundaries: &[Boundary],
+        frequencies: impl Iterator<Item = Frequency>,
+    ) -> impl Iterator<Item = BoundaryRow> {
+        let scale = self.setting.measure.scale();
+        let found = placed(frequencies, boundaries, |boundary| boundary.r);
+        found.map(move |(frequency, boundary)| BoundaryRow {
+            frequency,
+            friction: Friction::of_ratio(boundary.beta, scale),
+            width: boundary.width,
+            below: words::region(boundary.below),
+            above: words::region(boundary.above),
+        })
+    }
+
+    /// Returns the columns of the points.
+    #[must_use]
+    pub fn columns<'m: 'a>(&self) -> Vec<Column<'a, MapRow<'m>>> {
+        use Dimension::Length;
+        let sign = self.setting.measure.sign();
+        let mut columns = Columns::new(&self.setting.measure);
+        self.setting.frequency(&mut columns);
+        self.setting.friction(&mut columns);
+        columns.word("regime", "continuous", |row: &MapRow<'_>| {
+            Some(words::regime(row.point()?.pattern.regime))
+        });
+        columns.word("region", "sliding reversals", |row| Some(&row.region));
+        columns.count("period", |row| Some(row.counted()?.pattern.period as usize));
+        columns.count("stops", |row| Some(row.counted()?.pattern.stops));
+        columns.count("reversals", |row| Some(row.counted()?.pattern.reversals));
+        columns.number(Head::new("stuck_fraction").titled(&["stuck"]), |row| {
+            Some(row.point()?.stuck_fraction)
+        });
+        columns.number(Head::of("offset", Length), move |row| {
+            Some(sign * row.point()?.offset)
+        });
+        columns.flag("marginal", |row| Some(row.point()?.marginal));
+        columns.flag(Head::new("from_rest").titled(&["from", "rest"]), |row| {
+            Some(row.point()?.from_rest)
+        });
+        for (part, named) in self.setting.parts.iter().enumerate() {
+            columns.begin_part(&named.name);
+            columns.number(Head::of("amplitude", Length), move |row| {
+                row.point()?.amplitudes.get(part).copied()
+            });
+            columns.number(Head::of("centred", Length), move |row| {
+                row.point()?.centred.get(part).copied()
+            });
+        }
+        columns.done()
+    }
+
+    /// Returns the columns of the limits.
+    #[must_use]
+    pub fn limits_columns(&self) -> Vec<Column<'a, MapLimitsRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        columns.along(Axis::Frequency);
+        columns.number(
+            Head::of("continuous_limit", Dimension::Force),
+            |row: &MapLimitsRow| Some(row.limits.continuous),
+        );
+        columns.number(Head::of("sliding_limit", Dimension::Force), |row| {
+            Some(row.limits.sliding)
+        });
+        columns.done()
+    }
+
+    /// Returns the columns of the boundaries.
+    #[must_use]
+    pub fn boundary_columns(&self) -> Vec<Column<'a, BoundaryRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        self.setting.frequency(&mut columns);
+        // The frictions of the boundaries were computed, not given.
+        let setting = Setting {
+            frictions: &[],
+            ..self.setting
+        };
+        setting.friction(&mut columns);
+        columns.number("width", |row: &BoundaryRow| Some(row.width));
+        columns.word("below", "sliding reversals", |row| Some(&row.below));
+        columns.word("above", "sliding reversals", |row| Some(&row.above));
+        columns.done()
+    }
+}

@@ -1,0 +1,309 @@
+//! Units of answers: those of a load, or non-dimensional groups.
+
+use crate::Of;
+use crate::study::scene::Excitation;
+use crate::study::{Load, LoadError, LoadScale, System};
+use std::f64::consts::TAU;
+
+/// The physical quantity of a number. It gives the unit of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dimension {
+    /// A ratio, or a number whose unit stands in another column.
+    One,
+    /// A displacement: m under a load, else over P/k₁, for base motion over Y.
+    Length,
+    /// A velocity: m/s under a load, else dx̄/dτ.
+    Velocity,
+    /// An acceleration: m/s² under a load, else d²x̄/dτ².
+    Acceleration,
+    /// A phase: degrees under a load, else rad.
+    Angle,
+    /// A force: N under a load, else over P, for base motion over k₁Y.
+    Force,
+    /// Mean power in W under a load, else the work of a cycle over P²/k₁, for base motion over k₁Y².
+    Power,
+    /// A frequency in Hz.
+    Hertz,
+    /// An angular frequency in rad/s.
+    AngularFrequency,
+    /// A time in s.
+    Time,
+}
+
+/// Units of answers: those of a load, or non-dimensional groups.
+#[derive(Clone, Copy, Debug)]
+pub struct Measure {
+    scale: Option<LoadScale>,
+    load: Option<Load>,
+    base_motion: bool,
+    reversed: bool,
+}
+
+impl Measure {
+    /// Makes the units without a load, which are non-dimensional groups.
+    #[must_use]
+    pub fn groups(system: &System) -> Self {
+        Self {
+            scale: None,
+            load: None,
+            base_motion: system.scene().excitation == Excitation::Base,
+            reversed: system.contact_is_reversed(),
+        }
+    }
+
+    /// Makes the units of a load.
+    ///
+    /// # Errors
+    /// Same errors as [`System::load_scale`].
+    pub fn under(system: &System, load: Load) -> Result<Self, LoadError> {
+        Ok(Self {
+            scale: Some(system.load_scale(load)?),
+            load: Some(load),
+            ..Self::groups(system)
+        })
+    }
+
+    /// Makes the units of answers that are in SI units already.
+    #[must_use]
+    pub fn si(system: &System) -> Self {
+        Self {
+            scale: Some(LoadScale::UNIT),
+            ..Self::groups(system)
+        }
+    }
+
+    /// Returns the units of length and force, if a load is given.
+    #[must_use]
+    pub fn scale(&self) -> Option<LoadScale> {
+        self.scale
+    }
+
+    /// Returns the load, if one is given.
+    #[must_use]
+    pub fn load(&self) -> Option<Load> {
+        self.load
+    }
+
+    /// Returns true if the excitation is base motion.
+    #[must_use]
+    pub fn is_base_motion(&self) -> bool {
+        self.base_motion
+    }
+
+    /// Returns true if the contact's motion has the opposite sign of the library's answers, so that it does not depend
+    /// on the order of the masses.
+    #[must_use]
+    pub fn turns_contact(&self) -> bool {
+        self.reversed && self.scale.is_some()
+    }
+
+    /// Returns true if this is the contact's motion and its sign is reversed.
+    #[must_use]
+    pub fn turns(&self, of: Of) -> bool {
+        of == Of::Contact && self.turns_contact()
+    }
+
+    /// Returns the sign of the contact's displacement.
+    #[must_use]
+    pub fn sign(&self) -> f64 {
+        if self.turns_contact() { -1.0 } else { 1.0 }
+    }
+
+    /// Converts a group to these units. ω in rad/s converts velocities, accelerations and powers.
+    #[must_use]
+    pub fn convert(&self, dimension: Dimension, value: f64, omega: f64) -> f64 {
+        match dimension {
+            Dimension::Length => self.length(value),
+            Dimension::Velocity => self.velocity(value, omega),
+            Dimension::Acceleration => self.acceleration(value, omega),
+            Dimension::Angle => self.angle(value),
+            Dimension::Force => self.force(value),
+            Dimension::Power => self.power(value, omega),
+            Dimension::One | Dimension::Hertz | Dimension::AngularFrequency | Dimension::Time => {
+                value
+            }
+        }
+    }
+
+    /// Returns a displacement in these units.
+    #[must_use]
+    pub fn length(&self, ratio: f64) -> f64 {
+        self.scale.map_or(ratio, |scale| scale.displacement(ratio))
+    }
+
+    /// Converts a displacement in these units back to the non-dimensional ratio.
+    #[must_use]
+    pub fn length_ratio(&self, length: f64) -> f64 {
+        self.scale
+            .map_or(length, |scale| scale.displacement_ratio(length))
+    }
+
+    /// Returns a velocity in these units, at an angular frequency in rad/s.
+    #[must_use]
+    pub fn velocity(&self, rate: f64, omega: f64) -> f64 {
+        self.scale.map_or(rate, |scale| scale.velocity(rate, omega))
+    }
+
+    /// Returns d²x̄/dτ² at the angular frequency ω, or the acceleration if the load is known.
+    #[must_use]
+    pub fn acceleration(&self, rate: f64, omega: f64) -> f64 {
+        self.scale
+            .map_or(rate, |scale| scale.velocity(rate, omega) * omega)
+    }
+
+    /// Returns the work of a cycle over P²/k₁, or the mean power if the load is known.
+    #[must_use]
+    pub fn power(&self, work: f64, omega: f64) -> f64 {
+        self.scale.map_or(work, |scale| {
+            scale.displacement(scale.friction(work)) * omega / TAU
+        })
+    }
+
+    /// Returns a force in these units.
+    #[must_use]
+    pub fn force(&self, ratio: f64) -> f64 {
+        self.scale.map_or(ratio, |scale| scale.friction(ratio))
+    }
+
+    /// Returns a phase in these units.
+    #[must_use]
+    pub fn angle(&self, radians: f64) -> f64 {
+        self.scale.map_or(radians, |_| radians.to_degrees())
+    }
+
+    /// Returns the name of a column with its unit: `amplitude_m`, without a load `amplitude`.
+    #[must_use]
+    pub fn name(&self, name: &str, dimension: Dimension) -> String {
+        let (suffix, always) = match dimension {
+            Dimension::One => ("", true),
+            Dimension::Length => ("_m", false),
+            Dimension::Velocity => ("_m_s", false),
+            Dimension::Acceleration => ("_m_s2", false),
+            Dimension::Angle => ("_deg", false),
+            Dimension::Force => ("_N", false),
+            Dimension::Power => ("_W", false),
+            Dimension::Hertz => ("_Hz", true),
+            Dimension::AngularFrequency => ("_rad_s", true),
+            Dimension::Time => ("_s", true),
+        };
+        let suffix = if always || self.scale.is_some() {
+            suffix
+        } else {
+            ""
+        };
+        format!("{name}{suffix}")
+    }
+
+    /// Returns the unit of a column, which is empty for ratios.
+    #[must_use]
+    pub fn unit(&self, dimension: Dimension) -> &'static str {
+        match (dimension, self.scale) {
+            (Dimension::Hertz, _) => "Hz",
+            (Dimension::AngularFrequency, _) => "rad/s",
+            (Dimension::Time, _) => "s",
+            (Dimension::Angle, None) => "rad",
+            (Dimension::One, _) | (_, None) => "",
+            (Dimension::Length, _) => "m",
+            (Dimension::Velocity, _) => "m/s",
+            (Dimension::Acceleration, _) => "m/s2",
+            (Dimension::Angle, _) => "deg",
+            (Dimension::Force, _) => "N",
+            (Dimension::Power, _) => "W",
+        }
+    }
+
+    /// Returns the reference of a group for a heading: `Y`, `P/k1`. It is empty under a load.
+    #[must_use]
+    pub fn reference(&self, dimension: Dimension) -> &'static str {
+        match (dimension, self.scale, self.base_motion) {
+            (_, Some(_), _) => "",
+            (Dimension::Length | Dimension::Velocity | Dimension::Acceleration, _, true) => "Y",
+            (Dimension::Length | Dimension::Velocity | Dimension::Acceleration, _, false) => "P/k1",
+            (Dimension::Force, _, true) => "k1 Y",
+            (Dimension::Force, _, false) => "P",
+            _ => "",
+        }
+    }
+
+    /// Returns the unit or the reference of a column in brackets, for a heading: `(m)`, `(of Y)`.
+    #[must_use]
+    pub fn title(&self, dimension: Dimension) -> &'static str {
+        match (self.unit(dimension), self.reference(dimension)) {
+            ("m", _) => "(m)",
+            ("m/s", _) => "(m/s)",
+            ("m/s2", _) => "(m/s2)",
+            ("deg", _) => "(deg)",
+            ("rad", _) => "(rad)",
+            ("N", _) => "(N)",
+            ("W", _) => "(W)",
+            ("Hz", _) => "(Hz)",
+            ("rad/s", _) => "(rad/s)",
+            ("s", _) => "(s)",
+            (_, "Y") => "(of Y)",
+            (_, "P/k1") => "(of P/k1)",
+            (_, "k1 Y") => "(of k1 Y)",
+            (_, "P") => "(of P)",
+            _ => "",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may fail")]
+
+    use super::{Dimension, Measure};
+    use crate::study::{Load, System};
+
+    #[test]
+    fn names_units_and_headings() {
+        let system: System = "struct Block { masses: { block: 2 }, springs: { base - block: 50 },
+            contact: block - wall, excitation: base }"
+            .parse()
+            .unwrap();
+        let groups = Measure::groups(&system);
+        let metres = Measure::under(&system, Load::Base(0.1)).unwrap();
+        let cases = [
+            (Dimension::One, ["", "", ""], ["", "", ""]),
+            (Dimension::Length, ["", "", "(of Y)"], ["_m", "m", "(m)"]),
+            (
+                Dimension::Velocity,
+                ["", "", "(of Y)"],
+                ["_m_s", "m/s", "(m/s)"],
+            ),
+            (
+                Dimension::Acceleration,
+                ["", "", "(of Y)"],
+                ["_m_s2", "m/s2", "(m/s2)"],
+            ),
+            (
+                Dimension::Angle,
+                ["", "rad", "(rad)"],
+                ["_deg", "deg", "(deg)"],
+            ),
+            (Dimension::Force, ["", "", "(of k1 Y)"], ["_N", "N", "(N)"]),
+            (Dimension::Power, ["", "", ""], ["_W", "W", "(W)"]),
+            (
+                Dimension::Hertz,
+                ["_Hz", "Hz", "(Hz)"],
+                ["_Hz", "Hz", "(Hz)"],
+            ),
+            (
+                Dimension::AngularFrequency,
+                ["_rad_s", "rad/s", "(rad/s)"],
+                ["_rad_s", "rad/s", "(rad/s)"],
+            ),
+            (Dimension::Time, ["_s", "s", "(s)"], ["_s", "s", "(s)"]),
+        ];
+        for (dimension, without, with) in cases {
+            for (measure, [ending, unit, title]) in [(&groups, without), (&metres, with)] {
+                assert_eq!(measure.name("x", dimension), format!("x{ending}"));
+                assert_eq!(measure.unit(dimension), unit, "{dimension:?}");
+                assert_eq!(measure.title(dimension), title, "{dimension:?}");
+            }
+        }
+        assert_eq!(metres.convert(Dimension::Force, 1.0, 0.0), 5.0);
+        assert_eq!(metres.convert(Dimension::Acceleration, 1.0, 3.0), 0.9);
+        assert_eq!(groups.convert(Dimension::Acceleration, 1.0, 3.0), 1.0);
+    }
+}

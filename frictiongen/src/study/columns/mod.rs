@@ -1,0 +1,80 @@
+//! The table of each question: its rows, its columns with their units, and the cells between them.
+//!
+//! The command line prints text, CSV and JSON from these tables, its report reads them, and Python's arrays are their
+//! columns. A column is one line of the list of its question.
+//!
+//! ```
+//! use frictiongen::study::columns::{CurveTable, FrequencyUnit, Friction, Measure, Part, Setting};
+//! use frictiongen::study::{CurveRequest, CurveStart, System};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let system: System = "struct Block {
+//!     masses: { block: 2.0 },
+//!     springs: { base - block: 50.0 },
+//!     contact: block - wall,
+//!     excitation: block,
+//! }"
+//! .parse()?;
+//! let parts = [Part::contact()];
+//! let setting = Setting {
+//!     system: &system,
+//!     measure: Measure::groups(&system),
+//!     frequency: FrequencyUnit::Ratio,
+//!     frequencies: &[],
+//!     frictions: &[0.5],
+//!     forces: false,
+//!     parts: &parts,
+//! };
+//! let table = CurveTable { setting, starts: false, rates: false, orders: &[] };
+//! let request = CurveRequest::new(0.4, 0.6, &[parts[0].of]);
+//! let curves = system.curves(&request, &[(0.5, CurveStart::Rest)])?;
+//! let friction = Friction::of_ratio(0.5, None);
+//! let rows = table.rows(friction, &curves[0]);
+//! let columns = table.columns();
+//! let keys: Vec<String> = columns.iter().map(|column| column.key()).collect();
+//! assert_eq!(keys[..3], ["beta", "r", "piece"]);
+//! assert_eq!(columns[1].read(&rows[0]), 0.4.into());
+//! # Ok(())
+//! # }
+//! ```
+
+mod builder;
+mod cell;
+mod column;
+#[cfg(feature = "desk")]
+mod curve;
+mod features;
+#[cfg(feature = "desk")]
+mod history;
+mod limits;
+#[cfg(feature = "desk")]
+mod map;
+mod measure;
+
+mod motion;
+mod optimum;
+mod sensitivity;
+mod setting;
+mod steady;
+
+pub use builder::Columns;
+pub use cell::Cell;
+pub use column::{Axis, Column, Head, Kind, Row, Shown};
+#[cfg(feature = "desk")]
+pub use curve::{CurveRow, CurveTable};
+pub use features::{
+    FeatureLine, FeatureLists, FeatureTable, FeatureVisitor, FeaturesAsked, Ground,
+};
+#[cfg(feature = "desk")]
+pub use history::{EventRow, HistoryTable, SampleRow, SpectrumRow};
+pub use limits::{LimitsAsked, LimitsRow, LimitsTable};
+#[cfg(feature = "desk")]
+pub use map::{BoundaryRow, MapLimitsRow, MapRow, MapTable};
+pub use measure::{Dimension, Measure};
+pub use motion::{Extent, Moving, PartMotion, motions};
+pub use optimum::{OptimumLine, OptimumSensitivityRow, OptimumTable, PeakRow, Tuned};
+pub use sensitivity::{SensitivityRow, SensitivityTable};
+pub use setting::{
+    AtFrequency, AtFriction, CONTACT, Frequency, FrequencyUnit, Friction, Part, Setting,
+};
+pub use steady::{OrbitRow, OrbitTable, ResponseRow, ResponseTable};

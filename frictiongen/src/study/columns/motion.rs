@@ -1,0 +1,107 @@
+//! Columns of the motions of the contact and of masses.
+
+use super::builder::Columns;
+use super::column::{Head, Row, Shown};
+use super::measure::Dimension;
+use super::setting::Part;
+use crate::Complex;
+use crate::study::Swing;
+use crate::study::units::polar;
+
+/// The motion of a part, in groups. Missing quantities are `None`.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PartMotion<'r> {
+    /// Amplitude and phase of the largest displacement.
+    pub swing: Option<Swing>,
+    /// Half the distance between the smallest and the largest displacement.
+    pub centred: Option<f64>,
+    /// Lag of the fundamental component.
+    pub fundamental_phase: Option<f64>,
+    /// Monoharmonic estimate of the amplitude.
+    pub monoharmonic: Option<f64>,
+    /// Largest velocity and acceleration.
+    pub rates: Option<(f64, f64)>,
+    /// The requested harmonics.
+    pub harmonics: &'r [Complex<f64>],
+}
+
+/// A row with motions.
+pub trait Moving: Row {
+    /// Returns the motion of a part, by its index.
+    fn motion(&self, part: usize) -> Option<PartMotion<'_>>;
+}
+
+/// Columns of a motion besides amplitude and phase.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent<'a> {
+    /// True for the monoharmonic amplitude.
+    pub monoharmonic: bool,
+    /// True for velocity and acceleration.
+    pub rates: bool,
+    /// Orders of the harmonics.
+    pub orders: &'a [u32],
+    /// True for real and imaginary part of each harmonic in JSON.
+    pub complex: bool,
+}
+
+/// Adds the columns of the motion of every part.
+pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part], of: Extent<'_>) {
+    use Dimension::{Acceleration, Angle, Length, Velocity};
+    let [length, angle] = [Length, Angle].map(|dimension| columns.measure().title(dimension));
+    for (part, named) in parts.iter().enumerate() {
+        columns.begin_part(&named.name);
+        columns.number(Head::of("amplitude", Length), move |row: &R| {
+            Some(row.motion(part)?.swing?.amplitude)
+        });
+        columns.number(Head::of("centred", Length), move |row| {
+            row.motion(part)?.centred
+        });
+        columns.number(Head::of("phase", Angle), move |row| {
+            row.motion(part)?.swing?.phase
+        });
+        let head = Head::of("fundamental_phase", Angle);
+        columns.number(head.titled(&["fundamental", angle]), move |row| {
+            row.motion(part)?.fundamental_phase
+        });
+        if of.monoharmonic {
+            let head = Head::of("amplitude_monoharmonic", Length);
+            columns.number(head.titled(&["monoharmonic", length]), move |row| {
+                row.motion(part)?.monoharmonic
+            });
+        }
+        if of.rates {
+            columns.number(Head::of("velocity", Velocity), move |row| {
+                Some(row.motion(part)?.rates?.0)
+            });
+            columns.number(Head::of("acceleration", Acceleration), move |row| {
+                Some(row.motion(part)?.rates?.1)
+            });
+        }
+        for (place, order) in of.orders.iter().enumerate() {
+            harmonic(columns, (part, place), *order, of.complex);
+        }
+    }
+}
+
+/// Adds the columns of a harmonic: amplitude and lag, and in JSON also real and imaginary part.
+fn harmonic<'a, R: Moving + 'a>(
+    columns: &mut Columns<'a, R>,
+    (part, place): (usize, usize),
+    order: u32,
+    complex: bool,
+) {
+    use Dimension::{Angle, Length};
+    let of = move |row: &R| row.motion(part)?.harmonics.get(place).copied();
+    columns.begin_harmonic(order);
+    let [length, angle] = [Length, Angle].map(|dimension| columns.measure().title(dimension));
+    let head = Head::of("amplitude", Length).titled(&[&format!("|X_{order}|"), length]);
+    columns.number(head, move |row| Some(polar(of(row)?).0));
+    let head = Head::of("phase", Angle).titled(&[&format!("lag X_{order}"), angle]);
+    columns.number(head, move |row| Some(polar(of(row)?).1));
+    if complex {
+        columns.show(Shown::Json);
+        columns.number(Head::of("re", Length), move |row| Some(of(row)?.re));
+        columns.number(Head::of("im", Length), move |row| Some(of(row)?.im));
+        columns.show(Shown::Everywhere);
+    }
+}

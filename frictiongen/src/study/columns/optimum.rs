@@ -1,0 +1,196 @@
+//! Rows and columns of the best friction: the answer, its peaks, tolerances and sensitivities.
+
+mod lines;
+
+pub use lines::{OptimumLine, Tuned};
+
+use super::builder::Columns;
+use super::column::{Column, Head, Row};
+use super::measure::Dimension;
+use super::setting::{AtFrequency, Frequency, Setting};
+use crate::study::{
+    OperatingPoint, Optimum, OptimumEnd, OptimumPeak, Parameter, Tolerance, TunedPoint, words,
+};
+
+/// The tables of the best friction.
+#[derive(Clone, Copy)]
+pub struct OptimumTable<'a> {
+    /// System, units and the only part.
+    pub setting: Setting<'a>,
+}
+
+/// A row: a peak of the largest amplitude.
+#[derive(Clone, Copy, Debug)]
+pub struct PeakRow {
+    frequency: Frequency,
+    peak: OptimumPeak,
+}
+
+/// A row: the relative derivative with respect to a parameter.
+#[derive(Clone, Debug)]
+pub struct OptimumSensitivityRow {
+    parameter: Parameter,
+    symbol: String,
+    relative: f64,
+}
+
+impl Row for Optimum {}
+
+impl Row for PeakRow {}
+
+impl AtFrequency for PeakRow {
+    fn frequency(&self) -> Frequency {
+        self.frequency
+    }
+}
+
+impl Row for Tolerance {}
+
+impl Row for OptimumSensitivityRow {}
+
+impl Row for TunedPoint {}
+
+impl<'a> OptimumTable<'a> {
+    /// Returns the rows of the peaks.
+    #[must_use]
+    pub fn peaks(&self, optimum: &Optimum) -> Vec<PeakRow> {
+        let peaks = optimum.peaks.iter().map(|peak| PeakRow {
+            frequency: Frequency::at(self.setting.system, peak.r),
+            peak: *peak,
+        });
+        peaks.collect()
+    }
+
+    /// Returns the rows of the sensitivities. Without a load there are none.
+    #[must_use]
+    pub fn sensitivities(&self, optimum: &Optimum) -> Vec<OptimumSensitivityRow> {
+        let Some(point) = self.point() else {
+            return Vec::new();
+        };
+        let scene = self.setting.system.scene();
+        let all = optimum.sensitivities.iter();
+        let rows = all.map(|(parameter, relative)| OptimumSensitivityRow {
+            parameter: *parameter,
+            symbol: parameter.symbol(scene, &point),
+            relative: *relative,
+        });
+        rows.collect()
+    }
+
+    /// Returns an operating point. Names and units do not depend on its numbers.
+    fn point(&self) -> Option<OperatingPoint> {
+        Some(OperatingPoint::Physical {
+            hertz: 1.0,
+            friction: 1.0,
+            load: self.setting.measure.load()?,
+        })
+    }
+
+    /// Returns the columns of the answer.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column<'a, Optimum>> {
+        let mut columns = self.best();
+        columns.extend(self.bounds());
+        columns.extend(self.effort());
+        columns
+    }
+
+    /// Returns the columns of the best friction. The first line of a heading is the label of a line.
+    fn best(&self) -> Vec<Column<'a, Optimum>> {
+        use Dimension::{Force, Length};
+        let mut columns = Columns::new(&self.setting.measure);
+        let mut beta = "friction";
+        if self.setting.measure.scale().is_some() {
+            columns.number(Head::of("friction", Force), |of: &Optimum| Some(of.beta));
+            beta = "beta";
+        }
+        columns.number(Head::new("beta").titled(&[beta]), |of| Some(of.beta));
+        let part = self.setting.parts.first();
+        let label = match part {
+            Some(part) => format!("largest amplitude of {}", part.name),
+            None => "largest amplitude".to_owned(),
+        };
+        let head = Head::of("amplitude", Length).titled(&[&label]);
+        columns.number(head, |of| Some(of.amplitude));
+        let head = Head::new("kind").titled(&["what limits it"]);
+        columns.word(head, "", |of| Some(words::kind(of.kind)));
+        let head = Head::new("end").titled(&["how the search ended"]);
+        columns.word(head, "", |of| Some(words::end(of.end)));
+        let open = |of: &Optimum| of.end != OptimumEnd::Converged;
+        let head = Head::of("bracket_from", Force).titled(&["the least lies from"]);
+        columns.number(head, |of| of.bracket.first().copied());
+        columns.say_if(open);
+        let head = Head::of("bracket_to", Force).titled(&["the least lies to"]);
+        columns.number(head, |of| of.bracket.get(1).copied());
+        columns.say_if(open);
+        columns.done()
+    }
+
+    /// Returns the columns of the frictions and amplitudes with which to compare.
+    fn bounds(&self) -> Vec<Column<'a, Optimum>> {
+        use Dimension::{Force, Length};
+        let mut columns = Columns::new(&self.setting.measure);
+        let head = Head::of("unbounded_to", Force).titled(&["unbounded at a resonance up to"]);
+        columns.number(head, |of: &Optimum| Some(of.unbounded_to));
+        columns.say_if(|of| 0.0 < of.unbounded_to);
+        let head = Head::of("free_of_sticking", Force).titled(&["nothing sticks up to"]);
+        columns.number(head, |of| Some(of.free_of_sticking));
+        let head = Head::of("locked", Force).titled(&["stuck over the whole band from"]);
+        columns.number(head, |of| Some(of.locked));
+        let label = "largest amplitude without friction";
+        let head = Head::of("without_friction", Length).titled(&[label]);
+        columns.number(head, |of| Some(of.without_friction));
+        let label = "largest amplitude with the contact stuck";
+        let head = Head::of("with_contact_locked", Length).titled(&[label]);
+        columns.number(head, |of| Some(of.with_contact_locked));
+        columns.done()
+    }
+
+    /// Returns the columns of the work of the search.
+    fn effort(&self) -> Vec<Column<'a, Optimum>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        let head = Head::new("evaluations").titled(&["amplitudes computed"]);
+        columns.count(head, |of: &Optimum| Some(of.evaluations));
+        let head = Head::new("unanswered").titled(&["of these without an answer"]);
+        columns.count(head, |of| Some(of.unanswered));
+        columns.say_if(|of| 0 < of.unanswered);
+        columns.done()
+    }
+
+    /// Returns the columns of the peaks.
+    #[must_use]
+    pub fn peak_columns(&self) -> Vec<Column<'a, PeakRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        self.setting.frequency(&mut columns);
+        let head = Head::of("amplitude", Dimension::Length);
+        columns.number(head, |row: &PeakRow| Some(row.peak.amplitude));
+        columns.word("regime", "", |row| Some(words::regime(row.peak.regime)));
+        columns.flag("at_end", |row| Some(row.peak.at_end));
+        columns.done()
+    }
+
+    /// Returns the columns of the tolerances.
+    #[must_use]
+    pub fn tolerance_columns(&self) -> Vec<Column<'a, Tolerance>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        columns.number("excess", |row: &Tolerance| Some(row.excess));
+        let head = Head::of("beta_from", Dimension::Force).under_load("friction_from");
+        columns.number(head, |row| Some(row.from));
+        let head = Head::of("beta_to", Dimension::Force).under_load("friction_to");
+        columns.number(head, |row| Some(row.to));
+        columns.done()
+    }
+
+    /// Returns the columns of the sensitivities. Without a load there are none.
+    #[must_use]
+    pub fn sensitivity_columns(&self) -> Vec<Column<'a, OptimumSensitivityRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        if self.setting.measure.load().is_some() {
+            columns.word("parameter", "", |row: &OptimumSensitivityRow| {
+                Some(&row.symbol)
+            });
+            columns.number("relative", |row| Some(row.relative));
+        }
+        columns.done()
+    }
+}

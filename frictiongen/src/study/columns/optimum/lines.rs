@@ -1,0 +1,243 @@
+//! The answer about the best friction as lines: a label for people, a key for programs, and the value.
+
+use super::OptimumTable;
+use crate::study::columns::builder::Columns;
+use crate::study::columns::cell::Cell;
+use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
+use crate::study::columns::measure::Dimension;
+use crate::study::{Optimum, Tunable, TunedOptimum, TunedPoint};
+
+/// A row: one value of the answer.
+#[derive(Clone, Debug)]
+pub struct OptimumLine {
+    /// Name of the list to which the value belongs. `None` for a value of the answer itself.
+    pub list: Option<&'static str>,
+    /// Number of the entry in its list, counted from 1.
+    pub row: Option<usize>,
+    /// Key of the value, unique in its entry.
+    pub key: String,
+    /// Name of the value, for people.
+    pub label: String,
+    /// The value.
+    pub value: Cell<'static>,
+    /// Unit of the value, empty for a ratio.
+    pub unit: &'static str,
+    /// Unit of the change to which a relative change belongs.
+    pub per: Option<&'static str>,
+    /// Excess over the best amplitude, as a fraction, to which a tolerance belongs.
+    pub excess: Option<f64>,
+}
+
+impl Row for OptimumLine {}
+
+/// The number of the description that was chosen together with friction.
+#[derive(Clone, Debug)]
+pub struct Tuned<'a> {
+    /// The number that was chosen.
+    pub of: Tunable,
+    /// The answer of the search.
+    pub found: &'a TunedOptimum,
+}
+
+/// Lines of one entry.
+struct Entry<'l> {
+    lines: &'l mut Vec<OptimumLine>,
+    list: Option<&'static str>,
+    row: Option<usize>,
+    excess: Option<f64>,
+    /// Text that replaces `{}` in the headings.
+    name: &'l str,
+}
+
+impl Entry<'_> {
+    fn line(&mut self, key: impl Into<String>, label: String, value: Cell<'_>, unit: &'static str) {
+        self.lines.push(OptimumLine {
+            list: self.list,
+            row: self.row,
+            key: key.into(),
+            label,
+            value: value.into_owned(),
+            unit,
+            per: None,
+            excess: self.excess,
+        });
+    }
+
+    /// Adds a line for each column that says something about the row.
+    fn lines<R>(&mut self, columns: &[Column<'_, R>], row: &R) {
+        for column in columns.iter().filter(|column| column.says(row)) {
+            let title = column.title.first().map_or("", String::as_str);
+            let label = title.replace("{}", self.name);
+            self.line(column.key(), label, column.read(row), column.of_what());
+        }
+    }
+}
+
+impl<'a> OptimumTable<'a> {
+    /// Returns the answer as lines.
+    #[must_use]
+    pub fn lines(&self, optimum: &Optimum, tuned: Option<&Tuned<'_>>) -> Vec<OptimumLine> {
+        let mut lines = Vec::new();
+        if let Some(tuned) = tuned {
+            self.tuned(tuned, &mut lines);
+        }
+        let once = |lines: &mut Vec<OptimumLine>, columns: Vec<Column<'a, Optimum>>| {
+            let (list, row) = (None, None);
+            let name = "";
+            Entry {
+                lines,
+                list,
+                row,
+                excess: None,
+                name,
+            }
+            .lines(&columns, optimum);
+        };
+        once(&mut lines, self.best());
+        self.peak_lines(optimum, &mut lines);
+        self.tolerance_lines(optimum, &mut lines);
+        once(&mut lines, self.bounds());
+        self.sensitivity_lines(optimum, &mut lines);
+        if let Some(tuned) = tuned {
+            self.scan_lines(tuned, &mut lines);
+        }
+        once(&mut lines, self.effort());
+        lines
+    }
+
+    /// Adds the number that was chosen.
+    fn tuned(&self, tuned: &Tuned<'_>, lines: &mut Vec<OptimumLine>) {
+        let mut entry = Entry {
+            lines,
+            list: Some("tuned"),
+            row: None,
+            excess: None,
+            name: "",
+        };
+        let name = tuned.of.symbol(self.setting.system.scene());
+        entry.line("value", name, tuned.found.value.into(), tuned.of.unit());
+        if tuned.found.at_end {
+            let end = "a bound of the interval; a value beyond it may be better";
+            entry.line("at_end", "which is".to_owned(), end.into(), "");
+        }
+    }
+
+    fn peak_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
+        let mut columns = Columns::new(&self.setting.measure);
+        if self.setting.frequency.has_hertz() {
+            let head = Head::of("frequency", Dimension::Hertz).titled(&["{}"]);
+            columns.number(head, |row: &super::PeakRow| Some(row.frequency.hertz));
+        }
+        columns.number(Head::new("r").titled(&["{} r"]), |row: &super::PeakRow| {
+            Some(row.frequency.r)
+        });
+        let mut columns = columns.done();
+        let all = self.peak_columns().into_iter();
+        columns.extend(all.filter_map(|mut column| {
+            let is_frequency = column.axis != super::super::Axis::Row;
+            let is_flag = column.kind == Kind::Flag;
+            column.title = vec![format!("  {}", column.title.first()?)];
+            (!is_frequency && !is_flag).then_some(column)
+        }));
+        for (row, peak) in (1..).zip(self.peaks(optimum)) {
+            let mut entry = Entry {
+                lines: &mut *lines,
+                list: Some("peaks"),
+                row: Some(row),
+                excess: None,
+                name: match peak.peak.at_end {
+                    true => "peak at the end of the band at",
+                    false => "peak at",
+                },
+            };
+            entry.lines(&columns, &peak);
+        }
+    }
+
+    fn tolerance_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
+        let mut columns = self.tolerance_columns();
+        // The excess stands in the label.
+        let titles = ["{}: friction from", "{}: friction to"];
+        for (column, title) in columns.iter_mut().skip(1).zip(titles) {
+            column.title = vec![title.to_owned()];
+        }
+        for (row, tolerance) in (1..).zip(&optimum.tolerances) {
+            let mut entry = Entry {
+                lines: &mut *lines,
+                list: Some("tolerances"),
+                row: Some(row),
+                excess: Some(tolerance.excess),
+                name: &format!("{:.0} % above the best", tolerance.excess * 100.0),
+            };
+            entry.lines(columns.get(1..).unwrap_or_default(), tolerance);
+        }
+    }
+
+    fn sensitivity_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
+        let Some(point) = self.point() else { return };
+        let scene = self.setting.system.scene();
+        for row in self.sensitivities(optimum) {
+            let name = row.parameter.label(scene, &point);
+            lines.push(OptimumLine {
+                list: Some("sensitivities"),
+                row: None,
+                key: row.parameter.key(scene, &point),
+                label: format!("change in per cent for 1 % more {name}"),
+                value: row.relative.into(),
+                unit: "%",
+                per: Some("%"),
+                excess: None,
+            });
+        }
+    }
+
+    fn scan_lines(&self, tuned: &Tuned<'_>, lines: &mut Vec<OptimumLine>) {
+        let mut columns = Columns::new(&self.setting.measure);
+        let head = Head::of("beta", Dimension::Force).under_load("friction");
+        columns.number(head.titled(&["  best friction"]), |row: &TunedPoint| {
+            Some(row.beta)
+        });
+        let head = Head::of("amplitude", Dimension::Length).titled(&["  largest amplitude"]);
+        columns.number(head, |row| Some(row.amplitude));
+        let columns = columns.done();
+        let name = tuned.of.symbol(self.setting.system.scene());
+        for (row, point) in (1..).zip(&tuned.found.scan) {
+            let mut entry = Entry {
+                lines: &mut *lines,
+                list: Some("scan"),
+                row: Some(row),
+                excess: None,
+                name: "",
+            };
+            entry.line(
+                "value",
+                format!("at {name}"),
+                point.value.into(),
+                tuned.of.unit(),
+            );
+            entry.lines(&columns, point);
+        }
+    }
+
+    /// Returns the columns of the lines.
+    #[must_use]
+    pub fn line_columns(&self, lines: &[OptimumLine]) -> Vec<Column<'a, OptimumLine>> {
+        let widest = lines.iter().map(|line| line.label.as_str());
+        let widest = widest.max_by_key(|label| label.chars().count());
+        let mut columns = Columns::new(&self.setting.measure);
+        columns.show(Shown::Json);
+        columns.word("list", "", |line: &OptimumLine| line.list);
+        columns.count("row", |line| line.row);
+        columns.word("key", "", |line| Some(&line.key));
+        columns.show(Shown::Everywhere);
+        columns.word("quantity", widest.unwrap_or_default(), |line| {
+            Some(&line.label)
+        });
+        columns.cell("value", Kind::Number, |line| line.value.borrowed());
+        columns.word("unit", "P/k1", |line| Some(line.unit));
+        columns.show(Shown::Json);
+        columns.word("per", "", |line| line.per);
+        columns.number("excess", |line| line.excess);
+        columns.done()
+    }
+}

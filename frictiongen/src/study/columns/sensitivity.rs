@@ -1,0 +1,257 @@
+//! Rows and columns of derivatives with respect to the parameters.
+
+use super::builder::Columns;
+use super::column::{Column, Head, Row, Shown};
+use super::measure::Dimension;
+use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use crate::study::{
+    OperatingPoint, ParameterSensitivity, ResponseSensitivities, Slope, StudyError, words,
+};
+
+/// Name of the row with the answers themselves.
+const ITSELF: &str = "the answer";
+
+/// A row: the derivatives with respect to one parameter at one point.
+#[derive(Clone, Debug)]
+pub struct SensitivityRow {
+    /// The frequency.
+    pub frequency: Frequency,
+    /// The friction.
+    pub friction: Friction,
+    /// Regime of the contact.
+    pub regime: &'static str,
+    /// The word `exact`, or the reason why there are no derivatives.
+    pub answer: &'static str,
+    found: Option<Found>,
+}
+
+#[derive(Clone, Debug)]
+struct Found {
+    symbol: String,
+    unit: &'static str,
+    sensitivity: ParameterSensitivity,
+    /// True for the row with the answers in place of their derivatives.
+    itself: bool,
+}
+
+/// The table of derivatives.
+#[derive(Clone, Copy)]
+pub struct SensitivityTable<'a> {
+    /// System, units and the only part.
+    pub setting: Setting<'a>,
+}
+
+/// An answer X whose derivatives a table has.
+#[derive(Clone, Copy)]
+struct Answer {
+    name: &'static str,
+    title: &'static str,
+    dimension: Dimension,
+    read: fn(&ParameterSensitivity) -> Option<Slope>,
+}
+
+/// The answers in order.
+const ANSWERS: [Answer; 4] = [
+    Answer {
+        name: "amplitude",
+        title: "amplitude",
+        dimension: Dimension::Length,
+        read: |of| Some(of.amplitude),
+    },
+    Answer {
+        name: "phase",
+        title: "phase",
+        dimension: Dimension::Angle,
+        read: |of| of.phase,
+    },
+    Answer {
+        name: "continuous_limit",
+        title: "continuous limit",
+        dimension: Dimension::Force,
+        read: |of| of.continuous_limit,
+    },
+    Answer {
+        name: "sliding_limit",
+        title: "sliding limit",
+        dimension: Dimension::Force,
+        read: |of| of.sliding_limit,
+    },
+];
+
+impl Row for SensitivityRow {}
+
+impl AtFrequency for SensitivityRow {
+    fn frequency(&self) -> Frequency {
+        self.frequency
+    }
+}
+
+impl AtFriction for SensitivityRow {
+    fn friction(&self) -> Friction {
+        self.friction
+    }
+}
+
+impl SensitivityRow {
+    /// Returns the row with the answers themselves, if there are any.
+    #[must_use]
+    pub fn itself(&self) -> Option<Self> {
+        let mut row = self.clone();
+        let found = row.found.as_mut()?;
+        ITSELF.clone_into(&mut found.symbol);
+        found.itself = true;
+        Some(row)
+    }
+
+    /// Returns the parameter, unless this is the row with the answers themselves.
+    fn parameter(&self) -> Option<&Found> {
+        self.found.as_ref().filter(|found| !found.itself)
+    }
+
+    fn slope(&self, of: Answer) -> Option<(f64, Slope)> {
+        let sensitivity = &self.found.as_ref()?.sensitivity;
+        Some((sensitivity.value, (of.read)(sensitivity)?))
+    }
+}
+
+impl<'a> SensitivityTable<'a> {
+    /// Returns the operating point of a row.
+    #[must_use]
+    pub fn point(&self, frequency: Frequency, friction: Friction) -> OperatingPoint {
+        match self.setting.measure.load() {
+            Some(load) => OperatingPoint::Physical {
+                hertz: frequency.hertz,
+                friction: friction.force(),
+                load,
+            },
+            None => OperatingPoint::Groups {
+                r: frequency.r,
+                beta: friction.beta,
+            },
+        }
+    }
+
+    /// Returns the rows at a point: one for each parameter, or one with the reason why there are no derivatives.
+    ///
+    /// # Errors
+    /// The error of an answer that has no word as a reason.
+    pub fn rows(
+        &self,
+        frequency: Frequency,
+        friction: Friction,
+        known: Result<ResponseSensitivities, StudyError>,
+    ) -> Result<Vec<SensitivityRow>, StudyError> {
+        let row = |regime, answer, found| SensitivityRow {
+            frequency,
+            friction,
+            regime,
+            answer,
+            found,
+        };
+        let known = match known {
+            Ok(known) => known,
+            Err(error) => {
+                return match words::no_derivative(&error) {
+                    Some(answer) => Ok(vec![row("", answer, None)]),
+                    None => Err(error),
+                };
+            }
+        };
+        let (point, regime) = (self.point(frequency, friction), words::regime(known.regime));
+        let scene = self.setting.system.scene();
+        let found = known.parameters.into_iter().map(|sensitivity| Found {
+            symbol: sensitivity.parameter.symbol(scene, &point),
+            unit: sensitivity.parameter.unit(&point),
+            sensitivity,
+            itself: false,
+        });
+        Ok(found
+            .map(|found| row(regime, "exact", Some(found)))
+            .collect())
+    }
+
+    /// Returns the columns with frequency, friction and regime.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column<'a, SensitivityRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        self.setting.frequency(&mut columns);
+        self.setting.friction(&mut columns);
+        columns.word("regime", "continuous", |row: &SensitivityRow| {
+            Some(row.regime)
+        });
+        columns.word("answer", "degenerate", |row| Some(row.answer));
+        self.add(&mut columns);
+        columns.done()
+    }
+
+    /// Returns the columns of the parameters alone.
+    #[must_use]
+    pub fn parameter_columns(&self) -> Vec<Column<'a, SensitivityRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        self.add(&mut columns);
+        columns.done()
+    }
+
+    fn add(&self, columns: &mut Columns<'a, SensitivityRow>) {
+        let head = Head::new("parameter").titled(&["parameter", "p"]);
+        columns.word(head, &self.widest(), |row| {
+            Some(&row.found.as_ref()?.symbol)
+        });
+        columns.number("value", |row| Some(row.parameter()?.sensitivity.value));
+        columns.word("unit", "N/m", |row| Some(row.parameter()?.unit));
+        for (place, answer) in ANSWERS.into_iter().enumerate() {
+            let title = match self.setting.parts.first() {
+                Some(part) if place == 0 => format!("{} {}", answer.title, part.name),
+                _ => answer.title.to_owned(),
+            };
+            self.answer(columns, answer, &title);
+        }
+    }
+
+    /// Adds the columns of an answer: its value, its derivative and the relative derivative. Under a load the library
+    /// gives lengths and forces with their units, but phases in rad.
+    fn answer(&self, columns: &mut Columns<'a, SensitivityRow>, answer: Answer, title: &str) {
+        let measure = self.setting.measure;
+        let is_phase = answer.dimension == Dimension::Angle;
+        let counted = move |value: f64| match is_phase {
+            true => measure.angle(value),
+            false => value,
+        };
+        let unit = match (answer.dimension, measure.scale()) {
+            (Dimension::Force, None) => "(beta)",
+            (dimension, _) => measure.title(dimension),
+        };
+        let name = measure.name(answer.name, answer.dimension);
+        let value = move |row: &SensitivityRow| Some(counted(row.slope(answer)?.1.value));
+        columns.show(Shown::Files);
+        columns.converted(Head::of(answer.name, answer.dimension), value);
+        columns.show(Shown::Everywhere);
+        let head = Head::new(format!("{name}.derivative"));
+        let head = head.titled(&[title, &format!("X {unit}, d/dp")]);
+        columns.number(head, move |row| match row.parameter() {
+            Some(_) => Some(counted(row.slope(answer)?.1.derivative)),
+            None => value(row),
+        });
+        let relative = if is_phase { "p d/dp" } else { "(p/X) d/dp" };
+        let head = Head::new(format!("{name}.relative")).titled(&["", relative]);
+        columns.number(head, move |row| {
+            row.parameter()?;
+            let (parameter, slope) = row.slope(answer)?;
+            match is_phase {
+                true => Some(parameter * counted(slope.derivative)),
+                false => slope.relative(parameter),
+            }
+        });
+    }
+
+    /// Returns a word as wide as the longest symbol.
+    fn widest(&self) -> String {
+        let scene = self.setting.system.scene();
+        let masses = scene.masses.iter().map(|mass| mass.name.len() + 2);
+        let springs = scene.springs.iter().map(|spring| {
+            scene.node_name(spring.from).len() + scene.node_name(spring.to).len() + 5
+        });
+        let widest = masses.chain(springs).max().unwrap_or(0);
+        "-".repeat(widest.max(ITSELF.len()))
+    }
+}

@@ -1,0 +1,259 @@
+//! System, units, frequency, friction and parts, which the tables have in common.
+
+use super::builder::Columns;
+use super::column::{Axis, Column, Head, Row};
+use super::measure::{Dimension, Measure};
+use crate::Of;
+use crate::study::{LoadScale, System, units};
+
+/// Name of the contact, which no mass can have.
+pub const CONTACT: &str = "contact";
+
+/// A moving part: the contact or a mass.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// The motion of the part.
+    pub of: Of,
+    /// Name of the part.
+    pub name: String,
+}
+
+impl Part {
+    /// Returns the contact.
+    #[must_use]
+    pub fn contact() -> Self {
+        Self {
+            of: Of::Contact,
+            name: CONTACT.to_owned(),
+        }
+    }
+}
+
+/// The unit in which frequencies are given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FrequencyUnit {
+    /// Ratios r.
+    Ratio,
+    /// Ratios r, printed with Hz because the load has units.
+    RatioUnderLoad,
+    /// Hz.
+    Hertz,
+    /// rad/s.
+    AngularFrequency,
+}
+
+impl FrequencyUnit {
+    /// Returns the unit for use under a load. Ratios are then printed with their Hz.
+    #[must_use]
+    pub fn under(self, measure: &Measure) -> Self {
+        match (self, measure.scale()) {
+            (Self::Ratio, Some(_)) => Self::RatioUnderLoad,
+            (unit, _) => unit,
+        }
+    }
+
+    /// Returns true if the frequencies were given in Hz or rad/s.
+    #[must_use]
+    pub fn is_physical(self) -> bool {
+        matches!(self, Self::Hertz | Self::AngularFrequency)
+    }
+
+    /// Returns true if tables have Hz next to r.
+    #[must_use]
+    pub fn has_hertz(self) -> bool {
+        self != Self::Ratio
+    }
+
+    /// Returns a frequency that was given in this unit.
+    #[must_use]
+    pub fn given(self, system: &System, given: f64) -> Frequency {
+        match self {
+            Self::Ratio | Self::RatioUnderLoad => Frequency::at(system, given),
+            Self::Hertz => Frequency {
+                hertz: given,
+                ..Frequency::at(system, system.frequency_ratio_at_hertz(given))
+            },
+            Self::AngularFrequency => Frequency {
+                hertz: units::hertz(given),
+                given_omega: given,
+                ..Frequency::at(system, system.frequency_ratio(given))
+            },
+        }
+    }
+}
+
+/// A frequency.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frequency {
+    /// Frequency ratio r.
+    pub r: f64,
+    /// Frequency in Hz, as given or computed from r.
+    pub hertz: f64,
+    /// Angular frequency in rad/s, computed from r.
+    pub omega: f64,
+    /// Angular frequency in rad/s, as given or computed from r.
+    given_omega: f64,
+}
+
+impl Frequency {
+    /// Returns the frequency with this ratio r.
+    #[must_use]
+    pub fn at(system: &System, r: f64) -> Self {
+        let omega = system.angular_frequency(r);
+        Self {
+            r,
+            hertz: units::hertz(omega),
+            omega,
+            given_omega: omega,
+        }
+    }
+}
+
+/// A friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction {
+    /// Friction ratio β.
+    pub beta: f64,
+    /// Friction force in N, if the load is known.
+    force: Option<f64>,
+}
+
+impl Friction {
+    /// Returns the friction with this ratio β.
+    #[must_use]
+    pub fn of_ratio(beta: f64, scale: Option<LoadScale>) -> Self {
+        Self {
+            beta,
+            force: scale.map(|scale| scale.friction(beta)),
+        }
+    }
+
+    /// Returns the friction with this force in N.
+    #[must_use]
+    pub fn of_force(force: f64, scale: LoadScale) -> Self {
+        Self {
+            beta: scale.friction_ratio(force),
+            force: Some(force),
+        }
+    }
+
+    /// Returns the friction force if the load is known, and otherwise β.
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        self.force.unwrap_or(self.beta)
+    }
+}
+
+/// What the tables of all questions have in common.
+#[derive(Clone, Copy)]
+pub struct Setting<'a> {
+    /// The system.
+    pub system: &'a System,
+    /// The units of the answers.
+    pub measure: Measure,
+    /// The unit of the frequencies.
+    pub frequency: FrequencyUnit,
+    /// The frequencies as given. Empty for a band.
+    pub frequencies: &'a [f64],
+    /// The frictions as given.
+    pub frictions: &'a [f64],
+    /// True if the frictions were given as forces.
+    pub forces: bool,
+    /// The contact and masses of the answers.
+    pub parts: &'a [Part],
+}
+
+/// A row with a frequency.
+pub trait AtFrequency: Row {
+    /// Returns the frequency of the row.
+    fn frequency(&self) -> Frequency;
+}
+
+/// A row with a friction.
+pub trait AtFriction: Row {
+    /// Returns the friction of the row.
+    fn friction(&self) -> Friction;
+}
+
+impl Row for Frequency {
+    fn omega(&self) -> f64 {
+        self.omega
+    }
+}
+
+impl AtFrequency for Frequency {
+    fn frequency(&self) -> Frequency {
+        *self
+    }
+}
+
+impl Row for Friction {}
+
+impl AtFriction for Friction {
+    fn friction(&self) -> Friction {
+        *self
+    }
+}
+
+impl<'a> Setting<'a> {
+    /// Returns the columns of the frequency alone.
+    #[must_use]
+    pub fn frequency_columns(&self) -> Vec<Column<'a, Frequency>> {
+        let mut columns = Columns::new(&self.measure);
+        self.frequency(&mut columns);
+        columns.done()
+    }
+
+    /// Returns the columns of the friction alone.
+    #[must_use]
+    pub fn friction_columns(&self) -> Vec<Column<'a, Friction>> {
+        let mut columns = Columns::new(&self.measure);
+        self.friction(&mut columns);
+        columns.done()
+    }
+
+    /// Adds the columns of the frequency.
+    pub fn frequency<R: AtFrequency + 'a>(&self, columns: &mut Columns<'a, R>) {
+        let given = |unit: FrequencyUnit| -> &'a [f64] {
+            let ratios =
+                |unit| matches!(unit, FrequencyUnit::Ratio | FrequencyUnit::RatioUnderLoad);
+            let is_given = self.frequency == unit || ratios(self.frequency) && ratios(unit);
+            if is_given { self.frequencies } else { &[] }
+        };
+        columns.along(Axis::Frequency);
+        if self.frequency.has_hertz() {
+            let head = Head::of("frequency", Dimension::Hertz);
+            columns.given(head, given(FrequencyUnit::Hertz), |row: &R| {
+                Some(row.frequency().hertz)
+            });
+        }
+        if self.frequency == FrequencyUnit::AngularFrequency {
+            let head = Head::of("omega", Dimension::AngularFrequency);
+            columns.given(head, given(FrequencyUnit::AngularFrequency), |row: &R| {
+                Some(row.frequency().given_omega)
+            });
+        }
+        columns.given("r", given(FrequencyUnit::Ratio), |row: &R| {
+            Some(row.frequency().r)
+        });
+        columns.along(Axis::Row);
+    }
+
+    /// Adds the columns of the friction.
+    pub fn friction<R: AtFriction + 'a>(&self, columns: &mut Columns<'a, R>) {
+        let given = |forces: bool| -> &'a [f64] {
+            if self.forces == forces {
+                self.frictions
+            } else {
+                &[]
+            }
+        };
+        columns.along(Axis::Friction);
+        if self.measure.scale().is_some() {
+            let head = Head::of("friction", Dimension::Force);
+            columns.given(head, given(true), |row: &R| row.friction().force);
+        }
+        columns.given("beta", given(false), |row: &R| Some(row.friction().beta));
+        columns.along(Axis::Row);
+    }
+}

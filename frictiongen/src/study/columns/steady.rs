@@ -1,0 +1,108 @@
+//! Rows and columns of responses and of steady states, over frequency and friction.
+
+mod orbit;
+mod response;
+
+pub use orbit::{OrbitRow, OrbitTable};
+pub use response::{ResponseRow, ResponseTable};
+
+use super::motion::PartMotion;
+use crate::Complex;
+use crate::study::units::{fundamental_phase, reversed_phase};
+use crate::study::{Swing, SystemOrbitMotion, SystemResponse};
+use crate::{Of, Regime};
+
+/// The motion of a part, in groups. Missing quantities are `None`.
+#[derive(Clone, Debug, Default)]
+struct Motion {
+    swing: Option<Swing>,
+    centred: Option<f64>,
+    fundamental_phase: Option<f64>,
+    monoharmonic: Option<f64>,
+    harmonics: Vec<Complex<f64>>,
+}
+
+impl Motion {
+    /// Takes the motion of a response in any regime.
+    fn of_response(response: &SystemResponse<'_>, of: Of, orders: &[u32]) -> Self {
+        let harmonics = orders.iter().map(|order| response.harmonic(of, *order));
+        Self {
+            swing: response.swing(of),
+            centred: response.centred_amplitude(of),
+            fundamental_phase: response.fundamental_phase(of),
+            monoharmonic: response.monoharmonic(of),
+            harmonics: harmonics.collect::<Option<_>>().unwrap_or_default(),
+        }
+    }
+
+    /// Takes the motion of a steady state.
+    fn of_orbit(motion: &SystemOrbitMotion<'_, '_>, orders: &[u32]) -> Self {
+        let (amplitude, phase) = motion.largest();
+        let centred = motion.centred_amplitude();
+        Self {
+            swing: Some(Swing {
+                amplitude,
+                phase: Some(phase),
+            }),
+            centred: Some(centred),
+            fundamental_phase: fundamental_phase(motion.harmonic(1), centred),
+            monoharmonic: None,
+            harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
+        }
+    }
+
+    /// Reverses the sign of the motion, which then has this phase.
+    fn turn(&mut self, phase: Option<f64>) {
+        if let Some(swing) = &mut self.swing {
+            swing.phase = phase;
+        }
+        self.fundamental_phase = self.fundamental_phase.map(reversed_phase);
+        for harmonic in &mut self.harmonics {
+            *harmonic = Complex::new(0.0 - harmonic.re, 0.0 - harmonic.im);
+        }
+    }
+
+    /// Sets displacements that vanish at r = ∞ to zero. The formulas are evaluated at a large, finite r.
+    fn settle(&mut self) {
+        let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
+        if let Some(swing) = &mut self.swing {
+            swing.amplitude = settled(swing.amplitude);
+        }
+        self.centred = self.centred.map(settled);
+        self.monoharmonic = self.monoharmonic.map(settled);
+        for harmonic in &mut self.harmonics {
+            *harmonic = Complex::new(settled(harmonic.re), settled(harmonic.im));
+        }
+    }
+
+    /// Removes the phase of a motion that is at rest.
+    fn leave_out_phase(&mut self) {
+        if let Some(swing) = &mut self.swing {
+            swing.phase = swing.phase.filter(|_| swing.amplitude != 0.0);
+        }
+    }
+
+    /// Removes what a stuck contact does not change: its own motion, and harmonics, of which a stuck response has one.
+    fn leave_out_stuck(&mut self, of: Of) {
+        match of {
+            Of::Contact => *self = Self::default(),
+            Of::Mass(_) => self.harmonics.clear(),
+        }
+    }
+
+    fn view(&self) -> PartMotion<'_> {
+        PartMotion {
+            swing: self.swing,
+            centred: self.centred,
+            fundamental_phase: self.fundamental_phase,
+            monoharmonic: self.monoharmonic,
+            rates: None,
+            harmonics: &self.harmonics,
+        }
+    }
+}
+
+/// Returns true if the contact never slides in a response.
+fn is_stuck(response: &SystemResponse<'_>) -> bool {
+    response.regime() == Regime::Stuck
+}

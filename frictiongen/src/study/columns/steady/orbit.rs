@@ -1,0 +1,283 @@
+//! Rows and columns of steady states.
+
+use super::Motion;
+use crate::study::columns::builder::Columns;
+use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
+use crate::study::columns::measure::Dimension;
+use crate::study::columns::motion::{Extent, Moving, PartMotion, motions};
+use crate::study::columns::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use crate::study::{SystemAt, SystemOrbit, words};
+use crate::{Complex, NoOrbit, Of, OutOfDomain};
+
+/// A row: the steady state at one frequency and one friction.
+#[derive(Clone, Debug)]
+pub struct OrbitRow {
+    /// The frequency.
+    pub frequency: Frequency,
+    /// The friction.
+    pub friction: Friction,
+    /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
+    pub regime: &'static str,
+    /// Stable, marginal or unsettled, or the reason why there is no steady state.
+    pub state: &'static str,
+    /// The steady state, if there is one.
+    steady: Option<Steady>,
+}
+
+/// A steady state, or the last cycles of a motion that does not settle.
+#[derive(Clone, Debug)]
+struct Steady {
+    /// Data of the periodic motion, if the motion repeats.
+    period: Option<Period>,
+    from_rest: bool,
+    marginal: bool,
+    offset: f64,
+    stuck_fraction: f64,
+    /// Stops of the contact: start and length in τ.
+    sticking: Vec<[f64; 2]>,
+    multipliers: Vec<Complex<f64>>,
+    motions: Vec<Motion>,
+}
+
+/// Data of a periodic motion.
+#[derive(Clone, Copy, Debug)]
+struct Period {
+    cycles: usize,
+    symmetric: bool,
+    stops: usize,
+    reversals: usize,
+}
+
+/// The table of steady states over frequency and friction.
+#[derive(Clone, Copy)]
+pub struct OrbitTable<'a> {
+    /// System, units and parts.
+    pub setting: Setting<'a>,
+    /// The orders of the harmonics.
+    pub orders: &'a [u32],
+}
+
+impl Row for OrbitRow {
+    fn omega(&self) -> f64 {
+        self.frequency.omega
+    }
+}
+
+impl AtFrequency for OrbitRow {
+    fn frequency(&self) -> Frequency {
+        self.frequency
+    }
+}
+
+impl AtFriction for OrbitRow {
+    fn friction(&self) -> Friction {
+        self.friction
+    }
+}
+
+impl Moving for OrbitRow {
+    fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
+        let motions = &self.steady.as_ref()?.motions;
+        motions.get(part).map(Motion::view)
+    }
+}
+
+impl Steady {
+    /// Returns the length of the longest stop of the contact, in τ, if it stops.
+    fn longest_stop(&self) -> Option<f64> {
+        let lengths = self.sticking.iter().map(|[_, length]| *length);
+        lengths.reduce(f64::max)
+    }
+
+    /// Returns the largest modulus of a Floquet multiplier, if there are any.
+    fn largest_multiplier(&self) -> Option<f64> {
+        let moduli = self
+            .multipliers
+            .iter()
+            .map(|value| value.re.hypot(value.im));
+        moduli.reduce(f64::max)
+    }
+}
+
+impl OrbitRow {
+    /// Returns true if there is a steady state.
+    #[must_use]
+    pub fn is_known(&self) -> bool {
+        self.steady.is_some()
+    }
+
+    fn period(&self) -> Option<Period> {
+        self.steady.as_ref()?.period
+    }
+
+    /// Converts an angle of the excitation to seconds.
+    fn seconds(&self, angle: f64) -> f64 {
+        angle / self.frequency.omega
+    }
+}
+
+impl<'a> OrbitTable<'a> {
+    /// Computes the row of the steady state that motion from rest reaches.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a friction that no answer has.
+    pub fn row(
+        &self,
+        at: &SystemAt<'_>,
+        frequency: Frequency,
+        friction: Friction,
+    ) -> Result<OrbitRow, OutOfDomain> {
+        let beta = friction.beta;
+        match at.orbit_or_last_cycles(beta) {
+            Ok(orbit) => {
+                let mut row = self.found(at, (frequency, friction), &orbit);
+                // Where the motion does not settle, `response` answers with another state, whose regime is written here.
+                if !orbit.is_settled()
+                    && let Ok(response) = at.response(beta)
+                {
+                    row.regime = words::regime(response.regime());
+                }
+                Ok(row)
+            }
+            Err(NoOrbit::OutOfDomain(error)) => Err(error),
+            Err(error) => Ok(OrbitRow {
+                frequency,
+                friction,
+                regime: words::regime_without_orbit(at, beta)?,
+                state: words::reason(error),
+                steady: None,
+            }),
+        }
+    }
+
+    /// Computes the row of every steady state that can be found.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a friction that no answer has.
+    pub fn states(
+        &self,
+        at: &SystemAt<'_>,
+        frequency: Frequency,
+        friction: Friction,
+    ) -> Result<Vec<OrbitRow>, OutOfDomain> {
+        let states = at.states(friction.beta)?;
+        let rows = states.map(|orbit| self.found(at, (frequency, friction), &orbit));
+        Ok(rows.collect())
+    }
+
+    fn found(
+        &self,
+        at: &SystemAt<'_>,
+        (frequency, friction): (Frequency, Friction),
+        orbit: &SystemOrbit<'_>,
+    ) -> OrbitRow {
+        OrbitRow {
+            frequency,
+            friction,
+            regime: words::regime(at.regime_of(orbit)),
+            state: words::state(orbit),
+            steady: Some(self.steady(orbit)),
+        }
+    }
+
+    fn steady(&self, orbit: &SystemOrbit<'_>) -> Steady {
+        let measure = &self.setting.measure;
+        let motions = self.setting.parts.iter().map(|part| match part.of {
+            Of::Contact => {
+                let mut motion = Motion::of_orbit(&orbit.contact(), self.orders);
+                if measure.turns(part.of) {
+                    motion.turn(Some(orbit.reversed_contact_phase()));
+                }
+                motion
+            }
+            Of::Mass(index) => {
+                let motion = orbit.mass_at(index);
+                motion.map_or_else(Motion::default, |motion| {
+                    Motion::of_orbit(&motion, self.orders)
+                })
+            }
+        });
+        Steady {
+            period: orbit.is_settled().then(|| Period {
+                cycles: orbit.period() as usize,
+                symmetric: orbit.is_symmetric(),
+                stops: orbit.stops(),
+                reversals: orbit.reversals(),
+            }),
+            from_rest: orbit.is_from_rest(),
+            marginal: orbit.is_marginal(),
+            offset: measure.sign() * orbit.offset(),
+            stuck_fraction: orbit.stuck_fraction(),
+            sticking: orbit.sticking_intervals().map(<[f64; 2]>::from).collect(),
+            multipliers: orbit.multipliers().to_vec(),
+            motions: motions.collect(),
+        }
+    }
+
+    /// Returns the columns.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column<'a, OrbitRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        self.setting.frequency(&mut columns);
+        self.setting.friction(&mut columns);
+        columns.word("regime", "continuous", |row: &OrbitRow| Some(row.regime));
+        columns.word("state", "unsettled", |row| Some(row.state));
+        columns.word("symmetry", "asymmetric", |row| {
+            Some(words::symmetry(row.period()?.symmetric))
+        });
+        let head = Head::new("period").titled(&["period", "(cycles)"]);
+        columns.count(head, |row| Some(row.period()?.cycles));
+        columns.count("stops", |row| Some(row.period()?.stops));
+        columns.count("reversals", |row| Some(row.period()?.reversals));
+        let head = Head::new("stuck_fraction").titled(&["stuck", "(of period)"]);
+        columns.number(head, |row| Some(row.steady.as_ref()?.stuck_fraction));
+        let in_seconds = self.setting.frequency.has_hertz();
+        if in_seconds {
+            let head = Head::of("longest_stop", Dimension::Time).titled(&["longest", "stop (s)"]);
+            columns.number(head, |row| {
+                let longest = row.steady.as_ref()?.longest_stop()?;
+                Some(row.seconds(longest))
+            });
+        }
+        let head = Head::new("largest_multiplier").titled(&["multiplier", "(largest)"]);
+        columns.number(head, |row| row.steady.as_ref()?.largest_multiplier());
+        columns.number(Head::of("offset", Dimension::Length), |row| {
+            Some(row.steady.as_ref()?.offset)
+        });
+        columns.show(Shown::Files);
+        columns.flag("marginal", |row| Some(row.steady.as_ref()?.marginal));
+        columns.flag("from_rest", |row| Some(row.steady.as_ref()?.from_rest));
+        self.lists(&mut columns, in_seconds);
+        columns.show(Shown::Everywhere);
+        let extent = Extent {
+            monoharmonic: false,
+            rates: false,
+            orders: self.orders,
+            complex: true,
+        };
+        motions(&mut columns, self.setting.parts, extent);
+        columns.done()
+    }
+
+    /// Adds the lists of multipliers and stops.
+    fn lists(&self, columns: &mut Columns<'a, OrbitRow>, in_seconds: bool) {
+        columns.show(Shown::Objects);
+        columns.list("multipliers", Kind::Complex, |row| {
+            let all = row.steady.as_ref()?.multipliers.iter();
+            Some(all.map(|value| [value.re, value.im]).collect())
+        });
+        columns.list("sticking_intervals", Kind::Intervals, |row| {
+            Some(row.steady.as_ref()?.sticking.clone())
+        });
+        if in_seconds {
+            let head = Head::of("sticking_intervals", Dimension::Time);
+            columns.list(head, Kind::Intervals, |row| {
+                let all = row.steady.as_ref()?.sticking.iter();
+                Some(
+                    all.map(|ends| ends.map(|angle| row.seconds(angle)))
+                        .collect(),
+                )
+            });
+        }
+    }
+}

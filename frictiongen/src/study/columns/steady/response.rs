@@ -1,0 +1,155 @@
+//! Rows and columns of responses.
+
+use super::{Motion, is_stuck};
+use crate::study::columns::builder::Columns;
+use crate::study::columns::column::{Column, Head, Row, Shown};
+use crate::study::columns::measure::Dimension;
+use crate::study::columns::motion::{Extent, Moving, PartMotion, motions};
+use crate::study::columns::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use crate::study::{SystemAt, words};
+use crate::{Limits, OutOfDomain};
+
+/// A row: the response at one frequency and one friction.
+#[derive(Clone, Debug)]
+pub struct ResponseRow {
+    /// The frequency.
+    pub frequency: Frequency,
+    /// The friction.
+    pub friction: Friction,
+    /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
+    pub regime: &'static str,
+    /// Margin β/min(β_lim, β*_lim) − 1.
+    pub margin: f64,
+    /// Method that computed the motion, or the reason why there is none.
+    pub answer: &'static str,
+    /// Offset, marginal, from rest: of a response.
+    known: Option<(f64, bool, bool)>,
+    motions: Vec<Motion>,
+}
+
+/// The table of responses over frequency and friction.
+#[derive(Clone, Copy)]
+pub struct ResponseTable<'a> {
+    /// System, units and parts.
+    pub setting: Setting<'a>,
+    /// The orders of the harmonics.
+    pub orders: &'a [u32],
+    /// True for all motions of a stuck response. False leaves out the contact, which is at rest, and all harmonics.
+    pub stuck: bool,
+}
+
+impl Row for ResponseRow {
+    fn omega(&self) -> f64 {
+        self.frequency.omega
+    }
+}
+
+impl AtFrequency for ResponseRow {
+    fn frequency(&self) -> Frequency {
+        self.frequency
+    }
+}
+
+impl AtFriction for ResponseRow {
+    fn friction(&self) -> Friction {
+        self.friction
+    }
+}
+
+impl Moving for ResponseRow {
+    fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
+        self.motions.get(part).map(Motion::view)
+    }
+}
+
+impl<'a> ResponseTable<'a> {
+    /// Computes the rows at one frequency.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a frequency or a friction that no answer has.
+    pub fn rows(
+        &self,
+        frequency: Frequency,
+        frictions: impl Iterator<Item = Friction>,
+    ) -> Result<Vec<ResponseRow>, OutOfDomain> {
+        let at = self.setting.system.at(frequency.r)?;
+        // One search for the limits serves all β.
+        let limits = at.limits();
+        frictions
+            .map(|friction| self.row(&at, &limits, frequency, friction))
+            .collect()
+    }
+
+    fn row(
+        &self,
+        at: &SystemAt<'_>,
+        limits: &Limits<f64>,
+        frequency: Frequency,
+        friction: Friction,
+    ) -> Result<ResponseRow, OutOfDomain> {
+        let margin = limits.margin(friction.beta)?;
+        let response = at.response(friction.beta);
+        let (regime, answer) = match &response {
+            Ok(response) => (words::regime(response.regime()), words::answer(response)),
+            Err(error) => (words::regime_without(*error), words::no_answer(*error)),
+        };
+        let response = response.ok();
+        let measure = &self.setting.measure;
+        let motions = self.setting.parts.iter().map(|part| {
+            let Some(response) = &response else {
+                return Motion::default();
+            };
+            let mut motion = Motion::of_response(response, part.of, self.orders);
+            if measure.turns(part.of) {
+                motion.turn(response.reversed_contact_phase());
+            }
+            if frequency.r.is_infinite() {
+                motion.settle();
+            }
+            match self.stuck {
+                true if frequency.r.is_infinite() => motion.leave_out_phase(),
+                false if is_stuck(response) => motion.leave_out_stuck(part.of),
+                _ => {}
+            }
+            motion
+        });
+        Ok(ResponseRow {
+            frequency,
+            friction,
+            regime,
+            margin,
+            answer,
+            motions: motions.collect(),
+            known: response.map(|response| {
+                let offset = measure.sign() * response.offset();
+                (offset, response.is_marginal(), response.is_from_rest())
+            }),
+        })
+    }
+
+    /// Returns the columns.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column<'a, ResponseRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        self.setting.frequency(&mut columns);
+        self.setting.friction(&mut columns);
+        columns.word("regime", "continuous", |row: &ResponseRow| Some(row.regime));
+        columns.number("margin", |row| Some(row.margin));
+        columns.word("answer", "orbit: marginal", |row| Some(row.answer));
+        columns.number(Head::of("offset", Dimension::Length), |row| {
+            Some(row.known?.0)
+        });
+        columns.show(Shown::Files);
+        columns.flag("marginal", |row| Some(row.known?.1));
+        columns.flag("from_rest", |row| Some(row.known?.2));
+        columns.show(Shown::Everywhere);
+        let extent = Extent {
+            monoharmonic: true,
+            rates: false,
+            orders: self.orders,
+            complex: true,
+        };
+        motions(&mut columns, self.setting.parts, extent);
+        columns.done()
+    }
+}

@@ -1,0 +1,116 @@
+//! Features of a response without a sweep: thresholds, invariant points, ranges and peaks.
+
+use crate::asked::{
+    Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional, measure,
+    parts, setting,
+};
+use crate::columns::{Columns, cell};
+use crate::errors::domain;
+use crate::system::NativeSystem;
+use crate::work::without_lock;
+use frictiongen::Of;
+use frictiongen::study::columns::{Column, FeatureLists, FeatureTable, FeatureVisitor, Row};
+use frictiongen::study::{Parameter, Sensed};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+
+/// Largest number of frictions in one call, the same as that of the command.
+const MOST_FRICTIONS: usize = 16;
+
+/// Returns each list by its name: its columns, and the derivatives of its numbers with respect to every parameter.
+#[pyfunction]
+pub fn features<'py>(
+    py: Python<'py>,
+    system: &NativeSystem,
+    frequency: FrequencyArguments<'py>,
+    friction: FrictionArguments<'py>,
+    load: LoadArguments<'py>,
+    of: Optional<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let system = &system.system;
+    let measure = measure::of(system, &load)?;
+    let band = Band::of_or_usual(system, &frequency, &measure)?;
+    let frictions = match friction {
+        (None, None) => Vec::new(),
+        given => Frictions::listed(&given, &measure)?.beta,
+    };
+    if MOST_FRICTIONS < frictions.len() {
+        return Err(domain(format_args!(
+            "at most {MOST_FRICTIONS} frictions are possible, because each has its own list"
+        )));
+    }
+    let mut parts = parts(system, "of", of.as_ref())?;
+    if of.is_none() && !system.modal().on_moving_base {
+        // A mass that rubs on a support at rest moves as the contact does, so that it is listed only once.
+        let rubbing = system.modal().rubbing().map(Of::Mass);
+        parts.retain(|part| Some(part.of) != rubbing);
+    }
+    let range = [band.from, band.to];
+    let found = without_lock(py, |_| {
+        let features = system.features(measure.load()).map_err(domain)?;
+        FeatureLists::of(&features, &parts, &frictions, range).map_err(domain)
+    })??;
+    let setting = setting(system, measure, band.unit(&measure), &parts);
+    let mut lists = Lists {
+        table: FeatureTable { setting },
+        all: PyDict::new(py),
+    };
+    found.visit(&setting, &mut lists)?;
+    Ok(lists.all)
+}
+
+/// The lists by their names: columns, and the derivatives of their numbers.
+struct Lists<'a, 'py> {
+    table: FeatureTable<'a>,
+    all: Bound<'py, PyDict>,
+}
+
+impl FeatureVisitor for Lists<'_, '_> {
+    type Error = PyErr;
+
+    fn list<R: Row>(
+        &mut self,
+        name: &'static str,
+        columns: &[Column<'_, R>],
+        rows: &[R],
+    ) -> PyResult<()> {
+        let mut arrays = Columns::new(self.all.py(), &[rows.len()]);
+        arrays.table(columns, rows)?;
+        let derivatives = PyDict::new(self.all.py());
+        for column in columns.iter().filter(|column| column.has_derivatives()) {
+            derivatives.set_item(column.key(), self.derivatives(column, rows)?)?;
+        }
+        self.all.set_item(name, (arrays.done(), derivatives))
+    }
+}
+
+impl<'py> Lists<'_, 'py> {
+    /// Returns the parameters that change a column. Each has two arrays: derivatives, and per cent for one per cent of
+    /// the parameter.
+    fn derivatives<R>(&self, column: &Column<'_, R>, rows: &[R]) -> PyResult<Bound<'py, PyList>> {
+        let py = self.all.py();
+        let sensed: Vec<Option<&Sensed>> = rows.iter().map(|row| column.derivatives(row)).collect();
+        let mut parameters: Vec<Parameter> = Vec::new();
+        for slope in sensed.iter().flatten().flat_map(|sensed| &sensed.slopes) {
+            if !parameters.contains(&slope.parameter) {
+                parameters.push(slope.parameter);
+            }
+        }
+        let array = |of: &dyn Fn(&Sensed) -> Option<f64>| {
+            let values = sensed.iter().map(|sensed| cell(sensed.and_then(of)));
+            PyArray1::from_vec(py, values.collect())
+        };
+        let all = PyList::empty(py);
+        for parameter in parameters {
+            let derivative = array(&|sensed| {
+                let mut slopes = sensed.slopes.iter();
+                let slope = slopes.find(|slope| slope.parameter == parameter)?;
+                Some(slope.derivative)
+            });
+            let relative = array(&|sensed| sensed.relative(parameter));
+            all.append((self.table.symbol(parameter), derivative, relative))?;
+        }
+        Ok(all)
+    }
+}

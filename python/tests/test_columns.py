@@ -1,0 +1,62 @@
+"""The columns of answers are those of the library's tables, which neither the classes nor the sources name differently."""
+
+import re
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+import frictiongen
+
+HZ, BETA = (1.0, 6.0), 0.3
+#: Each question with a load, without one, and with rad/s.
+ASKED = {
+    "Limits": lambda frame, at, load: frame.limits(**at, estimates=True, **load),
+    "Response": lambda frame, at, load: frame.response(**at, beta=BETA, **load),
+    "Map": lambda frame, at, load: frame.map(**at, beta=BETA, **load),
+    "Orbit": lambda frame, at, load: frame.orbit(**at, beta=BETA, **load),
+    "Curve": lambda frame, at, load: frame.curve(
+        **{name: (0.9 * value, 1.1 * value) for name, value in at.items()},
+        beta=BETA, accuracy=0.1, start=["rest", "up"], **load,
+    ),
+    "History": lambda frame, at, load: frame.simulate(**at, beta=BETA, cycles=1, **load),
+}  # fmt: skip
+
+
+def answers(name):
+    frame = frictiongen.System(frictiongen.FRAME)
+    r = 0.4
+    omega = 2 * np.pi * frame.hertz(r)
+    for at in ({"r": r}, {"omega": omega}):
+        for load in ({}, {"base": 0.001}):
+            yield ASKED[name](frame, at, load)
+
+
+@pytest.mark.parametrize("name", ASKED)
+def test_annotations(name):
+    """A class names every column that has no part, and no other."""
+    found = list(answers(name))
+    keys = {key for answer in found for key in answer.keys() if "." not in key}
+    known = {key for base in type(found[0]).__mro__ for key in base.__dict__.get("__annotations__", {})}
+    known -= {key for key in known if key.startswith("_")} | {"events"}
+    # Seconds and angular frequencies may be left out of a class that has no use for them.
+    assert keys - known <= {"r", "beta", "frequency_Hz", "omega_rad_s", "friction_N"}
+    assert known <= keys | {"tau"}
+
+
+def test_no_source_names_a_column():
+    """The columns come from the library, so that a new one is one line there."""
+    columns = {part for name in ASKED for answer in answers(name) for key in answer.keys() for part in key.split(".")}
+    frame = frictiongen.System(frictiongen.FRAME)
+    columns |= set(frame.optimum("lower", hz=(4, 6), base=0.001).keys())
+    # Arguments of the same name, and parts.
+    columns -= {"r", "beta", "start", "contact", "lower", "upper", "of"}
+    named = []
+    for path in sorted((ROOT / "python" / "src").rglob("*.rs")):
+        text = path.read_text(encoding="utf-8")
+        # Names of arguments in messages, and of the channels of a recording.
+        if path.name in ("observed.rs", "recording.rs"):
+            continue
+        literals = set(re.findall(r'"([^"\n]*)"', text))
+        named += [(path.name, name) for name in sorted(literals & columns)]
+    assert named == [] and len(columns) > 50, (named, len(columns))
