@@ -20,6 +20,21 @@ pub use parse::{parse_faulty, parse_tokens};
 
 /// Reads a scene of at most [`MOST_MASSES`] masses from a text.
 ///
+/// ```
+/// use frictiongen_syntax::{Diagnostics, read_scene};
+///
+/// fn main() -> Result<(), Diagnostics> {
+///     let scene = read_scene("struct Block {
+///         masses: { block: 1.0 },
+///         springs: { base - block: 1.0 },
+///         contact: block - wall,
+///         excitation: block,
+///     }")?;
+///     assert_eq!(scene.masses.len(), 1);
+///     Ok(())
+/// }
+/// ```
+///
 /// # Errors
 /// Returns all errors of the text, with line and column.
 pub fn read_scene(text: &str) -> Result<Scene, Diagnostics> {
