@@ -2,8 +2,7 @@
 
 use frictiongen::kernel::simulation::Event;
 use frictiongen::{
-    FrictionSystem, Given, Of, OrbitAt, OutOfDomain, Run, Simulates, SteadyState, System,
-    friction_system,
+    FrictionSystem, Of, OrbitAt, OutOfDomain, Run, Simulates, SteadyState, System, friction_system,
 };
 
 const TEXT: &str = "struct Pair { masses: { a: 1, b: 0.7 }, springs: { base - a: 1, a - b: 2 },
@@ -113,7 +112,8 @@ fn results_and_scenes_are_written_and_read() {
     let text = serde_json::to_string(&segments).expect("JSON");
     let read: Vec<Segment<f64>> = serde_json::from_str(&text).expect("segments");
     assert_eq!(read, segments);
-    let error = frictiongen::Error::from(OutOfDomain::FrequencyRatio(Given::NotANumber));
+    let error =
+        frictiongen::Error::from(OutOfDomain::FrequencyRatio(frictiongen::Given::NotANumber));
     let text = serde_json::to_string(&error).expect("JSON");
     assert_eq!(text, r#"{"OutOfDomain":{"FrequencyRatio":"NotANumber"}}"#);
 }
