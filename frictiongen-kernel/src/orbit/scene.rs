@@ -20,7 +20,7 @@ pub struct Print<S> {
     sizes: [S; 2],
 }
 
-/// A steady state as an item of [`States`].
+/// A steady state as an item of [`States`](super::States).
 pub trait Known {
     /// Scalar type of the steady state.
     type Scalar: Float;
