@@ -145,7 +145,8 @@ fn harmonic(fields: &mut Map<String, Json>, order: u32, name: &str, value: Json)
     let is_new = list
         .last()
         .and_then(|last| last.get(ORDER))
-        .is_none_or(|known| *known != Json::from(order));
+        .and_then(Json::as_u64)
+        .is_none_or(|known| known != u64::from(order));
     if is_new {
         let entry = Map::from_iter([(ORDER.to_owned(), Json::from(order))]);
         list.push(Json::Object(entry));

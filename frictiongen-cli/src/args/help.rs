@@ -230,8 +230,8 @@ Quantities:
                   search reached its limit of work. If it did not converge, the least lies between the
                   two frictions that follow
   above the best  range of friction in which the largest amplitude is at most 1, 5 and 10 per cent larger
-  per cent of it  change in per cent of the amplitude at the best friction, for one per cent of a
-                  parameter; the friction changes too and stays the best one; only with a load
+  change in per cent  of the amplitude at the best friction, for one per cent more of a parameter;
+                  the friction changes too and stays the best one; only with a load
 
 With --vary NAME=a:b:
   The search also chooses one number of the description, between a and b, in the unit of that number.

@@ -94,11 +94,11 @@ impl MapRow<'_> {
 }
 
 /// Pairs the entries of a map with their frequencies, in order. A map that was cancelled lacks some frequencies.
-fn placed<'m, T>(
+fn placed<T>(
     frequencies: impl Iterator<Item = Frequency>,
-    found: &'m [T],
+    found: &[T],
     r: impl Fn(&T) -> f64,
-) -> impl Iterator<Item = (Frequency, &'m T)> {
+) -> impl Iterator<Item = (Frequency, &T)> {
     let mut frequencies = frequencies.peekable();
     found.iter().filter_map(move |found| {
         while frequencies.next_if(|at| at.r != r(found)).is_some() {}

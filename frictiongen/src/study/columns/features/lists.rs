@@ -191,9 +191,13 @@ fn peaks<'a>(setting: &Setting<'a>) -> Vec<Column<'a, At<Named<ResonantPeak>>>> 
     sheet.columns.done()
 }
 
-fn crossings<'a>(setting: &Setting<'a>) -> Vec<Column<'a, At<Named<(f64, Crossing)>>>> {
+/// A frequency at which the motion of a part has the same amplitude with two frictions: the other friction, and the
+/// frequency.
+type CrossingRow = At<Named<(f64, Crossing)>>;
+
+fn crossings<'a>(setting: &Setting<'a>) -> Vec<Column<'a, CrossingRow>> {
     let mut sheet = Sheet::new(setting);
-    sheet.friction(|crossing: &At<Named<(f64, Crossing)>>| crossing.beta);
+    sheet.friction(|crossing: &CrossingRow| crossing.beta);
     sheet.other_friction(|crossing| crossing.it.it.0);
     sheet.of(|crossing| &crossing.it.of);
     sheet.places("", |crossing| Some(crossing.it.it.1.r));
