@@ -1,7 +1,8 @@
 //! Functions and types that generated friction solvers call.
 //!
-//! In this list a module uses only modules before it: [`number`], [`oscillator`], [`modal_sum`], [`contact`],
-//! [`response`], [`table`], [`simulation`], [`stepper`], [`orbit`].  [`errors`] has the error types of all modules.
+//! The modules, from the lowest layer to the highest, are [`number`], [`oscillator`], [`modal_sum`], [`contact`],
+//! [`response`], [`table`], [`simulation`], [`stepper`] and [`orbit`]. Each module uses only modules that precede it in
+//! this list. [`errors`] has the error types of all modules.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 pub mod contact;
