@@ -1,13 +1,14 @@
-//! The sums V, U and H in the form in which a mode's contribution to a motion needs them.
+//! Modal sums V, U and H without the terms that cancel in the contribution of a mode to a motion.
 //!
-//! A mode's own terms in two of these sums cancel from its contribution. Close to the mode's pole they outweigh all
-//! others, and must not be added in the first place. That one mode, the dominant mode, therefore gets the sums over all
-//! other modes. All other modes share the full sums, and so their rounding errors. A mass far from the contact moves by
-//! the difference of its modes. A rounding error common to all modes cancels from that difference, while a separate one
-//! for each mode would not.
+//! In the contribution of a mode to the motion of a mass, the mode's own terms in two of the sums cancel. Close to the
+//! resonance of the mode these two terms outweigh all others, and would leave their rounding errors. That one mode, the
+//! *dominant* mode, therefore gets sums over all other modes. All other modes share the full sums, and so share their
+//! rounding errors. This matters for a mass far from the contact, whose motion is a small difference of modal terms. A
+//! rounding error common to all modes cancels in the difference, and separate errors would not.
 //!
-//! One mode is enough. Let two modes have the terms a, b in V and c, d in U, with ac ≥ bd. The terms ad and bc remain
-//! of the second mode, and the larger of them is at least √(ac·bd) ≥ bd, which is the term that cancels.
+//! One dominant mode is enough. Let two modes have the terms a, b in V and c, d in U, with ac ≥ bd. The products ad and
+//! bc remain in the contribution of the second mode. The larger of them is at least √(ac·bd) ≥ bd, which is the product
+//! that cancels.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
@@ -15,7 +16,7 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// A mode's terms in V, U and H, or sums of them.
+/// Terms of one mode in the sums V, U and H of the contact, or sums of such terms.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Terms<S> {
     pub v: Complex<S>,
@@ -33,7 +34,7 @@ impl<S: Scalar> Terms<S> {
         }
     }
 
-    /// Gives the terms their own names in emitted code.
+    /// Names the variables of the terms in emitted code.
     fn named(self, partner: Partner) -> Self {
         let named = |value: Complex<S>, re, im| {
             Complex::new(value.re.named(re, None), value.im.named(im, None))
@@ -53,7 +54,7 @@ impl<S: Scalar> Terms<S> {
         }
     }
 
-    /// Returns these terms where the condition is true, `other` elsewhere.
+    /// Returns these terms if the condition is true, and `other` if it is false.
     fn select(&self, condition: S::Condition, other: &Self) -> Self {
         Self {
             v: complex::select(condition, self.v, other.v),
@@ -63,20 +64,20 @@ impl<S: Scalar> Terms<S> {
     }
 }
 
-/// The sum, other than V, whose own terms cancel.
+/// Modal sum in which, besides V, the terms of the dominant mode cancel.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
-    /// The sum U, in a motion.
+    /// The sum U, in a continuous motion.
     U,
-    /// The sum H, in a stuck response.
+    /// The sum H, in the response of the stuck chain.
     H,
 }
 
-/// The mode with the largest own terms so far.
+/// Mode whose own terms in V and in U or H have the largest product so far.
 #[derive(Clone, Copy)]
 struct Heaviest<S> {
     weight: S,
-    /// Index of the mode, as a scalar, since emitted code finds it by comparison.
+    /// Index of the mode, as a scalar, since emitted code finds the mode by comparison of scalars.
     index: S,
     own: Terms<S>,
     static_residue: S,
@@ -93,18 +94,18 @@ impl<S: Scalar> Heaviest<S> {
     }
 }
 
-/// The dominant mode.
+/// Choice of the dominant mode, the mode whose own terms are left out of the sums.
 #[derive(Clone, Copy)]
 enum Which<S> {
-    /// The only mode.
+    /// The chain has only one mode.
     Only,
-    /// The first of two. Each of the two gets the other's terms, which cancel nothing.
+    /// The chain has two modes. Each of them gets the terms of the other mode, in which nothing cancels.
     First,
-    /// The mode with this index, or no mode if the index is −1.
+    /// The mode with this index is dominant. The index −1 means that no mode is dominant.
     Numbered(S),
 }
 
-/// The dominant mode, the sums for it, and the sums for the other modes.
+/// Dominant mode, with the sums V, U and H for it (`own`) and the sums for the other modes (`others`).
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
@@ -113,9 +114,9 @@ pub(crate) struct DominantSums<S> {
 }
 
 impl<S: Scalar> DominantSums<S> {
-    /// Returns the values of V against which the phases of the dominant mode and of the others are measured, for a
-    /// damped chain. A mode is in phase with its own term of V. The other modes' terms therefore give the same phase as
-    /// the full V, and a more accurate one where they are smaller.
+    /// Returns V for the phase of the dominant mode, and V for the phase of the other modes, in a damped chain. A mode
+    /// is in phase with its own term of V. V without this term therefore gives the same phase, and a more accurate one
+    /// where it is smaller.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", None);
@@ -134,7 +135,7 @@ impl<S: Scalar> DominantSums<S> {
     }
 }
 
-/// A sum over modes, separated into the dominant mode and the others.
+/// Modal sum of a motion, separated into the term of the dominant mode and the sum over the other modes.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantParts<S> {
     pub own: Complex<S>,
@@ -150,7 +151,7 @@ impl<S: Scalar> DominantParts<S> {
         }
     }
 
-    /// Returns the sum with one more mode.
+    /// Adds the term `value` of the mode with the given index.
     pub fn with(
         self,
         chain: &Chain<S>,
@@ -177,7 +178,7 @@ impl<S: Scalar> DominantParts<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Returns the sums for the mode with the largest own terms, and those for the others.
+    /// Selects the dominant mode. Returns the sums V, U and H for that mode and the sums for all other modes.
     pub(crate) fn dominant_sums<'a>(
         &self,
         modes: impl Iterator<Item = (&'a Mode<S>, ModeAt<S>)> + Clone,
@@ -252,7 +253,7 @@ impl<S: Scalar> Chain<S> {
             };
         };
         let own = without(sum, heaviest.static_residue).named(partner);
-        // The full sums lose nothing if no more cancels than the rounding of the other terms.
+        // The full sums suffice if the product that cancels is no larger than the products that remain.
         let (v, other) = self.sizes(&heaviest.own, partner);
         let at_rest = match self.on_moving_base {
             Some(at_rest) => (at_rest - heaviest.static_residue).abs() * contact.scale,
@@ -277,7 +278,7 @@ impl<S: Scalar> Chain<S> {
         index: usize,
     ) -> Heaviest<S> {
         let own = self.own(mode, at, index);
-        // On a moving base v cancels, not the v − 1 of the sums.
+        // On a moving base, v cancels, although the sums contain v − 1.
         let v = if self.on_moving_base.is_some() {
             self.plus(own.v, complex::real(mode.static_residue * scale))
         } else {
@@ -301,7 +302,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the sums for a mode. A mass-controlled mode has no terms of U that could cancel, and gets the full U.
+    /// Returns the sums for one mode of at most two. A mass-controlled mode has no terms of U that could cancel, and
+    /// gets the full sum U.
     fn in_full(
         &self,
         mode: &Mode<S>,
@@ -339,7 +341,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the size of V and that of its partner.
+    /// Returns the size of V, and the size of U or H, whichever is the partner.
     fn sizes(&self, sums: &Terms<S>, partner: Partner) -> (S, S) {
         let size = |value| complex::size(value, self.damped);
         let partner = match partner {
