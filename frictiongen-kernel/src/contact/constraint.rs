@@ -35,7 +35,8 @@ impl<S: Float> Chain<S> {
         self.constraint_of(contact, at, waves)
     }
 
-    /// Finds the velocity constraint from the terms of all modes, which `waves` already contains.
+    /// Finds the velocity constraint r²E·max(S, H_c + μm*/r²) from the terms of all modes, which `waves` already
+    /// contains.
     fn constraint_of<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -55,13 +56,14 @@ impl<S: Float> Chain<S> {
         peak
     }
 
-    /// Returns true if S is the limit for τ → 0 and needs no search. Without damping this is so if every R ≥ 1/2.
-    /// `ratios` are x = 1/R of the modes.
+    /// Returns true if the maximum S of the velocity constraint is its limit for τ → 0, so that no search is needed.
+    /// Without damping this is so if every R ≥ 1/2. `ratios` are x = 1/R of the modes.
     pub(crate) fn start_decides(&self, mut ratios: impl Iterator<Item = S>) -> bool {
         !self.damped && ratios.all(|x| x <= S::constant(2.0))
     }
 
-    /// Returns the velocity constraint less `start`, which is its limit for τ → 0. The result is at least `above`.
+    /// Returns the velocity constraint r²E·S less its limit for τ → 0, which is `start`. The result is at least
+    /// `above`.
     fn constraint_above<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,

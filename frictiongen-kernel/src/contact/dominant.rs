@@ -16,7 +16,7 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// Terms of one mode in the sums V, U and H of the contact, or sums of such terms.
+/// Terms of one mode in the modal sums V, U and H of the contact, or the sums themselves.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Terms<S> {
     pub v: Complex<S>,
@@ -64,7 +64,7 @@ impl<S: Scalar> Terms<S> {
     }
 }
 
-/// Modal sum in which, besides V, the terms of the dominant mode cancel.
+/// Modal sum whose term cancels against the term in V, in the contribution of a mode to a motion.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
     /// The sum U, in a continuous motion.
@@ -105,7 +105,8 @@ enum Which<S> {
     Numbered(S),
 }
 
-/// Dominant mode, with the sums V, U and H for it (`own`) and the sums for the other modes (`others`).
+/// Dominant mode, whose own terms in the modal sums V, U and H outweigh all others. `own` has the sums for the dominant
+/// mode, which leave out its terms. `others` has the sums for all other modes.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
@@ -114,9 +115,9 @@ pub(crate) struct DominantSums<S> {
 }
 
 impl<S: Scalar> DominantSums<S> {
-    /// Returns V for the phase of the dominant mode, and V for the phase of the other modes, in a damped chain. A mode
-    /// is in phase with its own term of V. V without this term therefore gives the same phase, and a more accurate one
-    /// where it is smaller.
+    /// Returns the responses V against which the phases of the dominant mode and of the other modes are measured, in a
+    /// damped chain. A mode is in phase with its own term of V. V without this term therefore gives the same phase as
+    /// the full V. Of the two, the smaller one gives a more accurate phase.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", None);
@@ -135,7 +136,7 @@ impl<S: Scalar> DominantSums<S> {
     }
 }
 
-/// Modal sum of a motion, separated into the term of the dominant mode and the sum over the other modes.
+/// Modal sum in the motion of a mass, separated into the term of the dominant mode and the sum over all other modes.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantParts<S> {
     pub own: Complex<S>,
@@ -178,7 +179,8 @@ impl<S: Scalar> DominantParts<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Selects the dominant mode. Returns the sums V, U and H for that mode and the sums for all other modes.
+    /// Selects the dominant mode, whose own terms in the modal sums outweigh all others. Returns the sums V, U and H
+    /// for the dominant mode and the sums for all other modes.
     pub(crate) fn dominant_sums<'a>(
         &self,
         modes: impl Iterator<Item = (&'a Mode<S>, ModeAt<S>)> + Clone,
@@ -302,8 +304,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the sums for one mode of at most two. A mass-controlled mode has no terms of U that could cancel, and
-    /// gets the full sum U.
+    /// Returns the modal sums V, U and H for one mode of a chain with at most two modes. A mode that resonates far
+    /// below the excitation frequency has no term of U that could cancel, and gets the full U.
     fn in_full(
         &self,
         mode: &Mode<S>,
@@ -341,7 +343,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the size of V, and the size of U or H, whichever is the partner.
+    /// Returns the modulus of V, and the modulus of U or H, as `partner` says. The modulus of a complex number is |Re|
+    /// + |Im|.
     fn sizes(&self, sums: &Terms<S>, partner: Partner) -> (S, S) {
         let size = |value| complex::size(value, self.damped);
         let partner = match partner {

@@ -1,4 +1,5 @@
-//! Both limits of an undamped chain at run time, from constants that are gathered once, without the search for S.
+//! Limits β_lim and β*_lim of an undamped chain at run time, without the search for the velocity constraint S. The
+//! constants of the modes are gathered once.
 //!
 //! In emitted code the constants of a scene are part of the instructions. At run time this module gathers the constants
 //! of the modes before the first frequency, in pairs for packed instructions. Modes that the contact does not drive are
@@ -16,7 +17,7 @@ use crate::oscillator::mode::Mode;
 /// [`pairs`](crate::contact::pairs).
 const PAIRS: usize = 8;
 
-/// Constants of one mode, or of a pair of modes, from which V, H and U are computed.
+/// Constants of one mode, or of a pair of modes, from which the modal sums V, H and U of the contact are computed.
 #[derive(Clone, Copy, Debug)]
 struct Driven<S> {
     resonance: S,
@@ -25,7 +26,8 @@ struct Driven<S> {
     inverse_mass: S,
 }
 
-/// Pair [x² − 1, u] of a mode. u is multiplied by R² and by |x² − 1|, not by the scale E.
+/// The number x² − 1 and the damping function u of a mode. u is multiplied by R² and by |x² − 1|, not by the scale E of
+/// the chain.
 type Own<S> = [S; 2];
 
 /// Terms of a mode in the modal sums V, H and U, in this order.
@@ -50,14 +52,14 @@ impl<S: Scalar> Driven<S> {
         }
     }
 
-    /// Returns x² − 1 and u of the mode at 1/r.
+    /// Returns x² − 1 and the damping function u of the mode at 1/r, where x = √λ/r.
     #[inline(always)]
     fn own(&self, inverse_r: S) -> Own<S> {
         let response = Mode::undamped(self.resonance * inverse_r);
         [response.denominator.re, response.u]
     }
 
-    /// Returns the terms of the mode in V, H and U, multiplied by the scale E.
+    /// Returns the terms of the mode in the modal sums V, H and U, multiplied by the scale E of [`ContactAt`].
     #[inline(always)]
     fn terms(&self, scale: S, [detuning, u]: Own<S>) -> Terms<S> {
         let response = scale / detuning;
@@ -124,7 +126,7 @@ impl<S: Float> DrivenModes<S> {
         self.pairs.get(..self.count).unwrap_or_default()
     }
 
-    /// Returns the scale E, and the modal sums V, H and U.
+    /// Returns the scale E of [`ContactAt`], and the modal sums V, H and U over all modes.
     #[inline(always)]
     fn sums(&self, inverse_r: S) -> (S, Terms<S>) {
         match (self.pairs(), &self.one) {
@@ -185,7 +187,7 @@ fn plus<S: Scalar>([a, b, c]: Terms<S>, [d, e, f]: Terms<S>) -> Terms<S> {
     [a + d, b + e, c + f]
 }
 
-/// Writes the terms of two modes in V, H and U, and returns the scale E.
+/// Writes the terms of two modes in the modal sums V, H and U, and returns the scale E of the chain.
 ///
 /// The function is not inlined, so that it stores its results in arrays. The compiler then uses packed instructions.
 #[inline(never)]
@@ -198,9 +200,10 @@ fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2];
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns both limits at a finite 1/r > 0. β_lim contains the break-away term in place of the velocity constraint
-    /// S, and β*_lim is not corrected for an absorber. Also returns H, multiplied by r² and by the scale E of
-    /// [`ContactAt`]. `is_one` states that V = H and μ = 1, so that β*_lim is 1.
+    /// Returns the limits β_lim and β*_lim of an undamped chain at a finite 1/r > 0. β_lim contains the break-away term
+    /// in place of the velocity constraint S. β*_lim is not corrected for masses that act as an absorber. Also returns
+    /// the receptance H of the contact, multiplied by r² and by the scale E of [`ContactAt`]. `is_one` states that V =
+    /// H and μ = 1, so that β*_lim is 1.
     #[inline]
     pub fn limits_of_driven(
         &self,

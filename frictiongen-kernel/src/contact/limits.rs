@@ -6,15 +6,16 @@ use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
 impl<S: Scalar + PartialEq> Chain<S> {
-    /// Returns true if the load acts on the mass that slides on the support. V and H are then equal.
+    /// Returns true if the load acts on the mass that slides on the support. The response V of the contact to the load
+    /// then equals its receptance H.
     #[must_use]
     pub fn loads_contact(&self, modes: &[Mode<S>]) -> bool {
         let mut modes = modes.iter();
         self.on_moving_base.is_none() && modes.all(|mode| mode.residue == mode.inverse_mass)
     }
 
-    /// Returns true if V = H and μ = 1, so that β*_lim is exactly 1. |V|/|H| is then 1 without rounding. For μ ≠ 1,
-    /// |V|/(μ|H|) is rounded.
+    /// Returns true if the response V of the contact to the load equals its receptance H and if μ = 1. β*_lim =
+    /// |V|/(μ|H|) is then exactly 1. |V|/|H| is then 1 without rounding. For μ ≠ 1, |V|/(μ|H|) is rounded.
     #[must_use]
     pub fn sliding_limit_is_one(&self, modes: &[Mode<S>]) -> bool {
         self.stiction == S::constant(1.0) && self.loads_contact(modes)

@@ -156,8 +156,8 @@ impl<S: Float> Chain<S> {
     }
 }
 
-/// Returns the scale E, the smallest size |x² − 1| + 2ζx of the modes that the contact drives. The scalars carry no
-/// derivatives, so that the order of equal sizes does not matter.
+/// Returns the scale E of the modal sums, the smallest |x² − 1| + 2ζx of the modes that the contact drives. The scalars
+/// carry no derivatives, so that the order of equal numbers does not matter.
 #[inline(always)]
 fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     let infinite = S::constant(f64::INFINITY);
@@ -191,7 +191,8 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     S::select(least.lt(infinite), least, S::constant(1.0))
 }
 
-/// Computes the terms of two modes in the modal sums and, with G, their scaled functions.
+/// Computes the terms of two modes in the modal sums of the contact. If `WITH_G` is true, also multiplies the functions
+/// of both modes by the scale.
 ///
 /// The function is not inlined, so that it stores its results in arrays. The compiler then uses packed instructions.
 #[inline(never)]
@@ -211,7 +212,7 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
     let response = mode.functions_of(U::KIND, Lanes::all(inverse_r), WITH_G, 0);
     let at = chain.scaled(&response, scale, false, 0);
     let found = chain.term(scale, &mode, &response, &at, false, WITH_G);
-    // Numbers that are 0 without damping, or that no caller uses, are not written.
+    // Numbers that stay 0 without damping, and numbers that no caller uses, are not written.
     terms.v.re = found.v.re;
     terms.h.re = found.h.re;
     terms.u = found.u;
@@ -253,7 +254,7 @@ impl<S: Float, const N: usize> Mode<Lanes<S, N>> {
     }
 }
 
-/// Separates a complex number whose parts are arrays into the complex numbers of two modes.
+/// Separates the complex numbers of two modes, stored as arrays of two numbers, into one complex number for each mode.
 #[inline(always)]
 fn complex_apart<S: Float>(value: Complex<Lanes<S>>) -> [Complex<S>; 2] {
     let (Lanes([re, other_re]), Lanes([im, other_im])) = (value.re, value.im);
@@ -261,7 +262,7 @@ fn complex_apart<S: Float>(value: Complex<Lanes<S>>) -> [Complex<S>; 2] {
 }
 
 impl<S: Float> ContactAt<Lanes<S>> {
-    /// Separates sums whose elements are arrays into the sums of two modes.
+    /// Separates the terms of two modes, stored as arrays of two numbers, into one set of terms for each mode.
     #[inline(always)]
     fn split(&self) -> [ContactAt<S>; 2] {
         let ([v, other_v], [h, other_h]) = (complex_apart(self.v), complex_apart(self.h));
@@ -288,7 +289,7 @@ impl<S: Float> ContactAt<Lanes<S>> {
 }
 
 impl<S: Float> ModeAt<Lanes<S>> {
-    /// Separates functions whose elements are arrays into the functions of two modes.
+    /// Separates the functions of two modes, stored as arrays of two numbers, into one set of functions for each mode.
     #[inline(always)]
     fn split(&self) -> [ModeAt<S>; 2] {
         let [response, other_response] = complex_apart(self.response);

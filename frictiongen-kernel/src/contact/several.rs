@@ -1,4 +1,4 @@
-//! Both limits at several frequencies at once, without the search for the velocity constraint S.
+//! Limits β_lim and β*_lim at several frequencies at once, without the search for the velocity constraint S.
 //!
 //! A processor computes the frequencies with packed (SIMD) instructions. The formulas are those for one frequency, in
 //! the same order, so that the results have the same bits.
@@ -17,8 +17,8 @@ pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
     4
 };
 
-/// Both limits at several frequencies. β_lim contains the break-away term in place of the velocity constraint S, and
-/// β*_lim is not corrected for an absorber.
+/// Limits β_lim and β*_lim at several frequencies, by formulas without a search. β_lim contains the break-away term in
+/// place of the velocity constraint S. β*_lim is not corrected for masses that act as an absorber.
 #[derive(Debug)]
 pub(crate) struct Several<S> {
     pub continuous: [S; SIDE_BY_SIDE],
@@ -47,8 +47,8 @@ impl<S: Float> Chain<S> {
         self.common_kind(modes).filter(|_| touched)
     }
 
-    /// Computes both limits at several 1/r, without the search for S. `kind` is the result of
-    /// [`kind_of_several`](Self::kind_of_several).
+    /// Computes the limits β_lim and β*_lim at several 1/r, without the search for the velocity constraint S. `kind` is
+    /// the result of [`kind_of_several`](Self::kind_of_several).
     pub(crate) fn several_limits(
         &self,
         modes: &[Mode<S>],
@@ -62,8 +62,8 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// Computes both limits for the kind of damping `U`. The function is not inlined, so that the results are stored in
-    /// arrays. The compiler then uses packed instructions.
+    /// Computes the limits β_lim and β*_lim at several frequencies for the kind of damping `U`. The function is not
+    /// inlined, so that its results are stored in arrays. The compiler then uses packed instructions.
     #[inline(never)]
     fn side_by_side<U: Uniform>(
         &self,

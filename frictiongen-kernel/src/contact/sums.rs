@@ -32,7 +32,7 @@ pub struct ModeAt<S> {
 }
 
 impl<S: Scalar> ModeAt<S> {
-    /// Creates functions that are all 0. Arrays of modes are filled with them before the functions are computed.
+    /// Creates functions that are all 0, as the initial content of an array.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -67,7 +67,7 @@ pub struct ContactAt<S> {
 }
 
 impl<S: Scalar> ContactAt<S> {
-    /// Creates modal sums that are all 0, for the given scale E.
+    /// Creates modal sums of the contact that are all 0, for the given scale E.
     #[must_use]
     pub fn zero(scale: S) -> Self {
         let zero = S::constant(0.0);
@@ -83,8 +83,8 @@ impl<S: Scalar> ContactAt<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Returns the scale E: the smallest size |x² − 1| + 2ζx among the modes that the contact drives. Without such a
-    /// mode it is 1.
+    /// Returns the scale E of the modal sums: the smallest |x² − 1| + 2ζx of the modes that the contact drives. If the
+    /// contact drives no mode, E is 1.
     pub fn scale<'a>(sizes: impl Iterator<Item = (&'a Mode<S>, S)>) -> S
     where
         S: 'a,
@@ -95,20 +95,21 @@ impl<S: Scalar> Chain<S> {
         scale.unwrap_or(S::constant(1.0))
     }
 
-    /// Returns the scale E of the chain at 1/r.
+    /// Returns the scale E of the modal sums at 1/r: the smallest |x² − 1| + 2ζx of the modes that the contact drives.
     pub(crate) fn scale_at(modes: &[Mode<S>], inverse_r: S) -> S {
         Self::scale(modes.iter().map(|mode| (mode, mode.size(inverse_r))))
     }
 
-    /// Multiplies the functions of one of several modes by the scale E. Callers know E only after a first pass over the
-    /// modes.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
+    /// + 2ζx of the modes that the contact drives, so that E is known only after a first pass over the modes.
     #[inline]
     pub fn at_scale(&self, mode: &ModeResponse<S>, scale: S) -> ModeAt<S> {
         self.scaled(mode, scale, false, 0)
     }
 
-    /// Multiplies the functions of a mode by the scale E. Callers know E only after a first pass over the modes. If the
-    /// mode is the only one, its own size is E, and the quotient of both is then a sign.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
+    /// + 2ζx of the modes that the contact drives, so that E is known only after a first pass over the modes. If
+    /// `single` is true, E is |x² − 1| + 2ζx of this mode, and their quotient is 1 without rounding.
     #[inline]
     pub fn scaled(
         &self,
@@ -192,7 +193,7 @@ impl<S: Scalar> Chain<S> {
         self.completed(&sum, inverse_r)
     }
 
-    /// Adds the terms of one mode to the modal sums. G is added only if `with_g` is true.
+    /// Adds the terms of one mode to the modal sums V, H, U and H_c of the contact, and to G if `with_g` is true.
     #[inline]
     pub fn joined_by(
         &self,
@@ -207,7 +208,7 @@ impl<S: Scalar> Chain<S> {
         self.with_term(sum, &term, with_g)
     }
 
-    /// Returns the terms of one mode in the modal sums of the contact, multiplied by the scale E.
+    /// Returns the terms of one mode in the modal sums V, H, U, G and H_c of the contact, multiplied by the scale E.
     #[inline(always)]
     pub(super) fn term(
         &self,
@@ -236,7 +237,7 @@ impl<S: Scalar> Chain<S> {
         term
     }
 
-    /// Returns the modal sums with the terms of one more mode added.
+    /// Returns the modal sums of the contact with the terms of one more mode added.
     #[inline(always)]
     pub(super) fn with_term(
         &self,
@@ -283,8 +284,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the term of a mode in V. On a moving base V is the response relative to the base, so that v − 1 = (1 −
-    /// 2iζx)/(x² − 1 + 2iζx) replaces v. The base motion is then never subtracted.
+    /// Returns the term of a mode in V, the response of the contact to the load. On a moving base V is relative to the
+    /// base, so that v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) replaces v. The base motion is then never subtracted.
     #[inline]
     pub(crate) fn load_term(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Complex<S> {
         if self.on_moving_base.is_none() {

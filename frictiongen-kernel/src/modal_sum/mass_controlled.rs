@@ -20,8 +20,8 @@ use crate::oscillator::mode::Kind;
 
 /// Bound on x, for an overdamped mode on 2ζx, below which a mode is mass-controlled.
 const SLOW: f64 = 0.5;
-/// Returns true if a mode with natural frequency x is mass-controlled. For a scalar without Euler polynomials it
-/// returns false.
+/// Returns true if a mode is mass-controlled: its resonance x = √λ/r is far below the excitation frequency. For a
+/// scalar without Euler polynomials the result is false.
 #[inline]
 pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Condition {
     if !S::MASS_CONTROLLED {
@@ -38,8 +38,8 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
     rate.lt(S::constant(SLOW))
 }
 
-/// Evaluates the response y of a mass-controlled mode and its derivatives. They are returned as `rise` = y, `free` = y′
-/// and `slope` = y″.
+/// Evaluates the response y of a mass-controlled mode to a unit force that changes its sign every half period. The
+/// result has y in `rise`, y′ in `free` and y″ in `slope`.
 pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let (zero, half, one) = (S::constant(0.0), S::constant(0.5), S::constant(1.0));
     let w = at.tau * (S::pi() * (one - at.t));

@@ -13,7 +13,7 @@ use crate::oscillator::mode::Mode;
 pub struct Wave<S, D> {
     /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
     pub x: S,
-    /// Damping of the mode.
+    /// Damping of the mode, as a type that selects the closed forms.
     pub decay: D,
     /// Coefficient of the free displacement p.
     pub free: S,
@@ -21,7 +21,7 @@ pub struct Wave<S, D> {
     pub forced_slope: S,
     /// Coefficient of sin τ − p, with the free displacement p.
     pub forced: S,
-    /// Coefficient of (1 − d)/x², where d is the free return from rest at displacement 1.
+    /// Coefficient of (1 − d)/x², where d is the free motion that starts at rest from displacement 1.
     pub rise: S,
     /// True for a mode that resonates far below the excitation frequency. `rise` is then the coefficient of the
     /// response to a unit force that changes its sign every half period.
@@ -31,7 +31,7 @@ pub struct Wave<S, D> {
 }
 
 impl<S: Float, D: Decay<S>> Wave<S, D> {
-    /// Creates a term whose coefficients are all 0.
+    /// Creates a modal term whose coefficients are all 0.
     pub fn at_rest(x: S, decay: D) -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -46,7 +46,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// Evaluates the functions of time of the mode at one instant.
+    /// Evaluates the functions of time of the mode at one instant: its free displacement p and the others of [`Basis`].
     #[inline]
     pub(crate) fn basis(&self, at: &Instant<S>) -> Basis<S> {
         if self.mass_controlled {
@@ -80,7 +80,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         at_rest || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
     }
 
-    /// Returns an upper bound on the modulus of the term over the half period.
+    /// Returns an upper bound on the modulus of the modal term over the half period.
     fn amplitude_bound(&self) -> S {
         let one = S::constant(1.0);
         let Self {
@@ -110,8 +110,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         (c * loss + b * detuning, c * detuning - b * loss)
     }
 
-    /// Returns the derivative of the term with respect to τ at an instant. `basis` has the functions of time at that
-    /// instant.
+    /// Returns the derivative with respect to τ of the modal term, at an instant. `basis` has the functions of time at
+    /// that instant.
     #[inline]
     pub(crate) fn slope(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         self.free * basis.slope
@@ -120,7 +120,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             + self.rise * basis.free
     }
 
-    /// Returns the term at an instant. `basis` has the functions of time at that instant.
+    /// Returns the modal term at an instant. `basis` has the functions of time at that instant.
     #[inline]
     pub fn value(&self, basis: &Basis<S>) -> S {
         self.free * basis.free
@@ -210,8 +210,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         jet
     }
 
-    /// Returns the modal sum and its derivative at τ = 0. Only mass-controlled terms contribute there, since all other
-    /// terms start from rest.
+    /// Returns the modal sum and its derivative at τ = 0. The terms of most modes start from rest and contribute
+    /// nothing. Modes that resonate far below the excitation frequency (mass-controlled modes) contribute.
     pub(crate) fn start(&self) -> (S, S) {
         let mut value = self.cosine;
         let mut slope = self.sine;

@@ -128,7 +128,7 @@ pub trait Float:
 {
     /// Distance from 1 to the next larger number of this precision.
     const EPSILON: f64;
-    /// Smallest relative difference that a search in this precision can still distinguish.
+    /// Smallest relative difference between two values that a search can still distinguish in this precision.
     const RESOLUTION: f64 = Self::EPSILON;
     /// True if the scalar carries a derivative next to its value. After an iteration, code then makes one more Newton
     /// step, so that the derivative is correct too.

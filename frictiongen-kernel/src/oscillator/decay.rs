@@ -53,25 +53,25 @@ impl<S: Float> Instant<S> {
 /// Damping of the modes of a scene. It is a type parameter, so that the code of undamped scenes contains no
 /// exponentials.
 pub trait Decay<S: Float>: Copy {
-    /// Creates the decay from the constants of a mode.
+    /// Takes kind of damping and modal damping ratio from the constants of a mode.
     fn of(mode: &Mode<S>) -> Self;
-    /// Returns the range of ζ, which selects the closed form.
+    /// Returns the kind of damping (undamped, underdamped, critical or overdamped), which selects the closed form.
     fn kind(&self) -> Kind;
     /// Returns the modal damping ratio ζ.
     fn zeta(&self) -> S;
-    /// Evaluates the functions of time of a mode at one instant. x is the natural frequency over the excitation
-    /// frequency, 1/R.
+    /// Evaluates the free displacement p of a mode at one instant, and the other functions of time in [`Basis`]. x is
+    /// the natural frequency over the excitation frequency, 1/R.
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S>;
     /// Evaluates the free displacement p and its derivative p′ at one instant, without the other functions of
     /// [`Basis`].
     fn free(&self, x: S, at: &Instant<S>) -> (S, S);
 }
 
-/// Decay of a mode without damping, ζ = 0.
+/// Damping of a mode with ζ = 0, for scenes without damping.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Undamped;
 
-/// Decay of a mode with any modal damping ratio ζ, including 0.
+/// Damping of a mode with any modal damping ratio ζ, including 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Damped<S> {
     kind: Kind,
@@ -140,7 +140,7 @@ impl<S: Float> Decay<S> for Damped<S> {
 }
 
 impl<S: Float> Damped<S> {
-    /// Creates the decay from the modal damping ratio ζ, from q = √|1 − ζ²|, and from the range of ζ.
+    /// Creates the damping of a mode from its modal damping ratio ζ, from q = √|1 − ζ²|, and from the kind of damping.
     pub(crate) fn new(kind: Kind, zeta: S, q: S) -> Self {
         Self {
             kind,

@@ -11,7 +11,7 @@ use super::{critical, overdamped, undamped, underdamped};
 use crate::number::complex;
 use crate::number::scalar::Scalar;
 
-/// Range of the modal damping ratio ζ. It selects the closed form in which the functions of a mode are evaluated.
+/// Kind of damping of a mode. It selects the closed form in which the functions of the mode are evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// No damping, ζ = 0.
@@ -30,7 +30,7 @@ pub enum Kind {
 /// Constants of one mode of the chain. They depend on the scene alone, not on the frequency ratio r.
 #[derive(Clone, Copy, Debug)]
 pub struct Mode<S> {
-    /// Range of ζ, which selects the closed form.
+    /// Kind of damping, which selects the closed form.
     pub kind: Kind,
     /// True if the contact drives the mode, which means φᵀw ≠ 0 with the mode shape φ and the contact direction w.
     pub in_contact: bool,
@@ -55,7 +55,7 @@ pub struct Mode<S> {
 }
 
 impl<S: Scalar> ModeResponse<S> {
-    /// Creates a response whose numbers are all 0. Arrays of responses are filled with it before they are computed.
+    /// Creates a response whose numbers are all 0, as the initial content of an array.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);

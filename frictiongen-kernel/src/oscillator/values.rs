@@ -47,11 +47,11 @@ pub struct Basis<S> {
     pub free: S,
     /// Derivative p′ of the free displacement p with respect to τ.
     pub slope: S,
-    /// sin τ − p, with the free displacement p.
+    /// Difference sin τ − p, with the free displacement p.
     pub forced: S,
-    /// cos τ − p′, the derivative of sin τ − p.
+    /// Difference cos τ − p′, which is the derivative of sin τ − p with the free displacement p.
     pub forced_slope: S,
-    /// (1 − d)/x², where d = p′ + 2ζx·p is the free return from rest at displacement 1.
+    /// (1 − d)/x², where d = p′ + 2ζx·p is the free motion that starts at rest from displacement 1.
     pub rise: S,
 }
 

@@ -1,5 +1,6 @@
-//! Closes the cells around a summit. Near the local maximum Taylor's theorem bounds the sum. Farther away the bound is
-//! a cubic with the value and slope of the next node (section 9 of `docs/derivation.md`).
+//! Closes the cells of a grid around a local maximum of the modal sum. Near the maximum Taylor's theorem bounds the
+//! sum. Farther away the bound is a cubic with the value and slope of the next node (section 9 of
+//! `docs/derivation.md`). A *summit* is a position from which one Newton step leads to the maximum.
 
 use super::grid::{Grid, Node, Open};
 use super::summit::{Cubic, REACH, Summit, beyond_cubic};
@@ -7,23 +8,25 @@ use super::{Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// Larger of two factors ρ. A summit closes cells only if the sum is concave within ρ times the Newton step. `REACH` is
-/// the smaller factor. A larger ρ lets a flatter summit close cells.
+/// Factor ρ = 97, tried before the smaller `REACH`. A local maximum closes cells around it only if the sum is concave
+/// within ρ times the last Newton step. A larger ρ lets a flatter maximum close cells.
 const FAR: f64 = 97.0;
 
-/// Excess E = ±sum − level·weight around a summit, or E/τ. A cell is closed once E ≤ 0 is proven in it.
+/// Excess E of a modal sum over a level, near a local maximum, or E/τ. E is ±sum − level, or ±sum − level·sin τ. A cell
+/// is closed once E ≤ 0 is proven in it.
 struct Excess<S> {
-    /// Phase τ of the summit.
+    /// Phase τ near the local maximum, at which `cubic` has the derivatives.
     tau: S,
     cubic: Cubic<S>,
     /// Upper bound on the fourth derivative of the excess.
     fourth: S,
-    /// Negative bound 2E″/(ρ − 1) on the quadratic coefficient of the cubic between summit and node. If the coefficient
-    /// is below it, the slope at the summit does not matter beyond ρ times the Newton step.
+    /// Negative bound 2E″/(ρ − 1) on the quadratic coefficient of the cubic between `tau` and a node. If the
+    /// coefficient is below the bound, the slope at `tau` does not matter beyond ρ times the Newton step.
     curvature: S,
 }
 
-/// A node up to which a summit may close the cells.
+/// Node of a grid, with the excess E there. The cells from a local maximum to the node are closed if E ≤ 0 is proven in
+/// them.
 #[derive(Clone, Copy)]
 struct Beyond<S> {
     tau: S,
@@ -34,7 +37,7 @@ struct Beyond<S> {
 }
 
 impl<S: Float> Cubic<S> {
-    /// Returns value and derivatives of f(τ)/τ at `tau`, from those of f.
+    /// Returns the value and the derivatives of f(τ)/τ at `tau`. `self` has the value and the derivatives of f there.
     fn over(self, tau: S) -> Self {
         let value = self.value / tau;
         let slope = (self.slope - value) / tau;
@@ -49,8 +52,8 @@ impl<S: Float> Cubic<S> {
 }
 
 impl<S: Float> Excess<S> {
-    /// Creates the excess around a summit. Returns `None` if the excess may be positive within the reach of the Newton
-    /// step.
+    /// Creates the excess E from its derivatives at `tau`. Returns `None` if E may be positive within the reach of the
+    /// Newton step.
     fn new(tau: S, cubic: Cubic<S>, fourth: S) -> Option<Self> {
         let step = cubic.step();
         let reach = [S::constant(FAR), S::constant(REACH)]
@@ -67,14 +70,14 @@ impl<S: Float> Excess<S> {
         })
     }
 
-    /// Returns true if the excess is proven to stay below 0 from the summit to a node.
+    /// Returns true if the excess E is proven to be at most 0 from the local maximum to a node.
     fn stays_below(&self, node: &Beyond<S>) -> bool {
         let distance = node.tau - self.tau;
         self.is_near(distance) || self.is_below(node, distance)
     }
 
-    /// Returns true if the derivatives at the summit alone prove that the excess stays below 0. At so small a distance
-    /// the higher terms amount to at most a third of the curvature term.
+    /// Returns true if the derivatives at `tau` alone prove that the excess E stays below 0 up to a distance. At so
+    /// small a distance the higher terms amount to at most a third of the curvature term.
     fn is_near(&self, distance: S) -> bool {
         let Cubic {
             curvature, third, ..
@@ -84,7 +87,7 @@ impl<S: Float> Excess<S> {
         bend <= -curvature * S::constant(1.0 / 3.0)
     }
 
-    /// Returns true if value and slope at the node prove that the excess stays below 0 up to the node.
+    /// Returns true if the value and the slope of the excess E at a node prove that E stays below 0 up to the node.
     fn is_below(&self, node: &Beyond<S>, distance: S) -> bool {
         let Cubic { value, slope, .. } = self.cubic;
         let there = node.value + node.rounding;
@@ -99,9 +102,9 @@ impl<S: Float> Excess<S> {
 }
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns the open cells around a summit that contain nothing above the level of the summit. It closes them for
-    /// the sign that the sum has at the summit. A Newton step across the end of the half period may have changed the
-    /// sign.
+    /// Returns the open cells around a local maximum in which no value exceeds the upper bound on the maximum. The
+    /// cells are closed for the sign of the sum at the maximum. A Newton step across the end of the half period may
+    /// have changed the sign.
     pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>, open: Open) -> Open {
         let zero = S::constant(0.0);
         // The bounds on the derivatives are valid only from the first node on.
@@ -167,7 +170,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the excess E and its derivatives at a summit. E is the sum less `level`, or less `of_sine` times sin τ.
+    /// Returns the excess E of the sum over a level, and the derivatives of E, near a local maximum. E is ±sum −
+    /// `level`, or ±sum − `of_sine`·sin τ.
     fn cubic_about(&self, summit: &Summit<S>, level: S, of_sine: S) -> Cubic<S> {
         let Summit { jet, negative, .. } = summit;
         let node = Node {

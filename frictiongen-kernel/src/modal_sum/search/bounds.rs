@@ -1,22 +1,23 @@
 //! Upper bounds on the derivatives of a modal sum after an instant, and the state of each mode at the instant.
 //!
-//! A mode is split into a free motion, a constant and sinusoids, or *keeps its forcing*: its state then contains the
-//! response to the force. From the state, the equation of the mode gives the later motion (section 9 of
-//! `docs/derivation.md`).
+//! The motion of a mode is split into a free motion, and a forced motion of a constant and sinusoids. Some modes are
+//! not split and *keep their forcing*: their state contains the whole motion. From the state, the equation of the mode
+//! gives the later motion (section 9 of `docs/derivation.md`).
 
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// Distance from x = 1 within which a mode keeps its forcing. Its response is a small difference from the excitation,
-/// and a split into two large terms would leave their rounding errors.
+/// Distance from x = 1 within which a mode is not split into free and forced motion. Close to x = 1 these are large,
+/// and their sum would contain their rounding errors.
 const NEAR_EXCITATION: f64 = 0.125;
 /// Bound on the rounding error of a mode at a node, as a number of rounding units of its size. It also bounds the
 /// errors of sin τ and cos τ. The matrix of one step has three roundings, and its fourth power has twelve. A grid
 /// applies the fourth power seven times, with errors that do not all have the same sign.
 const ROUNDINGS: f64 = 64.0;
 
-/// State and force of one mode from an instant on: y″ + 2ζx y′ + x²y = constant + cosine·cos τ + sine·sin τ.
+/// State of one mode at an instant, and the force that drives the mode from the instant on: y″ + 2ζx y′ + x²y =
+/// constant + cosine·cos τ + sine·sin τ.
 pub(super) struct Track<S> {
     /// Natural frequency of the mode over the excitation frequency, x = √λ/r.
     pub x: S,
@@ -29,7 +30,8 @@ pub(super) struct Track<S> {
     sine: S,
 }
 
-/// Terms of one mode besides its free motion: constant + cosine·cos τ + sine·sin τ. They are summed over all modes.
+/// Forced motion of one mode next to its free motion: constant + cosine·cos τ + sine·sin τ. The coefficients are summed
+/// over all modes.
 pub(super) struct Common<S> {
     pub constant: S,
     pub cosine: S,
@@ -37,8 +39,8 @@ pub(super) struct Common<S> {
 }
 
 impl<S: Float> Track<S> {
-    /// Splits the term of a mode at an instant into a state that the equation of the mode advances, and a constant with
-    /// sinusoids. If `all` is true, or if the mode keeps its forcing, the state contains everything.
+    /// Splits the motion of a mode at an instant into a state, which the equation of the mode advances, and a constant
+    /// with sinusoids. If `all` is true, or if [`keeps_forcing`] is, the state contains the whole motion.
     #[inline]
     pub fn of<D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>, all: bool) -> (Self, Common<S>) {
         let zero = S::constant(0.0);
@@ -97,9 +99,9 @@ impl<S: Float> Track<S> {
     }
 }
 
-/// Returns true if the state of a mode contains the response to its forcing. Modes close to the excitation frequency
-/// and modes far below it keep their forcing. For modes far below, the factor 1/x² of the split would outweigh the
-/// motion.
+/// Returns true if a mode is not split into free and forced motion. Modes that resonate close to the excitation
+/// frequency or far below it are not split. For modes far below, the factor 1/x² of the forced motion would outweigh
+/// the whole motion.
 pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool) -> bool {
     let slow = wave.x < S::constant(0.5) && !wave.rise.is_zero();
     all || wave.mass_controlled
@@ -120,8 +122,8 @@ pub(super) struct Bounds<S> {
     pub size: S,
     /// Upper bound on the rounding error of the sum at a node.
     pub rounding: S,
-    /// Upper bound on the rounding error of the sum, per unit of time since the instant. It is valid if all modes are
-    /// at rest at the instant and keep their forcing.
+    /// Upper bound on the rounding error of the sum, per unit of time since the instant. The bound is valid if all
+    /// modes are at rest at the instant, and none is split into free and forced motion.
     pub drift: S,
 }
 

@@ -15,14 +15,14 @@ use crate::oscillator::decay::{Decay, Instant};
 /// Allowed error of the cubic in a cell, relative to the largest value. It sets the width of the cells. A smaller error
 /// needs more nodes, a larger error leaves more cells open.
 const SLACK: f64 = 2e-3;
-/// Lower bound on the largest value that the first grid assumes, as a fraction of the bound on the modal terms. It
-/// matters where modes cancel.
+/// Smallest estimate of the largest value, as a fraction of the sum of the modal amplitudes. The estimate sets the
+/// width of the first grid. The bound matters where modes cancel.
 const CANCELLED: f64 = 1e-3;
-/// Number of evaluations of the sum as which one grid counts.
+/// Cost of one grid, as a number of evaluations of the modal sum.
 const COST: u32 = 2;
-/// Largest number of summits that the search evaluates on one grid.
+/// Largest number of local maxima that the search refines by Newton's method on one grid.
 const SUMMITS: u32 = 6;
-/// Number of cells into which a finer grid divides each cell of a short run of open cells.
+/// Number of cells into which a finer grid divides a cell, if at most three adjacent cells are open.
 const FINER: f64 = 10.0;
 
 const NONE: Open = [0, 0];
@@ -52,7 +52,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Estimates the largest value of the wanted function. The estimate sets the width of the first grid.
+    /// Estimates the largest value that the search will find. The estimate sets the width of the first grid.
     fn size(&self, bounds: &Bounds<S>) -> S {
         let mut known = self.problem.start + self.peak.value;
         if self.problem.weight == Weight::One && known.is_zero() {
@@ -62,8 +62,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         known.max(bounds.size * S::constant(CANCELLED))
     }
 
-    /// Searches an interval by one grid, then divides the cells that remain open. It does not divide them if the cubic
-    /// is already more accurate than rounding.
+    /// Searches an interval by one grid, then divides the cells that remain open. If the cubic is already more accurate
+    /// than rounding, the cells are not divided.
     fn settle(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) {
         let [plus, minus] = self.open_cells(stretch, bounds);
         let mut open = plus | minus;
@@ -86,7 +86,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Searches a run of adjacent open cells by finer grids. Cells of a short run are divided more finely.
+    /// Searches adjacent open cells by finer grids. If they are at most three, each of them is divided more finely.
     fn divide(&mut self, from: S, to: S, width: S, bounds: &Bounds<S>) {
         let few = to - from < width * S::constant(3.5);
         let share = S::constant(if few { 1.0 / FINER } else { 0.25 });
@@ -99,12 +99,13 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns true if an interval that ends at `to` ends at τ = π, where the sum and sin τ both vanish.
+    /// Returns true if `to` is the end τ = π of the half period, where the sum and sin τ both vanish.
     fn ends_at_pi(&self, to: S) -> bool {
         !(to < self.problem.end) && !(to < S::pi() * S::constant(0.75))
     }
 
-    /// Evaluates a grid and its highest summits. Returns the cells that may still contain a larger value.
+    /// Evaluates the sum at the nodes of a grid and at its highest local maxima. Returns the cells that may still
+    /// contain a larger value.
     #[inline(never)]
     pub(super) fn open_cells(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) -> Open {
         let mut grid = Grid::blank(stretch, bounds);
@@ -180,7 +181,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the excess ±sum − level·weight at a node, and its derivative. The weight is 1 or sin τ.
+    /// Returns the excess ±sum − level at a node, and its derivative. For a search of sum/sin τ the excess is ±sum −
+    /// level·sin τ.
     pub(super) fn excess_at(&self, node: &Node<S>, negative: bool, level: S) -> (S, S) {
         let Node {
             value,
@@ -199,9 +201,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the cells among `among` that may exceed the level. In such a cell a Bernstein coefficient of the cubic
-    /// exceeds the level less the error of the cubic. The coefficients are the values at the nodes, and value ±
-    /// slope·h/3.
+    /// Returns the cells among `among` in which the sum may exceed the level. In such a cell a Bernstein coefficient of
+    /// the cubic exceeds the level less the error of the cubic. The coefficients are the values at the two nodes, and
+    /// value ± slope·h/3.
     pub(super) fn open_of(&self, grid: &Grid<S>, negative: bool, among: u32) -> u32 {
         let zero = S::constant(0.0);
         let Stretch {
@@ -242,8 +244,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         open & among
     }
 
-    /// Returns true if the last cell before τ = π stays below the level. The sum and sin τ vanish at π. The cubic is
-    /// therefore the distance from π times a parabola.
+    /// Returns true if ±sum/sin τ is proven to stay below the level `bar` in the last cell before τ = π. The sum and
+    /// sin τ vanish at π. The cubic of the cell is therefore the distance from π times a parabola.
     fn ends_below(&self, grid: &Grid<S>, negative: bool, bar: S, slack: S) -> bool {
         let width = grid.stretch.width;
         let cells = grid.stretch.cells();
@@ -257,9 +259,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         most + slack <= S::constant(0.0)
     }
 
-    /// Returns true if the first cell after τ = 0 stays below the level, where sum and slope vanish. The function first
-    /// bounds sum/τ², a parabola except for the fifth derivative. If this bound is too large, it bounds the excess over
-    /// τ by a cubic.
+    /// Returns true if ±sum/sin τ is proven to stay below the level `bar` in the first cell, where the sum and its
+    /// slope vanish at τ = 0. The function first bounds sum/τ², a parabola except for the fifth derivative. If this
+    /// bound is too large, it bounds (sum − bar·sin τ)/τ by a cubic.
     fn starts_below(&self, grid: &Grid<S>, negative: bool, bar: S) -> bool {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let third = S::constant(1.0 / 3.0);

@@ -26,8 +26,8 @@ pub(super) struct Stretch<S> {
     pub width: S,
     /// Number of rows of four nodes.
     rows: usize,
-    /// True if all modes are at rest at the start and keep their forcing ([`Track`]). The rounding error of the sum is
-    /// then 0 at the start and grows with time.
+    /// True if all modes are at rest at the start, and none is split into free and forced motion. The rounding error of
+    /// the sum is then 0 at the start and grows with time.
     pub keeps_forcing: bool,
     /// Phase τ of the last node.
     pub to: S,
@@ -88,8 +88,8 @@ pub(super) struct Grid<S> {
     cosine: [Row<S>; ROWS],
 }
 
-/// Change of value and slope of a mode in one step that its forcing causes. The three coefficients multiply sin τ and
-/// cos τ at the start of the step, and 1.
+/// Displacement and velocity that the force on a mode adds in one step between nodes. The three coefficients of each
+/// multiply sin τ and cos τ at the start of the step, and 1.
 struct ForcedStep<S> {
     value: [S; 3],
     slope: [S; 3],
@@ -150,7 +150,7 @@ impl<S: Float> Grid<S> {
         let width = stretch.width;
         let step = Instant::new(width * S::inverse_pi());
         self.turn(at, &step);
-        // Instant of a step by one row of nodes. Only modes that keep their forcing need it.
+        // Time of a step by one row of nodes. Only modes that are not split into free and forced motion need it.
         let mut four = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {

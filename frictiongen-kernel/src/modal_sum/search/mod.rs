@@ -68,7 +68,7 @@ pub enum Weight {
     Sine,
 }
 
-/// Settings of a search for the largest value of a modal sum.
+/// Settings of a search for the largest value of a modal sum, or of a modal sum divided by sin τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Problem<S> {
     /// Divisor of the modal sum.
@@ -77,10 +77,10 @@ pub struct Problem<S> {
     pub both_signs: bool,
     /// End of the searched interval of τ, which starts at 0. It is π, or π/2 for a sum that is odd about π/2.
     pub end: S,
-    /// Smallest value of interest. The search ignores values below it.
+    /// Smallest value of interest. The search ignores smaller values.
     pub floor: S,
-    /// Limit of the wanted function for τ → 0. The wanted function is `start` plus the sum over its divisor, and the
-    /// sum does not contain `start`.
+    /// Limit for τ → 0 of the function whose largest value is wanted. This function is `start` plus the modal sum over
+    /// its divisor. The sum does not contain `start`.
     pub start: S,
     /// Tolerance of the search. A larger value may remain undetected if it exceeds the result by less than `tolerance`
     /// times (result + `start`).
@@ -196,9 +196,9 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// Returns the level that ±sum over its weight must exceed. The wanted function is `start` + sum/sin τ, or its
-    /// negative. For the negative, −sum/sin τ − 2·start must exceed `level`, so that the level of −sum/sin τ is higher
-    /// by 2·start.
+    /// Returns the level that ±sum/sin τ must exceed to be a new largest value. The function to be maximised is `start`
+    /// + sum/sin τ, or its negative. −sum/sin τ contains −`start` instead of +`start`, so that its level is higher by
+    /// 2·`start`.
     fn signed(&self, level: S, negative: bool) -> S {
         if negative {
             level + self.problem.start + self.problem.start
@@ -207,9 +207,9 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// Returns the size up to which a sum that is divided by sin τ is only rounding error. Towards τ = π the sum and
-    /// sin τ both vanish, but the rounding error does not. Towards τ = 0 the rounding error vanishes as well, and the
-    /// result is 0.
+    /// Returns the possible rounding error of a modal sum that is divided by sin τ. Towards τ = π the sum and sin τ
+    /// both vanish, but the rounding error does not. For τ ≤ π/2 the result is 0, since towards τ = 0 the error
+    /// vanishes as well.
     fn noise(&self, cosine: S) -> S {
         let zero = S::constant(0.0);
         if self.problem.weight == Weight::Sine && cosine < zero {

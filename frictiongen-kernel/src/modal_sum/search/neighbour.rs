@@ -19,7 +19,7 @@ pub struct Neighbour<S> {
 /// Position of a largest value, and the frequency at which it was found.
 #[derive(Clone, Copy, Debug)]
 struct Known<S> {
-    /// Rate x(1 + 2ζ) of the fastest mode. It is proportional to 1/r and stands for the frequency of the sweep.
+    /// Rate x(1 + 2ζ) of the fastest mode, which is proportional to 1/r. It identifies the frequency ratio r.
     speed: S,
     place: Maximiser<S>,
 }

@@ -5,8 +5,8 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Records a maximum unless a larger one is known. `best` is compared with the largest value, and `kept` replaces
-    /// it.
+    /// Records a local maximum unless a larger one is known. `best` is compared with the largest value so far, and
+    /// `kept` then replaces the largest value.
     pub(super) fn keep(&mut self, best: S, kept: S, place: Maximiser<S>) {
         let share = S::constant(1.0 - EQUAL * S::RESOLUTION);
         if self.peak.value < best {
@@ -55,8 +55,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         })
     }
 
-    /// Returns the sum over its weight as a pair. The first number is reduced by the possible rounding error, and
-    /// serves comparisons. The second number is the quotient itself.
+    /// Returns the modal sum, or sum/sin τ, as a pair. The first number is reduced by the possible rounding error and
+    /// serves comparisons. The second number is the value itself.
     pub(super) fn quotient_at(&self, value: S, sine: S, cosine: S, negative: bool) -> (S, S) {
         let value = if negative { -value } else { value };
         match self.problem.weight {

@@ -7,19 +7,19 @@ use crate::modal_sum::wave::Jet;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// Largest number of evaluations of the sum in the search for one summit.
+/// Largest number of evaluations of the modal sum in one iteration to a local maximum.
 pub(super) const EVALUATIONS: u32 = 5;
 /// Multiple of a Newton step within which the terms that the step neglects must be small. Otherwise the iteration
 /// continues.
 pub(super) const REACH: f64 = 7.0;
 
-/// Position from which one Newton step leads to a local maximum, with the derivatives there.
+/// Position from which one Newton step leads to a local maximum, with the modal sum and its derivatives there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Summit<S> {
     pub tau: S,
     pub negative: bool,
     pub jet: Jet<S>,
-    /// Upper bound on the local maximum.
+    /// Upper bound on the local maximum to which the Newton step leads.
     pub level: S,
 }
 
@@ -70,7 +70,8 @@ pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
 }
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns the sum over its weight, and the derivative of the quotient, at a node. The weight is 1 or sin τ.
+    /// Returns the modal sum and its derivative at a node. For a search of sum/sin τ it returns the quotient and its
+    /// derivative.
     fn quotient_node(&self, node: &Node<S>) -> (S, S) {
         match self.problem.weight {
             Weight::One => (node.value, node.slope),
@@ -81,8 +82,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Estimates the position of the highest summit: the maximum of the cubic next to the highest node of the open
-    /// cells. Returns `None` if the open cells have no usable node.
+    /// Estimates the position of the highest local maximum in the open cells: the maximum of the cubic next to the
+    /// highest node. Returns `None` if the open cells have no usable node.
     pub(super) fn highest(&self, grid: &Grid<S>, open: Open) -> Option<Maximiser<S>> {
         let zero = S::constant(0.0);
         let over_sine = self.problem.weight == Weight::Sine;
@@ -167,7 +168,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         })
     }
 
-    /// Finds a summit near a position by Newton's method, and records its local maximum if it is the largest. Returns
+    /// Finds a local maximum near a position by Newton's method, and records the maximum if it is the largest. Returns
     /// `None` if the method does not converge from the position.
     pub(super) fn summit(&mut self, place: &Maximiser<S>, grid: &Grid<S>) -> Option<Summit<S>> {
         let (fourth, width) = (grid.bounds.fourth, grid.stretch.width);
@@ -236,8 +237,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         None
     }
 
-    /// Returns the sum over its weight as two numbers. The first is reduced by the possible rounding error, for
-    /// comparisons. The second is the quotient itself with its derivatives.
+    /// Returns the modal sum, or sum/sin τ, from its derivatives at an instant. The first result is reduced by the
+    /// possible rounding error and serves comparisons. The second result has the value and three derivatives.
     fn quotient_jet(&self, jet: &Jet<S>, negative: bool) -> (S, Cubic<S>) {
         let Jet {
             sine,
