@@ -14,8 +14,9 @@ use crate::oscillator::mode::Mode;
 /// moduli.
 const ROUNDINGS: f64 = 64.0;
 
-/// Returns the relative distance from a common zero of V and H below which their series are more accurate than V/H. The
-/// series neglect the fourth power of the distance. V/H has an error of one rounding divided by the distance.
+/// Returns the relative distance from a common zero of V and H below which series are more accurate than the quotient
+/// V/H. The series neglect the fourth power of the distance. The quotient has an error of one rounding divided by the
+/// distance.
 fn near<S: Float>() -> S {
     S::constant(S::EPSILON).sqrt().sqrt()
 }

@@ -10,20 +10,21 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 use crate::oscillator::mode::Mode;
 
-/// Number of rounding units by which β must be below an approximate limit, so that it is also below the exact limit. A
-/// search may miss four units. The others cover the rounding errors of a limit, with a margin.
+/// Number of rounding units by which β must be below an approximate β_lim to be safely below the exact β_lim. A search
+/// may miss four units. The other units cover the rounding errors of β_lim, with a margin.
 const CLEAR: f64 = 32.0;
 /// Largest phase error of a mode due to the rounding of r at which two searches still agree, as a fraction of a half
 /// turn.
 const UNTURNED: f64 = 1e-4;
 
-/// Largest relative tolerance of a search for S. Even where U dominates β_lim, the amplitude at the limit depends on S.
+/// Largest relative tolerance of a search for the velocity constraint S. Even where β_lim hardly depends on S, the
+/// amplitude of the motion at β_lim does.
 const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
 
 impl<S: Float> Chain<S> {
-    /// Finds the velocity constraint r²E·max(S, H_c + μm*/r²), by a search over the half period that proves its result
-    /// (5.54, 7.36, with the maximum of the sum). The search starts at the break-away term H_c + μm*/r². `waves` is
-    /// working space with one element for each mode.
+    /// Finds the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E of [`ContactAt`]. A
+    /// search over the half period proves the result (5.54, 7.36, with the maximum of the sum). The search starts at
+    /// the break-away term H_c + μm*/r². `waves` is working space with one element for each mode.
     pub fn velocity_constraint<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -62,8 +63,8 @@ impl<S: Float> Chain<S> {
         !self.damped && ratios.all(|x| x <= S::constant(2.0))
     }
 
-    /// Returns the velocity constraint r²E·S less its limit for τ → 0, which is `start`. The result is at least
-    /// `above`.
+    /// Returns the velocity constraint r²E·S less `start`, the limit of the constraint for τ → 0. The result is at
+    /// least `above`.
     fn constraint_above<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -112,9 +113,9 @@ impl<S: Float> Chain<S> {
         )
     }
 
-    /// Returns the velocity constraint r²E·max(S, H_c + μm*/r²) with the S that the thesis prints: the sum of each
-    /// mode's own maximum (5.55, 7.37). The printed S is an upper bound on the exact S, which is the maximum of the sum
-    /// over the modes.
+    /// Returns the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E, with the S that the
+    /// thesis prints: the sum of each mode's own maximum (5.55, 7.37). The printed S is an upper bound on the exact S,
+    /// which is the maximum of the sum over the modes.
     pub fn constraint_per_mode<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -137,8 +138,8 @@ impl<S: Float> Chain<S> {
         sum.max(self.break_away(contact))
     }
 
-    /// Returns true if β is below the exact limit of continuous motion. For most β a cheaper search is enough. It only
-    /// decides whether the velocity constraint exceeds the largest value that β allows.
+    /// Returns true if β is below the exact limit of continuous motion. For most β a cheaper search is enough, which
+    /// only decides whether the velocity constraint exceeds the largest value that β allows.
     pub fn is_continuous<D: Decay<S>>(
         &self,
         beta: S,

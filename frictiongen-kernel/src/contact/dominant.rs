@@ -16,7 +16,8 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// Terms of one mode in the modal sums V, U and H of the contact, or the sums themselves.
+/// Terms of one mode in three modal sums of the contact, or the sums themselves. The sums are the response V to the
+/// load, the damping function U and the receptance H.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Terms<S> {
     pub v: Complex<S>,
@@ -54,7 +55,7 @@ impl<S: Scalar> Terms<S> {
         }
     }
 
-    /// Returns these terms if the condition is true, and `other` if it is false.
+    /// Returns `self` if the condition is true, and `other` if the condition is false.
     fn select(&self, condition: S::Condition, other: &Self) -> Self {
         Self {
             v: complex::select(condition, self.v, other.v),
@@ -64,16 +65,18 @@ impl<S: Scalar> Terms<S> {
     }
 }
 
-/// Modal sum whose term cancels against the term in V, in the contribution of a mode to a motion.
+/// Modal sum that occurs together with V (the response to the load) in the contribution of a mode to a motion. The
+/// mode's own terms in both sums cancel.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
-    /// The sum U, in a continuous motion.
+    /// The damping function U of the contact, for a continuous motion.
     U,
-    /// The sum H, in the response of the stuck chain.
+    /// The receptance H of the contact, for the response of the stuck chain.
     H,
 }
 
-/// Mode whose own terms in V and in U or H have the largest product so far.
+/// Candidate for the dominant mode. Among the modes visited so far, its terms in two modal sums, V and either U or H,
+/// have the largest product.
 #[derive(Clone, Copy)]
 struct Heaviest<S> {
     weight: S,
@@ -97,9 +100,9 @@ impl<S: Scalar> Heaviest<S> {
 /// Choice of the dominant mode, the mode whose own terms are left out of the sums.
 #[derive(Clone, Copy)]
 enum Which<S> {
-    /// The chain has only one mode.
+    /// The only mode of the chain is dominant.
     Only,
-    /// The chain has two modes. Each of them gets the terms of the other mode, in which nothing cancels.
+    /// The first of two modes is dominant. Each of the two gets the terms of the other mode, in which nothing cancels.
     First,
     /// The mode with this index is dominant. The index −1 means that no mode is dominant.
     Numbered(S),
@@ -115,9 +118,10 @@ pub(crate) struct DominantSums<S> {
 }
 
 impl<S: Scalar> DominantSums<S> {
-    /// Returns the responses V against which the phases of the dominant mode and of the other modes are measured, in a
-    /// damped chain. A mode is in phase with its own term of V. V without this term therefore gives the same phase as
-    /// the full V. Of the two, the smaller one gives a more accurate phase.
+    /// Returns two responses V of the contact to the load. The phase of the dominant mode is measured against the
+    /// first, the phases of the other modes against the second. The chain is damped. A mode is in phase with its own
+    /// term of V. V without this term therefore gives the same phase as the full V. Of the two, the smaller one gives a
+    /// more accurate phase.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", None);
@@ -343,8 +347,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the modulus of V, and the modulus of U or H, as `partner` says. The modulus of a complex number is |Re|
-    /// + |Im|.
+    /// Returns the size of V, and the size of U or H as `partner` says. The size of a complex number is |Re| + |Im|.
     fn sizes(&self, sums: &Terms<S>, partner: Partner) -> (S, S) {
         let size = |value| complex::size(value, self.damped);
         let partner = match partner {

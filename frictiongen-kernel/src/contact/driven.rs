@@ -21,7 +21,8 @@ const PAIRS: usize = 8;
 #[derive(Clone, Copy, Debug)]
 struct Driven<S> {
     resonance: S,
-    /// Residue (φᵀw)(φᵀp) of V. On a moving base it is the static residue (φᵀw)(φᵀp)/λ.
+    /// Residue (φᵀw)(φᵀp) of the mode in the response V to the load. On a moving base the static residue (φᵀw)(φᵀp)/λ
+    /// takes its place.
     load: S,
     inverse_mass: S,
 }
@@ -30,7 +31,7 @@ struct Driven<S> {
 /// the chain.
 type Own<S> = [S; 2];
 
-/// Terms of a mode in the modal sums V, H and U, in this order.
+/// Terms of a mode in V (response to the load), H (receptance) and U (damping function) of the contact, in this order.
 type Terms<S> = [S; 3];
 
 /// Constants of the modes of an undamped chain that the contact drives, in the order of the chain. They are stored in

@@ -1,4 +1,4 @@
-//! Formulas of both limits, given the modal sums of the contact (section 4 of `docs/derivation.md`).
+//! Formulas of the limits β_lim and β*_lim, given the modal sums of the contact (section 4 of `docs/derivation.md`).
 
 use crate::contact::sums::{Chain, ContactAt};
 use crate::number::complex;
@@ -15,7 +15,7 @@ impl<S: Scalar + PartialEq> Chain<S> {
     }
 
     /// Returns true if the response V of the contact to the load equals its receptance H and if μ = 1. β*_lim =
-    /// |V|/(μ|H|) is then exactly 1. |V|/|H| is then 1 without rounding. For μ ≠ 1, |V|/(μ|H|) is rounded.
+    /// |V|/(μ|H|) is then exactly 1. For μ ≠ 1 the quotient would be rounded.
     #[must_use]
     pub fn sliding_limit_is_one(&self, modes: &[Mode<S>]) -> bool {
         self.stiction == S::constant(1.0) && self.loads_contact(modes)
@@ -23,7 +23,8 @@ impl<S: Scalar + PartialEq> Chain<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Returns the limit of the velocity constraint S for τ → 0, multiplied by r²E: m* + H_c r², times E (5.58, 7.52).
+    /// Returns the limit of the velocity constraint for τ → 0, multiplied by r² and by the scale E. The result is (m* +
+    /// H_c r²)·E, with the inverse effective mass m* and the damping term H_c (5.58, 7.52).
     #[inline]
     pub fn start_constraint(&self, contact: &ContactAt<S>) -> S {
         if self.damped {
@@ -33,8 +34,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the break-away term H_c + μm*/r², multiplied by r²E (5.63, 7.47). The contact breaks away at a reversal
-    /// if Z + βG exceeds β times this term. As μ ≥ 1, the result is never below
+    /// Returns the break-away term H_c + μm*/r², multiplied by r² and by the scale E (5.63, 7.47). The contact breaks
+    /// away at a reversal if Z + βG exceeds β times this term. As μ ≥ 1, the result is never below
     /// [`start_constraint`](Self::start_constraint).
     #[inline]
     pub fn break_away(&self, contact: &ContactAt<S>) -> S {
@@ -46,16 +47,16 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the limit of continuous motion, β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²). `constraint` is r²E times
-    /// that maximum (5.65, 5.80, 5.96, 7.49).
+    /// Returns the limit of continuous motion, β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²). `constraint` is the maximum
+    /// in this formula, multiplied by r² and by the scale E (5.65, 5.80, 5.96, 7.49).
     #[inline]
     pub fn continuous_limit(&self, contact: &ContactAt<S>, constraint: S) -> S {
         let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
         modulus_v / (contact.u * contact.u + constraint * constraint).sqrt()
     }
 
-    /// Returns the limit of sliding, β*_lim = |V|/(μ|H|). For β ≥ β*_lim a stuck state exists (6.11, 6.27, 6.33, and
-    /// the damped stuck configurations of 7.4.3).
+    /// Returns the limit of sliding β*_lim = |V|/(μ|H|), with the response V to the load and the receptance H. For β ≥
+    /// β*_lim a stuck state exists (6.11, 6.27, 6.33, and the damped stuck configurations of 7.4.3).
     #[inline]
     pub fn sliding_limit(&self, contact: &ContactAt<S>) -> S {
         let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);

@@ -11,7 +11,7 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Kind of damping that all modes share. It is a type parameter, so that no loop checks the kind.
+/// Kind of damping that all modes share, as a type parameter, so that no loop checks the kind.
 pub(super) trait Uniform {
     const KIND: Kind;
     const DAMPED: bool;
@@ -44,7 +44,8 @@ impl<S: Float> Chain<S> {
         self.summed::<true>(modes, inverse_r, keep)
     }
 
-    /// Computes the modal sums of the contact without G, which the limits do not need.
+    /// Computes the modal sums V, H, U and H_c of the contact, without G, which the limits β_lim and β*_lim do not
+    /// need.
     #[inline]
     pub fn contact_without_g(&self, modes: &[Mode<S>], inverse_r: S) -> ContactAt<S> {
         self.summed::<false>(modes, inverse_r, |_| ())

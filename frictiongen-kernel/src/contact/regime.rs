@@ -1,4 +1,4 @@
-//! Regime of the motion from both limits, and checks of the ranges of r and β.
+//! Regime of the motion (continuous, stick-slip, stuck or bistable), and checks of the ranges of r and β.
 
 use crate::errors::{OutOfDomain, Regime};
 use crate::number::scalar::{Float, Scalar};
@@ -73,7 +73,8 @@ pub struct Limits<S> {
 }
 
 impl<S: Float> Limits<S> {
-    /// Returns the regime at the friction ratio β = F/P. It compares β with the stored limits, without another search.
+    /// Returns the regime at the friction ratio β = F/P, by comparison of β with the stored limits. No search is
+    /// needed.
     ///
     /// # Errors [`OutOfDomain`] for NaN, negative and infinite β.
     pub fn regime(&self, beta: S) -> Result<Regime, OutOfDomain> {
@@ -90,8 +91,8 @@ impl<S: Float> Limits<S> {
     }
 }
 
-/// Computes both limits at each frequency ratio of a slice, and writes them into two slices of the same length. The
-/// closure `limits` computes both limits at one frequency ratio.
+/// Computes the limits β_lim and β*_lim at each frequency ratio of a slice, and writes them into two slices of the same
+/// length. The closure `limits` computes the limits at one frequency ratio.
 ///
 /// # Errors [`OutOfDomain`] if a slice has another length, which leaves both result slices unchanged. [`OutOfDomain`]
 /// also at the first r for which `limits` fails. The limits before that r are then already written.

@@ -40,8 +40,8 @@ impl<S: Float> Several<S> {
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns the kind of damping that all modes share, if several frequencies can be computed at once. Returns `None`
-    /// also if the contact drives no mode, since the sums then have no scale E.
+    /// Returns the kind of damping that all modes share, if all are undamped or all are lightly damped. Returns `None`
+    /// for other chains, for scalars that a processor does not compute in pairs, and if the contact drives no mode.
     pub(crate) fn kind_of_several(&self, modes: &[Mode<S>]) -> Option<Kind> {
         let touched = modes.iter().any(|mode| mode.in_contact);
         self.common_kind(modes).filter(|_| touched)

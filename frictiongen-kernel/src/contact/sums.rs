@@ -1,4 +1,5 @@
-//! Modal sums of the contact at one frequency, multiplied by a scale that keeps them finite on a resonance.
+//! Modal sums of the contact at one frequency, multiplied by a scale factor. The factor keeps the sums finite on a
+//! resonance.
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
@@ -23,11 +24,11 @@ pub struct Chain<S> {
 pub struct ModeAt<S> {
     /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
     pub x: S,
-    /// Response v of the mode to a harmonic force, as E·v/x² = E/(x² − 1 + 2iζx).
+    /// Response of the mode to a harmonic force, multiplied by the scale E of the chain: E/(x² − 1 + 2iζx) = E·v/x².
     pub response: Complex<S>,
-    /// Half-period damping function u (7.11), as E·u/x².
+    /// Half-period damping function u (7.11), multiplied by the scale E of the chain and divided by x².
     pub u: S,
-    /// Half-period damping function g (7.12), as E·g.
+    /// Half-period damping function g (7.12), multiplied by the scale E of the chain.
     pub g: S,
 }
 
@@ -51,18 +52,20 @@ impl<S: Scalar> ModeAt<S> {
 pub struct ContactAt<S> {
     /// Scale E: the smallest |x² − 1 + 2iζx| of the modes that the contact drives, with |Re| + |Im| as the modulus.
     pub scale: S,
-    /// Response V of the relative displacement to the excitation, without friction, multiplied by r²E.
+    /// Response V of the relative displacement to the excitation, without friction. It is multiplied by r² and by the
+    /// scale E.
     pub v: Complex<S>,
-    /// Damping function U of the contact, multiplied by r²E. U is the slope of z̄ at the reversal in the response to a
-    /// square wave of friction.
+    /// Damping function U of the contact, multiplied by r² and by the scale E. U is the slope of z̄ at the reversal in
+    /// the response to a square wave of friction.
     pub u: S,
-    /// Damping function G of the contact, multiplied by r²E. G is z̄ at the reversal in the response to a square wave
-    /// of friction.
+    /// Damping function G of the contact, multiplied by r² and by the scale E. G is z̄ at the reversal in the response
+    /// to a square wave of friction.
     pub g: S,
-    /// H_c, the contribution of damping to the acceleration of the contact at a reversal, multiplied by r²E.
+    /// H_c, the contribution of damping to the acceleration of the contact at a reversal. It is multiplied by r² and by
+    /// the scale E.
     pub reversal: S,
-    /// Receptance H of the contact, multiplied by r²E. H is the response of the relative displacement to a harmonic
-    /// contact force.
+    /// Receptance H of the contact, multiplied by r² and by the scale E. H is the response of the relative displacement
+    /// to a harmonic contact force.
     pub h: Complex<S>,
 }
 
@@ -258,8 +261,8 @@ impl<S: Scalar> Chain<S> {
         sum
     }
 
-    /// Completes the modal sums after the last mode. On a moving base it adds the static term of V, and multiplies V by
-    /// r².
+    /// Completes the modal sums of the contact after the last mode. On a moving base the response V then gets its
+    /// static term, and is multiplied by r².
     #[inline]
     pub fn completed(&self, sum: &ContactAt<S>, inverse_r: S) -> ContactAt<S> {
         let mut sum = *sum;

@@ -18,7 +18,7 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
 
-/// Bound on x, for an overdamped mode on 2ζx, below which a mode is mass-controlled.
+/// A mode is mass-controlled if x = √λ/r is below this number. For an overdamped mode 2ζx must be below it.
 const SLOW: f64 = 0.5;
 /// Returns true if a mode is mass-controlled: its resonance x = √λ/r is far below the excitation frequency. For a
 /// scalar without Euler polynomials the result is false.
@@ -198,7 +198,7 @@ mod tests {
         assert!(worst.0 < 0.25 && worst.1 < 0.25);
     }
 
-    /// Compares y and y′ in `f32` with the sum of three terms in double-double, each number separately.
+    /// Compares y and y′ in `f32` with the sum of three terms in double-double, each instant separately.
     #[test]
     fn as_put_together_in_single_precision() {
         let (mut compared, mut worst) = (0, 0.0_f64);

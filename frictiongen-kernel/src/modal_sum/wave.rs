@@ -7,8 +7,7 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 use crate::oscillator::mode::Mode;
 
-/// Term of one mode in a modal sum over the half period. It is a linear combination of the functions of time in
-/// [`Basis`].
+/// Term of one mode in a modal sum over the half period: a linear combination of the functions of time in [`Basis`].
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<S, D> {
     /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
@@ -26,7 +25,7 @@ pub struct Wave<S, D> {
     /// True for a mode that resonates far below the excitation frequency. `rise` is then the coefficient of the
     /// response to a unit force that changes its sign every half period.
     pub mass_controlled: bool,
-    /// Residue φ_k(φᵀw)/r² from the contact to mass k. Only the harmonics of the motion need it.
+    /// Residue φ_k(φᵀw)/r² from the contact to mass k. Only the harmonics of the motion need this residue.
     pub residue: S,
 }
 
@@ -56,8 +55,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// Returns the second derivative of sin τ − p, with the free displacement p. It is computed from the equation of
-    /// motion of the difference sin τ − p, because subtracting p″ would lose digits close to x = 1.
+    /// Returns the second derivative of sin τ − p, with the free displacement p. The equation of motion of the
+    /// difference sin τ − p gives it, because subtracting p″ would lose digits close to x = 1.
     #[inline]
     pub(crate) fn forced_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         let (one, x) = (S::constant(1.0), self.x);
@@ -72,7 +71,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     }
 
     /// Returns true if the rounding of x alone can shift the phase xτ by a radian before the free motion has decayed.
-    /// Returns true also if the contact does not drive the mode, so that both its forced coefficients are 0.
+    /// Returns true also if the coefficients `forced` and `forced_slope` are both 0, as for a mode that the contact
+    /// does not drive.
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
@@ -223,8 +223,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         (value, slope)
     }
 
-    /// Returns the largest x(1 + 2ζ) of the modes in the sum. It bounds how fast any mode oscillates and how fast it
-    /// decays.
+    /// Returns the largest x(1 + 2ζ) of the modes in the sum. This rate bounds how fast any mode oscillates and how
+    /// fast any mode decays.
     pub(crate) fn fastest(&self) -> S {
         let waves = self.waves.iter();
         fastest(waves.map(|wave| (wave.x, wave.decay.zeta())))
@@ -265,7 +265,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     }
 }
 
-/// Returns the largest x(1 + 2ζ) of several modes (x, ζ). It bounds how fast a mode oscillates and how fast it decays.
+/// Returns the largest x(1 + 2ζ) of several modes (x, ζ). This rate bounds how fast any of the modes oscillates and how
+/// fast any of the modes decays.
 pub(crate) fn fastest<S: Float>(modes: impl Iterator<Item = (S, S)>) -> S {
     modes.fold(S::constant(0.0), |most, (x, zeta)| {
         most.max(x * (S::constant(1.0) + (zeta + zeta)))

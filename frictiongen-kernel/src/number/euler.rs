@@ -9,10 +9,10 @@
 const DOUBLE: usize = 11;
 const SINGLE: usize = 5;
 
-/// Coefficients of e_2m in `f64`, for m = 1, 2, …. For each m they are listed from the power wᵐ down to w¹, with w =
-/// τ(π − τ).
+/// Coefficients of the Euler polynomials e_2m in `f64`, for m = 1, 2, …. For each m the coefficients are listed from
+/// the power wᵐ down to w¹, with w = τ(π − τ).
 pub(crate) const DOUBLE_TERMS: [f64; terms(DOUBLE)] = coefficients();
-/// Coefficients of e_2m in `f32`, rounded from [`DOUBLE_TERMS`].
+/// Coefficients of the Euler polynomials e_2m in `f32`, rounded from [`DOUBLE_TERMS`].
 pub(crate) const SINGLE_TERMS: [f32; terms(SINGLE)] = rounded(coefficients());
 
 const fn terms(orders: usize) -> usize {

@@ -25,8 +25,8 @@ fn sqrt_f32(x: f32) -> f32 {
     root(x)
 }
 
-/// Returns √x, correctly rounded, in half the instructions of libm's function. It is meant for a processor that divides
-/// in single precision in one instruction.
+/// Returns √x, correctly rounded, in half the instructions of libm's function. The function suits processors that
+/// divide in single precision in one instruction.
 ///
 /// The start halves the exponent of x. Three Heron steps then leave an error of at most one unit in the last place. The
 /// remainder x − root², exact in integers, gives the correction.
@@ -282,8 +282,8 @@ real! {
 mod tests {
     use super::root;
 
-    /// Compares `root` with the standard library, with fractions over one even and one odd exponent. The last bit of a
-    /// root depends only on the fraction and on the parity of the exponent.
+    /// Compares `root` with the square root of the standard library. The last bit of a root depends only on the
+    /// fraction and on the parity of the exponent. The test therefore covers one even and one odd exponent densely.
     #[test]
     fn roots_of_single_precision_are_rounded_correctly() {
         let edges = [0, 1, 2, 0x007f_ffff, 0x0080_0000, 0x7f7f_ffff, 0x7f80_0000].into_iter();

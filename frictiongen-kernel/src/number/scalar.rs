@@ -8,8 +8,8 @@
 use core::f64::consts::FRAC_PI_4;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Number that replaces an exact zero of x² − 1, where x is the resonance of a mode over the excitation frequency. It
-/// is far below every other value of x² − 1 in any precision.
+/// Number that replaces an exact zero of x² − 1, where x is the resonance of a mode over the excitation frequency. The
+/// replacement is far below every other value of x² − 1 in any precision.
 pub const NEXT_TO_POLE: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// A number, or a symbol for a number, with which the closed forms can be evaluated.
@@ -193,9 +193,9 @@ pub trait Float:
         }
         found
     }
-    /// Returns true if `self` ≤ `other`, where both must be neither negative nor NaN. The bits of such numbers have the
-    /// same order as the numbers. `f64` and `f32` compare bits, which is cheaper on a small processor and also works
-    /// without a floating-point unit.
+    /// Returns true if `self` ≤ `other`. Neither number may be negative or NaN. `f64` and `f32` compare the bits, which
+    /// then have the same order as the numbers. This is cheaper on a small processor, and also works without a
+    /// floating-point unit.
     #[must_use]
     #[inline]
     fn at_most(self, other: Self) -> bool {

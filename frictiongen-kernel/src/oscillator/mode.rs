@@ -113,8 +113,8 @@ impl<S: Scalar> Mode<S> {
         undamped::response(x, None)
     }
 
-    /// Returns |x² − 1| + 2ζx of the mode at r = 1/`inverse_r`. It equals the field `size` of
-    /// [`response`](Self::response).
+    /// Returns |x² − 1| + 2ζx of the mode at r = 1/`inverse_r`. The field `size` of [`response`](Self::response) is the
+    /// same number.
     #[inline]
     pub(crate) fn size(&self, inverse_r: S) -> S {
         let x = self.resonance * inverse_r;
@@ -124,8 +124,8 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// Returns |x² − 1| + 2ζx of a mode whose kind the caller knows. It is exactly 0 for an undamped mode at its
-    /// resonance.
+    /// Returns |x² − 1| + 2ζx of a mode whose kind of damping the caller knows. The result is exactly 0 for an undamped
+    /// mode at its resonance.
     #[inline(always)]
     pub(crate) fn size_but_zero(&self, kind: Kind, inverse_r: S) -> S {
         let x = self.resonance * inverse_r;

@@ -4,8 +4,8 @@ use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
-/// Response and damping functions of one mode at one frequency. u, g and `reversal` are multiplied by `size`, so that
-/// they stay finite at the resonance x = 1.
+/// Response and damping functions of one mode at one frequency. The functions u, g and `reversal` are multiplied by
+/// `size`, so that they stay finite at the resonance x = 1.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeResponse<S> {
     /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
@@ -83,7 +83,7 @@ impl<S: Float> Basis<S> {
 pub(crate) struct Turn<S> {
     pub c: S,
     pub s: S,
-    /// Factor e^{−ζxτ} by which an oscillation decays over the time. It is 1 for modes that do not oscillate.
+    /// Factor e^{−ζxτ} by which an oscillation decays over the time τ. For modes that do not oscillate the factor is 1.
     pub decay_factor: S,
 }
 

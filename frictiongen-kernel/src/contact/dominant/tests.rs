@@ -1,4 +1,4 @@
-//! Tests of the choice of the dominant mode, and of the V against which its phase is measured.
+//! Tests of the choice of the dominant mode, and of the response V against which the phase of the mode is measured.
 //!
 //! A wrong choice causes only rounding errors close to a resonance. A rounding of r changes every result there by more,
 //! so that no test of the results would detect the error.
@@ -17,8 +17,8 @@ fn chain(on_moving_base: Option<f64>) -> Chain<f64> {
     }
 }
 
-/// Returns an undamped mode at twice the excitation frequency, and its functions at one frequency. `terms` is its term
-/// in V and in U.
+/// Returns an undamped mode at twice the excitation frequency, and the mode's functions at one frequency. `terms` is
+/// the mode's term in V (the response to the load) and in U (the damping function).
 fn mode(terms: f64) -> (Mode<f64>, ModeAt<f64>) {
     let mode = Mode {
         kind: Kind::Undamped,
@@ -74,7 +74,8 @@ fn the_mode_that_outweighs_the_others() {
     assert_eq!(taken([1.0, 1.2, 1.0], None), None);
 }
 
-/// Checks that the static term of V on a moving base counts among the terms of the other modes.
+/// Checks the choice of the dominant mode on a moving base. The static term of the response V must count among the
+/// terms of the other modes.
 #[test]
 fn beside_what_stands_at_rest() {
     assert_eq!(taken([1.0, 1e3, 1.0], Some(1e3)), Some(1));
@@ -82,8 +83,8 @@ fn beside_what_stands_at_rest() {
     assert_eq!(taken([1.0, 1e3, 1.0], Some(-1e6)), None);
 }
 
-/// Checks that the phase is measured against the terms of the other modes if they are smaller than the full V. A mode
-/// is in phase with its own term of V.
+/// Checks that the phase of a mode is measured against the smaller of two numbers: the full response V, or V without
+/// the term of that mode. A mode is in phase with its own term of V.
 #[test]
 fn turned_against_what_the_others_leave() {
     let terms = |v| Terms { v, ..Terms::zero() };

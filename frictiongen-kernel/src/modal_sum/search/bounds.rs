@@ -8,12 +8,12 @@ use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// Distance from x = 1 within which a mode is not split into free and forced motion. Close to x = 1 these are large,
-/// and their sum would contain their rounding errors.
+/// Distance from x = 1 within which a mode is not split into free and forced motion. Close to x = 1 both motions are
+/// large and nearly cancel, so that their sum would be mainly rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
-/// Bound on the rounding error of a mode at a node, as a number of rounding units of its size. It also bounds the
-/// errors of sin τ and cos τ. The matrix of one step has three roundings, and its fourth power has twelve. A grid
-/// applies the fourth power seven times, with errors that do not all have the same sign.
+/// Bound on the rounding error of a mode at a node, as a number of rounding units of the mode's amplitude. The same
+/// bound applies to sin τ and cos τ. The matrix of one step has three roundings, and its fourth power has twelve. A
+/// grid applies the fourth power seven times, with errors that do not all have the same sign.
 const ROUNDINGS: f64 = 64.0;
 
 /// State of one mode at an instant, and the force that drives the mode from the instant on: y″ + 2ζx y′ + x²y =
@@ -30,8 +30,7 @@ pub(super) struct Track<S> {
     sine: S,
 }
 
-/// Forced motion of one mode next to its free motion: constant + cosine·cos τ + sine·sin τ. The coefficients are summed
-/// over all modes.
+/// Forced motion of one mode: constant + cosine·cos τ + sine·sin τ. A grid adds the coefficients of all modes.
 pub(super) struct Common<S> {
     pub constant: S,
     pub cosine: S,
@@ -112,8 +111,8 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
 /// Upper bounds on the derivatives of a modal sum after an instant, with bounds on its size and rounding error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds<S> {
-    /// Second derivative at the instant. The next field is the third derivative at the instant. Only a search of
-    /// sum/sin τ needs them, and its sum has no mass-controlled mode.
+    /// Second derivative of the sum at the instant. The field `third` is the third derivative there. Only a search of
+    /// sum/sin τ needs these two numbers. Its sum has no mass-controlled modes, which the two numbers leave out.
     pub second: S,
     pub third: S,
     pub fourth: S,
@@ -130,8 +129,8 @@ pub(super) struct Bounds<S> {
 impl<S: Float> Bounds<S> {
     /// Computes the bounds for a modal sum from the instant `at` on, over a time `time`.
     ///
-    /// The energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of the nth derivative of a mode decreases by damping. Only the nth derivative
-    /// of its forcing can increase the energy.
+    /// The bounds follow from the energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of the nth derivative of a mode. Damping decreases this
+    /// energy, and only the nth derivative of the force on the mode can increase it.
     pub fn of<D: Decay<S>>(sum: &Sum<'_, S, D>, at: &Instant<S>, time: S) -> Self {
         let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
         let (mut cosine, mut sine) = (sum.cosine, sum.sine);
@@ -184,8 +183,9 @@ impl<S: Float> Bounds<S> {
     }
 }
 
-/// Returns upper bounds on a mass-controlled mode and its slope together, on its fourth derivative, and on its fifth.
-/// The Fourier series of the mode has odd harmonics n with amplitudes of at most 4/(πn(n² − x²)), and x < 1/2.
+/// Returns three upper bounds for the motion of a mass-controlled mode: on |y| + |y′|, on the fourth derivative and on
+/// the fifth derivative. The Fourier series of the mode has odd harmonics n with amplitudes of at most 4/(πn(n² − x²)),
+/// and x < 1/2.
 fn mass_controlled_bounds<S: Float, D: Decay<S>>(wave: &Wave<S, D>) -> [S; 3] {
     let (y0, y1) = (S::constant(1.79), S::constant(2.1));
     let x = wave.x;

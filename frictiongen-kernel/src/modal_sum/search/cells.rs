@@ -28,8 +28,8 @@ const FINER: f64 = 10.0;
 const NONE: Open = [0, 0];
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns true if one more grid and its summits fit into the allowed number of evaluations. Otherwise it marks the
-    /// search as incomplete.
+    /// Returns true if the search may still evaluate one more grid and the local maxima on the grid. Otherwise marks
+    /// the search as incomplete.
     fn has_room(&mut self) -> bool {
         self.peak.exceeded |= self.most - self.peak.evaluations < COST + SUMMITS * EVALUATIONS;
         !self.peak.exceeded
@@ -86,7 +86,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Searches adjacent open cells by finer grids. If they are at most three, each of them is divided more finely.
+    /// Searches an interval of adjacent open cells by finer grids. An interval of at most three cells gets more cells
+    /// in each.
     fn divide(&mut self, from: S, to: S, width: S, bounds: &Bounds<S>) {
         let few = to - from < width * S::constant(3.5);
         let share = S::constant(if few { 1.0 / FINER } else { 0.25 });
@@ -155,8 +156,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         self.problem.weight == Weight::One && self.peak.value.is_zero()
     }
 
-    /// Returns the cells among `among` that may contain more than the largest value found, for the sum and for its
-    /// negative.
+    /// Returns the cells among `among` in which the sum or its negative may exceed the largest value found.
     fn open(&self, grid: &Grid<S>, among: Open) -> Open {
         let mut open = NONE;
         for (open, (&negative, among)) in open.iter_mut().zip(self.signs().iter().zip(among)) {
@@ -167,8 +167,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         open
     }
 
-    /// Returns the level below which a cell is closed. For a motion it is slightly below the largest value, so that the
-    /// search also finds equal maxima.
+    /// Returns the level below which a cell is closed. For a motion the level is slightly below the largest value, so
+    /// that the search also finds equal maxima.
     fn bar(&self, negative: bool) -> S {
         match self.problem.weight {
             // No value has been found yet. A sum that is only rounding error must return its largest value too.
@@ -181,8 +181,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the excess ±sum − level at a node, and its derivative. For a search of sum/sin τ the excess is ±sum −
-    /// level·sin τ.
+    /// Returns ±sum − level at a node, and the derivative of this difference. For a search of sum/sin τ the level is
+    /// multiplied by sin τ.
     pub(super) fn excess_at(&self, node: &Node<S>, negative: bool, level: S) -> (S, S) {
         let Node {
             value,

@@ -246,7 +246,8 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Adds constant + cosine·cos τ + sine·sin τ and its derivative at all nodes.
+    /// Adds the function constant + cosine·cos τ + sine·sin τ to the values of all nodes, and its derivative to the
+    /// slopes.
     fn add_common(&mut self, constant: S, cosine: S, sine: S) {
         let rows = self
             .value

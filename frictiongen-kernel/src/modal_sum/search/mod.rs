@@ -26,11 +26,11 @@ use crate::oscillator::decay::Decay;
 /// measured numbers. A search that reaches its bound returns the best value that it has found.
 pub const MAX_EVALUATIONS: u32 = 20_000;
 
-/// Number of evaluations that a search of sum/sin τ may always take, even if all modes are slow. It is five times the
-/// largest number measured.
+/// Number of evaluations that a search of sum/sin τ may take even if all modes are slow. The number is five times the
+/// largest one measured.
 const OVER_SINE: u32 = 256;
-/// Number of evaluations that a search of a motion may always take, even if all modes are slow. A motion can be the
-/// small remainder of modes that cancel. It is three times the largest number measured.
+/// Number of evaluations that a search of a motion may take even if all modes are slow. The number is three times the
+/// largest one measured. A motion can be the small remainder of modes that cancel.
 const OF_MOTION: u32 = 1024;
 /// Number of half turns of the fastest mode for which a search may take one more evaluation. Measured searches need at
 /// most one evaluation for 120 half turns.
@@ -39,7 +39,7 @@ const HALF_TURNS: usize = 16;
 /// Returns the upper bound on the number of evaluations in one search. `fastest` is the largest √λ(1 + 2ζ)/r of the
 /// modes.
 ///
-/// A search stops before it evaluates a grid and summits that might exceed the bound.
+/// A search stops before it evaluates a grid and local maxima if these might exceed the bound.
 #[must_use]
 pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
     let few = match weight {
@@ -75,15 +75,15 @@ pub struct Problem<S> {
     pub weight: Weight,
     /// True if the search also covers the negative of the sum, for the largest absolute value.
     pub both_signs: bool,
-    /// End of the searched interval of τ, which starts at 0. It is π, or π/2 for a sum that is odd about π/2.
+    /// End of the searched interval 0 < τ ≤ `end`: π, or π/2 for a sum that is odd about π/2.
     pub end: S,
     /// Smallest value of interest. The search ignores smaller values.
     pub floor: S,
     /// Limit for τ → 0 of the function whose largest value is wanted. This function is `start` plus the modal sum over
     /// its divisor. The sum does not contain `start`.
     pub start: S,
-    /// Tolerance of the search. A larger value may remain undetected if it exceeds the result by less than `tolerance`
-    /// times (result + `start`).
+    /// Tolerance of the search. The search may miss a value that exceeds the result by less than `tolerance` times
+    /// (result + `start`).
     pub tolerance: S,
 }
 
@@ -99,7 +99,7 @@ pub struct Maximiser<S> {
 /// Result of a search: the largest value, its positions, and the work.
 #[derive(Clone, Copy, Debug)]
 pub struct Peak<S> {
-    /// Largest value that the search found. It is the floor of the problem if no value exceeds the floor.
+    /// Largest value that the search found. If no value exceeds the floor of the problem, the floor is stored here.
     pub value: S,
     /// Positions of up to four equal largest values. All are `None` if no value exceeds the floor of the problem.
     pub places: [Option<Maximiser<S>>; 4],
@@ -109,7 +109,8 @@ pub struct Peak<S> {
     pub exceeded: bool,
 }
 
-/// Work of a search for the largest value of a modal sum, and its completeness.
+/// Number of evaluations that a search for the largest value of a modal sum needed, or a mark that the search is
+/// incomplete.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Effort {
@@ -144,7 +145,7 @@ struct Search<'a, S, D> {
     guess: Option<Maximiser<S>>,
 }
 
-/// Finds the largest value over 0 < τ ≤ `end` of the modal sum divided by its weight.
+/// Finds the largest value of a modal sum, or of the sum divided by sin τ, over 0 < τ ≤ `end`.
 pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: Problem<S>) -> Peak<S> {
     let mut search = Search::new(sum, problem);
     search.by_grids();

@@ -19,7 +19,8 @@ pub struct Neighbour<S> {
 /// Position of a largest value, and the frequency at which it was found.
 #[derive(Clone, Copy, Debug)]
 struct Known<S> {
-    /// Rate x(1 + 2ζ) of the fastest mode, which is proportional to 1/r. It identifies the frequency ratio r.
+    /// Rate x(1 + 2ζ) of the fastest mode. The rate is proportional to 1/r, and so identifies the frequency of the
+    /// sweep.
     speed: S,
     place: Maximiser<S>,
 }
@@ -51,7 +52,8 @@ impl<S: Float> Neighbour<S> {
         })
     }
 
-    /// Stores the first position in the result of a search. A result without positions clears the prediction.
+    /// Stores the position that a search has found, to predict the next one. A search without a position clears the
+    /// prediction.
     pub(super) fn learn(&mut self, speed: S, peak: &Peak<S>) {
         let [found, ..] = peak.places;
         let [last, second, _] = self.known;

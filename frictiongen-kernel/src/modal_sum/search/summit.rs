@@ -9,8 +9,7 @@ use crate::oscillator::decay::{Decay, Instant};
 
 /// Largest number of evaluations of the modal sum in one iteration to a local maximum.
 pub(super) const EVALUATIONS: u32 = 5;
-/// Multiple of a Newton step within which the terms that the step neglects must be small. Otherwise the iteration
-/// continues.
+/// Multiple of a Newton step within which the terms that the step neglects must be small, for the step to be the last.
 pub(super) const REACH: f64 = 7.0;
 
 /// Position from which one Newton step leads to a local maximum, with the modal sum and its derivatives there.
@@ -23,7 +22,7 @@ pub(super) struct Summit<S> {
     pub level: S,
 }
 
-/// A function near a position, given by its value and first three derivatives there.
+/// Value and first three derivatives of a function at a position, as its Taylor polynomial of third degree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cubic<S> {
     pub value: S,
@@ -70,8 +69,8 @@ pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
 }
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns the modal sum and its derivative at a node. For a search of sum/sin τ it returns the quotient and its
-    /// derivative.
+    /// Returns the modal sum and its derivative at a node. For a search of sum/sin τ the results are the quotient and
+    /// the derivative of the quotient.
     fn quotient_node(&self, node: &Node<S>) -> (S, S) {
         match self.problem.weight {
             Weight::One => (node.value, node.slope),

@@ -116,7 +116,7 @@ fn turns_are_unknown_from_where_rounding_turns_by_a_radian() {
         assert_eq!(forced.turns_unknown(), slope.turns_unknown());
         forced.turns_unknown()
     };
-    // 1/(πε) = 1.43e15.
+    // Without damping the phase is unknown from x = 1/(πε) = 1.43e15 on.
     assert!(!asked(1.4e15, 0.0) && asked(1.5e15, 0.0) && asked(1e300, 0.0));
     // The mode decays within a time 1/ζx, in which its phase advances by 1/ζ.
     assert!(!asked(1.5e15, 1e-9) && !asked(1e300, 1e-3) && asked(1e300, 1e-16));

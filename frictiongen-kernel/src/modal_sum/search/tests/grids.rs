@@ -135,7 +135,7 @@ fn size_of(sum: &TestSum<'_>) -> f64 {
     size(&search(*sum, asked(Weight::One, true, 0.0), 0.0))
 }
 
-/// Checks that the sum is below an arbitrary level in all closed cells. Summits are evaluated.
+/// Checks that the sum is below an arbitrary level in all closed cells, if the search also refines local maxima.
 #[test]
 fn nothing_is_above_the_level_in_a_closed_cell() {
     let mut random = Lcg(67);
@@ -191,7 +191,7 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
 }
 
 /// Checks that a cell stays open if the level is just below the largest value in the cell. The test takes first, last
-/// and other cells, and evaluates no summits.
+/// and other cells, and refines no local maxima.
 #[test]
 fn a_cell_that_exceeds_the_level_is_open() {
     let mut random = Lcg(71);
@@ -242,7 +242,8 @@ fn a_cell_that_exceeds_the_level_is_open() {
     assert!(held.iter().all(|held| *held > 300));
 }
 
-/// Checks that a summit around a local maximum closes only cells in which the sum is not higher than the maximum.
+/// Checks that the search closes, around any local maximum, only cells in which the sum is not higher than this
+/// maximum.
 #[test]
 fn a_summit_closes_nothing_that_is_higher() {
     let mut random = Lcg(73);
@@ -288,8 +289,8 @@ fn a_summit_closes_nothing_that_is_higher() {
     assert!(summits > 900 && closed > 2000);
 }
 
-/// Checks a Newton step across the end of the half period. The cells around the summit are closed for the sign that the
-/// sum has at the summit.
+/// Checks a Newton step across the end of the half period. The cells around the local maximum are closed for the sign
+/// that the sum has there.
 #[test]
 fn a_summit_across_the_end_closes_cells_of_its_own_sign() {
     let waves = [];
