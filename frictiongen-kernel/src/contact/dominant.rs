@@ -35,7 +35,7 @@ impl<S: Scalar> Terms<S> {
         }
     }
 
-    /// Names the variables of the terms in emitted code.
+    /// Returns the same terms, with names for their local variables in emitted code.
     fn named(self, partner: Partner) -> Self {
         let named = |value: Complex<S>, re, im| {
             Complex::new(value.re.named(re, None), value.im.named(im, None))
@@ -97,7 +97,8 @@ impl<S: Scalar> Heaviest<S> {
     }
 }
 
-/// Choice of the dominant mode, the mode whose own terms are left out of the sums.
+/// Identity of the dominant mode. The terms of this mode outweigh all others, and are left out of the modal sums for
+/// the mode itself.
 #[derive(Clone, Copy)]
 enum Which<S> {
     /// The only mode of the chain is dominant.
@@ -108,8 +109,8 @@ enum Which<S> {
     Numbered(S),
 }
 
-/// Dominant mode, whose own terms in the modal sums V, U and H outweigh all others. `own` has the sums for the dominant
-/// mode, which leave out its terms. `others` has the sums for all other modes.
+/// Modal sums V, U and H of the contact, in two versions. `own` leaves out the terms of the dominant mode, which
+/// outweigh all others, and is for the dominant mode. `others` is for all other modes.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
@@ -183,8 +184,9 @@ impl<S: Scalar> DominantParts<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Selects the dominant mode, whose own terms in the modal sums outweigh all others. Returns the sums V, U and H
-    /// for the dominant mode and the sums for all other modes.
+    /// Selects the dominant mode, whose own terms in the modal sums outweigh all others. Returns two versions of the
+    /// sums V, U and H. The version for the dominant mode leaves out the terms of that mode. The version for all other
+    /// modes is complete. With two modes, each mode gets the terms of the other.
     pub(crate) fn dominant_sums<'a>(
         &self,
         modes: impl Iterator<Item = (&'a Mode<S>, ModeAt<S>)> + Clone,
@@ -308,8 +310,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the modal sums V, U and H for one mode of a chain with at most two modes. A mode that resonates far
-    /// below the excitation frequency has no term of U that could cancel, and gets the full U.
+    /// Returns the sums V, U and H for one mode, given the sums `others` over the other modes. A mode that resonates
+    /// far below the excitation frequency has no term of U that could cancel. It therefore gets U over all modes.
     fn in_full(
         &self,
         mode: &Mode<S>,

@@ -34,8 +34,8 @@ type Own<S> = [S; 2];
 /// Terms of a mode in V (response to the load), H (receptance) and U (damping function) of the contact, in this order.
 type Terms<S> = [S; 3];
 
-/// Constants of the modes of an undamped chain that the contact drives, in the order of the chain. They are stored in
-/// pairs. If their number is odd, the last mode is stored separately.
+/// Constants of those modes of an undamped chain that the contact drives, in the order of the chain. Two modes are
+/// stored as a pair. If the number of modes is odd, the last mode is stored separately.
 #[derive(Clone, Debug)]
 pub struct DrivenModes<S> {
     pairs: [Driven<Lanes<S>>; PAIRS],

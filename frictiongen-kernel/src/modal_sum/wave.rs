@@ -55,8 +55,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// Returns the second derivative of sin τ − p, with the free displacement p. The equation of motion of the
-    /// difference sin τ − p gives it, because subtracting p″ would lose digits close to x = 1.
+    /// Returns the second derivative of sin τ − p, with the free displacement p. The function uses the equation of
+    /// motion of sin τ − p, because subtracting p″ would lose digits close to x = 1.
     #[inline]
     pub(crate) fn forced_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         let (one, x) = (S::constant(1.0), self.x);
@@ -254,8 +254,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum * S::constant(S::RESOLUTION)
     }
 
-    /// Returns Σ |forced|·P + |forced_slope|·Q over the terms of the modes. The closure `of` returns the factors (P, Q)
-    /// for x.
+    /// Returns the sum of |forced|·P + |forced_slope|·Q over all modal terms. The closure `of` gives the factors (P, Q)
+    /// for the x of a mode.
     fn over_sine(&self, of: impl Fn(S) -> (S, S)) -> S {
         let add = |sum: S, wave: &Wave<S, D>| {
             let (p, q) = of(wave.x);

@@ -97,8 +97,8 @@ macro_rules! half_turns {
                 )
             }
 
-            /// Returns the sine and cosine of πr + qπ/2 from those of πr, the arguments `sin` and `cos`. The function
-            /// does not branch.
+            /// Returns (sin(α + qπ/2), cos(α + qπ/2)) for a given `sin` = sin α and `cos` = cos α. The function does
+            /// not branch.
             #[inline(always)]
             fn turned(q: $bits, sin: $float, cos: $float) -> ($float, $float) {
                 const SIGN: u32 = $bits::BITS - 2;

@@ -151,7 +151,8 @@ impl<S: Float> Damped<S> {
     }
 }
 
-/// Returns the free motion of an oscillator with natural frequency x over the time τ = πt.
+/// Returns the free motion, over the time τ = πt, of a mode whose natural frequency is x times the excitation
+/// frequency.
 #[inline]
 pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) -> Turn<S> {
     match kind {
@@ -162,8 +163,8 @@ pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) 
     }
 }
 
-/// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion `turn` multiplies the two solutions of an
-/// oscillator.
+/// Returns the two factors e^{x(−ζ ± iq)τ} by which a free mode multiplies its two complex solutions over the time of
+/// `turn`.
 pub(crate) fn multipliers<S: Float>(kind: Kind, q: S, turn: &Turn<S>) -> [Complex<S>; 2] {
     let im = q * turn.s;
     match kind {

@@ -46,11 +46,12 @@ pub struct Mode<S> {
     pub load: S,
     /// Product φᵀw of the mode shape and the contact direction: the strength with which the contact drives the mode.
     pub contact: S,
-    /// Product (φᵀw)(φᵀp), which is λ times the static residue from load to contact.
+    /// Residue (φᵀw)(φᵀp) of the mode from load to contact. It is λ times the static residue.
     pub residue: S,
     /// Square (φᵀw)², the term of this mode in the inverse effective mass m* of the contact.
     pub inverse_mass: S,
-    /// Static residue (φᵀw)(φᵀp)/λ: the term of this mode in the static displacement of the contact under the load.
+    /// Static residue (φᵀw)(φᵀp)/λ from load to contact: the term of this mode in the static displacement of the
+    /// contact under the load.
     pub static_residue: S,
 }
 

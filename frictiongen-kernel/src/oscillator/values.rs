@@ -18,10 +18,10 @@ pub struct ModeResponse<S> {
     /// and by `size`.
     pub u: S,
     /// Damping function g: displacement at the reversal of the response to a square wave of friction (7.12), multiplied
-    /// by `size`. It is 0 without damping.
+    /// by `size`. Without damping g is 0.
     pub g: S,
-    /// g + 2ζRu, the effect of damping on the contact force at a reversal, multiplied by `size`. It is 0 without
-    /// damping.
+    /// Damping term g + 2ζRu of the mode in H_c, which enters the break-away condition at a reversal. The term is
+    /// multiplied by `size`, and is 0 without damping.
     pub reversal: S,
 }
 

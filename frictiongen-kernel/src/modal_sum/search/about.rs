@@ -18,15 +18,15 @@ struct Excess<S> {
     /// Phase τ near the local maximum, at which `cubic` has the derivatives.
     tau: S,
     cubic: Cubic<S>,
-    /// Upper bound on the fourth derivative of the excess.
+    /// Upper bound on the fourth derivative of E = ±sum − level.
     fourth: S,
     /// Negative bound 2E″/(ρ − 1) on the quadratic coefficient of the cubic between `tau` and a node. If the
     /// coefficient is below the bound, the slope at `tau` does not matter beyond ρ times the Newton step.
     curvature: S,
 }
 
-/// Node of a grid, with the excess E there. The cells from a local maximum to the node are closed if E ≤ 0 is proven in
-/// them.
+/// Node of a grid, with E = ±sum − level there. The cells from a local maximum to the node are closed if E ≤ 0 is
+/// proven in them.
 #[derive(Clone, Copy)]
 struct Beyond<S> {
     tau: S,
@@ -52,8 +52,8 @@ impl<S: Float> Cubic<S> {
 }
 
 impl<S: Float> Excess<S> {
-    /// Creates the excess E from its derivatives at `tau`. Returns `None` if E may be positive within the reach of the
-    /// Newton step.
+    /// Creates E = ±sum − level near a local maximum, from the value and derivatives of E at `tau`. Returns `None` if E
+    /// may be positive within ρ times the Newton step to the maximum.
     fn new(tau: S, cubic: Cubic<S>, fourth: S) -> Option<Self> {
         let step = cubic.step();
         let reach = [S::constant(FAR), S::constant(REACH)]
@@ -70,14 +70,15 @@ impl<S: Float> Excess<S> {
         })
     }
 
-    /// Returns true if the excess E is proven to be at most 0 from the local maximum to a node.
+    /// Returns true if E = ±sum − level is proven to be at most 0 from the local maximum to a node. The cells in
+    /// between are then closed.
     fn stays_below(&self, node: &Beyond<S>) -> bool {
         let distance = node.tau - self.tau;
         self.is_near(distance) || self.is_below(node, distance)
     }
 
-    /// Returns true if the derivatives at `tau` alone prove that the excess E stays below 0 up to a distance. At so
-    /// small a distance the higher terms amount to at most a third of the curvature term.
+    /// Returns true if the derivatives of E = ±sum − level at `tau` alone prove that E stays below 0 up to a distance.
+    /// At so small a distance the higher terms amount to at most a third of the curvature term.
     fn is_near(&self, distance: S) -> bool {
         let Cubic {
             curvature, third, ..
@@ -87,7 +88,7 @@ impl<S: Float> Excess<S> {
         bend <= -curvature * S::constant(1.0 / 3.0)
     }
 
-    /// Returns true if the value and the slope of the excess E at a node prove that E stays below 0 up to the node.
+    /// Returns true if the value and the slope of E = ±sum − level at a node prove that E stays below 0 up to the node.
     fn is_below(&self, node: &Beyond<S>, distance: S) -> bool {
         let Cubic { value, slope, .. } = self.cubic;
         let there = node.value + node.rounding;
@@ -170,8 +171,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the excess E of the sum over a level, and the derivatives of E, near a local maximum. E is ±sum −
-    /// `level`, or ±sum − `of_sine`·sin τ.
+    /// Returns the value and derivatives, near a local maximum, of E = ±sum − `level`. For a search of sum/sin τ, E is
+    /// ±sum − `of_sine`·sin τ.
     fn cubic_about(&self, summit: &Summit<S>, level: S, of_sine: S) -> Cubic<S> {
         let Summit { jet, negative, .. } = summit;
         let node = Node {

@@ -62,8 +62,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         known.max(bounds.size * S::constant(CANCELLED))
     }
 
-    /// Searches an interval by one grid, then divides the cells that remain open. If the cubic is already more accurate
-    /// than rounding, the cells are not divided.
+    /// Searches an interval by one grid, then divides the cells that may still contain a larger value. Cells are not
+    /// divided further once the error of their cubics is below the rounding error.
     fn settle(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) {
         let [plus, minus] = self.open_cells(stretch, bounds);
         let mut open = plus | minus;
@@ -86,8 +86,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Searches an interval of adjacent open cells by finer grids. An interval of at most three cells gets more cells
-    /// in each.
+    /// Searches an interval of adjacent open cells by finer grids. The cells of an interval of at most three are
+    /// divided more finely.
     fn divide(&mut self, from: S, to: S, width: S, bounds: &Bounds<S>) {
         let few = to - from < width * S::constant(3.5);
         let share = S::constant(if few { 1.0 / FINER } else { 0.25 });
@@ -151,7 +151,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         self.open(&grid, open)
     }
 
-    /// Returns true if the search of a motion has not found any value yet, so that it cannot close cells.
+    /// Returns true if the search of a motion has not found any value yet. No cell can then be excluded.
     fn knows_nothing(&self) -> bool {
         self.problem.weight == Weight::One && self.peak.value.is_zero()
     }

@@ -88,8 +88,8 @@ pub(super) struct Grid<S> {
     cosine: [Row<S>; ROWS],
 }
 
-/// Displacement and velocity that the force on a mode adds in one step between nodes. The three coefficients of each
-/// multiply sin τ and cos τ at the start of the step, and 1.
+/// Displacement and velocity that the force on a mode adds in one step from node to node. Each is a sum of three
+/// coefficients times sin τ, cos τ and 1, with τ at the start of the step.
 struct ForcedStep<S> {
     value: [S; 3],
     slope: [S; 3],

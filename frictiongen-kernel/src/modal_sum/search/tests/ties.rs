@@ -37,7 +37,7 @@ fn motion_problem() -> Problem<f64> {
     }
 }
 
-/// Returns the positions of the maxima in ascending order, with their signs.
+/// Returns the positions of the maxima in ascending order, each with a flag for a maximum of the negative of the sum.
 fn places(peak: &Peak<f64>) -> Vec<(f64, bool)> {
     let mut places: Vec<_> = peak
         .places

@@ -1,4 +1,4 @@
-//! Tests of whole searches against a scan with a refinement, and of the number of evaluations.
+//! Tests of complete searches: the largest value against a dense scan, and the number of evaluations.
 
 use super::*;
 
