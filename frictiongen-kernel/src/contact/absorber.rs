@@ -14,9 +14,9 @@ use crate::oscillator::mode::Mode;
 /// moduli.
 const ROUNDINGS: f64 = 64.0;
 
-/// Returns the relative distance from a common zero of V and H below which series are more accurate than the quotient
-/// V/H. The series neglect the fourth power of the distance. The quotient has an error of one rounding divided by the
-/// distance.
+/// Returns the relative distance from a common zero of V (the response to the load) and H (the receptance) below which
+/// series are more accurate than the quotient V/H. The series neglect the fourth power of the distance. The quotient
+/// has an error of one rounding divided by the distance.
 fn near<S: Float>() -> S {
     S::constant(S::EPSILON).sqrt().sqrt()
 }
@@ -29,8 +29,9 @@ impl<S: Float> Chain<S> {
         !self.damped && !(h.abs() > near::<S>() * self.inverse_mass)
     }
 
-    /// Returns the amplitude V/H of the contact force of an undamped chain close to a common zero of V and H. Returns
-    /// `None` at all other frequencies.
+    /// Returns the amplitude V/H of the contact force in the stuck state of an undamped chain, close to a frequency at
+    /// which V (the response to the load) and H (the receptance) are both zero. Returns `None` at all other
+    /// frequencies.
     #[must_use]
     pub fn absorbed_force(
         &self,
@@ -77,7 +78,7 @@ impl<S: Float> Chain<S> {
     }
 
     /// Returns the amplitude of a mass in the stuck state under a contact force of amplitude `force`. The modal sum
-    /// contains no division by H. Callers pass the result of [`absorbed_force`](Self::absorbed_force).
+    /// contains no division by H. Callers pass the force from [`absorbed_force`](Self::absorbed_force).
     #[must_use]
     pub fn stuck_under(
         &self,

@@ -203,8 +203,8 @@ fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2];
 impl<S: Float> Chain<S> {
     /// Returns the limits β_lim and β*_lim of an undamped chain at a finite 1/r > 0. β_lim contains the break-away term
     /// in place of the velocity constraint S. β*_lim is not corrected for masses that act as an absorber. Also returns
-    /// the receptance H of the contact, multiplied by r² and by the scale E of [`ContactAt`]. `is_one` states that V =
-    /// H and μ = 1, so that β*_lim is 1.
+    /// the receptance H of the contact, multiplied by r² and by the scale E of [`ContactAt`]. `is_one` states that
+    /// β*_lim is exactly 1 ([`sliding_limit_is_one`](Self::sliding_limit_is_one)).
     #[inline]
     pub fn limits_of_driven(
         &self,

@@ -32,8 +32,8 @@ impl Uniform for Light {
 }
 
 impl<S: Float> Chain<S> {
-    /// Computes the modal sums V, H, U, G and H_c of the contact (section 3 of `docs/derivation.md`). The function
-    /// calls `keep` with the scaled functions of each mode in turn.
+    /// Computes the modal sums V, H, U, G and H_c of the contact (section 3 of `docs/derivation.md`). For each mode in
+    /// turn, the function passes the mode's response and damping functions to `keep`.
     #[inline]
     pub fn contact(
         &self,
@@ -192,8 +192,8 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     S::select(least.lt(infinite), least, S::constant(1.0))
 }
 
-/// Computes the terms of two modes in the modal sums of the contact. If `WITH_G` is true, also multiplies the functions
-/// of both modes by the scale.
+/// Computes the terms of two modes in the modal sums of the contact. If `WITH_G` is true, also writes the response and
+/// damping functions of both modes, multiplied by the scale.
 ///
 /// The function is not inlined, so that it stores its results in arrays. The compiler then uses packed instructions.
 #[inline(never)]

@@ -33,7 +33,7 @@ pub struct ModeAt<S> {
 }
 
 impl<S: Scalar> ModeAt<S> {
-    /// Creates functions that are all 0, as the initial content of an array.
+    /// Creates response and damping functions that are all 0, as the initial content of an array.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -174,8 +174,9 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Computes the modal sums V, H, U, G and H_c of the contact from the functions of its modes (section 3 of
-    /// `docs/derivation.md`). The function calls `keep` with the scaled functions of each mode in turn.
+    /// Computes the modal sums V, H, U, G and H_c of the contact from the functions of the modes (section 3 of
+    /// `docs/derivation.md`). For each mode in turn, the function passes the mode's response and damping functions to
+    /// `keep`.
     #[inline]
     pub fn contact_of(
         &self,

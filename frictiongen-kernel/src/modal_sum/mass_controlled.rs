@@ -18,7 +18,8 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
 
-/// A mode is mass-controlled if x = √λ/r is below this number. For an overdamped mode 2ζx must be below it.
+/// Upper bound on x = √λ/r of a mass-controlled mode, a mode that resonates far below the excitation frequency. For an
+/// overdamped mode the bound applies to 2ζx.
 const SLOW: f64 = 0.5;
 /// Returns true if a mode is mass-controlled: its resonance x = √λ/r is far below the excitation frequency. For a
 /// scalar without Euler polynomials the result is false.
@@ -98,8 +99,8 @@ mod tests {
     use crate::oscillator::decay::{Damped, Decay};
     use crate::oscillator::mode::Mode;
 
-    /// Returns y and y′ in double-double, as the sum of the return from rest, the lag and the static displacement.
-    /// Cancellation increases the relative error by at most a factor x⁻².
+    /// Returns the response of a mode and its slope in double-double, as the sum of the return from rest, the lag and
+    /// the static displacement. Cancellation increases the relative error by at most a factor x⁻².
     fn put_together(mode: &Mode<Dd>, x: Dd, t: Dd) -> (Dd, Dd) {
         let response = mode.response(x, 0);
         let (u, g) = (response.u / response.size, response.g / response.size);
@@ -135,8 +136,9 @@ mod tests {
         }
     }
 
-    /// Compares y and y′ with the sum of three terms in double-double. The error is relative to y and y′ themselves,
-    /// also close to their zeros.
+    /// Compares the response y of mass-controlled modes and its slope y′ with a reference in double-double. The
+    /// reference is the sum of the return from rest, the lag and the static displacement. Errors are relative to y and
+    /// y′, also close to the zeros of y and y′.
     #[test]
     fn as_put_together() {
         for zeta in [0.0, 1e-9, 0.01, 0.3, 0.7, 1.0, 1.5, 9.0] {
@@ -159,9 +161,9 @@ mod tests {
         }
     }
 
-    /// Returns the third harmonic of the errors of y and y′ in `f32`, in units of `f32::EPSILON`. Rounding errors
-    /// average out over this number of instants. The error from the neglected orders appears mainly in the third
-    /// harmonic.
+    /// Returns the third harmonic of the errors of a response and of its slope in `f32`, in units of `f32::EPSILON`.
+    /// Rounding errors average out over this number of instants. The error from the neglected orders appears mainly in
+    /// the third harmonic.
     fn third_harmonic_of_the_error(x: f64, zeta: f64) -> (f64, f64) {
         const INSTANTS: u32 = 4096;
         let (mut sine, mut cosine) = ((0.0, 0.0), (0.0, 0.0));
@@ -182,8 +184,8 @@ mod tests {
         (sine.0.hypot(sine.1) * unit, cosine.0.hypot(cosine.1) * unit)
     }
 
-    /// Checks that the series in `f32` has enough orders. The error from the neglected orders is below the rounding
-    /// error. With one order less it would not be.
+    /// Checks that the series of Euler polynomials in `f32` has enough orders. The error from the neglected orders is
+    /// below the rounding error. With one order less this error would be larger.
     #[test]
     fn single_precision_has_enough_orders() {
         let mut worst = (0.0_f64, 0.0_f64);
@@ -198,7 +200,8 @@ mod tests {
         assert!(worst.0 < 0.25 && worst.1 < 0.25);
     }
 
-    /// Compares y and y′ in `f32` with the sum of three terms in double-double, each instant separately.
+    /// Compares the response of mass-controlled modes in `f32` with a reference in double-double, at each instant
+    /// separately. The reference is the sum of the return from rest, the lag and the static displacement.
     #[test]
     fn as_put_together_in_single_precision() {
         let (mut compared, mut worst) = (0, 0.0_f64);

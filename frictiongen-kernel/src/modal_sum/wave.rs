@@ -56,7 +56,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     }
 
     /// Returns the second derivative of sin τ − p, with the free displacement p. The function uses the equation of
-    /// motion of sin τ − p, because subtracting p″ would lose digits close to x = 1.
+    /// motion of sin τ − p, because subtracting p″ would lose digits close to the resonance x = 1.
     #[inline]
     pub(crate) fn forced_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         let (one, x) = (S::constant(1.0), self.x);
@@ -282,8 +282,8 @@ fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) 
     (curve, -(x * (x * basis.slope + two_zeta * curve)))
 }
 
-/// Returns the second and third derivative of sin τ − p from those of the free displacement p. Close to x = 1
-/// subtraction would lose digits. The function then uses the equation of motion of sin τ − p.
+/// Returns the second and third derivative of sin τ − p, given the derivatives of the free displacement p. Close to the
+/// resonance x = 1 a subtraction would lose digits. The function then uses the equation of motion of sin τ − p.
 #[inline]
 fn differences<S: Float, D: Decay<S>>(
     wave: &Wave<S, D>,

@@ -61,7 +61,8 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     let (free, slope) = (sinh / x, cosh - zeta * sinh);
     let decay = zeta * time;
     let one_minus_d = if S::constant(2.0) < sum && time < sum {
-        // Both decays are expanded from their second order on. The forms further down would lose digits by a factor ζ².
+        // Both decays are expanded from their second order on. The forms further down would cancel, down to a fraction
+        // 1/ζ² of their terms.
         let (slow, fast) = (exp_m1_minus(-(time / sum)), exp_m1_minus(-(time * sum)));
         (fast / sum - slow * sum) * half / q
     } else if decay < half {

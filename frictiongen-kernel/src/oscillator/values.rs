@@ -119,9 +119,9 @@ pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (
     (m.named("decay_complement", at), e.named("decay_factor", at))
 }
 
-/// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to x = 1 both are differences of nearly equal terms, and are
-/// multiplied by damping functions that are large at a resonance. The function computes them as products there. It also
-/// keeps the digits of the second difference at τ → 0, where the velocity constraint divides by sin τ.
+/// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to the resonance x = 1 both are differences of nearly equal
+/// terms, and are multiplied by damping functions that are large at a resonance. The function computes them as products
+/// there. It also keeps the digits of the second difference at τ → 0, where the velocity constraint divides by sin τ.
 #[inline]
 pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<S>) -> (S, S) {
     let one = S::constant(1.0);

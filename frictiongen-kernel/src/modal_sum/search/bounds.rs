@@ -8,8 +8,8 @@ use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// Distance from x = 1 within which a mode is not split into free and forced motion. Close to x = 1 both motions are
-/// large and nearly cancel, so that their sum would be mainly rounding error.
+/// Distance from the resonance x = 1 within which a mode is not split into free and forced motion. Close to x = 1 both
+/// motions are large and nearly cancel, so that their sum would be mainly rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
 /// Bound on the rounding error of a mode at a node, as a number of rounding units of the mode's amplitude. The same
 /// bound applies to sin τ and cos τ. The matrix of one step has three roundings, and its fourth power has twelve. A
@@ -38,8 +38,9 @@ pub(super) struct Common<S> {
 }
 
 impl<S: Float> Track<S> {
-    /// Splits the motion of a mode at an instant into a state, which the equation of the mode advances, and a constant
-    /// with sinusoids. If `all` is true, or if [`keeps_forcing`] is, the state contains the whole motion.
+    /// Splits the motion of a mode at an instant into a free and a forced motion. The first result is the state of the
+    /// free motion, the second has the coefficients of the forced motion. If `all` or [`keeps_forcing`] is true, the
+    /// state contains the whole motion, and the coefficients are 0.
     #[inline]
     pub fn of<D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>, all: bool) -> (Self, Common<S>) {
         let zero = S::constant(0.0);

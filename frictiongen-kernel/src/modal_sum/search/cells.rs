@@ -1,8 +1,9 @@
 //! Search by grids, which closes every cell in which no value can exceed the largest value found.
 //!
-//! A cell is the interval between two nodes of a grid. In a cell the sum exceeds the largest Bernstein coefficient of
-//! its cubic by no more than the fourth derivative allows. The search evaluates summits, from the highest open cell on.
-//! A finer grid divides the cells that remain open. The division ends when only rounding keeps cells open (section 9 of
+//! A cell is the interval between two nodes of a grid. In a cell a cubic with the values and slopes of the sum at both
+//! nodes approximates the sum. The sum exceeds the largest Bernstein coefficient of the cubic by no more than the
+//! fourth derivative allows. The search refines local maxima by Newton's method, from the highest open cell on. A finer
+//! grid divides the cells that remain open. The division ends when only rounding keeps cells open (section 9 of
 //! `docs/derivation.md`).
 
 use super::bounds::Bounds;

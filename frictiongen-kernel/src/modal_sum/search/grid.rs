@@ -264,7 +264,7 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Returns an upper bound on the rounding error of the sum at the node with phase τ.
+    /// Returns an upper bound on the rounding error of the modal sum at the node with phase `tau`.
     pub fn rounding(&self, tau: S) -> S {
         let Bounds {
             rounding, drift, ..

@@ -51,7 +51,7 @@ pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
     few.saturating_add(turns).min(MAX_EVALUATIONS)
 }
 
-/// Number of rounding units (`RESOLUTION`) within which two maxima count as equal.
+/// Relative difference within which two maxima count as equal, as a multiple of the resolution of the scalar type.
 const EQUAL: f64 = 64.0;
 /// Factor by which the search multiplies the rounding error of a sum that it divides by sin τ, for τ > π/2.
 const NOISE: f64 = 16.0;
@@ -197,9 +197,9 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// Returns the level that ±sum/sin τ must exceed to be a new largest value. The function to be maximised is `start`
-    /// + sum/sin τ, or its negative. −sum/sin τ contains −`start` instead of +`start`, so that its level is higher by
-    /// 2·`start`.
+    /// Returns the level that ±sum/sin τ must exceed to be larger than the largest value found. The function to be
+    /// maximised is `start` + sum/sin τ, or its negative. −sum/sin τ contains −`start` instead of +`start`, so that its
+    /// level is higher by 2·`start`.
     fn signed(&self, level: S, negative: bool) -> S {
         if negative {
             level + self.problem.start + self.problem.start

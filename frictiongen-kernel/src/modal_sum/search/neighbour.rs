@@ -63,7 +63,7 @@ impl<S: Float> Neighbour<S> {
         };
         let known = Some(Known { speed, place });
         self.known = match last {
-            // The sweep repeats its last frequency. The new position replaces the last one.
+            // The sweep repeats its last frequency. The new position replaces the position known for this frequency.
             Some(last) if last.speed == speed => [known, second, None],
             // The maximum has changed its sign, so that the older positions no longer predict it.
             Some(last) if last.place.negative != place.negative => [known, None, None],

@@ -32,7 +32,7 @@ fn nodes_are_on_the_sum() {
         let rounding = grid.bounds.rounding;
         let fastest = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
         grid.beside(u32::MAX, |_, tau, node| {
-            // The phases in the reference sum are known to one rounding of τ.
+            // The reference sum has a rounding error too: its phases xτ are wrong by one rounding.
             let own = 1e-15 * size_of(&sum) * (1.0 + fastest * tau);
             let value = (node.value - sum_derivative(&sum, tau, 0)).abs();
             let slope = (node.slope - sum_derivative(&sum, tau, 1)).abs();
