@@ -22,8 +22,8 @@ fn near<S: Float>() -> S {
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns true if the receptance H of the contact is so small that V may be zero at the same frequency. `h` is the
-    /// real part of H, multiplied by r² and by the scale E of [`ContactAt`].
+    /// Returns true if the receptance H of the contact is so small that H and V (the response to the load) may both be
+    /// zero near this frequency. `h` is the real part of H, multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     pub(crate) fn may_absorb(&self, h: S) -> bool {
         !self.damped && !(h.abs() > near::<S>() * self.inverse_mass)
@@ -78,7 +78,8 @@ impl<S: Float> Chain<S> {
     }
 
     /// Returns the amplitude of a mass in the stuck state under a contact force of amplitude `force`. The modal sum
-    /// contains no division by H. Callers pass the force from [`absorbed_force`](Self::absorbed_force).
+    /// contains no division by the receptance H, which is nearly zero here. `force` comes from
+    /// [`absorbed_force`](Self::absorbed_force).
     #[must_use]
     pub fn stuck_under(
         &self,

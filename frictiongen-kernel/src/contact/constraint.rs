@@ -113,9 +113,9 @@ impl<S: Float> Chain<S> {
         )
     }
 
-    /// Returns the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E, with the S that the
-    /// thesis prints: the sum of each mode's own maximum (5.55, 7.37). The printed S is an upper bound on the exact S,
-    /// which is the maximum of the sum over the modes.
+    /// Returns the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E, as the thesis prints
+    /// the velocity constraint: S is the sum of each mode's own maximum (5.55, 7.37). This S is an upper bound on the
+    /// exact S, which is the maximum of the sum over the modes.
     pub fn constraint_per_mode<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,

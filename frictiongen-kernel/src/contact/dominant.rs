@@ -109,8 +109,8 @@ enum Which<S> {
     Numbered(S),
 }
 
-/// Modal sums V, U and H of the contact, in two versions. `own` leaves out the terms of the dominant mode, which
-/// outweigh all others, and is for the dominant mode. `others` is for all other modes.
+/// Modal sums V, U and H of the contact, once for the dominant mode (`own`) and once for all other modes (`others`).
+/// The terms of the dominant mode outweigh all others, and `own` leaves them out.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
@@ -184,9 +184,9 @@ impl<S: Scalar> DominantParts<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Selects the dominant mode, whose own terms in the modal sums outweigh all others. Returns two versions of the
-    /// sums V, U and H. The version for the dominant mode leaves out the terms of that mode. The version for all other
-    /// modes is complete. With two modes, each mode gets the terms of the other.
+    /// Selects the dominant mode, whose own terms in the modal sums V, U and H outweigh all others. Returns sums
+    /// without these terms, for the dominant mode, and the full sums, for all other modes. In a chain of two modes,
+    /// each mode gets the terms of the other mode.
     pub(crate) fn dominant_sums<'a>(
         &self,
         modes: impl Iterator<Item = (&'a Mode<S>, ModeAt<S>)> + Clone,

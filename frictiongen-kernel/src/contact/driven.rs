@@ -132,7 +132,7 @@ impl<S: Float> DrivenModes<S> {
     fn sums(&self, inverse_r: S) -> (S, Terms<S>) {
         match (self.pairs(), &self.one) {
             ([], Some(only)) => {
-                // The size of a single mode is the scale E, and the quotient of both is a sign.
+                // With a single mode the scale E is the |x² − 1| of this mode, so that E/(x² − 1) is a sign.
                 let [detuning, u] = only.own(inverse_r);
                 let sign = S::constant(1.0).copysign(detuning);
                 let terms = [

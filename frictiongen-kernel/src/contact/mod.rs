@@ -2,7 +2,7 @@
 //! regime.
 //!
 //! [`sums`] defines the sums V, U, G, H and H_c, and [`pairs`] evaluates them for two modes at once. `dominant` leaves
-//! out terms that cancel for the mode with the largest terms. [`limits`] has the formulas of both limits. Two modules
+//! out the largest modal terms where they would cancel. [`limits`] has the formulas of both limits. Two modules
 //! evaluate the limits faster where no search for S is wanted: [`driven`] for an undamped chain whose constants are
 //! gathered beforehand, and `several` for several frequencies at once. [`constraint`] searches the velocity constraint
 //! S of the exact limit, and decides whether a continuous motion exists. [`absorber`] treats frequencies at which V and

@@ -114,7 +114,7 @@ impl<S: Float> Chain<S> {
         };
         if let [mode] = modes {
             let response = mode.functions_of(U::KIND, inverse_r, WITH_G, 0);
-            // The size of a single mode is the scale E.
+            // With a single mode the scale E is the |x² − 1| + 2ζx of this mode.
             let one = S::constant(1.0);
             let scale = if mode.in_contact { response.size } else { one };
             let at = chain.scaled(&response, scale, true, 0);

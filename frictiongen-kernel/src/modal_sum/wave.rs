@@ -211,7 +211,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     }
 
     /// Returns the modal sum and its derivative at τ = 0. The terms of most modes start from rest and contribute
-    /// nothing. Modes that resonate far below the excitation frequency (mass-controlled modes) contribute.
+    /// nothing. Only modes that resonate far below the excitation frequency contribute.
     pub(crate) fn start(&self) -> (S, S) {
         let mut value = self.cosine;
         let mut slope = self.sine;

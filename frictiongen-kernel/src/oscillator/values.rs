@@ -40,7 +40,8 @@ pub struct Instant<S> {
     pub versine: S,
 }
 
-/// Functions of time of one mode, at one instant. Its motion in the half period is a combination of them.
+/// Functions of time of one mode, at one instant: the free displacement p and quantities derived from p. The motion of
+/// the mode in the half period is a linear combination of these functions.
 #[derive(Clone, Copy, Debug)]
 pub struct Basis<S> {
     /// Free displacement p = e^{−ζxτ} sin(qxτ)/(qx), which starts from 0 with unit speed. x is 1/R.
@@ -56,8 +57,9 @@ pub struct Basis<S> {
 }
 
 impl<S: Float> Basis<S> {
-    /// Computes all functions of time from p, p′ and 1 − d, where d = p′ + 2ζx·p. cos τ − p′ is computed from 1 − d.
-    /// This keeps its digits at τ → 0, where the velocity constraint divides by sin τ.
+    /// Computes all functions of time from the free displacement p, from p′ and from 1 − d, where d = p′ + 2ζx·p. The
+    /// function computes cos τ − p′ from 1 − d, which keeps the digits at τ → 0, where the velocity constraint divides
+    /// by sin τ.
     #[inline]
     pub(super) fn damped(
         x: S,
@@ -137,9 +139,9 @@ pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<
     }
 }
 
-/// Returns 1 − d, where d is the free return from rest at displacement 1. For a decay a = ζxτ below 1 it is e^{−a}[(e^a
-/// − 1 − a) + (1 − cos b) + a(1 − sin b/b)] with b = qxτ, a sum of terms of one sign. For larger decays the function
-/// returns `direct`, in which nothing cancels.
+/// Returns 1 − d, where d is the free motion that starts at rest from displacement 1. For a decay a = ζxτ below 1 it is
+/// e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)] with b = qxτ, a sum of terms of one sign. For larger decays the
+/// function returns `direct`, in which nothing cancels.
 #[inline]
 pub(super) fn one_minus_d<S: Float>(
     decay: S,

@@ -171,8 +171,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the value and derivatives, near a local maximum, of E = ±sum − `level`. For a search of sum/sin τ, E is
-    /// ±sum − `of_sine`·sin τ.
+    /// Returns the value and first three derivatives of E = ±sum − `level` near a local maximum. For a search of
+    /// sum/sin τ, E is ±sum − `of_sine`·sin τ.
     fn cubic_about(&self, summit: &Summit<S>, level: S, of_sine: S) -> Cubic<S> {
         let Summit { jet, negative, .. } = summit;
         let node = Node {

@@ -122,8 +122,8 @@ pub(super) struct Bounds<S> {
     pub size: S,
     /// Upper bound on the rounding error of the sum at a node.
     pub rounding: S,
-    /// Upper bound on the rounding error of the sum, per unit of time since the instant. The bound is valid if all
-    /// modes are at rest at the instant, and none is split into free and forced motion.
+    /// Upper bound on the rounding error of the sum, per unit of τ since the instant. The bound is valid if all modes
+    /// are at rest at the instant, and none is split into free and forced motion.
     pub drift: S,
 }
 

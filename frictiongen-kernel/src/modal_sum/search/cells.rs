@@ -53,7 +53,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Estimates the largest value that the search will find. The estimate sets the width of the first grid.
+    /// Estimates the largest value that the search will find. The estimate sets the width of the cells.
     fn size(&self, bounds: &Bounds<S>) -> S {
         let mut known = self.problem.start + self.peak.value;
         if self.problem.weight == Weight::One && known.is_zero() {

@@ -68,7 +68,7 @@ pub enum Weight {
     Sine,
 }
 
-/// Settings of a search for the largest value of a modal sum, or of a modal sum divided by sin τ.
+/// Settings of a search for the largest value of a modal sum, or of the sum divided by sin τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Problem<S> {
     /// Divisor of the modal sum.

@@ -20,9 +20,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the position of a Newton step, moved into the half period. The flag is true if the step led into the
-    /// next or the previous half period, where a motion continues with the opposite sign. The velocity constraint has
-    /// no meaning outside the half period, so that its position is clamped to the bounds.
+    /// Moves a position that a Newton step has reached into the half period. The returned flag is true if the position
+    /// was in the next or the previous half period, where a motion continues with the opposite sign. The velocity
+    /// constraint has no meaning outside the half period, so that its position is clamped to the bounds.
     pub(super) fn moved(&self, tau: S) -> (S, bool) {
         let (zero, end) = (S::constant(0.0), self.problem.end);
         match self.problem.weight {

@@ -21,7 +21,7 @@ pub(super) struct Matrix<S> {
 
 impl<S: Float> Matrix<S> {
     /// Returns the matrix that advances displacement and velocity of a free mode by a time step. `free` and `slope` are
-    /// p and p′ at the step.
+    /// the free displacement p and its derivative p′ after the step.
     pub fn of(x: S, loss: S, (free, slope): (S, S)) -> Self {
         Self {
             a: slope + loss * free,
@@ -48,8 +48,8 @@ impl<S: Float> Matrix<S> {
     }
 }
 
-/// Returns four consecutive states: the given start, and the results of three steps. `step` gets the state and the
-/// number of the node from which it steps, 0 to 2.
+/// Returns four consecutive pairs (displacement, velocity): the given start and the results of three steps. The closure
+/// `step` gets a pair and the number of its node, 0 to 2.
 #[inline(always)]
 pub(super) fn first_lanes<S: Float>(
     (u, v): (S, S),
