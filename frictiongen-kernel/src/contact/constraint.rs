@@ -184,7 +184,8 @@ impl<S: Float> Chain<S> {
     /// β*_lim does not decide, since with μ > 1 a stuck state may coexist with the motion. `unbounded` are the undamped
     /// resonances that the load drives. `at_infinity` is β_lim for r → ∞.
     ///
-    /// # Errors Any variant of [`NotContinuous`].
+    /// # Errors
+    /// Any variant of [`NotContinuous`].
     #[allow(clippy::too_many_arguments, reason = "one question on one frequency")]
     pub fn admitted<D: Decay<S>>(
         &self,
@@ -227,7 +228,8 @@ impl<S: Float> Chain<S> {
     /// Returns an error if the chain with its contact stuck resonates at r. `invisible` are the undamped resonances
     /// that the load drives and the contact does not.
     ///
-    /// # Errors [`StuckResonance`].
+    /// # Errors
+    /// [`StuckResonance`].
     pub fn stuck_admitted(
         &self,
         r: S,

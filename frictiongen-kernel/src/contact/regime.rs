@@ -76,7 +76,8 @@ impl<S: Float> Limits<S> {
     /// Returns the regime at the friction ratio β = F/P, by comparison of β with the stored limits. No search is
     /// needed.
     ///
-    /// # Errors [`OutOfDomain`] for NaN, negative and infinite β.
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
     pub fn regime(&self, beta: S) -> Result<Regime, OutOfDomain> {
         Ok(regime(check_beta(beta)?, self.continuous, self.sliding))
     }
@@ -85,7 +86,8 @@ impl<S: Float> Limits<S> {
     /// negative below both limits, where continuous motion exists. With μ = 1 continuous motion is the only steady
     /// state there. With μ > 1 a stick-slip state may coexist.
     ///
-    /// # Errors [`OutOfDomain`] for NaN, negative and infinite β.
+    /// # Errors
+    /// [`OutOfDomain`] for NaN, negative and infinite β.
     pub fn margin(&self, beta: S) -> Result<S, OutOfDomain> {
         Ok(margin(check_beta(beta)?, self.continuous, self.sliding))
     }
@@ -94,8 +96,9 @@ impl<S: Float> Limits<S> {
 /// Computes the limits β_lim and β*_lim at each frequency ratio of a slice, and writes them into two slices of the same
 /// length. The closure `limits` computes the limits at one frequency ratio.
 ///
-/// # Errors [`OutOfDomain`] if a slice has another length, which leaves both result slices unchanged. [`OutOfDomain`]
-/// also at the first r for which `limits` fails. The limits before that r are then already written.
+/// # Errors
+/// [`OutOfDomain`] if a slice has another length, which leaves both result slices unchanged. [`OutOfDomain`] also at
+/// the first r for which `limits` fails. The limits before that r are then already written.
 #[inline]
 pub fn limits_into<S: Float>(
     rs: &[S],

@@ -103,16 +103,16 @@ impl<S: Scalar> Chain<S> {
         Self::scale(modes.iter().map(|mode| (mode, mode.size(inverse_r))))
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
-    /// + 2ζx of the modes that the contact drives, so that E is known only after a first pass over the modes.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest
+    /// |x² − 1| + 2ζx of the modes that the contact drives, so that E is known only after a first pass over the modes.
     #[inline]
     pub fn at_scale(&self, mode: &ModeResponse<S>, scale: S) -> ModeAt<S> {
         self.scaled(mode, scale, false, 0)
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
-    /// + 2ζx of the modes that the contact drives, so that E is known only after a first pass over the modes. If
-    /// `single` is true, E is |x² − 1| + 2ζx of this mode, and their quotient is 1 without rounding.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest
+    /// |x² − 1| + 2ζx of the modes that the contact drives, so that E is known only after a first pass over the modes.
+    /// If `single` is true, E is |x² − 1| + 2ζx of this mode, and their quotient is 1 without rounding.
     #[inline]
     pub fn scaled(
         &self,

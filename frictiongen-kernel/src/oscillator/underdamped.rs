@@ -8,8 +8,9 @@ use crate::number::scalar::{Float, Scalar};
 use crate::number::special::versine_beside;
 
 /// Evaluates the response and damping functions of a mode for 0 < ζ < 1, as section 3 of `docs/derivation.md` derives
-/// them. Their denominator 1 + E, with E = e^{−πx(ζ−iq)}, is nearly 0 at some x. It is written as (1 + E)e^{−iθ/2} = (1
-/// + e) cos(θ/2) − i m sin(θ/2), with θ = πqx, e = |E| and m = 1 − e, which keeps its digits there.
+/// them. Their denominator 1 + E, with E = e^{−πx(ζ−iq)}, is nearly 0 at some x. It is written as
+/// (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2) − i m sin(θ/2), with θ = πqx, e = |E| and m = 1 − e, which keeps its digits
+/// there.
 #[inline(always)]
 pub(super) fn response<S: Scalar>(
     x: S,
