@@ -10,8 +10,8 @@ use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
-/// Number of rounding units that a modal sum may differ from 0 and still count as 0, relative to the sum of its terms'
-/// moduli.
+/// Number of rounding units within which a modal sum counts as zero. A rounding unit is relative to the sum of the
+/// moduli of the modal terms.
 const ROUNDINGS: f64 = 64.0;
 
 /// Returns the relative distance from a common zero of V (the response to the load) and H (the receptance) below which

@@ -225,8 +225,8 @@ impl<S: Float> Chain<S> {
         Ok(beta)
     }
 
-    /// Returns an error if the chain with its contact stuck resonates at r. `invisible` are the undamped resonances
-    /// that the load drives and the contact does not.
+    /// Returns an error if the chain in its stuck state resonates at r. `invisible` are the undamped resonances that
+    /// the load drives and the contact does not.
     ///
     /// # Errors
     /// [`StuckResonance`].

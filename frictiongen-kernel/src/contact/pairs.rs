@@ -182,8 +182,8 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
             least = least.min(mode.size_but_zero(U::KIND, inverse_r));
         }
     }
-    // An exact zero is the smallest size. It may be replaced after the comparison, since no other size is as small as
-    // the replacement.
+    // An exact zero of |x² − 1| is the smallest. It is replaced after the comparison with the same result as before,
+    // since no other number is as small as the replacement.
     let least = if U::DAMPED {
         least
     } else {

@@ -84,7 +84,7 @@ impl<S: Float> Chain<S> {
         let least = touched().fold(Lanes::constant(f64::INFINITY), |least, mode| {
             least.min(mode.size_but_zero(U::KIND, inverse_r))
         });
-        // An exact zero is replaced once, in the smallest size, as in the sums over pairs of modes.
+        // An exact zero of x² − 1 is replaced once, in the smallest |x² − 1|, as in the sums over pairs of modes.
         let scale = if U::DAMPED {
             least
         } else {

@@ -118,8 +118,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         } else {
             self.open(&grid, [u32::MAX; 2])
         };
-        // On this grid, cells next to a summit that stay open would lead to the same summit again. They are left to a
-        // finer grid.
+        // Cells that stay open next to a local maximum would lead to the same maximum again on this grid. A finer grid
+        // searches them.
         let mut left = [u32::MAX; 2];
         for _ in 0..SUMMITS {
             let [plus, minus] = [open[0] & left[0], open[1] & left[1]];

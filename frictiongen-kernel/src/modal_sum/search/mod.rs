@@ -2,7 +2,7 @@
 //!
 //! The search covers the half period by grids. The interval between two nodes of a grid is a *cell*. In a cell, a cubic
 //! and a bound on the fourth derivative give an upper bound on the sum. A cell is *open* while this bound exceeds the
-//! largest value found so far. On each grid the search evaluates *summits*. A summit is a position from which one
+//! largest value found so far. On each grid the search refines local maxima. A *summit* is a position from which one
 //! Newton step leads to a local maximum. Finer grids then divide the cells that remain open. The search ends when no
 //! value larger than the result times 1 + tolerance exists, except for rounding (section 9 of `docs/derivation.md`).
 
@@ -59,7 +59,7 @@ const NOISE: f64 = 16.0;
 /// of the distance. At this distance it has fallen by far more than equal maxima may differ.
 const SAME_MAXIMUM: f64 = 0.05;
 
-/// Divisor of the modal sum whose largest value is searched.
+/// Divisor of the modal sum in a search: 1 or sin τ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
     /// The sum itself is searched, as for the amplitude of a motion.
@@ -92,7 +92,7 @@ pub struct Problem<S> {
 pub struct Maximiser<S> {
     /// Phase τ of the position, in rad.
     pub tau: S,
-    /// True if the negative of the sum has its maximum there, which is a minimum of the sum.
+    /// True for a maximum of the negative of the sum, false for a maximum of the sum.
     pub negative: bool,
 }
 

@@ -33,7 +33,7 @@ pub(super) struct Cubic<S> {
 
 #[cfg(test)]
 impl<S: Float> Summit<S> {
-    /// Returns the upper bound on the local maximum, and true if it is a maximum of the negative of the sum.
+    /// Returns the upper bound on a local maximum. The flag is true for a maximum of the negative of the sum.
     pub fn height(&self) -> (S, bool) {
         (self.level, self.negative)
     }

@@ -143,7 +143,7 @@ fn a_search_that_takes_too_long_ends_with_the_best_so_far() {
     let most = most_evaluations(Weight::One, 1e5 + 0.3);
     println!("{} evaluations of {most}", peak.evaluations);
     assert!(most < MAX_EVALUATIONS);
-    // The evaluations that remain are fewer than one more grid and its summits would take.
+    // The evaluations that remain are fewer than one more grid and its local maxima would take.
     assert!(peak.evaluations <= most && peak.evaluations > most - 32);
     assert!(peak.exceeded && peak.effort() == Effort::Exceeded);
     assert!((peak.value * (1e5 + 0.3) / 1e5 - 1.0).abs() < 1e-9);
