@@ -1,8 +1,8 @@
 //! Functions and types that generated friction solvers call.
 //!
-//! In this list a module uses only modules before it: [`number`], [`oscillator`], [`modal_sum`], [`contact`],
-//! [`response`], [`table`], [`motion`].  Three more use only these: [`simulation`], [`stepper`] and
-//! [`orbit`].  [`errors`] has the error types of all modules.
+//! The modules, from the lowest layer to the highest, are [`number`], [`oscillator`], [`modal_sum`], [`contact`],
+//! [`response`], [`table`] and [`motion`]. Each module uses only modules that precede it in this list. [`simulation`],
+//! [`stepper`] and [`orbit`] use these modules, and not one another. [`errors`] has the error types of all modules.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 pub mod contact;

@@ -1,33 +1,37 @@
-//! Contact force of the stuck contact where masses beyond it act as an absorber: a common zero of V and H.
+//! Contact force in the stuck state at a frequency where masses beyond the contact act as an absorber.
 //!
-//! Some masses may be joined to the load by the contact alone. They resonate by themselves while the contact is stuck.
-//! At that frequency V and H vanish together, and V/H, the amplitude of the contact force, would be a quotient of
-//! rounding errors. This module divides the common zero out. With s = r² and the distance d = s − s₀ from the zero, V =
-//! v₁d − v₂d² + v₃d³ − … where v_n = Σα/(λ − s)^{n+1}, and H likewise.
+//! Some masses may be connected to the load through the contact alone. At a frequency at which they resonate by
+//! themselves while the contact is stuck, V and H vanish together. V is the response of the contact to the load, and H
+//! is its response to a contact force. The amplitude V/H of the contact force would then be a quotient of rounding
+//! errors. This module divides the common zero out. With s = r² and the distance d = s − s₀ from the zero, V = v₁d −
+//! v₂d² + v₃d³ − …, where v_n = Σα/(λ − s)^{n+1} with the residues α = (φᵀw)(φᵀp). H has a series of the same form.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
-/// Number of roundings that a vanishing sum over modes may have, relative to the sum of its terms' sizes.
+/// Number of rounding units within which a modal sum counts as zero. A rounding unit is relative to the sum of the
+/// moduli of the modal terms.
 const ROUNDINGS: f64 = 64.0;
 
-/// Returns the relative distance from a common zero below which the series is more accurate than the quotient. The
-/// series leaves out the fourth power of the distance, and the quotient has an error of one rounding divided by the
-/// distance.
+/// Returns the relative distance from a common zero of V (the response to the load) and H (the receptance) below which
+/// series are more accurate than the quotient V/H. The series neglect the fourth power of the distance. The quotient
+/// has an error of one rounding divided by the distance.
 fn near<S: Float>() -> S {
     S::constant(S::EPSILON).sqrt().sqrt()
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns true if H is so small that V may have the same zero. The argument `h` is the real part of H,
-    /// multiplied by r² and by the scale E of [`ContactAt`].
+    /// Returns true if the receptance H of the contact is so small that H and V (the response to the load) may both be
+    /// zero near this frequency. `h` is the real part of H, multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     pub(crate) fn may_absorb(&self, h: S) -> bool {
         !self.damped && !(h.abs() > near::<S>() * self.inverse_mass)
     }
 
-    /// Returns V/H of an undamped chain close to a common zero of both; `None` elsewhere.
+    /// Returns the amplitude V/H of the contact force in the stuck state of an undamped chain, close to a frequency at
+    /// which V (the response to the load) and H (the receptance) are both zero. Returns `None` at all other
+    /// frequencies.
     #[must_use]
     pub fn absorbed_force(
         &self,
@@ -58,12 +62,12 @@ impl<S: Float> Chain<S> {
         if h.abs() > near * h_size || v.abs() > near * slope_size {
             return None;
         }
-        // Distance from the zero of H, by three steps of iteration on H's own series.
+        // The distance from the zero of H follows from the series of H, by three steps of iteration.
         let mut d = h / h1;
         for _ in 0..3 {
             d = (h + h2 * d * d - h3 * d * d * d) / h1;
         }
-        // V must have the same zero, to rounding.
+        // V must be zero at the same distance, to within rounding.
         let rest = v - d * (v1 - v2 * d + v3 * d * d);
         let noise = S::constant(ROUNDINGS * S::EPSILON) * (v_size + d.abs() * slope_size);
         let truncated = d * d * d * d * slope_size;
@@ -73,8 +77,9 @@ impl<S: Float> Chain<S> {
         Some((v1 - v2 * d + v3 * d * d) / (h1 - h2 * d + h3 * d * d))
     }
 
-    /// Returns the amplitude of a mass while the contact force is `force`, from the modes without any division by H. It
-    /// belongs to [`absorbed_force`](Self::absorbed_force).
+    /// Returns the amplitude of a mass in the stuck state under a contact force of amplitude `force`. The modal sum
+    /// contains no division by the receptance H, which is nearly zero here. `force` comes from
+    /// [`absorbed_force`](Self::absorbed_force).
     #[must_use]
     pub fn stuck_under(
         &self,

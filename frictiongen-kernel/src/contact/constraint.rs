@@ -1,4 +1,4 @@
-//! The velocity constraint by a search with a guarantee, and the decision whether a motion is admitted.
+//! Velocity constraint S by a search with a proof, and the decision whether a continuous motion exists.
 
 use crate::contact::regime::check_beta;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -10,19 +10,21 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 use crate::oscillator::mode::Mode;
 
-/// Number of roundings by which β must be below an approximate limit to be below the exact one as well. A search may
-/// miss four; the others cover the roundings of a limit, with a margin.
+/// Number of rounding units by which β must be below an approximate β_lim to be safely below the exact β_lim. A search
+/// may miss four units. The other units cover the rounding errors of β_lim, with a margin.
 const CLEAR: f64 = 32.0;
-/// Fraction of a half turn by which the rounding of r may turn a mode, such that two searches still agree.
+/// Largest phase error of a mode due to the rounding of r at which two searches still agree, as a fraction of a half
+/// turn.
 const UNTURNED: f64 = 1e-4;
 
-/// Largest tolerance of a search for S. Even where U dominates a limit, the amplitude at the limit depends on S.
+/// Largest relative tolerance of a search for the velocity constraint S. Even where β_lim hardly depends on S, the
+/// amplitude of the motion at β_lim does.
 const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
 
 impl<S: Float> Chain<S> {
-    /// Returns r²E·max(S, H_c + μm*/r²), the velocity constraint, by a search with a guarantee over the half period
-    /// (5.54, 7.36, with the maximum of the sum). The search starts at the break-away term. `waves` is working space,
-    /// one wave for each mode.
+    /// Finds the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E of [`ContactAt`]. A
+    /// search over the half period proves the result (5.54, 7.36, with the maximum of the sum). The search starts at
+    /// the break-away term H_c + μm*/r². `waves` is working space with one element for each mode.
     pub fn velocity_constraint<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -34,7 +36,8 @@ impl<S: Float> Chain<S> {
         self.constraint_of(contact, at, waves)
     }
 
-    /// Returns the velocity constraint from the modes' waves.
+    /// Finds the velocity constraint r²E·max(S, H_c + μm*/r²) from the terms of all modes, which `waves` already
+    /// contains.
     fn constraint_of<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -42,7 +45,8 @@ impl<S: Float> Chain<S> {
         waves: &[Wave<S, D>],
     ) -> Peak<S> {
         let start = self.start_constraint(contact);
-        // A difference of two sums would lose digits here. Close to a resonance the damping term outweighs the others.
+        // `above` is not computed as a difference of two sums, which would lose digits. Close to a resonance the
+        // damping term H_c outweighs the other terms.
         let above = (self.stiction - S::constant(1.0)) * self.inverse_mass * contact.scale;
         let mut peak = self.constraint_above(contact, at, waves, start, above);
         peak.value = if peak.places[0].is_some() {
@@ -53,13 +57,14 @@ impl<S: Float> Chain<S> {
         peak
     }
 
-    /// Returns true if the maximum is at the start of the half period and needs no search. This is so without damping
-    /// if every R ≥ 1/2.
+    /// Returns true if the maximum S of the velocity constraint is its limit for τ → 0, so that no search is needed.
+    /// Without damping this is so if every R ≥ 1/2. `ratios` are x = 1/R of the modes.
     pub(crate) fn start_decides(&self, mut ratios: impl Iterator<Item = S>) -> bool {
         !self.damped && ratios.all(|x| x <= S::constant(2.0))
     }
 
-    /// Returns by how much the constraint exceeds `start`, its value for τ → 0. The result is at least `above`.
+    /// Returns the velocity constraint r²E·S less `start`, the limit of the constraint for τ → 0. The result is at
+    /// least `above`.
     fn constraint_above<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -69,7 +74,7 @@ impl<S: Float> Chain<S> {
         above: S,
     ) -> Peak<S> {
         let decided = self.start_decides(at.iter().map(|at| at.x));
-        // Where rounding leaves no mode's angle known, a search could decide nothing.
+        // If rounding leaves the phase of every mode unknown, a search could decide nothing.
         if decided || waves.iter().all(Wave::turns_unknown) {
             return Peak {
                 value: above,
@@ -88,7 +93,7 @@ impl<S: Float> Chain<S> {
             cosine: zero,
             sine: waves.iter().fold(zero, at_start),
         };
-        // β_lim contains S as U² + S². Where U is the larger, fewer digits of S are needed.
+        // β_lim contains U² + S². Where U is larger than S, S needs fewer digits.
         let ratio = contact.u / (start + above);
         let tolerance = S::constant(4.0 * S::RESOLUTION) * (S::constant(1.0) + ratio * ratio);
         search::largest(
@@ -108,9 +113,9 @@ impl<S: Float> Chain<S> {
         )
     }
 
-    /// Returns the velocity constraint r²E·max(S, H_c + μm*/r²) with another S: the sum of each mode's own maximum
-    /// (5.55, 7.37). The thesis prints this sum. It is an upper bound on the exact S, the maximum of the sum over the
-    /// modes.
+    /// Returns the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E, as the thesis prints
+    /// the velocity constraint: S is the sum of each mode's own maximum (5.55, 7.37). This S is an upper bound on the
+    /// exact S, which is the maximum of the sum over the modes.
     pub fn constraint_per_mode<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -122,7 +127,7 @@ impl<S: Float> Chain<S> {
             if mode.in_contact {
                 let wave: Wave<S, D> = constraint_wave(mode, at, contact, S::constant(1.0));
                 let two_zeta = mode.zeta + mode.zeta;
-                // The mode's own 1 + g + 2ζRu, which is its quotient for τ → 0.
+                // The limit for τ → 0 of the quotient of a single mode is 1 + g + 2ζRu.
                 let start = contact.scale + at.g + two_zeta * at.u * at.x;
                 let at = core::slice::from_ref(at);
                 let above = S::constant(0.0);
@@ -133,8 +138,8 @@ impl<S: Float> Chain<S> {
         sum.max(self.break_away(contact))
     }
 
-    /// Returns true if β is below the exact continuous limit. For most β a cheaper search suffices, which only decides
-    /// whether the constraint exceeds the value that β allows.
+    /// Returns true if β is below the exact limit of continuous motion. For most β a cheaper search is enough, which
+    /// only decides whether the velocity constraint exceeds the largest value that β allows.
     pub fn is_continuous<D: Decay<S>>(
         &self,
         beta: S,
@@ -150,20 +155,21 @@ impl<S: Float> Chain<S> {
         let break_away = self.break_away(contact);
         let excitation = complex::modulus(contact.v, self.damped);
         let quadrature = beta * contact.u;
-        // The product of both factors may underflow where neither does.
+        // The product of the two factors may underflow where neither root does.
         let root = (excitation - quadrature).sqrt() * (excitation + quadrature).sqrt();
         let allowed = S::constant(1.0 - 1e-3) * root / beta;
-        // Where U is so much larger than S that `allowed` is mainly rounding, the cheaper search proves nothing.
+        // Where U is much larger than S, `allowed` is mainly rounding error, and the cheaper search proves nothing.
         let beyond = beta * S::constant(1.0 + CLEAR * S::RESOLUTION);
         let clear = beyond < self.continuous_limit(contact, allowed);
-        // At so small an r the rounding of r turns a mode by a noticeable angle, and two searches would differ.
+        // For a very small r, the rounding of r shifts the phase of a mode noticeably, so that two searches would
+        // differ.
         let fastest = S::constant(UNTURNED / S::RESOLUTION);
         let clear = clear && at.iter().all(|at| at.x < fastest);
         if break_away < allowed && allowed.is_finite() && clear {
             let start = self.start_constraint(contact);
             let above = allowed - start;
             let peak = self.constraint_above(contact, at, waves, start, above);
-            // A search that stopped early has found nothing larger, but has not excluded it either.
+            // A search that stopped early has found nothing larger than `above`, but has not excluded it either.
             if peak.value <= above && !peak.exceeded {
                 return true;
             }
@@ -174,9 +180,9 @@ impl<S: Float> Chain<S> {
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns β if a bounded motion with β < β_lim exists that slides all the time. Otherwise the error names the
-    /// regime. β*_lim does not decide, since with μ > 1 a stuck state may coexist with the motion. `unbounded` are the
-    /// undamped resonances that the load drives, `at_infinity` is β_lim for r → ∞.
+    /// Returns β if a bounded continuous motion exists, which requires β < β_lim. Otherwise the error names the regime.
+    /// β*_lim does not decide, since with μ > 1 a stuck state may coexist with the motion. `unbounded` are the undamped
+    /// resonances that the load drives. `at_infinity` is β_lim for r → ∞.
     ///
     /// # Errors
     /// Any variant of [`NotContinuous`].
@@ -202,8 +208,8 @@ impl<S: Float> Chain<S> {
             }
         };
         if !r.is_finite() {
-            // The limiting value at r = ∞ decides. Sums at a large r would round it differently. On a moving base the
-            // limit is infinite and friction has no effect there, so that the formulas get β = 0.
+            // At r = ∞ the limiting value of β_lim decides, since sums at a large r would round it differently. On a
+            // moving base this value is infinite and friction has no effect, so that the formulas get β = 0.
             if !(beta < at_infinity) {
                 return Err(refused());
             }
@@ -219,8 +225,8 @@ impl<S: Float> Chain<S> {
         Ok(beta)
     }
 
-    /// Fails if the chain with its contact stuck resonates at r. `invisible` are the undamped resonances that the load
-    /// drives and the contact does not.
+    /// Returns an error if the chain in its stuck state resonates at r. `invisible` are the undamped resonances that
+    /// the load drives and the contact does not.
     ///
     /// # Errors
     /// [`StuckResonance`].
@@ -238,7 +244,7 @@ impl<S: Float> Chain<S> {
     }
 }
 
-/// Writes every mode's wave into the working space.
+/// Writes the term of every mode in the velocity constraint into the working space `waves`.
 fn fill<S: Float, D: Decay<S>>(
     contact: &ContactAt<S>,
     modes: &[Mode<S>],
@@ -252,9 +258,10 @@ fn fill<S: Float, D: Decay<S>>(
     }
 }
 
-/// Returns a mode's wave in the excess of the constraint's sum over `start`·sin τ. The excess is −m(1 + g)(sin τ − p) +
-/// mu((cos τ − p′) − 2ζx·sin τ). The caller adds the last term for all modes at once. Close to a resonance the sum and
-/// `start`·sin τ are nearly proportional, and their difference would be mainly rounding.
+/// Returns the term of a mode in the sum of the velocity constraint less `start`·sin τ, where `start` is the limit for
+/// τ → 0. The term is −m(1 + g)(sin τ − p) + mu((cos τ − p′) − 2ζx·sin τ), with m = (φᵀw)². The caller adds its last
+/// part, −2ζx·mu·sin τ, for all modes at once. Close to a resonance the sum and `start`·sin τ are nearly proportional.
+/// Their difference, computed from both, would be mainly rounding error.
 fn constraint_wave<S: Float, D: Decay<S>>(
     mode: &Mode<S>,
     at: &ModeAt<S>,

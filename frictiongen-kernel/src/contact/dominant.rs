@@ -1,13 +1,14 @@
-//! The sums V, U and H in the form in which a mode's contribution to a motion needs them.
+//! Modal sums V, U and H without the terms that cancel in the contribution of a mode to a motion.
 //!
-//! A mode's own terms in two of these sums cancel from its contribution. Close to the mode's pole they outweigh all
-//! others, and must not be added in the first place. That one mode, the dominant mode, therefore gets the sums over all
-//! other modes. All other modes share the full sums, and so their rounding errors. A mass far from the contact moves by
-//! the difference of its modes. A rounding error common to all modes cancels from that difference, while a separate one
-//! for each mode would not.
+//! In the contribution of a mode to the motion of a mass, the mode's own terms in two of the sums cancel. Close to the
+//! resonance of the mode these two terms outweigh all others, and would leave their rounding errors. That one mode, the
+//! *dominant* mode, therefore gets sums over all other modes. All other modes share the full sums, and so share their
+//! rounding errors. This matters for a mass far from the contact, whose motion is a small difference of modal terms. A
+//! rounding error common to all modes cancels in the difference, and separate errors would not.
 //!
-//! One mode is enough. Let two modes have the terms a, b in V and c, d in U, with ac ≥ bd. The terms ad and bc remain
-//! of the second mode, and the larger of them is at least √(ac·bd) ≥ bd, which is the term that cancels.
+//! One dominant mode is enough. Let two modes have the terms a, b in V and c, d in U, with ac ≥ bd. The products ad and
+//! bc remain in the contribution of the second mode. The larger of them is at least √(ac·bd) ≥ bd, which is the product
+//! that cancels.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
@@ -15,7 +16,8 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// A mode's terms in V, U and H, or sums of them.
+/// Terms of one mode in three modal sums of the contact, or the sums themselves. The sums are the response V to the
+/// load, the damping function U and the receptance H.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Terms<S> {
     pub v: Complex<S>,
@@ -33,7 +35,7 @@ impl<S: Scalar> Terms<S> {
         }
     }
 
-    /// Gives the terms their own names in emitted code.
+    /// Returns the same terms, with names for their local variables in emitted code.
     fn named(self, partner: Partner) -> Self {
         let named = |value: Complex<S>, re, im| {
             Complex::new(value.re.named(re, None), value.im.named(im, None))
@@ -53,7 +55,7 @@ impl<S: Scalar> Terms<S> {
         }
     }
 
-    /// Returns these terms where the condition is true, `other` elsewhere.
+    /// Returns `self` if the condition is true, and `other` if the condition is false.
     fn select(&self, condition: S::Condition, other: &Self) -> Self {
         Self {
             v: complex::select(condition, self.v, other.v),
@@ -63,20 +65,22 @@ impl<S: Scalar> Terms<S> {
     }
 }
 
-/// The sum, other than V, whose own terms cancel.
+/// Modal sum that occurs together with V (the response to the load) in the contribution of a mode to a motion. The
+/// mode's own terms in both sums cancel.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
-    /// The sum U, in a motion.
+    /// The damping function U of the contact, for a continuous motion.
     U,
-    /// The sum H, in a stuck response.
+    /// The receptance H of the contact, for the response of the stuck chain.
     H,
 }
 
-/// The mode with the largest own terms so far.
+/// Candidate for the dominant mode. Among the modes visited so far, its terms in two modal sums, V and either U or H,
+/// have the largest product.
 #[derive(Clone, Copy)]
 struct Heaviest<S> {
     weight: S,
-    /// Index of the mode, as a scalar, since emitted code finds it by comparison.
+    /// Index of the mode, as a scalar, since emitted code finds the mode by comparison of scalars.
     index: S,
     own: Terms<S>,
     static_residue: S,
@@ -93,18 +97,20 @@ impl<S: Scalar> Heaviest<S> {
     }
 }
 
-/// The dominant mode.
+/// Identity of the dominant mode. The terms of this mode outweigh all others, and are left out of the modal sums for
+/// the mode itself.
 #[derive(Clone, Copy)]
 enum Which<S> {
-    /// The only mode.
+    /// The only mode of the chain is dominant.
     Only,
-    /// The first of two. Each of the two gets the other's terms, which cancel nothing.
+    /// The first of two modes is dominant. Each of the two gets the terms of the other mode, in which nothing cancels.
     First,
-    /// The mode with this index, or no mode if the index is −1.
+    /// The mode with this index is dominant. The index −1 means that no mode is dominant.
     Numbered(S),
 }
 
-/// The dominant mode, the sums for it, and the sums for the other modes.
+/// Modal sums V, U and H of the contact, once for the dominant mode (`own`) and once for all other modes (`others`).
+/// The terms of the dominant mode outweigh all others, and `own` leaves them out.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
@@ -113,9 +119,10 @@ pub(crate) struct DominantSums<S> {
 }
 
 impl<S: Scalar> DominantSums<S> {
-    /// Returns the values of V against which the phases of the dominant mode and of the others are measured, for a
-    /// damped chain. A mode is in phase with its own term of V. The other modes' terms therefore give the same phase as
-    /// the full V, and a more accurate one where they are smaller.
+    /// Returns two responses V of the contact to the load. The phase of the dominant mode is measured against the
+    /// first, the phases of the other modes against the second. The chain is damped. A mode is in phase with its own
+    /// term of V. V without this term therefore gives the same phase as the full V. Of the two, the smaller one gives a
+    /// more accurate phase.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", None);
@@ -134,7 +141,7 @@ impl<S: Scalar> DominantSums<S> {
     }
 }
 
-/// A sum over modes, separated into the dominant mode and the others.
+/// Modal sum in the motion of a mass, separated into the term of the dominant mode and the sum over all other modes.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantParts<S> {
     pub own: Complex<S>,
@@ -150,7 +157,7 @@ impl<S: Scalar> DominantParts<S> {
         }
     }
 
-    /// Returns the sum with one more mode.
+    /// Adds the term `value` of the mode with the given index.
     pub fn with(
         self,
         chain: &Chain<S>,
@@ -177,7 +184,9 @@ impl<S: Scalar> DominantParts<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Returns the sums for the mode with the largest own terms, and those for the others.
+    /// Selects the dominant mode, whose own terms in the modal sums V, U and H outweigh all others. Returns sums
+    /// without these terms, for the dominant mode, and the full sums, for all other modes. In a chain of two modes,
+    /// each mode gets the terms of the other mode.
     pub(crate) fn dominant_sums<'a>(
         &self,
         modes: impl Iterator<Item = (&'a Mode<S>, ModeAt<S>)> + Clone,
@@ -252,7 +261,7 @@ impl<S: Scalar> Chain<S> {
             };
         };
         let own = without(sum, heaviest.static_residue).named(partner);
-        // The full sums lose nothing if no more cancels than the rounding of the other terms.
+        // The full sums suffice if the product that cancels is no larger than the products that remain.
         let (v, other) = self.sizes(&heaviest.own, partner);
         let at_rest = match self.on_moving_base {
             Some(at_rest) => (at_rest - heaviest.static_residue).abs() * contact.scale,
@@ -277,7 +286,7 @@ impl<S: Scalar> Chain<S> {
         index: usize,
     ) -> Heaviest<S> {
         let own = self.own(mode, at, index);
-        // On a moving base v cancels, not the v − 1 of the sums.
+        // On a moving base, v cancels, although the sums contain v − 1.
         let v = if self.on_moving_base.is_some() {
             self.plus(own.v, complex::real(mode.static_residue * scale))
         } else {
@@ -301,7 +310,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the sums for a mode. A mass-controlled mode has no terms of U that could cancel, and gets the full U.
+    /// Returns the sums V, U and H for one mode, given the sums `others` over the other modes. A mode that resonates
+    /// far below the excitation frequency has no term of U that could cancel. It therefore gets U over all modes.
     fn in_full(
         &self,
         mode: &Mode<S>,
@@ -339,7 +349,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the size of V and that of its partner.
+    /// Returns the size of V, and the size of U or H as `partner` says. The size of a complex number is |Re| + |Im|.
     fn sizes(&self, sums: &Terms<S>, partner: Partner) -> (S, S) {
         let size = |value| complex::size(value, self.damped);
         let partner = match partner {

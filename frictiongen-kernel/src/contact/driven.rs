@@ -1,9 +1,10 @@
-//! Both limits without search of an undamped chain at run time, from constants of its modes that are gathered once.
+//! Limits β_lim and β*_lim of an undamped chain at run time, without the search for the velocity constraint S. The
+//! constants of the modes are gathered once.
 //!
-//! Emitted code contains a scene's constants in its instructions. At run time the constants are gathered before the
-//! first frequency, for two modes side by side. Modes that the contact does not drive are left out, since they
-//! contribute to none of the sums. The formulas are those of [`Chain`], and the sums add one mode after the other. The
-//! bits are therefore the same as in every other way of computing.
+//! In emitted code the constants of a scene are part of the instructions. At run time this module gathers the constants
+//! of the modes before the first frequency, in pairs for packed instructions. Modes that the contact does not drive are
+//! left out, since they contribute to no sum. The formulas are those of [`Chain`], and the sums add one mode after the
+//! other. The results therefore have the same bits as those of all other modules.
 
 use crate::contact::regime::Limits;
 use crate::contact::sums::{Chain, ContactAt};
@@ -12,26 +13,29 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::Mode;
 
-/// Largest number of pairs of modes. A chain whose contact drives more modes uses [`pairs`](crate::contact::pairs).
+/// Largest number of pairs of modes. If the contact drives more than twice as many modes, the chain uses
+/// [`pairs`](crate::contact::pairs).
 const PAIRS: usize = 8;
 
-/// Constants of a mode, or of two, that V, H and U need.
+/// Constants of one mode, or of a pair of modes, from which the modal sums V, H and U of the contact are computed.
 #[derive(Clone, Copy, Debug)]
 struct Driven<S> {
     resonance: S,
-    /// Residue of V, on a moving base the static residue.
+    /// Residue (φᵀw)(φᵀp) of the mode in the response V to the load. On a moving base the static residue (φᵀw)(φᵀp)/λ
+    /// takes its place.
     load: S,
     inverse_mass: S,
 }
 
-/// x² − 1 and u of a mode, not yet scaled by the other modes' sizes.
+/// The number x² − 1 and the damping function u of a mode. u is multiplied by R² and by |x² − 1|, not by the scale E of
+/// the chain.
 type Own<S> = [S; 2];
 
-/// Terms of V, H and U, in this order.
+/// Terms of a mode in V (response to the load), H (receptance) and U (damping function) of the contact, in this order.
 type Terms<S> = [S; 3];
 
-/// Modes of an undamped chain that the contact drives, in their order. They are stored in pairs, and a single one if
-/// their number is odd.
+/// Constants of those modes of an undamped chain that the contact drives, in the order of the chain. Two modes are
+/// stored as a pair. If the number of modes is odd, the last mode is stored separately.
 #[derive(Clone, Debug)]
 pub struct DrivenModes<S> {
     pairs: [Driven<Lanes<S>>; PAIRS],
@@ -49,14 +53,14 @@ impl<S: Scalar> Driven<S> {
         }
     }
 
-    /// Returns a mode's own functions.
+    /// Returns x² − 1 and the damping function u of the mode at 1/r, where x = √λ/r.
     #[inline(always)]
     fn own(&self, inverse_r: S) -> Own<S> {
         let response = Mode::undamped(self.resonance * inverse_r);
         [response.denominator.re, response.u]
     }
 
-    /// Returns the mode's terms, multiplied by the scale.
+    /// Returns the terms of the mode in the modal sums V, H and U, multiplied by the scale E of [`ContactAt`].
     #[inline(always)]
     fn terms(&self, scale: S, [detuning, u]: Own<S>) -> Terms<S> {
         let response = scale / detuning;
@@ -80,8 +84,8 @@ impl<S: Float> Driven<Lanes<S>> {
 }
 
 impl<S: Float> DrivenModes<S> {
-    /// Gathers the modes of a chain. Returns `None` if the chain is damped, if the contact drives no mode or too many,
-    /// and for scalars that a processor does not compute in pairs.
+    /// Gathers the constants of the modes of a chain. Returns `None` if the chain is damped, or if the contact drives
+    /// no mode or more than 16. Returns `None` also for scalars that a processor does not compute in pairs.
     #[must_use]
     pub fn of(chain: &Chain<S>, modes: &[Mode<S>]) -> Option<Self> {
         let in_contact = modes.iter().filter(|mode| mode.in_contact);
@@ -123,12 +127,12 @@ impl<S: Float> DrivenModes<S> {
         self.pairs.get(..self.count).unwrap_or_default()
     }
 
-    /// Returns the scale and the sums over all modes.
+    /// Returns the scale E of [`ContactAt`], and the modal sums V, H and U over all modes.
     #[inline(always)]
     fn sums(&self, inverse_r: S) -> (S, Terms<S>) {
         match (self.pairs(), &self.one) {
             ([], Some(only)) => {
-                // A single mode is its own scale, and the quotient is a sign.
+                // With a single mode the scale E is the |x² − 1| of this mode, so that E/(x² − 1) is a sign.
                 let [detuning, u] = only.own(inverse_r);
                 let sign = S::constant(1.0).copysign(detuning);
                 let terms = [
@@ -151,7 +155,7 @@ impl<S: Float> DrivenModes<S> {
     fn sums_of_many(&self, inverse_r: S) -> (S, Terms<S>) {
         let zero = S::constant(0.0);
         let (pairs, one) = (self.pairs(), self.one.as_ref());
-        // Stored in arrays, since a compiler uses packed instructions for what is stored side by side.
+        // The numbers are stored in arrays, so that the compiler uses packed instructions.
         let mut own = [[Lanes::constant(0.0); 2]; PAIRS];
         let mut own_of_one = [zero; 2];
         let mut least = Lanes::constant(f64::INFINITY);
@@ -184,9 +188,9 @@ fn plus<S: Scalar>([a, b, c]: Terms<S>, [d, e, f]: Terms<S>) -> Terms<S> {
     [a + d, b + e, c + f]
 }
 
-/// Writes the terms of two modes, and returns the scale.
+/// Writes the terms of two modes in the modal sums V, H and U, and returns the scale E of the chain.
 ///
-/// It is not inlined, since the compiler uses packed instructions for what is stored side by side.
+/// The function is not inlined, so that it stores its results in arrays. The compiler then uses packed instructions.
 #[inline(never)]
 fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2]; 3]) -> S {
     let own = modes.own(Lanes::all(inverse_r));
@@ -197,9 +201,10 @@ fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2];
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns β_lim without search and β*_lim at 1/r, for an r that is neither 0 nor infinite, and without regard to
-    /// an absorber. It also returns H, multiplied by r² and by the scale E of [`ContactAt`]. `is_one` states that V = H
-    /// and μ = 1, so that β*_lim is 1.
+    /// Returns the limits β_lim and β*_lim of an undamped chain at a finite 1/r > 0. β_lim contains the break-away term
+    /// in place of the velocity constraint S. β*_lim is not corrected for masses that act as an absorber. Also returns
+    /// the receptance H of the contact, multiplied by r² and by the scale E of [`ContactAt`]. `is_one` states that
+    /// β*_lim is exactly 1 ([`sliding_limit_is_one`](Self::sliding_limit_is_one)).
     #[inline]
     pub fn limits_of_driven(
         &self,

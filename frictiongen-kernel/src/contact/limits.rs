@@ -1,4 +1,4 @@
-//! Formulas of both limits from the contact's sums (section 4 of `docs/derivation.md`).
+//! Formulas of the limits β_lim and β*_lim, given the modal sums of the contact (section 4 of `docs/derivation.md`).
 
 use crate::contact::sums::{Chain, ContactAt};
 use crate::number::complex;
@@ -6,15 +6,16 @@ use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
 impl<S: Scalar + PartialEq> Chain<S> {
-    /// Returns true if the load acts on the mass that slides on the support, so that V = H.
+    /// Returns true if the load acts on the mass that slides on the support. The response V of the contact to the load
+    /// then equals its receptance H.
     #[must_use]
     pub fn loads_contact(&self, modes: &[Mode<S>]) -> bool {
         let mut modes = modes.iter();
         self.on_moving_base.is_none() && modes.all(|mode| mode.residue == mode.inverse_mass)
     }
 
-    /// Returns true if V = H and μ = 1, so that β*_lim is exactly 1. V divided by itself is 1 without rounding, which
-    /// is not so for V/(μV) with μ ≠ 1.
+    /// Returns true if the response V of the contact to the load equals its receptance H and if μ = 1. β*_lim =
+    /// |V|/(μ|H|) is then exactly 1. For μ ≠ 1 the quotient would be rounded.
     #[must_use]
     pub fn sliding_limit_is_one(&self, modes: &[Mode<S>]) -> bool {
         self.stiction == S::constant(1.0) && self.loads_contact(modes)
@@ -22,7 +23,8 @@ impl<S: Scalar + PartialEq> Chain<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Returns the velocity constraint's S for τ → 0, times r²E: m* + H_c r² (5.58, 7.52).
+    /// Returns the limit of the velocity constraint for τ → 0, multiplied by r² and by the scale E. The result is (m* +
+    /// H_c r²)·E, with the inverse effective mass m* and the damping term H_c (5.58, 7.52).
     #[inline]
     pub fn start_constraint(&self, contact: &ContactAt<S>) -> S {
         if self.damped {
@@ -32,8 +34,9 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns r²E(H_c + μm*/r²), the contact force needed for break-away at a reversal (5.63, 7.47). As μ ≥ 1 it is
-    /// never below [`start_constraint`](Self::start_constraint).
+    /// Returns the break-away term H_c + μm*/r², multiplied by r² and by the scale E (5.63, 7.47). The contact breaks
+    /// away at a reversal if Z + βG exceeds β times this term. As μ ≥ 1, the result is never below
+    /// [`start_constraint`](Self::start_constraint).
     #[inline]
     pub fn break_away(&self, contact: &ContactAt<S>) -> S {
         let inverse_mass = self.stiction * self.inverse_mass * contact.scale;
@@ -44,16 +47,16 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²). The argument `constraint` is r²E times that maximum (5.65,
-    /// 5.80, 5.96, 7.49).
+    /// Returns the limit of continuous motion, β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²). `constraint` is the maximum
+    /// in this formula, multiplied by r² and by the scale E (5.65, 5.80, 5.96, 7.49).
     #[inline]
     pub fn continuous_limit(&self, contact: &ContactAt<S>, constraint: S) -> S {
         let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
         modulus_v / (contact.u * contact.u + constraint * constraint).sqrt()
     }
 
-    /// Returns β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33, and the damped stuck
-    /// configurations of 7.4.3).
+    /// Returns the limit of sliding β*_lim = |V|/(μ|H|), with the response V to the load and the receptance H. For β ≥
+    /// β*_lim a stuck state exists (6.11, 6.27, 6.33, and the damped stuck configurations of 7.4.3).
     #[inline]
     pub fn sliding_limit(&self, contact: &ContactAt<S>) -> S {
         let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);

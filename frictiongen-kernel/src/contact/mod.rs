@@ -1,10 +1,12 @@
-//! The contact at one frequency, with its sums over all modes, both limits, and the regime.
+//! Contact of the chain at one frequency: its sums over all modes, the limits of continuous and stuck motion, and the
+//! regime.
 //!
-//! [`sums`] has V, U, G, H and H_c, and [`pairs`] evaluates them over two modes at once. `dominant` leaves out the
-//! terms that cancel for the mode that outweighs the others. [`limits`] has the formulas of both limits. For limits
-//! without search there are two faster ways: [`driven`] for an undamped chain whose constants are gathered beforehand,
-//! and `several` for frequencies side by side. [`constraint`] has the search for the exact limit, and decides whether a
-//! motion is admitted. [`absorber`] treats common zeros of V and H. The module `response` computes motions of masses.
+//! [`sums`] defines the sums V, U, G, H and H_c, and [`pairs`] evaluates them for two modes at once. `dominant` leaves
+//! out the largest modal terms where they would cancel. [`limits`] has the formulas of both limits. Two modules
+//! evaluate the limits faster where no search for S is wanted: [`driven`] for an undamped chain whose constants are
+//! gathered beforehand, and `several` for several frequencies at once. [`constraint`] searches the velocity constraint
+//! S of the exact limit, and decides whether a continuous motion exists. [`absorber`] treats frequencies at which V and
+//! H are both zero. The module `response` computes the motions of the masses.
 
 pub mod absorber;
 pub mod constraint;

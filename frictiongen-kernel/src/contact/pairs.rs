@@ -1,9 +1,9 @@
-//! Sums of the contact at run time, with neighbouring modes in pairs.
+//! Modal sums of the contact at run time, with two neighbouring modes computed at once.
 //!
-//! A processor computes two numbers at once where the compiler sees that both undergo the same operations. In emitted
-//! code the compiler sees much of this by itself. In a loop over modes it does not, so the formulas are evaluated over
-//! `Lanes`. Every operation is that of one mode alone, and the sums add one mode after the other. The bits are
-//! therefore those of emitted code.
+//! A processor computes two numbers with one packed instruction if the compiler sees that both undergo the same
+//! operations. The compiler often sees this in emitted code, but not in a loop over modes. The formulas are therefore
+//! evaluated with `Lanes`, arrays of two numbers. Every operation is that of one mode alone, and the sums add one mode
+//! after the other. The results therefore have the same bits as emitted code.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::complex::Complex;
@@ -11,7 +11,7 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Kind of damping that all modes share. It is a type, so that no loop checks the kind.
+/// Kind of damping that all modes share, as a type parameter, so that no loop checks the kind.
 pub(super) trait Uniform {
     const KIND: Kind;
     const DAMPED: bool;
@@ -32,8 +32,8 @@ impl Uniform for Light {
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns the contact's sums over all modes (section 3 of `docs/derivation.md`: V, H, U, G, H_c). It passes the
-    /// functions of one mode after the other to `keep`.
+    /// Computes the modal sums V, H, U, G and H_c of the contact (section 3 of `docs/derivation.md`). For each mode in
+    /// turn, the function passes the mode's response and damping functions to `keep`.
     #[inline]
     pub fn contact(
         &self,
@@ -44,7 +44,8 @@ impl<S: Float> Chain<S> {
         self.summed::<true>(modes, inverse_r, keep)
     }
 
-    /// Returns the contact's sums without G, which the limits do not need.
+    /// Computes the modal sums V, H, U and H_c of the contact, without G, which the limits β_lim and β*_lim do not
+    /// need.
     #[inline]
     pub fn contact_without_g(&self, modes: &[Mode<S>], inverse_r: S) -> ContactAt<S> {
         self.summed::<false>(modes, inverse_r, |_| ())
@@ -64,8 +65,9 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// Returns the kind of all modes, if two modes may be computed side by side. They may if all are undamped or all
-    /// lightly damped, on a processor that computes two numbers at once.
+    /// Returns the kind of damping that all modes share, if two modes can be computed at once. This requires that all
+    /// modes are undamped or all lightly damped, and that a processor can compute with two numbers of the scalar type
+    /// at once.
     #[inline(always)]
     pub(super) fn common_kind(&self, modes: &[Mode<S>]) -> Option<Kind> {
         if !S::PAIRS {
@@ -78,8 +80,8 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// Returns the contact's sums from the functions of one mode after the other. It serves modes of several kinds,
-    /// programs in which size matters more than time, and code without optimisation, such as a macro.
+    /// Computes the modal sums of the contact from one mode after the other. It serves modes with different kinds of
+    /// damping, programs in which size matters more than time, and code without optimisation, such as a macro.
     pub fn in_turn<const WITH_G: bool>(
         &self,
         modes: &[Mode<S>],
@@ -89,7 +91,7 @@ impl<S: Float> Chain<S> {
         let scale = Self::scale_at(modes, inverse_r);
         let responses = modes.iter().map(|mode| {
             if WITH_G {
-                // A call instead of inlined code, since size matters here.
+                // Size matters here, so that a function is called instead of inlined.
                 mode.response(inverse_r, 0)
             } else {
                 mode.functions(inverse_r, false)
@@ -98,7 +100,7 @@ impl<S: Float> Chain<S> {
         self.contact_of(modes, responses, scale, inverse_r, WITH_G, keep)
     }
 
-    /// Returns the sums over modes of one kind.
+    /// Computes the modal sums of the contact for modes with the same kind of damping `U`, two modes at a time.
     #[inline(always)]
     fn uniform<U: Uniform, const WITH_G: bool>(
         &self,
@@ -112,7 +114,7 @@ impl<S: Float> Chain<S> {
         };
         if let [mode] = modes {
             let response = mode.functions_of(U::KIND, inverse_r, WITH_G, 0);
-            // A single mode is its own scale.
+            // With a single mode the scale E is the |x² − 1| + 2ζx of this mode.
             let one = S::constant(1.0);
             let scale = if mode.in_contact { response.size } else { one };
             let at = chain.scaled(&response, scale, true, 0);
@@ -143,7 +145,7 @@ impl<S: Float> Chain<S> {
         chain.completed(&sum, inverse_r)
     }
 
-    /// Returns the chain's constants, each in every lane.
+    /// Returns the constants of the chain, each repeated in an array of `N` equal numbers.
     #[inline(always)]
     pub(super) fn in_lanes<const N: usize>(&self) -> Chain<Lanes<S, N>> {
         Chain {
@@ -155,8 +157,8 @@ impl<S: Float> Chain<S> {
     }
 }
 
-/// Returns the scale, the smallest size of the modes that the contact drives. For numbers without derivatives the order
-/// of equal sizes does not matter.
+/// Returns the scale E of the modal sums, the smallest |x² − 1| + 2ζx of the modes that the contact drives. The scalars
+/// carry no derivatives, so that the order of equal numbers does not matter.
 #[inline(always)]
 fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     let infinite = S::constant(f64::INFINITY);
@@ -180,8 +182,8 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
             least = least.min(mode.size_but_zero(U::KIND, inverse_r));
         }
     }
-    // An exact zero is the smallest size, whether it is replaced before or after the comparison. No other size is as
-    // small as the replacement.
+    // An exact zero of |x² − 1| is the smallest. It is replaced after the comparison with the same result as before,
+    // since no other number is as small as the replacement.
     let least = if U::DAMPED {
         least
     } else {
@@ -190,10 +192,10 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     S::select(least.lt(infinite), least, S::constant(1.0))
 }
 
-/// Computes the terms of two modes and, with G, their functions multiplied by the scale.
+/// Computes the terms of two modes in the modal sums of the contact. If `WITH_G` is true, also writes the response and
+/// damping functions of both modes, multiplied by the scale.
 ///
-/// It is not inlined. The compiler uses packed instructions for what is stored side by side, and a caller with
-/// registers of its own would store nothing.
+/// The function is not inlined, so that it stores its results in arrays. The compiler then uses packed instructions.
 #[inline(never)]
 fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
     chain: &Chain<S>,
@@ -211,7 +213,7 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
     let response = mode.functions_of(U::KIND, Lanes::all(inverse_r), WITH_G, 0);
     let at = chain.scaled(&response, scale, false, 0);
     let found = chain.term(scale, &mode, &response, &at, false, WITH_G);
-    // Values that are 0 without damping, or that nobody uses, are not written.
+    // Numbers that stay 0 without damping, and numbers that no caller uses, are not written.
     terms.v.re = found.v.re;
     terms.h.re = found.h.re;
     terms.u = found.u;
@@ -233,7 +235,7 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
 }
 
 impl<S: Float, const N: usize> Mode<Lanes<S, N>> {
-    /// Puts modes of one kind side by side.
+    /// Joins `N` modes with the same kind of damping into one mode whose constants are arrays of `N` numbers.
     #[inline(always)]
     pub(super) fn beside(kind: Kind, modes: &[Mode<S>; N]) -> Self {
         let of = |constant: fn(&Mode<S>) -> S| Lanes(modes.each_ref().map(constant));
@@ -253,7 +255,7 @@ impl<S: Float, const N: usize> Mode<Lanes<S, N>> {
     }
 }
 
-/// Separates a complex number in lanes into one for each mode.
+/// Separates the complex numbers of two modes, stored as arrays of two numbers, into one complex number for each mode.
 #[inline(always)]
 fn complex_apart<S: Float>(value: Complex<Lanes<S>>) -> [Complex<S>; 2] {
     let (Lanes([re, other_re]), Lanes([im, other_im])) = (value.re, value.im);
@@ -261,7 +263,7 @@ fn complex_apart<S: Float>(value: Complex<Lanes<S>>) -> [Complex<S>; 2] {
 }
 
 impl<S: Float> ContactAt<Lanes<S>> {
-    /// Separates the sums into those of each mode.
+    /// Separates the terms of two modes, stored as arrays of two numbers, into one set of terms for each mode.
     #[inline(always)]
     fn split(&self) -> [ContactAt<S>; 2] {
         let ([v, other_v], [h, other_h]) = (complex_apart(self.v), complex_apart(self.h));
@@ -288,7 +290,7 @@ impl<S: Float> ContactAt<Lanes<S>> {
 }
 
 impl<S: Float> ModeAt<Lanes<S>> {
-    /// Separates the functions into those of each mode.
+    /// Separates the functions of two modes, stored as arrays of two numbers, into one set of functions for each mode.
     #[inline(always)]
     fn split(&self) -> [ModeAt<S>; 2] {
         let [response, other_response] = complex_apart(self.response);

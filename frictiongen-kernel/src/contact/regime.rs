@@ -1,9 +1,9 @@
-//! Determines the regime from both limits, and checks the ranges of r and β.
+//! Regime of the motion (continuous, stick-slip, stuck or bistable), and checks of the ranges of r and β.
 
 use crate::errors::{Given, OutOfDomain, Regime, Slice};
 use crate::number::scalar::{Float, Scalar};
 
-/// Checks r: NaN and negative values are outside the domain, 0 and ∞ are not.
+/// Checks a frequency ratio r and returns it. NaN and negative numbers are errors, 0 and ∞ are allowed.
 #[inline]
 pub fn check_ratio<S: Float>(r: S) -> Result<S, OutOfDomain> {
     if r >= S::constant(0.0) {
@@ -13,7 +13,7 @@ pub fn check_ratio<S: Float>(r: S) -> Result<S, OutOfDomain> {
     }
 }
 
-/// Largest ratio between a resonance and 1 for which the range of r needs no reduction.
+/// Factor by which resonances may lie above or below 1 without a reduction of the range of r.
 const ROOM: f64 = 1024.0;
 
 /// Returns the smallest and the largest 1/r at which the formulas of a chain are evaluated. `resonances` are √λ of the
@@ -33,7 +33,7 @@ pub fn inverse_ratio_range<S: Float>(resonances: impl Iterator<Item = S>) -> (S,
     )
 }
 
-/// Checks β: NaN, negative and infinite values are outside the domain.
+/// Checks a friction ratio β and returns it. NaN, negative and infinite numbers are errors.
 #[inline]
 pub fn check_beta<S: Float>(beta: S) -> Result<S, OutOfDomain> {
     if beta >= S::constant(0.0) && beta.is_finite() {
@@ -43,13 +43,14 @@ pub fn check_beta<S: Float>(beta: S) -> Result<S, OutOfDomain> {
     }
 }
 
-/// Returns the regime of β. The closed form exists below β_lim, a stuck state from β*_lim on.
+/// Returns the regime at the friction ratio β from the limits `continuous` = β_lim and `sliding` = β*_lim. Continuous
+/// motion exists below β_lim, a stuck state exists from β*_lim on.
 #[inline]
 pub fn regime<S: Float>(beta: S, continuous: S, sliding: S) -> Regime {
     regime_of(beta < continuous, beta < sliding)
 }
 
-/// Returns the regime of a β that is below β_lim if `slides_always`, and below β*_lim if `slides`.
+/// Returns the regime at a friction ratio β. `slides_always` is β < β_lim, and `slides` is β < β*_lim.
 #[inline]
 pub(crate) fn regime_of(slides_always: bool, slides: bool) -> Regime {
     match (slides_always, slides) {
@@ -60,19 +61,20 @@ pub(crate) fn regime_of(slides_always: bool, slides: bool) -> Regime {
     }
 }
 
-/// Both limits at one frequency ratio.
+/// Limit of continuous motion β_lim and limit of sliding β*_lim, at one frequency ratio.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Limits<S> {
-    /// β_lim. Below it a motion exists in which the contact slides all the time.
+    /// Limit β_lim of continuous motion. For β < β_lim a motion exists in which the contact slides all the time.
     pub continuous: S,
-    /// β*_lim. From it on a stuck state exists. With μ = 1 the contact then becomes stuck from every start. With μ > 1
-    /// sliding motions may exist as well.
+    /// Limit β*_lim of sliding. For β ≥ β*_lim a stuck state exists. With μ = 1 the contact then becomes stuck from
+    /// every start. With μ > 1 sliding motions may exist as well.
     pub sliding: S,
 }
 
 impl<S: Float> Limits<S> {
-    /// Returns the regime at β = F/P, without another search.
+    /// Returns the regime at the friction ratio β = F/P, by comparison of β with the stored limits. No search is
+    /// needed.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -80,9 +82,9 @@ impl<S: Float> Limits<S> {
         Ok(regime(check_beta(beta)?, self.continuous, self.sliding))
     }
 
-    /// Returns β/min(β_lim, β*_lim) − 1, without another search. It is negative below both limits, where the closed
-    /// form exists. With μ = 1 the closed form is the only steady state there. With μ > 1 a stick-slip state may
-    /// coexist.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1 from the stored limits, without another search. The margin is
+    /// negative below both limits, where continuous motion exists. With μ = 1 continuous motion is the only steady
+    /// state there. With μ > 1 a stick-slip state may coexist.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -91,12 +93,12 @@ impl<S: Float> Limits<S> {
     }
 }
 
-/// Computes both limits over a slice of frequency ratios, into slices of the same length. The argument `limits`
-/// computes them at one frequency ratio.
+/// Computes the limits β_lim and β*_lim at each frequency ratio of a slice, and writes them into two slices of the same
+/// length. The closure `limits` computes the limits at one frequency ratio.
 ///
 /// # Errors
-/// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged, and at the first r for which
-/// `limits` fails. The values before that r are filled in.
+/// [`OutOfDomain`] if a slice has another length, which leaves both result slices unchanged. [`OutOfDomain`] also at
+/// the first r for which `limits` fails. The limits before that r are then already written.
 #[inline]
 pub fn limits_into<S: Float>(
     rs: &[S],
@@ -112,7 +114,7 @@ pub fn limits_into<S: Float>(
     Ok(())
 }
 
-/// Checks that both result slices are as long as the slice of frequency ratios.
+/// Checks that both result slices have as many elements as the slice of frequency ratios.
 #[inline]
 pub(crate) fn check_rooms(
     ratios: usize,
@@ -127,8 +129,9 @@ pub(crate) fn check_rooms(
     Ok(())
 }
 
-/// Returns β/min(β_lim, β*_lim) − 1. It is negative below both limits. There the closed form exists, and with μ = 1 it
-/// is the only steady state. It is 0 where β equals the lower limit, also if both are 0.
+/// Returns the margin β/min(β_lim, β*_lim) − 1. The margin is negative below both limits, where continuous motion
+/// exists. With μ = 1 continuous motion is the only steady state there. The margin is 0 where β equals the lower limit,
+/// also if both are 0.
 #[inline]
 pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
     let limit = continuous.min(sliding);
@@ -139,7 +142,8 @@ pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
     }
 }
 
-/// Returns a limit, with its values at r = 0 and r = ∞, where the sums themselves have none.
+/// Returns `limit` for a finite r > 0, and the separately known limits `at_rest` for r = 0 and `at_infinity` for r = ∞.
+/// The modal sums cannot be evaluated at r = 0 and r = ∞.
 #[inline]
 pub fn with_ends<S: Float>(r: S, limit: S, at_rest: S, at_infinity: S) -> S {
     if r == S::constant(0.0) {

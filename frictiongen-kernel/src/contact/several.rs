@@ -1,6 +1,7 @@
-//! Both limits without search at several frequencies side by side, which a processor computes at once.
+//! Limits β_lim and β*_lim at several frequencies at once, without the search for the velocity constraint S.
 //!
-//! The formulas are those for one frequency, in the same order, so that the bits are the same.
+//! A processor computes the frequencies with packed (SIMD) instructions. The formulas are those for one frequency, in
+//! the same order, so that the results have the same bits.
 
 use crate::contact::pairs::{Light, Undamped, Uniform};
 use crate::contact::sums::{Chain, ContactAt};
@@ -8,21 +9,22 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Number of frequencies side by side: two registers of two numbers, or one of eight where the target has such
-/// registers.
+/// Number of frequencies that are computed at once. They fill two registers of two numbers, or one register of eight
+/// where the target has such registers.
 pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
     8
 } else {
     4
 };
 
-/// Limits without search at several frequencies, without regard to an absorber.
+/// Limits β_lim and β*_lim at several frequencies, by formulas without a search. β_lim contains the break-away term in
+/// place of the velocity constraint S. β*_lim is not corrected for masses that act as an absorber.
 #[derive(Debug)]
 pub(crate) struct Several<S> {
     pub continuous: [S; SIDE_BY_SIDE],
     pub sliding: [S; SIDE_BY_SIDE],
-    /// Real part of H, multiplied by r² and by the scale E of [`ContactAt`]. The caller decides from this number
-    /// whether masses may act as an absorber.
+    /// Real part of the receptance H of the contact, multiplied by r² and by the scale E of [`ContactAt`]. Callers
+    /// decide from `h` whether masses may act as an absorber.
     pub h: [S; SIDE_BY_SIDE],
 }
 
@@ -38,15 +40,15 @@ impl<S: Float> Several<S> {
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns the kind of all modes, if frequencies may be computed side by side. Returns `None` if the contact drives
-    /// no mode, since the sums then have no scale.
+    /// Returns the kind of damping that all modes share, if all are undamped or all are lightly damped. Returns `None`
+    /// for other chains, for scalars that a processor does not compute in pairs, and if the contact drives no mode.
     pub(crate) fn kind_of_several(&self, modes: &[Mode<S>]) -> Option<Kind> {
         let touched = modes.iter().any(|mode| mode.in_contact);
         self.common_kind(modes).filter(|_| touched)
     }
 
-    /// Computes both limits without search at several 1/r. `kind` is the result of
-    /// [`kind_of_several`](Self::kind_of_several).
+    /// Computes the limits β_lim and β*_lim at several 1/r, without the search for the velocity constraint S. `kind` is
+    /// the result of [`kind_of_several`](Self::kind_of_several).
     pub(crate) fn several_limits(
         &self,
         modes: &[Mode<S>],
@@ -60,8 +62,8 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// Computes the limits for one kind. It is not inlined, since the compiler uses packed instructions for what is
-    /// stored side by side.
+    /// Computes the limits β_lim and β*_lim at several frequencies for the kind of damping `U`. The function is not
+    /// inlined, so that its results are stored in arrays. The compiler then uses packed instructions.
     #[inline(never)]
     fn side_by_side<U: Uniform>(
         &self,
@@ -82,7 +84,7 @@ impl<S: Float> Chain<S> {
         let least = touched().fold(Lanes::constant(f64::INFINITY), |least, mode| {
             least.min(mode.size_but_zero(U::KIND, inverse_r))
         });
-        // As in the sums over pairs of modes, an exact zero is replaced once, in the smallest size.
+        // An exact zero of x² − 1 is replaced once, in the smallest |x² − 1|, as in the sums over pairs of modes.
         let scale = if U::DAMPED {
             least
         } else {

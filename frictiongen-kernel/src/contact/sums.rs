@@ -1,37 +1,39 @@
-//! The chain at one frequency, with sums over modes, multiplied by a scale that keeps them finite.
+//! Modal sums of the contact at one frequency, multiplied by a scale factor. The factor keeps the sums finite on a
+//! resonance.
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::{Mode, ModeResponse};
 
-/// Constants of a scene that do not belong to one mode.
+/// Constants of a scene that do not belong to a single mode.
 #[derive(Clone, Copy, Debug)]
 pub struct Chain<S> {
     /// True if any mode is damped.
     pub damped: bool,
-    /// wᵀK̄⁻¹p − 1, the static relative motion, if the contact slides on the moving base; `None` otherwise.
+    /// Static relative displacement wᵀK̄⁻¹p − 1 of the contact, if the contact slides on a moving base. `None` for all
+    /// other contacts.
     pub on_moving_base: Option<S>,
-    /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
+    /// Inverse effective mass of the contact, m* = wᵀΓ⁻¹w.
     pub inverse_mass: S,
-    /// μ, the ratio of static to kinetic friction force.
+    /// Ratio μ of the static to the kinetic friction force.
     pub stiction: S,
 }
 
-/// Functions of one mode at one frequency, as the sums use them.
+/// Response and damping functions of one mode at one frequency, multiplied by the scale E of [`ContactAt`].
 #[derive(Clone, Copy, Debug)]
 pub struct ModeAt<S> {
-    /// Resonance of the mode over the excitation, x = √λ/r = 1/R.
+    /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
     pub x: S,
-    /// Scaled response E/(x² − 1 + 2iζx) = E·v/x².
+    /// Response of the mode to a harmonic force, multiplied by the scale E of the chain: E/(x² − 1 + 2iζx) = E·v/x².
     pub response: Complex<S>,
-    /// Scaled half-period function of the velocity, E·u/x².
+    /// Half-period damping function u (7.11), multiplied by the scale E of the chain and divided by x².
     pub u: S,
-    /// Scaled half-period function of the displacement, E·g.
+    /// Half-period damping function g (7.12), multiplied by the scale E of the chain.
     pub g: S,
 }
 
 impl<S: Scalar> ModeAt<S> {
-    /// Creates functions of zeros, as the initial value of an array of modes.
+    /// Creates response and damping functions that are all 0, as the initial content of an array.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -44,26 +46,31 @@ impl<S: Scalar> ModeAt<S> {
     }
 }
 
-/// Sums of the contact at one frequency. Every sum is r² times the one of its name in the thesis, so that it stays
-/// finite as r → ∞. It is also multiplied by the scale E, so that it stays finite on a resonance.
+/// Modal sums of the contact at one frequency. Each sum is the thesis's sum of the same name, multiplied by r², so that
+/// it stays finite as r → ∞, and by the scale E, so that it stays finite on a resonance.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactAt<S> {
-    /// E, the smallest |x² − 1 + 2iζx| of the chain, with |Re| + |Im| as the modulus.
+    /// Scale E: the smallest |x² − 1 + 2iζx| of the modes that the contact drives, with |Re| + |Im| as the modulus.
     pub scale: S,
-    /// V, the response of the relative motion to the excitation, without friction.
+    /// Response V of the relative displacement to the excitation, without friction. It is multiplied by r² and by the
+    /// scale E.
     pub v: Complex<S>,
-    /// U, the half-period damping function of the contact for the velocity.
+    /// Damping function U of the contact, multiplied by r² and by the scale E. U is the slope of z̄ at the reversal in
+    /// the response to a square wave of friction.
     pub u: S,
-    /// G, the half-period damping function of the contact for the displacement.
+    /// Damping function G of the contact, multiplied by r² and by the scale E. G is z̄ at the reversal in the response
+    /// to a square wave of friction.
     pub g: S,
-    /// H_c r², the contribution of damping to the acceleration at a reversal.
+    /// H_c, the contribution of damping to the acceleration of the contact at a reversal. It is multiplied by r² and by
+    /// the scale E.
     pub reversal: S,
-    /// H, the response of the relative motion to a harmonic force in the contact.
+    /// Receptance H of the contact, multiplied by r² and by the scale E. H is the response of the relative displacement
+    /// to a harmonic contact force.
     pub h: Complex<S>,
 }
 
 impl<S: Scalar> ContactAt<S> {
-    /// Creates sums that are zero.
+    /// Creates modal sums of the contact that are all 0, for the given scale E.
     #[must_use]
     pub fn zero(scale: S) -> Self {
         let zero = S::constant(0.0);
@@ -79,30 +86,33 @@ impl<S: Scalar> ContactAt<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Returns the scale E, the smallest size among the modes that the contact drives.
+    /// Returns the scale E of the modal sums: the smallest |x² − 1| + 2ζx of the modes that the contact drives. If the
+    /// contact drives no mode, E is 1.
     pub fn scale<'a>(sizes: impl Iterator<Item = (&'a Mode<S>, S)>) -> S
     where
         S: 'a,
     {
-        // A mode that the contact does not drive contributes to none of its sums.
+        // A mode that the contact does not drive contributes to no sum of the contact.
         let driven = sizes.filter(|(mode, _)| mode.in_contact);
         let scale = driven.map(|(_, size)| size).reduce(Scalar::min);
         scale.unwrap_or(S::constant(1.0))
     }
 
-    /// Returns the scale E at 1/r.
+    /// Returns the scale E of the modal sums at 1/r: the smallest |x² − 1| + 2ζx of the modes that the contact drives.
     pub(crate) fn scale_at(modes: &[Mode<S>], inverse_r: S) -> S {
         Self::scale(modes.iter().map(|mode| (mode, mode.size(inverse_r))))
     }
 
-    /// Returns the functions of one of several modes, multiplied by the scale. This is the second pass over the modes.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest
+    /// |x² − 1| + 2ζx of the modes that the contact drives, so that E is known only after a first pass over the modes.
     #[inline]
     pub fn at_scale(&self, mode: &ModeResponse<S>, scale: S) -> ModeAt<S> {
         self.scaled(mode, scale, false, 0)
     }
 
-    /// Returns a mode's functions, multiplied by the scale. This is the second pass over the modes. A single mode is
-    /// the scale itself, and the quotient of both is then a sign.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest
+    /// |x² − 1| + 2ζx of the modes that the contact drives, so that E is known only after a first pass over the modes.
+    /// If `single` is true, E is |x² − 1| + 2ζx of this mode, and their quotient is 1 without rounding.
     #[inline]
     pub fn scaled(
         &self,
@@ -164,8 +174,9 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the contact's sums over all modes from the modes' own functions (section 3 of `docs/derivation.md`: V,
-    /// H, U, G, H_c). It passes the functions of one mode after the other to `keep`.
+    /// Computes the modal sums V, H, U, G and H_c of the contact from the functions of the modes (section 3 of
+    /// `docs/derivation.md`). For each mode in turn, the function passes the mode's response and damping functions to
+    /// `keep`.
     #[inline]
     pub fn contact_of(
         &self,
@@ -186,7 +197,7 @@ impl<S: Scalar> Chain<S> {
         self.completed(&sum, inverse_r)
     }
 
-    /// Adds one mode to the sums, to G only if `with_g`.
+    /// Adds the terms of one mode to the modal sums V, H, U and H_c of the contact, and to G if `with_g` is true.
     #[inline]
     pub fn joined_by(
         &self,
@@ -201,7 +212,7 @@ impl<S: Scalar> Chain<S> {
         self.with_term(sum, &term, with_g)
     }
 
-    /// Returns a mode's term of each sum, multiplied by the scale.
+    /// Returns the terms of one mode in the modal sums V, H, U, G and H_c of the contact, multiplied by the scale E.
     #[inline(always)]
     pub(super) fn term(
         &self,
@@ -230,7 +241,7 @@ impl<S: Scalar> Chain<S> {
         term
     }
 
-    /// Returns the sums plus a term of each.
+    /// Returns the modal sums of the contact with the terms of one more mode added.
     #[inline(always)]
     pub(super) fn with_term(
         &self,
@@ -251,7 +262,8 @@ impl<S: Scalar> Chain<S> {
         sum
     }
 
-    /// Completes the sums. On a moving base it adds the static term of V, and multiplies V by r².
+    /// Completes the modal sums of the contact after the last mode. On a moving base the response V then gets its
+    /// static term, and is multiplied by r².
     #[inline]
     pub fn completed(&self, sum: &ContactAt<S>, inverse_r: S) -> ContactAt<S> {
         let mut sum = *sum;
@@ -276,8 +288,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns a mode's term of V. On a moving base the relative motion counts, and v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx)
-    /// replaces v. The base motion is then never subtracted.
+    /// Returns the term of a mode in V, the response of the contact to the load. On a moving base V is relative to the
+    /// base, so that v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) replaces v. The base motion is then never subtracted.
     #[inline]
     pub(crate) fn load_term(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Complex<S> {
         if self.on_moving_base.is_none() {

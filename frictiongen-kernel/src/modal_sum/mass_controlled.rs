@@ -1,26 +1,28 @@
-//! Response of one mass-controlled mode, which resonates far below the excitation, to a unit force that changes its
-//! sign with the contact's sliding.
+//! Response of a mass-controlled mode to a unit force that changes its sign every half period. A mode is
+//! mass-controlled if it resonates far below the excitation frequency, so that its inertia outweighs its spring.
 //!
-//! Over the half period y″ + 2ζx y′ + x²y = 1, and afterwards the motion repeats with the opposite sign. Its solution
-//! is y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, where E_n are the Euler polynomials. The coefficients are
-//! h_0 = 1, h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}. They fall as the powers of the modulus of the mode's roots.
-//! Apart from the first few, the e_n are nearly sinusoids, the more so the larger n. The rest of the sum is therefore
-//! one sinusoid, known in closed form.
+//! In a half period the response y obeys y″ + 2ζx y′ + x²y = 1. In the next half period it repeats with the opposite
+//! sign. The solution is y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, where E_n are the Euler polynomials. The
+//! coefficients are h_0 = 1, h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}. They decrease as the powers of the modulus of
+//! the roots of the mode. For large n the polynomials e_n approach sinusoids. The code therefore sums a few orders, and
+//! adds the remainder of the series as one sinusoid in closed form.
 //!
-//! For all other modes y is the sum of the return from rest, the lag and the static displacement (see
-//! [`motion`](crate::response::coefficients)). Far above the resonance each of these terms is of order 1, even at the
-//! bounds of the half period, where y vanishes, and in its middle, where y′ vanishes. The rounding error of their sum
-//! would exceed the motion of a mass far from load and contact. The polynomials vanish at the same instants as y and
-//! y′.
+//! For all other modes y is the sum of three terms: the return from rest, the lag and the static displacement (see
+//! [`motion`](crate::response::coefficients)). Far above the resonance each of these terms is of order 1. This is so
+//! even at the bounds of the half period, where y vanishes, and in its middle, where y′ vanishes. The rounding error of
+//! the sum would exceed the motion of a mass far from load and contact. The polynomials vanish at the same instants as
+//! y and y′.
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
 
-/// Modulus of the roots below which a mode is mass-controlled, which means that its inertia outweighs its spring.
+/// Upper bound on x = √λ/r of a mass-controlled mode, a mode that resonates far below the excitation frequency. For an
+/// overdamped mode the bound applies to 2ζx.
 const SLOW: f64 = 0.5;
-/// Returns true if a mode at x is mass-controlled. Returns false for a scalar that has no polynomials.
+/// Returns true if a mode is mass-controlled: its resonance x = √λ/r is far below the excitation frequency. For a
+/// scalar without Euler polynomials the result is false.
 #[inline]
 pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Condition {
     if !S::MASS_CONTROLLED {
@@ -32,28 +34,29 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
     } else {
         x
     };
-    // One constant serves both cases. A choice between two constants would be converted from double precision on the
-    // target.
+    // One constant serves both cases. On the target, a choice between two constants would be a conversion from double
+    // precision.
     rate.lt(S::constant(SLOW))
 }
 
-/// Returns y as the return from rest, and y′ and y″ as its derivatives.
+/// Evaluates the response y of a mass-controlled mode to a unit force that changes its sign every half period. The
+/// result has y in `rise`, y′ in `free` and y″ in `slope`.
 pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let (zero, half, one) = (S::constant(0.0), S::constant(0.5), S::constant(1.0));
     let w = at.tau * (S::pi() * (one - at.t));
     let w_slope = (S::pi() + S::pi()) * (half - at.t);
-    // At τ = 0, w is 0 and only the last term of each polynomial remains. A scalar that carries derivatives needs the
-    // other terms as well.
+    // At τ = 0, w is 0 and only the lowest power in each polynomial contributes. The derivative that a dual number
+    // carries needs the other powers as well.
     let starts = at.t.is_zero() && !S::CARRIES;
     let (loss, square) = (-((zeta + zeta) * x), x * x);
-    // h_2m−4, h_2m−3, h_2m−2, and e_2m−2.
+    // Coefficients h_2m−4, h_2m−3 and h_2m−2, and the polynomial e_2m−2.
     let (mut first, mut before, mut now, mut last) = (zero, zero, one, one);
     let (mut value, mut slope) = (zero, zero);
     let (mut rest, mut order, mut degree) = (S::euler_terms(), 1, one);
-    // (−1)^m
+    // `sign` is (−1)^m.
     let mut sign = one;
     while let Some((row, others)) = rest.split_at_checked(order) {
-        // e_2m, and e_2m−1, which is its derivative.
+        // `even` becomes e_2m, and `odd` becomes its derivative e_2m−1.
         let (mut even, mut odd, mut power) = (zero, zero, degree);
         let row = if starts {
             power = one;
@@ -73,7 +76,7 @@ pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
         (first, before, now, last) = (now, next, loss * next - square * now, even);
         (rest, order, degree, sign) = (others, order + 1, degree + one, -sign);
     }
-    // The rest is 4/π Im[(−1)^m i (h_N−1 + i x²h_N−2) e^{iτ}/(x² − 1 + 2iζx)], N = 2m.
+    // The remainder of the series is 4/π Im[(−1)^m i (h_N−1 + i x²h_N−2) e^{iτ}/(x² − 1 + 2iζx)] with N = 2m.
     let denominator = Complex::new((x - one) * (x + one), -loss);
     let numerator = Complex::new(-(square * first), before);
     let turning = complex::mul(numerator, complex::reciprocal(denominator, true), true);
@@ -96,8 +99,8 @@ mod tests {
     use crate::oscillator::decay::{Damped, Decay};
     use crate::oscillator::mode::Mode;
 
-    /// Returns value and slope from the mode's return, lag and static displacement in double-double. Cancellation makes
-    /// the relative error larger by at most a factor x⁻².
+    /// Returns the response of a mode and its slope in double-double, as the sum of the return from rest, the lag and
+    /// the static displacement. Cancellation increases the relative error by at most a factor x⁻².
     fn put_together(mode: &Mode<Dd>, x: Dd, t: Dd) -> (Dd, Dd) {
         let response = mode.response(x, 0);
         let (u, g) = (response.u / response.size, response.g / response.size);
@@ -133,7 +136,9 @@ mod tests {
         }
     }
 
-    /// Checks value and slope relative to y and y′ themselves, also close to where they vanish.
+    /// Compares the response y of mass-controlled modes and its slope y′ with a reference in double-double. The
+    /// reference is the sum of the return from rest, the lag and the static displacement. Errors are relative to y and
+    /// y′, also close to the zeros of y and y′.
     #[test]
     fn as_put_together() {
         for zeta in [0.0, 1e-9, 0.01, 0.3, 0.7, 1.0, 1.5, 9.0] {
@@ -145,7 +150,7 @@ mod tests {
                     let (value, slope) = put_together(&mode(zeta.into()), x.into(), t.into());
                     let got = basis(x, zeta, &Instant::new(t));
                     for (got, want) in [(got.rise, value), (got.free, slope)] {
-                        // Rounding error of the double-double sums.
+                        // Bound on the rounding error of the reference, a double-double sum.
                         let lost = 1e-30 / (x * x);
                         let off = (Dd::from(got) - want).abs().to_f64();
                         let bar = 16.0 * f64::EPSILON * want.to_f64().abs() + lost;
@@ -156,14 +161,15 @@ mod tests {
         }
     }
 
-    /// Returns the third harmonic of the error of the `f32` response, in units of its rounding. Over this number of
-    /// instants roundings average out, while the orders left out appear mainly in the third harmonic.
+    /// Returns the third harmonic of the errors of a response and of its slope in `f32`, in units of `f32::EPSILON`.
+    /// Rounding errors average out over this number of instants. The error from the neglected orders appears mainly in
+    /// the third harmonic.
     fn third_harmonic_of_the_error(x: f64, zeta: f64) -> (f64, f64) {
         const INSTANTS: u32 = 4096;
         let (mut sine, mut cosine) = ((0.0, 0.0), (0.0, 0.0));
         for i in 0..INSTANTS {
             let t = (f64::from(i) + 0.5) / f64::from(INSTANTS);
-            // Both forms read the same instant and the same mode.
+            // Both forms use the same instant and the same mode, rounded to `f32`.
             let (t, x, zeta) = (t as f32, x as f32, zeta as f32);
             let wide = |value: f32| Dd::from(f64::from(value));
             let (value, slope) = put_together(&mode(wide(zeta)), wide(x), wide(t));
@@ -178,8 +184,8 @@ mod tests {
         (sine.0.hypot(sine.1) * unit, cosine.0.hypot(cosine.1) * unit)
     }
 
-    /// Checks that the orders summed for `f32` suffice. The remaining error is below the rounding; with one order less
-    /// it would not be.
+    /// Checks that the series of Euler polynomials in `f32` has enough orders. The error from the neglected orders is
+    /// below the rounding error. With one order less this error would be larger.
     #[test]
     fn single_precision_has_enough_orders() {
         let mut worst = (0.0_f64, 0.0_f64);
@@ -194,7 +200,8 @@ mod tests {
         assert!(worst.0 < 0.25 && worst.1 < 0.25);
     }
 
-    /// Checks each value separately, as for `f64`.
+    /// Compares the response of mass-controlled modes in `f32` with a reference in double-double, at each instant
+    /// separately. The reference is the sum of the return from rest, the lag and the static displacement.
     #[test]
     fn as_put_together_in_single_precision() {
         let (mut compared, mut worst) = (0, 0.0_f64);
@@ -210,8 +217,8 @@ mod tests {
                     for (got, want) in [(got.rise, value), (got.free, slope)] {
                         let lost = 1e-30 / f64::from(x * x);
                         let off = (wide(got) - want).abs().to_f64();
-                        // The terms of the damping do not vanish at the bounds of the half period. They leave a
-                        // rounding error where y vanishes.
+                        // The damping terms in y do not vanish at the bounds of the half period. Their rounding errors
+                        // remain where y vanishes.
                         let size = want.to_f64().abs() + f64::from(zeta * x);
                         let unit = f64::from(f32::EPSILON) * size + lost;
                         assert!(

@@ -1,8 +1,8 @@
-//! Sums of modal motions over a half period, with their evaluation, bounds and search.
+//! Sums of modal motions over a half period of the excitation, with their evaluation, bounds and search.
 //!
-//! [`wave`] has one mode's term, and the sum with its derivatives. `mass_controlled` has the modes far below the
-//! excitation, which need another form. [`search`] finds the largest value of a sum with a guarantee that it misses
-//! none. The modules above this one form the sums.
+//! [`wave`] has the term of one mode, and the sum of all terms with its derivatives. `mass_controlled` has the terms of
+//! modes that resonate far below the excitation frequency, which need other formulas. [`search`] finds the largest
+//! value of a sum, and proves that no larger value exists. The modules `contact` and `response` build the sums.
 
 pub(crate) mod mass_controlled;
 pub mod search;

@@ -1,34 +1,36 @@
-//! A sum of modal motions over the half period, with bounds on its size and its derivatives.
+//! Sum of modal motions over a half period, with bounds on its size and its derivatives.
+//!
+//! A *wave* is the term of one mode in the sum. x is the natural frequency of the mode over the excitation frequency.
 
 use crate::modal_sum::mass_controlled;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 use crate::oscillator::mode::Mode;
 
-/// Term of one mode in the sum, given by the coefficients of the functions of [`Basis`].
+/// Term of one mode in a modal sum over the half period: a linear combination of the functions of time in [`Basis`].
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<S, D> {
-    /// Resonance of the mode over the excitation, x = 1/R.
+    /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
     pub x: S,
-    /// Decay of the mode.
+    /// Damping of the mode, as a type that selects the closed forms.
     pub decay: D,
-    /// Coefficient of p, the free displacement.
+    /// Coefficient of the free displacement p.
     pub free: S,
-    /// Coefficient of cos τ − p′.
+    /// Coefficient of cos τ − p′, with the free displacement p.
     pub forced_slope: S,
-    /// Coefficient of sin τ − p.
+    /// Coefficient of sin τ − p, with the free displacement p.
     pub forced: S,
-    /// Coefficient of (1 − d)/x².
+    /// Coefficient of (1 − d)/x², where d is the free motion that starts at rest from displacement 1.
     pub rise: S,
-    /// True for a mode far below the excitation. `rise` then multiplies the whole response to a force that changes its
-    /// sign every half period.
+    /// True for a mode that resonates far below the excitation frequency. `rise` is then the coefficient of the
+    /// response to a unit force that changes its sign every half period.
     pub mass_controlled: bool,
-    /// φ_k(φᵀw)/r², the residue contact → mass, which only the harmonics need.
+    /// Residue φ_k(φᵀw)/r² from the contact to mass k. Only the harmonics of the motion need this residue.
     pub residue: S,
 }
 
 impl<S: Float, D: Decay<S>> Wave<S, D> {
-    /// Creates a wave with all coefficients 0.
+    /// Creates a modal term whose coefficients are all 0.
     pub fn at_rest(x: S, decay: D) -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -43,7 +45,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// Returns the mode's functions of time at one instant.
+    /// Evaluates the functions of time of the mode at one instant: its free displacement p and the others of [`Basis`].
     #[inline]
     pub(crate) fn basis(&self, at: &Instant<S>) -> Basis<S> {
         if self.mass_controlled {
@@ -53,8 +55,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// Returns the second derivative of sin τ − p, which is the slope of cos τ − p′. It is computed from the forces
-    /// that drive the difference, which loses no digits.
+    /// Returns the second derivative of sin τ − p, with the free displacement p. The function uses the equation of
+    /// motion of sin τ − p, because subtracting p″ would lose digits close to the resonance x = 1.
     #[inline]
     pub(crate) fn forced_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         let (one, x) = (S::constant(1.0), self.x);
@@ -63,13 +65,14 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         detuning * at.sine + loss * (at.cosine - basis.forced_slope) - x * x * basis.forced
     }
 
-    /// Creates a wave with all coefficients 0, as a placeholder for a mode.
+    /// Creates a term whose coefficients are all 0, as a placeholder for `mode` in an array of terms.
     pub fn idle(mode: &Mode<S>) -> Self {
         Self::at_rest(S::constant(0.0), D::of(mode))
     }
 
-    /// Returns true if the rounding of x alone can turn the wave by a radian before the wave has decayed. Returns true
-    /// also if the wave is at rest.
+    /// Returns true if the rounding of x alone can shift the phase xτ by a radian before the free motion has decayed.
+    /// Returns true also if the coefficients `forced` and `forced_slope` are both 0, as for a mode that the contact
+    /// does not drive.
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
@@ -77,7 +80,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         at_rest || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
     }
 
-    /// Returns an upper bound on the modulus of the wave.
+    /// Returns an upper bound on the modulus of the modal term over the half period.
     fn amplitude_bound(&self) -> S {
         let one = S::constant(1.0);
         let Self {
@@ -98,8 +101,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             + rise.abs() * r
     }
 
-    /// Returns the coefficients of cos τ and sin τ in the force that drives the wave. The force has `rise` as its
-    /// constant term.
+    /// Returns the amplitudes of cos τ and sin τ in the force on the mode. The constant part of the force is `rise`.
     pub(crate) fn forcing(&self) -> (S, S) {
         let (one, x) = (S::constant(1.0), self.x);
         let loss = (self.decay.zeta() + self.decay.zeta()) * x;
@@ -108,7 +110,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         (c * loss + b * detuning, c * detuning - b * loss)
     }
 
-    /// Returns the slope at an instant, from the mode's functions there.
+    /// Returns the derivative with respect to τ of the modal term, at an instant. `basis` has the functions of time at
+    /// that instant.
     #[inline]
     pub(crate) fn slope(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         self.free * basis.slope
@@ -117,7 +120,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             + self.rise * basis.free
     }
 
-    /// Returns the value at an instant, from the mode's functions there.
+    /// Returns the modal term at an instant. `basis` has the functions of time at that instant.
     #[inline]
     pub fn value(&self, basis: &Basis<S>) -> S {
         self.free * basis.free
@@ -127,18 +130,18 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     }
 }
 
-/// The sum Σ waves + cosine·cos τ + sine·sin τ.
+/// Modal sum: the terms of all modes, plus cosine·cos τ + sine·sin τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Sum<'a, S, D> {
-    /// Terms of the modes, slowest first.
+    /// Terms of the modes, in ascending order of natural frequency.
     pub waves: &'a [Wave<S, D>],
-    /// Coefficient of cos τ.
+    /// Coefficient of cos τ, in addition to the terms of the modes.
     pub cosine: S,
-    /// Coefficient of sin τ.
+    /// Coefficient of sin τ, in addition to the terms of the modes.
     pub sine: S,
 }
 
-/// Value and first three derivatives of a function at one instant.
+/// Modal sum and its first three derivatives with respect to τ, at one instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jet<S> {
     /// sin τ at the instant.
@@ -152,7 +155,7 @@ pub(crate) struct Jet<S> {
 }
 
 impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
-    /// Returns the value at an instant.
+    /// Evaluates the modal sum at an instant.
     pub fn value(&self, at: &Instant<S>) -> S {
         let mut sum = self.cosine * at.cosine + self.sine * at.sine;
         for wave in self.waves {
@@ -161,7 +164,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum
     }
 
-    /// Returns the derivative with respect to τ at an instant.
+    /// Evaluates the derivative of the modal sum with respect to τ at an instant.
     pub fn slope(&self, at: &Instant<S>) -> S {
         let mut sum = self.sine * at.cosine - self.cosine * at.sine;
         for wave in self.waves {
@@ -176,8 +179,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum
     }
 
-    /// Returns the value and three derivatives at an instant. The second and third derivative follow from the equation
-    /// of motion of each mode.
+    /// Evaluates the modal sum and its first three derivatives at an instant. The second and third derivative follow
+    /// from the equation of motion of each mode.
     pub(crate) fn jet(&self, at: &Instant<S>) -> Jet<S> {
         let Instant { sine, cosine, .. } = *at;
         let value = self.cosine * cosine + self.sine * sine;
@@ -207,7 +210,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         jet
     }
 
-    /// Returns the value and the derivative at τ = 0, where all waves except the mass-controlled ones are at rest.
+    /// Returns the modal sum and its derivative at τ = 0. The terms of most modes start from rest and contribute
+    /// nothing. Only modes that resonate far below the excitation frequency contribute.
     pub(crate) fn start(&self) -> (S, S) {
         let mut value = self.cosine;
         let mut slope = self.sine;
@@ -219,14 +223,15 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         (value, slope)
     }
 
-    /// Returns the rate of the fastest mode in the sum, max x(1 + 2ζ).
+    /// Returns the largest x(1 + 2ζ) of the modes in the sum. This rate bounds how fast any mode oscillates and how
+    /// fast any mode decays.
     pub(crate) fn fastest(&self) -> S {
         let waves = self.waves.iter();
         fastest(waves.map(|wave| (wave.x, wave.decay.zeta())))
     }
 
-    /// Returns an upper bound on the rounding error of the sum. Waves close to the excitation's frequency do not count,
-    /// since their differences from it are small.
+    /// Returns an upper bound on the rounding error of the modal sum. Modes that resonate close to the excitation
+    /// frequency are left out, since their terms are small differences with small rounding errors.
     pub(crate) fn rounding(&self) -> S {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let mut sum = self.cosine.abs() + self.sine.abs();
@@ -238,8 +243,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum * S::constant(S::RESOLUTION)
     }
 
-    /// Returns an upper bound on the rounding error of a sum that is divided by sin τ. The angle xτ is off by one
-    /// rounding for each of its turns.
+    /// Returns an upper bound on the rounding error of a modal sum that the search divides by sin τ. The phase xτ of
+    /// each mode is wrong by one rounding for each of its turns.
     pub(crate) fn rounding_over_sine(&self) -> S {
         let quarter = S::constant(0.25);
         let sum = self.over_sine(|x| {
@@ -249,7 +254,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum * S::constant(S::RESOLUTION)
     }
 
-    /// Returns Σ |forced|·p + |forced_slope|·q, where `of` gives (p, q) for x.
+    /// Returns the sum of |forced|·P + |forced_slope|·Q over all modal terms. The closure `of` gives the factors (P, Q)
+    /// for the x of a mode.
     fn over_sine(&self, of: impl Fn(S) -> (S, S)) -> S {
         let add = |sum: S, wave: &Wave<S, D>| {
             let (p, q) = of(wave.x);
@@ -259,14 +265,15 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     }
 }
 
-/// Returns the largest x(1 + 2ζ), which bounds how fast a mode of (x, ζ) turns and how fast it decays.
+/// Returns the largest x(1 + 2ζ) of several modes (x, ζ). This rate bounds how fast any of the modes oscillates and how
+/// fast any of the modes decays.
 pub(crate) fn fastest<S: Float>(modes: impl Iterator<Item = (S, S)>) -> S {
     modes.fold(S::constant(0.0), |most, (x, zeta)| {
         most.max(x * (S::constant(1.0) + (zeta + zeta)))
     })
 }
 
-/// Returns p″ and p‴, from the mode's equation p″ + 2ζx p′ + x²p = 0.
+/// Returns the derivatives p″ and p‴ of the free displacement p, from its equation p″ + 2ζx p′ + x²p = 0.
 #[inline]
 fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) {
     let x = wave.x;
@@ -275,8 +282,8 @@ fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) 
     (curve, -(x * (x * basis.slope + two_zeta * curve)))
 }
 
-/// Returns the second and third derivative of sin τ − p, given those of p. Close to x = 1 they are computed from the
-/// forces that drive the difference, since subtraction would lose digits there.
+/// Returns the second and third derivative of sin τ − p, given the derivatives of the free displacement p. Close to the
+/// resonance x = 1 a subtraction would lose digits. The function then uses the equation of motion of sin τ − p.
 #[inline]
 fn differences<S: Float, D: Decay<S>>(
     wave: &Wave<S, D>,

@@ -1,12 +1,13 @@
-//! Complex operations that the formulas need, on any [`Scalar`].
+//! Complex operations that the formulas need, over any [`Scalar`].
 //!
-//! The operators of num-complex require traits that symbolic scalars cannot have. Without damping every imaginary part
-//! is the constant 0. The argument `damped` is then false, and the imaginary part is not computed.
+//! The operators of num-complex require traits that symbolic scalars cannot have. In a scene without damping every
+//! imaginary part is the constant 0. The argument `damped` is then false, and the functions do not compute the
+//! imaginary part.
 
 use crate::number::scalar::Scalar;
 pub use num_complex::Complex;
 
-/// Returns `re` + 0i.
+/// Returns the complex number `re` + 0i.
 #[inline(always)]
 pub fn real<S: Scalar>(re: S) -> Complex<S> {
     Complex::new(re, S::constant(0.0))
@@ -18,13 +19,13 @@ pub fn add<S: Scalar>(a: Complex<S>, b: Complex<S>) -> Complex<S> {
     Complex::new(a.re + b.re, a.im + b.im)
 }
 
-/// Returns k·a for a real k.
+/// Returns k·a for a real factor k.
 #[inline(always)]
 pub fn scale<S: Scalar>(a: Complex<S>, k: S) -> Complex<S> {
     Complex::new(a.re * k, a.im * k)
 }
 
-/// Returns a·b.
+/// Returns the product a·b. Without damping it returns the product of the real parts alone.
 #[inline(always)]
 pub fn mul<S: Scalar>(a: Complex<S>, b: Complex<S>, damped: bool) -> Complex<S> {
     if damped {
@@ -34,7 +35,7 @@ pub fn mul<S: Scalar>(a: Complex<S>, b: Complex<S>, damped: bool) -> Complex<S> 
     }
 }
 
-/// Returns |Re| + |Im|, which is of the order of |a| and needs no square root.
+/// Returns |Re a| + |Im a|. It has the same order of magnitude as |a|, and needs no square root.
 #[inline(always)]
 pub(crate) fn size<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     if damped {
@@ -44,7 +45,7 @@ pub(crate) fn size<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     }
 }
 
-/// Returns a where the condition is true, b elsewhere.
+/// Returns a if the condition is true, and b if the condition is false.
 #[inline(always)]
 pub(crate) fn select<S: Scalar>(
     condition: S::Condition,
@@ -57,7 +58,7 @@ pub(crate) fn select<S: Scalar>(
     )
 }
 
-/// Returns 1/a for a ≠ 0 of any size.
+/// Returns 1/a for a ≠ 0, without overflow of |a|².
 #[inline(always)]
 pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     if damped {
@@ -67,7 +68,7 @@ pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     }
 }
 
-/// Returns 1/a for a ≠ 0 of any size, and 1/|a|² as the product of two numbers of about 1/|a|.
+/// Returns 1/a for a ≠ 0, and two numbers of about 1/|a| whose product is 1/|a|². No square overflows.
 #[inline(always)]
 pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
     let inverse = (S::constant(1.0) / size(a, true)).named("inverse_size", None);
@@ -83,14 +84,14 @@ pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
     (reciprocal, (inverse, k))
 }
 
-/// Returns 1/a for |Re| + |Im| = 1. `mode` only names values in emitted code.
+/// Returns 1/a for a complex number with |Re a| + |Im a| = 1. `mode` only names variables in emitted code.
 #[inline(always)]
 pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>, mode: Option<usize>) -> Complex<S> {
     let inverse = (S::constant(1.0) / (a.re * a.re + a.im * a.im)).named("inverse_modulus", mode);
     Complex::new(a.re * inverse, -(a.im * inverse))
 }
 
-/// Returns |a| for a of any size.
+/// Returns |a| without overflow of |a|². Without damping it returns |Re a|.
 #[inline(always)]
 pub fn modulus<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     if damped { a.re.hypot(a.im) } else { a.re.abs() }

@@ -27,13 +27,13 @@ pub(crate) use tables::INVERSE_FACTORIAL;
 /// ```
 #[derive(Clone, Copy, PartialEq, Default)]
 pub struct Dd {
-    /// Leading term, the sum rounded to `f64`.
+    /// Leading term, which is the exact number rounded to `f64`.
     pub hi: f64,
-    /// Remainder, at most half a unit in the last place of `hi`.
+    /// Remainder, which is at most half a unit in the last place of `hi`.
     pub lo: f64,
 }
 
-/// Returns the rounded sum and its rounding error.
+/// Returns the rounded sum a + b and its rounding error.
 #[inline]
 pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -41,18 +41,18 @@ pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - part)) + (b - part))
 }
 
-/// Returns the rounded sum and its rounding error, for |a| ≥ |b| or a = 0.
+/// Returns the rounded sum a + b and its rounding error, for |a| ≥ |b| or a = 0.
 #[inline]
 fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
-/// Splits a number into two of at most 26 bits (Dekker).
+/// Splits a number into a sum of two numbers with at most 26 bits each (Dekker's splitting).
 #[inline]
 fn split(a: f64) -> (f64, f64) {
     const LARGE: f64 = 6.696928794914171e299;
-    // The product with the factor must not overflow.
+    // The multiplication by `FACTOR` must not overflow.
     if a.abs() > LARGE {
         return split_large(a);
     }
@@ -77,7 +77,7 @@ fn split_large(a: f64) -> (f64, f64) {
     (hi / DOWN, lo / DOWN)
 }
 
-/// Returns the rounded product and its rounding error (unless the error underflows).
+/// Returns the rounded product a·b and its rounding error, which is exact unless it underflows.
 #[inline]
 pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -89,21 +89,21 @@ pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
 }
 
 impl Dd {
-    /// 0.
+    /// The number 0.
     pub const ZERO: Self = Self::new(0.0, 0.0);
-    /// 1.
+    /// The number 1.
     pub const ONE: Self = Self::new(1.0, 0.0);
-    /// π.
+    /// The number π, to about 32 digits.
     pub const PI: Self = Self::new(core::f64::consts::PI, 1.2246467991473532e-16);
 
-    /// Creates the number `hi + lo`, which must be normalised: `hi` is the rounded sum.
+    /// Creates the number `hi + lo`. The two terms must be normalised: `hi` is the sum `hi + lo` rounded to `f64`.
     #[inline]
     #[must_use]
     pub const fn new(hi: f64, lo: f64) -> Self {
         Self { hi, lo }
     }
 
-    /// Returns the exact sum of two `f64` in any order.
+    /// Returns the exact sum of two `f64`, in any order of magnitude.
     ///
     /// ```
     /// use frictiongen_kernel::number::dd::Dd;
@@ -117,7 +117,7 @@ impl Dd {
         Self::finished(hi, lo)
     }
 
-    /// Returns the exact product of two `f64` (unless its last part underflows).
+    /// Returns the exact product of two `f64`, unless the remainder `lo` underflows.
     ///
     /// ```
     /// use frictiongen_kernel::number::dd::Dd;
@@ -134,7 +134,8 @@ impl Dd {
         Self::finished(hi, lo)
     }
 
-    /// Replaces `lo` by 0 if `hi` is not finite. An infinite leading term leaves a NaN in `lo`, which must not spread.
+    /// Creates a number, with `lo` replaced by 0 if `hi` is not finite. Next to an infinite `hi` the remainder would be
+    /// NaN, which must not spread.
     #[inline]
     fn finished(hi: f64, lo: f64) -> Self {
         if hi.is_finite() {
@@ -144,7 +145,7 @@ impl Dd {
         }
     }
 
-    /// Joins a leading term and a correction.
+    /// Adds a leading term and a smaller correction, and normalises the sum.
     #[inline]
     fn joined(hi: f64, lo: f64) -> Self {
         if !hi.is_finite() {
@@ -154,7 +155,7 @@ impl Dd {
         Self::finished(hi, lo)
     }
 
-    /// Returns the nearest `f64`, `hi + lo`.
+    /// Returns `hi + lo` rounded to the nearest `f64`.
     #[inline]
     #[must_use]
     pub fn to_f64(self) -> f64 {
@@ -193,7 +194,7 @@ impl Dd {
         if other < self { other } else { self }
     }
 
-    /// Returns √self, to about 1e-32; NaN below 0.
+    /// Returns √self, with a relative error of about 1e-32. Negative numbers give NaN.
     ///
     /// ```
     /// use frictiongen_kernel::number::dd::Dd;
@@ -208,7 +209,7 @@ impl Dd {
         if self.hi <= 0.0 || !self.hi.is_finite() {
             return Self::new(crate::number::float::sqrt_f64(self.hi), 0.0);
         }
-        // The square of the root must keep its last digits and must not overflow.
+        // Scaling keeps the last digits of root², and prevents its overflow.
         if self.hi < TINY {
             return self.scaled(UP).scaled(UP).sqrt().scaled(1.0 / UP);
         }
@@ -220,7 +221,8 @@ impl Dd {
         Self::joined(root, rest.to_f64() / (2.0 * root))
     }
 
-    /// Multiplies by a power of two.
+    /// Multiplies by `power`, which must be a power of two. The multiplication is then exact unless it overflows or
+    /// underflows.
     #[inline]
     pub(crate) fn scaled(self, power: f64) -> Self {
         Self::finished(self.hi * power, self.lo * power)
@@ -254,7 +256,7 @@ impl Neg for Dd {
 
 impl Add for Dd {
     type Output = Self;
-    /// Adds with a relative error below 3·2^−106, also where the numbers cancel.
+    /// Adds with a relative error below 3·2^−106, even if the two numbers nearly cancel.
     #[inline]
     fn add(self, other: Self) -> Self {
         let (hi, mut rest) = two_sum(self.hi, other.hi);
@@ -298,7 +300,7 @@ impl Div for Dd {
         if !first.is_finite() || !other.hi.is_finite() || first == 0.0 {
             return Self::new(first, 0.0);
         }
-        // The products with the digits, and their splittings, must not overflow.
+        // The products of `other` with the digits, and the splittings of the products' factors, must not overflow.
         if self.hi.abs() > LARGE || other.hi.abs() > LARGE {
             return self.scaled(DOWN) / other.scaled(DOWN);
         }

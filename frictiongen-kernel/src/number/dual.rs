@@ -1,8 +1,8 @@
-//! Dual numbers, which are a value and its derivative with respect to one variable.
+//! Dual numbers: a value together with its derivative with respect to one variable.
 //!
 //! A closed form evaluated with dual numbers gives its exact derivative together with its value. Close to a resonance
-//! the derivative of a bounded quotient is a difference of large terms. With [`Dd`](crate::number::dd::Dd) as the
-//! component type it keeps its digits there.
+//! the derivative of a bounded quotient is a difference of large terms. Dual numbers of [`Dd`](crate::number::dd::Dd)
+//! keep the digits of the difference.
 
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::{exp_m1_minus, versine_pi};
@@ -21,30 +21,30 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<S> {
-    /// Value f.
+    /// Value f of the function.
     pub value: S,
-    /// Derivative ∂f/∂p.
+    /// Derivative ∂f/∂p of the function.
     pub slope: S,
 }
 
 impl<S: Float> Dual<S> {
-    /// Creates a number that does not depend on the variable.
+    /// Creates a dual number with derivative 0, for a quantity that does not depend on the variable p.
     pub fn fixed(value: S) -> Self {
         let slope = S::constant(0.0);
         Self { value, slope }
     }
 
-    /// Creates the variable itself.
+    /// Creates the variable p itself, with the given value and the derivative 1.
     pub fn variable(value: S) -> Self {
         let slope = S::constant(1.0);
         Self { value, slope }
     }
 
-    /// Returns f(self), where f has the value `value` and the derivative `derivative` at `self`.
+    /// Returns f(self) by the chain rule. `value` is f and `derivative` is f′, both at `self`.
     #[inline]
     fn chain(self, value: S, derivative: S) -> Self {
         let zero = S::constant(0.0);
-        // A constant keeps the derivative 0, even where f has an infinite derivative.
+        // A constant keeps the derivative 0 even where f′ is infinite. The product 0·∞ would be NaN.
         let slope = if self.slope == zero {
             zero
         } else {
@@ -177,7 +177,7 @@ impl<S: Float> Scalar for Dual<S> {
     fn atan2(self, x: Self) -> Self {
         let (y, size) = (self, self.value.abs().max(x.value.abs()));
         let value = y.value.atan2(x.value);
-        // Both components are divided by the larger, since its square may be out of range.
+        // y and x are divided by the larger of the two, since its square may overflow or underflow.
         let (sy, sx) = (y.value / size, x.value / size);
         let slope = (sx * y.slope - sy * x.slope) / (size * (sx * sx + sy * sy));
         Self { value, slope }
@@ -201,7 +201,8 @@ impl<S: Float> Scalar for Dual<S> {
     fn one_minus_sinc_pi(self) -> Self {
         let z = self.value;
         let value = z.one_minus_sinc_pi();
-        // (sinc − cos)/z, from 1 − cos and 1 − sinc. Both vanish with z, and their difference loses hardly any digits.
+        // The derivative (sinc − cos)/z is computed from 1 − cos and 1 − sinc. Both vanish with z, and their difference
+        // loses hardly any digits.
         let derivative = if z.is_zero() {
             z
         } else {

@@ -1,23 +1,26 @@
-//! Coefficients of the Euler polynomials e_n(τ) = πⁿE_n(τ/π)/n! of even order, as polynomials in w = τ(π − τ).
+//! Coefficients of the Euler polynomials of even order, e_n(τ) = πⁿE_n(τ/π)/n!, as polynomials in w = τ(π − τ).
 //!
-//! These polynomials describe the motion of a free mass under a unit force that changes its sign twice a period; see
-//! `modal_sum::mass_controlled`.
+//! The polynomials describe the motion of a free mass under a unit force that changes its sign every half period. They
+//! are used in `modal_sum::mass_controlled`.
 
-/// Number of even orders that are summed in `f64`, and below in `f32`. The third harmonic of the rest falls at least
-/// sixfold per order where the polynomials are used. 1/6 to the power of twice this number is below the rounding.
+/// Number of Euler polynomials of even order that a response sums in `f64`. `SINGLE` is the number in `f32`. With each
+/// order the third harmonic of the neglected remainder falls at least sixfold, so that (1/6)^(2·`DOUBLE`) is below the
+/// rounding error.
 const DOUBLE: usize = 11;
 const SINGLE: usize = 5;
 
-/// Coefficients of e_2m, m = 1, 2, …, in `f64`: powers of w = τ(π − τ) from the mth down to the first.
+/// Coefficients of the Euler polynomials e_2m in `f64`, for m = 1, 2, …. For each m the coefficients are listed from
+/// the power wᵐ down to w¹, with w = τ(π − τ).
 pub(crate) const DOUBLE_TERMS: [f64; terms(DOUBLE)] = coefficients();
-/// Coefficients in `f32`, rounded from those above.
+/// Coefficients of the Euler polynomials e_2m in `f32`, rounded from [`DOUBLE_TERMS`].
 pub(crate) const SINGLE_TERMS: [f32; terms(SINGLE)] = rounded(coefficients());
 
 const fn terms(orders: usize) -> usize {
     orders * (orders + 1) / 2
 }
 
-/// Computes the coefficients by e_n″ = e_n−2, from the highest power down. In this order nothing cancels.
+/// Computes the coefficients from the recurrence e_n″ = e_n−2, from the highest power of w down. In this order nothing
+/// cancels.
 #[allow(clippy::indexing_slicing, reason = "at compile time")]
 const fn coefficients<const N: usize>() -> [f64; N] {
     const SQUARE: f64 = core::f64::consts::PI * core::f64::consts::PI;
@@ -28,7 +31,8 @@ const fn coefficients<const N: usize>() -> [f64; N] {
         let mut power = order;
         while power > 0 {
             let at = row + order - power;
-            // Coefficients of w^(power−1) in e_2m−2, and of w^(power+1) in e_2m.
+            // `lower` is the coefficient of w^(power−1) in e_2m−2, and `higher` is the coefficient of w^(power+1) in
+            // e_2m.
             let lower = if power > 1 {
                 out[before + order - power]
             } else {

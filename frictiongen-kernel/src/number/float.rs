@@ -1,8 +1,8 @@
-//! `f64` and `f32` as scalars.
+//! Implementation of [`Scalar`] and [`Float`] for `f64` and `f32`.
 //!
 //! `libm` provides the exponentials and the arc tangent. All other functions consist of additions, subtractions,
-//! multiplications, divisions and square roots. The results therefore have the same bits on every host. The polynomials
-//! are minimax, from `tools/coefficients.py constants`.
+//! multiplications, divisions and square roots. The results therefore have the same bits on every host. The
+//! coefficients of the minimax polynomials come from `tools/coefficients.py constants`.
 
 use crate::number::scalar::{Float, Plain, Scalar};
 use crate::number::trig::{double, polynomial, single};
@@ -25,11 +25,11 @@ fn sqrt_f32(x: f32) -> f32 {
     root(x)
 }
 
-/// Returns √x, correctly rounded, in half the instructions of libm's function. A processor with single precision
-/// divides in one instruction.
+/// Returns √x, correctly rounded, in half the instructions of libm's function. The function suits processors that
+/// divide in single precision in one instruction.
 ///
-/// Three of Heron's steps, started from half the exponent, are off by at most one unit in the last place. The
-/// remainder, exact in integers, gives the correction.
+/// The start halves the exponent of x. Three Heron steps then leave an error of at most one unit in the last place. The
+/// remainder x − root², exact in integers, gives the correction.
 #[cfg(any(test, not(feature = "std")))]
 fn root(x: f32) -> f32 {
     const TWO_TO_24: f32 = 16_777_216.0;
@@ -40,7 +40,7 @@ fn root(x: f32) -> f32 {
     let bits = x.to_bits();
     if bits.wrapping_sub(ONE) >= INFINITE - ONE {
         return if x > 0.0 && x < f32::MIN_POSITIVE {
-            // Both scalings are exact.
+            // Multiplications by powers of two are exact here.
             root(x * TWO_TO_24) / TWO_TO_12
         } else if x >= 0.0 {
             x
@@ -53,23 +53,23 @@ fn root(x: f32) -> f32 {
     near = 0.5 * (near + x / near);
     near = 0.5 * (near + x / near);
     let near = near.to_bits();
-    // x − near² in units of the square of near's last place. It is small, so that the low halves of both terms suffice.
-    // The low half of x is what a shift by at least 21 leaves of its fraction.
+    // The remainder x − near², in units of the square of near's last place, is small. The low 32 bits of both terms are
+    // therefore enough. The left shift, by at least 21, keeps only the low bits of x.
     let unit = (near & FRACTION) | ONE;
     let shift = ((bits >> 23) + 150).wrapping_sub(2 * (near >> 23));
     let remainder = bits
         .wrapping_shl(shift)
         .wrapping_sub(unit.wrapping_mul(unit));
     let (remainder, half) = (remainder.cast_signed(), unit.cast_signed());
-    // Below a power of two the spacing of the numbers is half as large.
+    // Below a power of two, adjacent numbers are half as far apart.
     let below = if unit == ONE { half / 2 } else { half };
     let (up, down) = (remainder > half, remainder <= -below);
     f32::from_bits(near + u32::from(up) - u32::from(down))
 }
 
-/// 2^400.
+/// 2^400, the largest 1/r at which `f64` and double-double evaluate the formulas.
 pub(crate) const POWER_400: f64 = f64::from_bits((1023 + 400) << 52);
-/// 2^50.
+/// 2^50, the largest 1/r at which `f32` evaluates the formulas.
 const POWER_50: f32 = f32::from_bits((127 + 50) << 23);
 
 macro_rules! real {
@@ -139,8 +139,8 @@ macro_rules! real {
             }
             #[inline]
             fn atan2(self, x: Self) -> Self {
-                // The sum with 0 removes the sign of a zero. An exact zero of a sine, of either sign, must not decide
-                // between π and −π.
+                // Adding 0 turns −0 into +0. Otherwise the sign of an exact zero of a sine would decide between π and
+                // −π.
                 $atan2(self + 0.0, x + 0.0)
             }
             #[inline]
@@ -157,7 +157,7 @@ macro_rules! real {
                 if z.abs() > 0.75 {
                     return 1.0 - $trig::sin_pi(z) / (core::$float::consts::PI * z);
                 }
-                // The leading term has no rounding error, as in the trigonometry.
+                // The product of the leading bits has no rounding error, as in `trig`.
                 const SIXTH_PI_SQUARED: [$float; 2] = $sixth_pi_squared;
                 let u = z * z;
                 let high = $trig::leading(z);
@@ -168,11 +168,11 @@ macro_rules! real {
             }
             #[inline]
             fn scaled_sinh_defect(self) -> Self {
-                // e^{−a} is 0 long before a = 1000. An infinite a times 0 would be NaN.
+                // e^{−a} is 0 long before a = 1000, and for an infinite a the product a·e^{−a} would be NaN.
                 let a = if self > 1000.0 { 1000.0 } else { self };
                 let decay = Scalar::exp(-a);
                 if a < 2.0 {
-                    // The cube has a single rounding, since the cube of the leading bits is exact.
+                    // The cube of the leading bits is exact, so that a³ is rounded only once.
                     let u = a * a;
                     let high = $trig::leading(a);
                     let square = high * high;
@@ -282,7 +282,8 @@ real! {
 mod tests {
     use super::root;
 
-    /// Checks fractions over one even and one odd exponent. The last place of a root depends on nothing else.
+    /// Compares `root` with the square root of the standard library. The last bit of a root depends only on the
+    /// fraction and on the parity of the exponent. The test therefore covers one even and one odd exponent densely.
     #[test]
     fn roots_of_single_precision_are_rounded_correctly() {
         let edges = [0, 1, 2, 0x007f_ffff, 0x0080_0000, 0x7f7f_ffff, 0x7f80_0000].into_iter();

@@ -1,16 +1,16 @@
-//! Several numbers side by side, which a processor computes at once.
+//! Arrays of numbers that a processor can compute at once with packed (SIMD) instructions.
 //!
-//! Every operation acts on each number alone, with the same bits.
+//! Every operation acts on each number of the array separately. The results have the same bits as single numbers.
 
 use crate::number::scalar::{Float, Scalar};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// `N` numbers side by side.
+/// Array of `N` numbers that is itself a [`Scalar`], so that one formula evaluates `N` numbers at once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lanes<S, const N: usize = 2>(pub [S; N]);
 
 impl<S: Float, const N: usize> Lanes<S, N> {
-    /// Puts the same number into every lane.
+    /// Creates an array whose `N` numbers all equal `value`.
     #[inline(always)]
     pub(crate) fn all(value: S) -> Self {
         Self([value; N])

@@ -1,8 +1,9 @@
-//! Numbers: the scalar over which every formula is written, and the functions that the formulas need.
+//! Number types and elementary functions, of which the formulas of all other modules consist.
 //!
-//! The scalars are `f64` and `f32` ([`scalar`]), double-double ([`dd`]), and numbers with a derivative ([`dual`]). The
-//! functions are complex operations, half-turn trigonometry, phases reduced to one cycle, and functions that keep their
-//! digits where a plain difference would lose them ([`special`]). This module knows neither masses nor springs.
+//! The number types are `f64` and `f32` ([`scalar`]), double-double with about 31 digits ([`dd`]), and dual numbers,
+//! which carry a derivative ([`dual`]). The functions are complex operations, trigonometry of angles in half-turns,
+//! phases reduced to one cycle, and functions that stay accurate where a plain difference would cancel ([`special`]).
+//! This module does not use masses or springs.
 
 pub mod complex;
 pub mod dd;

@@ -1,8 +1,8 @@
-//! Phases reduced to one cycle.
+//! Reduction of phases to one cycle.
 
 use super::scalar::{Float, Scalar};
 
-/// Returns an angle shifted by at most one turn into (−π, π]. The angle must be within one turn of that interval.
+/// Shifts an angle in rad by at most one full turn into (−π, π]. The angle must be within one turn of that interval.
 #[inline]
 pub(crate) fn wrapped<S: Scalar>(angle: S) -> S {
     let (pi, turn) = (S::pi(), (S::pi() + S::pi()));
@@ -10,7 +10,7 @@ pub(crate) fn wrapped<S: Scalar>(angle: S) -> S {
     S::select((-pi).lt(angle), angle, angle + turn)
 }
 
-/// Returns a phase in half-turns less all whole cycles. The result is in [0, 2], and equals 2 only by rounding.
+/// Subtracts all whole cycles from a phase in half-turns. The result is in [0, 2], and equals 2 only by rounding.
 #[inline]
 pub(crate) fn within_cycle<S: Float>(t: S) -> S {
     t - (t * S::constant(0.5)).floor() * S::constant(2.0)

@@ -1,12 +1,13 @@
 //! Sine and cosine of angles in half-turns, in `f64` ([`double`]) and `f32` ([`single`]).
 //!
-//! The argument counts half-turns: `sin_pi(h)` is sin(πh). A multiple of a half is subtracted from h without rounding,
-//! before the multiplication by π. The results therefore have full relative accuracy next to every zero. They are
+//! The argument counts half-turns: `sin_pi(h)` is sin(πh). The functions subtract a multiple of 1/2 from h without
+//! rounding, before they multiply by π. The results therefore have full relative accuracy next to every zero. They are
 //! exactly 0 or ±1 where the mathematical value is. Only `+`, `-` and `*` are used, so that every host returns the same
-//! bits. The polynomials are minimax, from `tools/coefficients.py constants`.
+//! bits. The coefficients of the minimax polynomials come from `tools/coefficients.py constants`.
 
-/// A polynomial with the coefficients of the lowest power first, by Estrin's scheme. Its pairs of coefficients are
-/// independent, while each step of Horner's scheme waits for the one before.
+/// Evaluates a polynomial in u by Estrin's scheme, with the coefficient of the lowest power first. The scheme sums
+/// independent pairs of coefficients, which a processor can overlap. In Horner's scheme each step waits for the
+/// previous one.
 macro_rules! polynomial {
     (@pairs $u:ident, $square:ident, $last:expr $(,)?) => { $last };
     (@pairs $u:ident, $square:ident, $first:expr, $second:expr $(,)?) => {
@@ -37,47 +38,49 @@ macro_rules! half_turns {
     ) => {
         $(#[$doc])*
         pub mod $module {
-            /// π as a sum of two terms. The product of the first with a number of [`LEADING`] bits is exact.
+            /// π as a sum of two terms. The product of the first term with a number that keeps only its [`LEADING`]
+            /// bits is exact.
             const PI: [$float; 2] = $pi;
             const HALF_PI_SQUARED: $float = $half_pi_squared;
-            /// Mask that clears all but the leading third of a significand.
+            /// Mask that keeps the leading third of a significand and clears the other bits.
             const LEADING: $bits = $leading;
-            /// Adding this to a smaller number rounds that number to a multiple of a half. The lowest bits of the sum
-            /// then contain the number of halves.
+            /// Large constant that rounds a smaller number to a multiple of 1/2 when it is added. The lowest bits of
+            /// the sum then contain the number of halves.
             const TO_HALVES: $float = $to_halves;
-            /// Adding this to a smaller number rounds that number to a multiple of four.
+            /// Large constant that rounds a smaller number to a multiple of 4 when it is added.
             const TO_FOURS: $float = $to_fours;
 
-            /// Returns the leading third of x's significand.
+            /// Returns x with all bits after the leading third of its significand cleared.
             #[inline(always)]
             pub(crate) fn leading(x: $float) -> $float {
                 $float::from_bits(x.to_bits() & LEADING)
             }
 
-            /// Returns h minus a multiple of 4, exactly; NaN if h is not finite.
+            /// Returns h minus the nearest multiple of 4, exactly. The result is NaN if h is not finite.
             #[cold]
             fn wrapped(h: $float) -> $float {
-                // From this size on, every number is an even integer.
+                // From `$even` on, every number is an even integer. h * 0.0 is then 0, or NaN if h is not finite.
                 if h.abs() < $even { h - ((h + TO_FOURS) - TO_FOURS) } else { h * 0.0 }
             }
 
-            /// Returns the number q of halves nearest to h (in its two lowest bits) and h − q/2, exactly.
+            /// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Only the two
+            /// lowest bits of q are meaningful. |h| must be below `exact`.
             #[inline(always)]
             fn reduced(h: $float) -> ($bits, $float) {
                 let shifted = h + TO_HALVES;
                 (shifted.to_bits(), h - (shifted - TO_HALVES))
             }
 
-            /// Returns the same as [`reduced`], for every h.
+            /// Returns the number of halves and the remainder as [`reduced`] does, for h of any size.
             #[inline(always)]
             pub(crate) fn reduced_any(h: $float) -> ($bits, $float) {
                 reduced(if h.abs() < $exact { h } else { wrapped(h) })
             }
 
-            /// Returns sine and cosine of πr for |r| ≤ 1/4, each as a leading term and a small rest.
+            /// Returns sin πr and cos πr for |r| ≤ 1/4, each as a leading term and a small correction.
             ///
             /// The leading product πr is split so that it has no rounding error. The cosine is 1 minus at most 0.3, so
-            /// that the errors of the subtracted term matter little.
+            /// that errors of the subtracted term matter little.
             #[inline(always)]
             fn kernel(r: $float) -> ([$float; 2], [$float; 2]) {
                 let u = r * r;
@@ -94,7 +97,8 @@ macro_rules! half_turns {
                 )
             }
 
-            /// Turns sine and cosine of the remainder by q quarter turns, without a branch.
+            /// Returns (sin(α + qπ/2), cos(α + qπ/2)) for a given `sin` = sin α and `cos` = cos α. The function does
+            /// not branch.
             #[inline(always)]
             fn turned(q: $bits, sin: $float, cos: $float) -> ($float, $float) {
                 const SIGN: u32 = $bits::BITS - 2;
@@ -105,10 +109,11 @@ macro_rules! half_turns {
                 ($float::from_bits(s), $float::from_bits(c))
             }
 
-            /// Returns (sin πh, cos πh), h in half-turns.
+            /// Returns (sin πh, cos πh), with h in half-turns.
             ///
-            /// Each is within 1.1 units in the last place for every finite h. Each is exactly 0 or ±1 where sine and
-            /// cosine are. Large numbers are even integers, with the result (0, 1). An infinite h or NaN gives NaN.
+            /// Each result is within 1.1 units in the last place for every finite h. Each result is exactly 0 or ±1
+            /// where sine and cosine are. Large numbers are even integers, with the result (0, 1). An infinite h or NaN
+            /// gives NaN.
             ///
             /// ```
             #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::sin_cos_pi;")]
@@ -124,11 +129,11 @@ macro_rules! half_turns {
                 turned(q, sin[0] + sin[1], cos[0] + cos[1])
             }
 
-            /// Returns (sin π(h − d), cos π(h − d)), h and d in half-turns.
+            /// Returns (sin π(h − d), cos π(h − d)), with h and d in half-turns.
             ///
-            /// The difference is never rounded. The function reduces h first, and carries along what the subtraction of
-            /// d loses. Each result is within 1.2 units in the last place, also where h − d is next to a zero. A zero
-            /// is exact. The result is NaN unless h and d are finite.
+            /// The difference h − d is never rounded. The function reduces h first, and then corrects for the digits
+            /// that the subtraction of d loses. Each result is within 1.2 units in the last place, also where h − d is
+            /// next to a zero. An exact zero is returned as 0. The result is NaN unless h and d are finite.
             ///
             /// ```
             #[doc = concat!(
@@ -142,18 +147,19 @@ macro_rules! half_turns {
             #[inline]
             #[must_use]
             pub fn sin_cos_pi_minus(h: $float, d: $float) -> ($float, $float) {
-                // For a larger d the square of the lost digits would not be negligible.
+                // For a larger d, the square of the lost digits would not be negligible in `less`.
                 let d = if d.abs() < $near { d } else { wrapped(d) };
                 less(reduced_any(h), d)
             }
 
-            /// Returns sine and cosine of π(h − d), for a reduced h and a d below `near`.
+            /// Returns (sin π(h − d), cos π(h − d)) for an h reduced to (q, r) = (number of halves, remainder), and |d|
+            /// < `near`.
             #[inline(always)]
             fn less((q, r): ($bits, $float), d: $float) -> ($float, $float) {
                 let difference = r - d;
                 let subtracted = difference - r;
                 let lost = (r - (difference - subtracted)) - (d + subtracted);
-                // The first order of the addition theorem restores the lost digits.
+                // The first-order term of the addition theorem restores the digits in `lost`.
                 let angle = lost * core::$float::consts::PI;
                 let (p, rest) = reduced(difference);
                 let (sin, cos) = kernel(rest);
@@ -162,10 +168,11 @@ macro_rules! half_turns {
                 turned(q.wrapping_add(p), s, c)
             }
 
-            /// Returns each number unchanged, or less a multiple of 4 where it is too large for [`reduced`].
+            /// Subtracts a multiple of 4 from each number that is too large for [`reduced`]. Other numbers stay
+            /// unchanged.
             #[inline(always)]
             fn near_of<const N: usize>(mut h: [$float; N]) -> [$float; N] {
-                // One branch for all numbers lets the compiler use packed instructions.
+                // A single branch for all numbers lets the compiler use packed instructions.
                 if !h.iter().fold(true, |all, h| all & (h.abs() < $exact)) {
                     for h in &mut h {
                         if !(h.abs() < $exact) {
@@ -176,10 +183,11 @@ macro_rules! half_turns {
                 h
             }
 
-            /// Evaluates [`sin_cos_pi`] of several numbers. Returns the sines, then the cosines.
+            /// Evaluates [`sin_cos_pi`] for each number of an array. Returns the array of sines, then the array of
+            /// cosines.
             #[inline(always)]
             pub(crate) fn sin_cos_pi_of<const N: usize>(h: [$float; N]) -> [[$float; N]; 2] {
-                // All branches come first. The rest is one block, for which the compiler uses packed instructions.
+                // All branches come first. The compiler then uses packed instructions for the loop.
                 let h = near_of(h);
                 let (mut sines, mut cosines) = (h, h);
                 for ((s, c), h) in sines.iter_mut().zip(&mut cosines).zip(h) {
@@ -190,7 +198,8 @@ macro_rules! half_turns {
                 [sines, cosines]
             }
 
-            /// Evaluates [`sin_cos_pi_minus`] of several numbers. Returns the sines, then the cosines.
+            /// Evaluates [`sin_cos_pi_minus`] for each pair (h, d) of two arrays. Returns the array of sines, then the
+            /// array of cosines.
             #[inline(always)]
             pub(crate) fn sin_cos_pi_minus_of<const N: usize>(
                 h: [$float; N],
@@ -206,7 +215,7 @@ macro_rules! half_turns {
                 [sines, cosines]
             }
 
-            /// Returns sin πh, h in half-turns, within 1.1 units in the last place.
+            /// Returns sin πh, with h in half-turns. The error is at most 1.1 units in the last place.
             /// ```
             #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::sin_pi;")]
             ///
@@ -223,7 +232,7 @@ macro_rules! half_turns {
 }
 
 half_turns! {
-    /// Half-turn trigonometry in `f64`.
+    /// Sine and cosine of angles in half-turns, in `f64`.
     double: f64 as u64,
     to_halves: 6_755_399_441_055_744.0 / 2.0, to_fours: 6_755_399_441_055_744.0 * 4.0,
     exact: 1_125_899_906_842_624.0, even: 9_007_199_254_740_992.0, near: 1_048_576.0,
@@ -249,7 +258,7 @@ half_turns! {
 }
 
 half_turns! {
-    /// Half-turn trigonometry in `f32`, without any `f64` underneath.
+    /// Sine and cosine of angles in half-turns, in `f32`. No step uses `f64`.
     single: f32 as u32,
     to_halves: 12_582_912.0 / 2.0, to_fours: 12_582_912.0 * 4.0,
     exact: 2_097_152.0, even: 16_777_216.0, near: 64.0,

@@ -1,12 +1,12 @@
-//! Critically damped mode, ζ = 1.
+//! Formulas of a critically damped mode, ζ = 1.
 
 use super::values::{
     Basis, Instant, ModeResponse, Turn, complement_and_factor, denominator, one_minus_d,
 };
 use crate::number::scalar::{Float, Scalar};
 
-/// Returns the mode's functions of the frequency for ζ = 1, the limit q → 0 from both sides, to first order in q² = 1 −
-/// ζ². The value of q² is 0, but its derivative with respect to ζ is not.
+/// Evaluates the response and damping functions of a mode at ζ = 1. The formulas are of first order in q² = 1 − ζ². q²
+/// itself is 0, but a dual number may carry its derivative with respect to ζ.
 #[inline]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -18,7 +18,7 @@ pub(super) fn response<S: Scalar>(
     let (denominator, size) = denominator(x, zeta, at);
     let decay = (S::pi() * zeta * x).named("decay_exponent", at);
     let (m, e) = complement_and_factor(decay, at);
-    // θ², θ = πqx.
+    // `square` is θ² with θ = πqx.
     let angle = S::pi() * x;
     let square = angle * angle * ((one - zeta) * (one + zeta));
     let sinc_defect = square / S::constant(6.0);
@@ -39,8 +39,8 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// Returns the mode's functions of time at one instant ([`Basis`]), to first order in q² = 1 − ζ². Derivatives with
-/// respect to ζ need the first order, although q² is 0.
+/// Evaluates the functions of time of a mode at one instant, to first order in q² = 1 − ζ². q² itself is 0, but
+/// derivatives with respect to ζ need the first order.
 pub(super) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let one = S::constant(1.0);
     let time = x * at.tau;
@@ -59,7 +59,7 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// Returns the free motion over τ.
+/// Returns the free motion of a critically damped mode over the time τ.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, tau: S) -> Turn<S> {
     let decay_factor = (-(x * tau)).exp();

@@ -1,8 +1,8 @@
 //! Free motion of one mode in time, in closed forms that agree at the bounds of their ranges of damping.
 //!
-//! The free displacement that starts with unit speed from x̄ = 0 is p = e^{−ζxτ}·sin(qxτ)/(qx). Everything that a mode
-//! does in a half period consists of p, its slope and three differences. The differences vanish where p vanishes, or at
-//! the mode's resonance, and are computed without cancellation.
+//! The free displacement that starts with unit speed from x̄ = 0 is p = e^{−ζxτ}·sin(qxτ)/(qx). The motion of a mode in
+//! a half period is a combination of p, its derivative p′ and three differences ([`Basis`]). Some of the differences
+//! vanish where p vanishes, others at the resonance of the mode. All are computed without cancellation.
 
 use super::mode::{Kind, Mode};
 pub(crate) use super::values::Turn;
@@ -13,7 +13,7 @@ use crate::number::scalar::Float;
 use crate::number::special::versine_beside;
 
 impl<S: Float> Instant<S> {
-    /// Creates the instant τ = πt.
+    /// Creates the instant τ = πt from the phase t in half-turns.
     #[inline]
     pub fn new(t: S) -> Self {
         let (sine, cosine) = t.sin_cos_pi();
@@ -39,7 +39,7 @@ impl<S: Float> Instant<S> {
         }
     }
 
-    /// Creates the instant τ. At τ = 0 it evaluates no sine.
+    /// Creates the instant τ from the phase in rad. At τ = 0 it evaluates no sine.
     #[inline]
     pub(crate) fn from_start(tau: S) -> Self {
         if tau.is_zero() {
@@ -50,25 +50,28 @@ impl<S: Float> Instant<S> {
     }
 }
 
-/// Decay of a scene's modes. It is a type, so that undamped scenes evaluate no exponentials.
+/// Damping of the modes of a scene. It is a type parameter, so that the code of undamped scenes contains no
+/// exponentials.
 pub trait Decay<S: Float>: Copy {
-    /// Takes the decay from a mode's constants.
+    /// Takes kind of damping and modal damping ratio from the constants of a mode.
     fn of(mode: &Mode<S>) -> Self;
-    /// Returns the kind of damping, which selects the closed form.
+    /// Returns the kind of damping (undamped, underdamped, critical or overdamped), which selects the closed form.
     fn kind(&self) -> Kind;
     /// Returns the modal damping ratio ζ.
     fn zeta(&self) -> S;
-    /// Returns the mode's functions of time at one instant, with x = 1/R.
+    /// Evaluates the free displacement p of a mode at one instant, and the other functions of time in [`Basis`]. x is
+    /// the natural frequency over the excitation frequency, 1/R.
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S>;
-    /// Returns p and p′ alone.
+    /// Evaluates the free displacement p and its derivative p′ at one instant, without the other functions of
+    /// [`Basis`].
     fn free(&self, x: S, at: &Instant<S>) -> (S, S);
 }
 
-/// Decay of a mode without damping.
+/// Damping of a mode with ζ = 0, for scenes without damping.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Undamped;
 
-/// Decay of a mode with any damping, including none.
+/// Damping of a mode with any modal damping ratio ζ, including 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Damped<S> {
     kind: Kind,
@@ -137,7 +140,7 @@ impl<S: Float> Decay<S> for Damped<S> {
 }
 
 impl<S: Float> Damped<S> {
-    /// Creates the decay from ζ, √|1 − ζ²| and their kind.
+    /// Creates the damping of a mode from its modal damping ratio ζ, from q = √|1 − ζ²|, and from the kind of damping.
     pub(crate) fn new(kind: Kind, zeta: S, q: S) -> Self {
         Self {
             kind,
@@ -148,7 +151,8 @@ impl<S: Float> Damped<S> {
     }
 }
 
-/// Returns the free motion of an oscillator over τ = πt.
+/// Returns the free motion, over the time τ = πt, of a mode whose natural frequency is x times the excitation
+/// frequency.
 #[inline]
 pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) -> Turn<S> {
     match kind {
@@ -159,7 +163,8 @@ pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) 
     }
 }
 
-/// Returns the two factors e^{x(−ζ ± iq)τ} by which `turn` multiplies the free motion.
+/// Returns the two factors e^{x(−ζ ± iq)τ} by which a free mode multiplies its two complex solutions over the time of
+/// `turn`.
 pub(crate) fn multipliers<S: Float>(kind: Kind, q: S, turn: &Turn<S>) -> [Complex<S>; 2] {
     let im = q * turn.s;
     match kind {

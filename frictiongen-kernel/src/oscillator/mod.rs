@@ -1,9 +1,9 @@
-//! One mode alone, with its constants, its response and half-period values at a frequency, and its free motion in time.
+//! A single mode of the chain: its constants, its response at a frequency, and its free motion in time.
 //!
-//! Each kind of damping has its own formulas in its own file: `undamped`, `underdamped`, `critical`, `overdamped`. They
-//! use numbers and `values`, which contains what they have in common. [`mode`] and [`decay`] choose between them. A
-//! mode knows its own resonance and damping, and how strongly load and contact drive it. It knows neither other modes
-//! nor sums.
+//! Each kind of damping has its own formulas in its own file: `undamped`, `underdamped`, `critical`, `overdamped`. The
+//! file `values` has types and steps that several kinds share. [`mode`] and [`decay`] select the file by the kind of
+//! damping. A mode has its own resonance and damping, and the strength with which load and contact drive it. This
+//! module contains no sum over modes.
 
 mod critical;
 pub mod decay;

@@ -1,9 +1,9 @@
 //! One mode of the chain, with its constants, and its response and damping functions at a frequency.
 //!
-//! Every function of a single mode depends on x = √λ/r = 1/R, which is rounded once. The response v and the half-period
-//! damping functions u and g (7.11, 7.12) therefore stay consistent close to their common pole x = 1. Sums over modes
-//! are multiplied by the *scale* E, the smallest |x² − 1 + 2iζx| of the chain. All sums are then finite on a resonance
-//! and close to it.
+//! Every function of a single mode depends on x = √λ/r, the natural frequency of the mode over the excitation
+//! frequency. x is rounded once. The response v and the half-period damping functions u and g (7.11, 7.12) therefore
+//! stay consistent close to x = 1, where undamped v and u have a pole. Sums over modes are multiplied by the *scale* E,
+//! the smallest |x² − 1 + 2iζx| of the chain. All sums are then finite on a resonance and close to it.
 
 pub use super::values::ModeResponse;
 use super::values::denominator;
@@ -11,51 +11,52 @@ use super::{critical, overdamped, undamped, underdamped};
 use crate::number::complex;
 use crate::number::scalar::Scalar;
 
-/// Kind of decay of a mode, which selects the closed form of its functions.
+/// Kind of damping of a mode. It selects the closed form in which the functions of the mode are evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// No damping, ζ = 0.
     Undamped,
-    /// Light damping, 0 < ζ < 1/2. The mode stores 1 − q as well as q, so that no digits are lost at the pole for small
-    /// ζ.
+    /// Light damping, 0 < ζ < 1/2. The mode stores 1 − q as well as q = √(1 − ζ²), since 1 − q computed from q would
+    /// lose digits for small ζ.
     Light,
-    /// Heavy damping, 1/2 ≤ ζ < 1.
+    /// Heavy damping below critical, 1/2 ≤ ζ < 1.
     Heavy,
     /// Critical damping, ζ = 1.
     Critical,
-    /// Overdamped, ζ > 1, without oscillation.
+    /// Overdamped, ζ > 1. The free motion does not oscillate.
     Over,
 }
 
-/// Constants of one mode. They depend on the scene alone, not on r.
+/// Constants of one mode of the chain. They depend on the scene alone, not on the frequency ratio r.
 #[derive(Clone, Copy, Debug)]
 pub struct Mode<S> {
-    /// Kind of decay, which selects the closed form.
+    /// Kind of damping, which selects the closed form.
     pub kind: Kind,
-    /// True if the contact drives the mode, φᵀw ≠ 0.
+    /// True if the contact drives the mode, which means φᵀw ≠ 0 with the mode shape φ and the contact direction w.
     pub in_contact: bool,
-    /// √λ, the frequency ratio r at which the mode resonates.
+    /// Resonance √λ: the frequency ratio r at which the mode resonates.
     pub resonance: S,
     /// Modal damping ratio ζ.
     pub zeta: S,
-    /// √|1 − ζ²|.
+    /// Factor q = √|1 − ζ²| between the damped and the undamped natural frequency.
     pub q: S,
-    /// 1 − q, to full relative accuracy (used for [`Kind::Light`]).
+    /// 1 − q, to full relative accuracy. Only modes of [`Kind::Light`] use it.
     pub q_defect: S,
-    /// φᵀp, the strength with which the load drives the mode.
+    /// Product φᵀp of the mode shape and the load vector: the strength with which the load drives the mode.
     pub load: S,
-    /// φᵀw, the strength with which the contact drives the mode.
+    /// Product φᵀw of the mode shape and the contact direction: the strength with which the contact drives the mode.
     pub contact: S,
-    /// (φᵀw)(φᵀp), the residue load → contact times λ.
+    /// Residue (φᵀw)(φᵀp) of the mode from load to contact. It is λ times the static residue.
     pub residue: S,
-    /// (φᵀw)², the mode's term c of the inverse effective mass of the contact.
+    /// Square (φᵀw)², the term of this mode in the inverse effective mass m* of the contact.
     pub inverse_mass: S,
-    /// (φᵀw)(φᵀp)/λ, the static residue load → contact.
+    /// Static residue (φᵀw)(φᵀp)/λ from load to contact: the term of this mode in the static displacement of the
+    /// contact under the load.
     pub static_residue: S,
 }
 
 impl<S: Scalar> ModeResponse<S> {
-    /// Creates a response of zeros, as the initial value of an array of modes.
+    /// Creates a response whose numbers are all 0, as the initial content of an array.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -71,20 +72,22 @@ impl<S: Scalar> ModeResponse<S> {
 }
 
 impl<S: Scalar> Mode<S> {
-    /// Returns the mode's functions of the frequency at r = 1/`inverse_r`. `index` only names values in emitted code.
+    /// Evaluates the response and damping functions of the mode at r = 1/`inverse_r`. `index` only names variables in
+    /// emitted code.
     #[inline]
     pub fn response(&self, inverse_r: S, index: usize) -> ModeResponse<S> {
         self.functions_of(self.kind, inverse_r, true, index)
     }
 
-    /// Returns the mode's functions of the frequency, with g = 0 unless `with_g`. The limits do not need g, which is
-    /// half of the work.
+    /// Evaluates the response and damping functions of the mode at r = 1/`inverse_r`. If `with_g` is false, the damping
+    /// function g is returned as 0. The limits of continuous and stuck motion do not need g, which is half of the work.
     #[inline(always)]
     pub(crate) fn functions(&self, inverse_r: S, with_g: bool) -> ModeResponse<S> {
         self.functions_of(self.kind, inverse_r, with_g, 0)
     }
 
-    /// Returns the mode's functions of the frequency for the given kind of damping.
+    /// Evaluates the response and damping functions of the mode with the closed form of the given `kind`. `index` only
+    /// names variables in emitted code.
     #[inline(always)]
     pub(crate) fn functions_of(
         &self,
@@ -105,13 +108,14 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// Returns the functions of the frequency of an undamped mode at x = √λ/r.
+    /// Evaluates the response functions of an undamped mode at x = √λ/r.
     #[inline(always)]
     pub(crate) fn undamped(x: S) -> ModeResponse<S> {
         undamped::response(x, None)
     }
 
-    /// Returns only the `size` of the mode's [`response`](Self::response).
+    /// Returns |x² − 1| + 2ζx of the mode at r = 1/`inverse_r`. The field `size` of [`response`](Self::response) is the
+    /// same number.
     #[inline]
     pub(crate) fn size(&self, inverse_r: S) -> S {
         let x = self.resonance * inverse_r;
@@ -121,7 +125,8 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// Returns the `size` of a mode whose kind is known. An exact zero of an undamped mode is not replaced.
+    /// Returns |x² − 1| + 2ζx of a mode whose kind of damping the caller knows. The result is exactly 0 for an undamped
+    /// mode at its resonance.
     #[inline(always)]
     pub(crate) fn size_but_zero(&self, kind: Kind, inverse_r: S) -> S {
         let x = self.resonance * inverse_r;

@@ -1,11 +1,12 @@
-//! Overdamped mode, ζ > 1, with q = √(ζ² − 1): two decays, no oscillation.
+//! Formulas of an overdamped mode, ζ > 1, with q = √(ζ² − 1). Its free motion is a sum of two decays without
+//! oscillation.
 
 use super::values::{Basis, Instant, ModeResponse, Turn, denominator};
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
-/// Returns the mode's functions of the frequency for ζ > 1. The code combines the two real decays e^{−πx(ζ∓q)} before
-/// they can overflow.
+/// Evaluates the response and damping functions of a mode for ζ > 1. The two decays e^{−πx(ζ∓q)} are combined before
+/// either exponential can overflow.
 #[inline]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -25,8 +26,8 @@ pub(super) fn response<S: Scalar>(
     let k = (size / ((one + e_slow) * (one + e_fast))).named("pole_weight", at);
     let b = (-(-spread).exp_m1() * e_slow / q * k).named("u_times_r", at);
     let a = -(-(S::constant(2.0) * pi * zeta * x)).exp_m1() * k;
-    // 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}), from terms of the third order in x. The subtracted term is never
-    // more than two thirds of the others.
+    // `defect` is 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}), written with terms of the third order in x. The
+    // subtracted term is at most two thirds of the sum of the other terms.
     let defect = if with_g {
         let half = S::constant(0.5);
         let minus_one = (-(fast * half)).exp_m1().named("decay_minus_one", at);
@@ -47,7 +48,7 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// Returns the mode's functions of time at one instant ([`Basis`]).
+/// Evaluates the functions of time of an overdamped mode at one instant.
 pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> {
     let (one, half) = (S::constant(1.0), S::constant(0.5));
     let sum = zeta + q;
@@ -60,11 +61,13 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     let (free, slope) = (sinh / x, cosh - zeta * sinh);
     let decay = zeta * time;
     let one_minus_d = if S::constant(2.0) < sum && time < sum {
-        // Both decays from their second order on. The forms below would cancel to 1/ζ².
+        // Both decays are expanded from their second order on. The forms further down would cancel, down to a fraction
+        // 1/ζ² of their terms.
         let (slow, fast) = (exp_m1_minus(-(time / sum)), exp_m1_minus(-(time * sum)));
         (fast / sum - slow * sum) * half / q
     } else if decay < half {
-        // e^a − cosh b − (a/b) sinh b, from terms that start at the second order.
+        // 1 − d is e^{−a}(e^a − cosh b − (a/b) sinh b) with a = ζxτ and b = qxτ. All terms here start at the second
+        // order.
         let b = q * time;
         let (plus, minus) = (exp_m1_minus(b), exp_m1_minus(-b));
         let sinh_ratio = if b > S::constant(0.0) {
@@ -79,7 +82,7 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// Returns the free motion over τ.
+/// Returns the free motion of an overdamped mode over the time τ.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, tau: S) -> Turn<S> {
     let half = S::constant(0.5);

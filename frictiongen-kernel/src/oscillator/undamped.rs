@@ -1,20 +1,20 @@
-//! Undamped mode, ζ = 0.
+//! Formulas of an undamped mode, ζ = 0.
 
 use super::values::{Basis, Instant, ModeResponse, Turn, differences};
 use crate::number::complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::versine_beside;
 
-/// Returns x² − 1, with a replacement for its exact zero.
+/// Returns x² − 1 of an undamped mode. An exact zero is replaced by a tiny number, so that it can be a divisor.
 #[inline]
 pub(super) fn detuning<S: Scalar>(x: S) -> S {
     let one = S::constant(1.0);
     ((x - one) * (x + one)).detuning_off_pole()
 }
 
-/// Returns the mode's functions of the frequency for ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0. v and u share a
-/// pole at x = 1, and u has a pole of its own at every other odd x. The code replaces exact zeros of both divisors, so
-/// that no quotient is 0/0.
+/// Evaluates the response functions of a mode for ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0. Both v and u have a
+/// pole at x = 1, and u has another one at every other odd x. Exact zeros of the two divisors are replaced by tiny
+/// numbers, so that no quotient is 0/0.
 #[inline(always)]
 pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     let zero = S::constant(0.0);
@@ -34,7 +34,7 @@ pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     }
 }
 
-/// Returns the mode's functions of time at one instant ([`Basis`]).
+/// Evaluates the functions of time of an undamped mode at one instant.
 #[inline]
 pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
     let half_turns = x * at.t;
@@ -50,7 +50,7 @@ pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
     }
 }
 
-/// Returns the free motion over τ = πt.
+/// Returns the free motion of an undamped mode over the time τ = πt.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, t: S) -> Turn<S> {
     let (s, c) = (x * t).sin_cos_pi();

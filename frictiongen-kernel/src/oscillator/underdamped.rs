@@ -1,4 +1,4 @@
-//! Underdamped mode, 0 < ζ < 1, with q = √(1 − ζ²): an oscillation that decays.
+//! Formulas of an underdamped mode, 0 < ζ < 1, with q = √(1 − ζ²). Its free motion is an oscillation that decays.
 
 use super::values::{
     Basis, Instant, ModeResponse, Turn, complement_and_factor, denominator, differences,
@@ -7,8 +7,10 @@ use super::values::{
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::versine_beside;
 
-/// Returns the mode's functions of the frequency for 0 < ζ < 1, from section 3 of `docs/derivation.md`. The denominator
-/// 1 + e^{−πx(ζ−iq)} is written around its zeros: (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2) − i m sin(θ/2), θ = πqx.
+/// Evaluates the response and damping functions of a mode for 0 < ζ < 1, as section 3 of `docs/derivation.md` derives
+/// them. Their denominator 1 + E, with E = e^{−πx(ζ−iq)}, is nearly 0 at some x. It is written as
+/// (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2) − i m sin(θ/2), with θ = πqx, e = |E| and m = 1 − e, which keeps its digits
+/// there.
 #[inline(always)]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -35,7 +37,7 @@ pub(super) fn response<S: Scalar>(
     let re = (re * inverse).named("unit_nearness_re", at);
     let im = (im * inverse).named("unit_nearness_im", at);
     let k = (size * inverse / (re * re + im * im)).named("pole_weight", at);
-    // 4/q comes first, since it is a constant of the scene. Emitted code then needs no division at run time.
+    // The division 4/q comes first, since 4/q is a constant of the scene. Emitted code then divides at compile time.
     let b = (S::constant(4.0) / q * s * e * (c * inverse) * k).named("u_times_r", at);
     let a = (one + e) * (m * inverse) * k;
     let defect = if with_g {
@@ -53,7 +55,8 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// Returns the mode's functions of time at one instant ([`Basis`]), for ζ < 1/2.
+/// Evaluates the functions of time of a mode at one instant, for 0 < ζ < 1/2. Close to the resonance x = 1 it avoids
+/// cancellation.
 pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>) -> Basis<S> {
     let (one, half) = (S::constant(1.0), S::constant(0.5));
     let decay = zeta * x * at.tau;
@@ -71,7 +74,8 @@ pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>)
     let one_minus_d = one_minus_d(decay, decay_factor, direct, versine, sinc_defect);
     let mut basis = Basis::damped(x, zeta, free, slope, one_minus_d, at);
     if (x - one).abs() < half {
-        // The undamped differences plus the changes due to damping, each without cancellation.
+        // Each difference is the undamped difference plus the change due to damping. Both are computed without
+        // cancellation.
         let (s0, c0) = turns.sin_cos_pi();
         let (forced, forced_slope) = differences(x, s0, versine_beside(turns, c0), at);
         let (half_s, _) = (defect * half).sin_cos_pi();
@@ -85,7 +89,7 @@ pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>)
     basis
 }
 
-/// Returns the mode's functions of time at one instant ([`Basis`]), for 1/2 ≤ ζ < 1.
+/// Evaluates the functions of time of a mode at one instant, for 1/2 ≤ ζ < 1.
 pub(super) fn heavy<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> {
     let one = S::constant(1.0);
     let decay = zeta * x * at.tau;
@@ -100,7 +104,7 @@ pub(super) fn heavy<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// Returns the free motion over τ = πt.
+/// Returns the free motion of an underdamped mode over the time τ = πt.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, t: S, tau: S) -> Turn<S> {
     let decay_factor = (-(zeta * x * tau)).exp();

@@ -1,32 +1,36 @@
-//! Values that every kind of damping returns, and steps that several kinds share.
+//! Types that the formulas of every kind of damping return, and steps that several kinds share.
 
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
-/// Functions of one mode at one frequency, each free of the pole at x = 1.
+/// Response and damping functions of one mode at one frequency. The functions u, g and `reversal` are multiplied by
+/// `size`, so that they stay finite at the resonance x = 1.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeResponse<S> {
-    /// Resonance of the mode over the excitation, x = √λ/r = 1/R.
+    /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
     pub x: S,
-    /// Denominator of the response, x² − 1 + 2iζx = x²/v.
+    /// Denominator of the response v to the load, x² − 1 + 2iζx = x²/v.
     pub denominator: Complex<S>,
-    /// Size of the denominator, |Re| + |Im|.
+    /// |Re| + |Im| of the denominator, which measures the distance from the resonance.
     pub size: S,
-    /// Half-period function of the velocity, u R² times `size`.
+    /// Damping function u: slope at the reversal of the response to a square wave of friction (7.11), multiplied by R²
+    /// and by `size`.
     pub u: S,
-    /// Half-period function of the displacement, g times `size`; 0 without damping.
+    /// Damping function g: displacement at the reversal of the response to a square wave of friction (7.12), multiplied
+    /// by `size`. Without damping g is 0.
     pub g: S,
-    /// Contribution of damping to a reversal, (g + 2ζRu) times `size`; 0 without damping.
+    /// Damping term g + 2ζRu of the mode in H_c, which enters the break-away condition at a reversal. The term is
+    /// multiplied by `size`, and is 0 without damping.
     pub reversal: S,
 }
 
-/// An instant of the half period: τ = πt.
+/// An instant of the half period, with its phase τ = ωt from a maximum of z̄ and the sine and cosine of τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Instant<S> {
-    /// Time in half-turns, t = τ/π.
+    /// Phase in half-turns, t = τ/π.
     pub t: S,
-    /// Time τ, rad.
+    /// Phase τ, in rad.
     pub tau: S,
     /// sin τ.
     pub sine: S,
@@ -36,24 +40,26 @@ pub struct Instant<S> {
     pub versine: S,
 }
 
-/// Functions of one mode at one instant.
+/// Functions of time of one mode, at one instant: the free displacement p and quantities derived from p. The motion of
+/// the mode in the half period is a linear combination of these functions.
 #[derive(Clone, Copy, Debug)]
 pub struct Basis<S> {
-    /// Free displacement p = e^{−ζxτ} sin(qxτ)/(qx).
+    /// Free displacement p = e^{−ζxτ} sin(qxτ)/(qx), which starts from 0 with unit speed. x is 1/R.
     pub free: S,
-    /// Slope p′ of the free displacement.
+    /// Derivative p′ of the free displacement p with respect to τ.
     pub slope: S,
-    /// sin τ − p.
+    /// Difference sin τ − p, with the free displacement p.
     pub forced: S,
-    /// cos τ − p′.
+    /// Difference cos τ − p′, which is the derivative of sin τ − p with the free displacement p.
     pub forced_slope: S,
-    /// (1 − d)/x² with d = p′ + 2ζx·p, the return from rest at distance 1.
+    /// (1 − d)/x², where d = p′ + 2ζx·p is the free motion that starts at rest from displacement 1.
     pub rise: S,
 }
 
 impl<S: Float> Basis<S> {
-    /// Computes all functions from p, p′ and 1 − d = 1 − p′ − 2ζx·p. It takes cos τ − p′ from 1 − d, and so keeps the
-    /// digits at τ → 0, where the velocity constraint divides by sin τ.
+    /// Computes all functions of time from the free displacement p, from p′ and from 1 − d, where d = p′ + 2ζx·p. The
+    /// function computes cos τ − p′ from 1 − d, which keeps the digits at τ → 0, where the velocity constraint divides
+    /// by sin τ.
     #[inline]
     pub(super) fn damped(
         x: S,
@@ -73,17 +79,18 @@ impl<S: Float> Basis<S> {
     }
 }
 
-/// Free motion over a time: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q, both entire in q².
+/// Free motion of one mode over a time τ: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q. Both are entire functions of
+/// q², so that they also describe overdamped modes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn<S> {
     pub c: S,
     pub s: S,
-    /// e^{−ζxτ}, the factor by which an oscillation has decayed. It is 1 where c and s contain no oscillation.
+    /// Factor e^{−ζxτ} by which an oscillation decays over the time τ. For modes that do not oscillate the factor is 1.
     pub decay_factor: S,
 }
 
 impl<S: Float> Turn<S> {
-    /// Advances a free displacement y and a scaled velocity u = y′/x over the time.
+    /// Advances a free displacement y and a scaled velocity u = y′/x over the time τ.
     #[inline]
     pub(crate) fn moved(&self, zeta: S, [y, u]: [S; 2]) -> [S; 2] {
         let drag = zeta * self.s;
@@ -94,7 +101,7 @@ impl<S: Float> Turn<S> {
     }
 }
 
-/// Returns x² − 1 + 2iζx and its size |Re| + |Im|.
+/// Returns the denominator x² − 1 + 2iζx of a response, and the sum |Re| + |Im| of the denominator.
 #[inline]
 pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Complex<S>, S) {
     let one = S::constant(1.0);
@@ -103,8 +110,8 @@ pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Compl
     (Complex::new(re, im), (re.abs() + im).named("size", at))
 }
 
-/// Returns 1 − e^{−decay} and e^{−decay}, each with its own digits. Subtracting one from 1 to get the other would lose
-/// digits where the result is small.
+/// Returns 1 − e^{−decay} and e^{−decay}, both to full relative accuracy. Neither is computed as 1 minus the other,
+/// which would lose digits where the result is small.
 #[inline]
 pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
     let half = (decay * S::constant(-0.5)).exp_m1();
@@ -114,9 +121,9 @@ pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (
     (m.named("decay_complement", at), e.named("decay_factor", at))
 }
 
-/// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to x = 1 both are differences of nearly equal terms, and the
-/// large damping functions of a resonance multiply them. Products replace the differences there. The velocity
-/// constraint divides the second by sin τ, so that it must keep its digits at τ → 0.
+/// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to the resonance x = 1 both are differences of nearly equal
+/// terms, and are multiplied by damping functions that are large at a resonance. The function computes them as products
+/// there. It also keeps the digits of the second difference at τ → 0, where the velocity constraint divides by sin τ.
 #[inline]
 pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<S>) -> (S, S) {
     let one = S::constant(1.0);
@@ -132,8 +139,9 @@ pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<
     }
 }
 
-/// Returns 1 − d as a sum of terms of one sign, e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)]. For a decay a of
-/// at least 1 it returns `direct`.
+/// Returns 1 − d, where d is the free motion that starts at rest from displacement 1. For a decay a = ζxτ below 1 it is
+/// e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)] with b = qxτ, a sum of terms of one sign. For larger decays the
+/// function returns `direct`, in which nothing cancels.
 #[inline]
 pub(super) fn one_minus_d<S: Float>(
     decay: S,

@@ -1,6 +1,7 @@
-//! Tests of which mode is treated as dominant, and of the value of V that its phase is measured against. An error here
-//! causes only rounding errors close to a pole. A rounding of r changes every result there by more, so that no test of
-//! the results would show the error.
+//! Tests of the choice of the dominant mode, and of the response V against which the phase of the mode is measured.
+//!
+//! A wrong choice causes only rounding errors close to a resonance. A rounding of r changes every result there by more,
+//! so that no test of the results would detect the error.
 
 use super::{DominantSums, Partner, Terms, Which};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -16,8 +17,8 @@ fn chain(on_moving_base: Option<f64>) -> Chain<f64> {
     }
 }
 
-/// Returns an undamped mode at twice the excitation's frequency, and its values at one frequency. `terms` is its
-/// contribution to V and to U.
+/// Returns an undamped mode at twice the excitation frequency, and the mode's functions at one frequency. `terms` is
+/// the mode's term in V (the response to the load) and in U (the damping function).
 fn mode(terms: f64) -> (Mode<f64>, ModeAt<f64>) {
     let mode = Mode {
         kind: Kind::Undamped,
@@ -48,10 +49,10 @@ fn contact(v: Complex<f64>) -> ContactAt<f64> {
     }
 }
 
-/// Returns the index of the mode that is treated as dominant among three, if any.
+/// Returns the index of the dominant mode among three modes, or `None` if no mode is dominant.
 fn taken(terms: [f64; 3], on_moving_base: Option<f64>) -> Option<usize> {
     let mut modes = terms.map(mode);
-    // On a moving base V uses the static residue instead of the residue, and v − 1 instead of v.
+    // On a moving base V contains the static residue instead of the residue, and v − 1 instead of v.
     for (mode, at) in &mut modes {
         if on_moving_base.is_some() {
             (mode.static_residue, at.response) = (at.response.re, Complex::new(1.0, 0.0));
@@ -73,7 +74,8 @@ fn the_mode_that_outweighs_the_others() {
     assert_eq!(taken([1.0, 1.2, 1.0], None), None);
 }
 
-/// Checks that the static term on a moving base counts as one of the others' terms.
+/// Checks the choice of the dominant mode on a moving base. The static term of the response V must count among the
+/// terms of the other modes.
 #[test]
 fn beside_what_stands_at_rest() {
     assert_eq!(taken([1.0, 1e3, 1.0], Some(1e3)), Some(1));
@@ -81,8 +83,8 @@ fn beside_what_stands_at_rest() {
     assert_eq!(taken([1.0, 1e3, 1.0], Some(-1e6)), None);
 }
 
-/// Checks that the phase is measured against the other modes' terms where these are the smaller. A mode is in phase
-/// with its own term of V.
+/// Checks that the phase of a mode is measured against the smaller of two numbers: the full response V, or V without
+/// the term of that mode. A mode is in phase with its own term of V.
 #[test]
 fn turned_against_what_the_others_leave() {
     let terms = |v| Terms { v, ..Terms::zero() };

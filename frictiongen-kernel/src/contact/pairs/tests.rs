@@ -1,10 +1,10 @@
-//! Tests that modes in pairs and modes one by one give the same bits.
+//! Tests that modes computed in pairs give the same bits as modes computed one by one.
 
 use super::*;
 use crate::contact::driven::DrivenModes;
 use crate::number::complex::Complex;
 
-/// Returns a number from the index of a mode, neither regular nor on a resonance.
+/// Returns a pseudo-random number between 0.1 and 1.1 for the mode with an index.
 fn scattered(index: usize, salt: usize) -> f64 {
     ((index * 37 + salt * 11) as f64 * 0.618_033_988_749_894_9).fract() + 0.1
 }
@@ -39,7 +39,7 @@ fn modes<S: Float>(count: usize, zeta: impl Fn(usize) -> f64, driven: usize) -> 
     (0..count).map(mode).collect()
 }
 
-/// Returns the bits of all results of a frequency stage. An f32 has the bits of its f64.
+/// Returns the bits of all modal sums and of the functions of all modes. `f32` numbers are first converted to `f64`.
 fn bits<S: Float>(contact: &ContactAt<S>, kept: &[ModeAt<S>]) -> Vec<u64> {
     let of = |z: Complex<S>| [z.re, z.im];
     let ContactAt {
@@ -59,7 +59,8 @@ fn bits<S: Float>(contact: &ContactAt<S>, kept: &[ModeAt<S>]) -> Vec<u64> {
     all.iter().map(|value| value.to_f64().to_bits()).collect()
 }
 
-/// Compares, and returns the number of comparisons: sums in pairs, and limits from gathered constants.
+/// Compares modal sums in pairs with sums one by one, and limits from gathered constants with limits from the sums.
+/// Returns the numbers of both kinds of comparison.
 fn agree<S: Float>() -> [usize; 2] {
     let dampings: [fn(usize) -> f64; 4] = [
         |_| 0.0,
@@ -78,7 +79,8 @@ fn agree<S: Float>() -> [usize; 2] {
                     inverse_mass: S::constant(0.9),
                     stiction: S::constant(1.2),
                 };
-                // Values on resonances and subharmonics, close to them, and so large that x has no angle left.
+                // Some of these 1/r put modes on a resonance or a subharmonic, or close to it. At the largest the phase
+                // of xτ is lost.
                 for inverse_r in [2.0, 1.0, 0.3, 0.7, 6.0, 1.0 + 1e-7, 1e-9, 3e5, 1e17] {
                     let inverse_r = S::constant(inverse_r);
                     let (mut by_two, mut in_turn) = (Vec::new(), Vec::new());
@@ -110,8 +112,8 @@ fn agree<S: Float>() -> [usize; 2] {
 
 #[test]
 fn pairs_of_modes_have_the_bits_of_single_ones() {
-    // Undamped modes of every count, and a single mode with the last damping, but not the sets of modes that the
-    // contact does not drive.
+    // Gathered constants exist for undamped modes of every number, and for a single mode with the last damping. They do
+    // not exist for sets of modes that the contact does not drive.
     let laid_out = ((7 * 4 - (7 + 1)) + (4 - 2)) * 2 * 9;
     assert_eq!(agree::<f64>(), [7 * 4 * 4 * 2 * 9, laid_out]);
     assert_eq!(agree::<f32>(), [7 * 4 * 4 * 2 * 9, laid_out]);

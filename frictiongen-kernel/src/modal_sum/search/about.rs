@@ -1,5 +1,6 @@
-//! Closes the cells around a summit. Near the top Taylor's theorem bounds the sum. Farther away a cubic with the value
-//! and slope of the next node bounds the sum (section 9 of `docs/derivation.md`).
+//! Closes the cells of a grid around a local maximum of the modal sum. Near the maximum Taylor's theorem bounds the
+//! sum. Farther away the bound is a cubic with the value and slope of the next node (section 9 of
+//! `docs/derivation.md`). A *summit* is a position from which one Newton step leads to the maximum.
 
 use super::grid::{Grid, Node, Open};
 use super::summit::{Cubic, REACH, Summit, beyond_cubic};
@@ -7,34 +8,36 @@ use super::{Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// Larger of two multiples of a step within which a summit must bend down to close cells; `REACH` is the smaller. A
-/// larger multiple lets a flatter summit close cells.
+/// Factor ρ = 97, tried before the smaller `REACH`. A local maximum closes cells around it only if the sum is concave
+/// within ρ times the last Newton step. A larger ρ lets a flatter maximum close cells.
 const FAR: f64 = 97.0;
 
-/// Excess E of a sum over its level around a summit, or E/τ.
+/// Excess E of a modal sum over a level, near a local maximum, or E/τ. E is ±sum − level, or ±sum − level·sin τ. A cell
+/// is closed once E ≤ 0 is proven in it.
 struct Excess<S> {
-    /// Position of the summit.
+    /// Phase τ near the local maximum, at which `cubic` has the derivatives.
     tau: S,
     cubic: Cubic<S>,
-    /// Upper bound on the fourth derivative.
+    /// Upper bound on the fourth derivative of E = ±sum − level.
     fourth: S,
-    /// Upper bound, negative, on the quadratic coefficient of a cell's cubic. Below it the slope at the summit no
-    /// longer matters beyond the reach.
+    /// Negative bound 2E″/(ρ − 1) on the quadratic coefficient of the cubic between `tau` and a node. If the
+    /// coefficient is below the bound, the slope at `tau` does not matter beyond ρ times the Newton step.
     curvature: S,
 }
 
-/// A node up to which a cell may be closed.
+/// Node of a grid, with E = ±sum − level there. The cells from a local maximum to the node are closed if E ≤ 0 is
+/// proven in them.
 #[derive(Clone, Copy)]
 struct Beyond<S> {
     tau: S,
     value: S,
     slope: S,
-    /// Upper bound on the rounding error of the value.
+    /// Upper bound on the rounding error of `value`.
     rounding: S,
 }
 
 impl<S: Float> Cubic<S> {
-    /// Returns value and derivatives of the function over τ.
+    /// Returns the value and the derivatives of f(τ)/τ at `tau`. `self` has the value and the derivatives of f there.
     fn over(self, tau: S) -> Self {
         let value = self.value / tau;
         let slope = (self.slope - value) / tau;
@@ -49,7 +52,8 @@ impl<S: Float> Cubic<S> {
 }
 
 impl<S: Float> Excess<S> {
-    /// Creates the excess; `None` if it is not below 0 within the reach of a step.
+    /// Creates E = ±sum − level near a local maximum, from the value and derivatives of E at `tau`. Returns `None` if E
+    /// may be positive within ρ times the Newton step to the maximum.
     fn new(tau: S, cubic: Cubic<S>, fourth: S) -> Option<Self> {
         let step = cubic.step();
         let reach = [S::constant(FAR), S::constant(REACH)]
@@ -66,14 +70,15 @@ impl<S: Float> Excess<S> {
         })
     }
 
-    /// Returns true if the excess stays below 0 from the summit to a node.
+    /// Returns true if E = ±sum − level is proven to be at most 0 from the local maximum to a node. The cells in
+    /// between are then closed.
     fn stays_below(&self, node: &Beyond<S>) -> bool {
         let distance = node.tau - self.tau;
         self.is_near(distance) || self.is_below(node, distance)
     }
 
-    /// Returns true if the derivatives at the summit alone prove it. At so small a distance the higher terms take at
-    /// most a third of the curvature.
+    /// Returns true if the derivatives of E = ±sum − level at `tau` alone prove that E stays below 0 up to a distance.
+    /// At so small a distance the higher terms amount to at most a third of the curvature term.
     fn is_near(&self, distance: S) -> bool {
         let Cubic {
             curvature, third, ..
@@ -83,12 +88,13 @@ impl<S: Float> Excess<S> {
         bend <= -curvature * S::constant(1.0 / 3.0)
     }
 
-    /// Returns true if value and slope at the node prove it.
+    /// Returns true if the value and the slope of E = ±sum − level at a node prove that E stays below 0 up to the node.
     fn is_below(&self, node: &Beyond<S>, distance: S) -> bool {
         let Cubic { value, slope, .. } = self.cubic;
         let there = node.value + node.rounding;
         let square = distance * distance;
-        // Coefficient of the square of the distance, in the cubic that meets both.
+        // `curve`/`square` is the quadratic coefficient of the cubic that agrees with the excess at the summit and at
+        // the node.
         let curve = S::constant(3.0) * (there - value) - distance * (node.slope + slope + slope)
             + node.rounding;
         let bend = self.fourth * square * S::constant(1.0 / 24.0);
@@ -97,11 +103,12 @@ impl<S: Float> Excess<S> {
 }
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns the open cells around a summit that contain nothing above its level. They are closed for the sign that
-    /// the summit has. A step across the end of the half period may have changed it.
+    /// Returns the open cells around a local maximum in which no value exceeds the upper bound on the maximum. The
+    /// cells are closed for the sign of the sum at the maximum. A Newton step across the end of the half period may
+    /// have changed the sign.
     pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>, open: Open) -> Open {
         let zero = S::constant(0.0);
-        // Before the first node the derivatives have no bounds.
+        // The bounds on the derivatives are valid only from the first node on.
         if summit.tau < grid.stretch.from {
             return [0, 0];
         }
@@ -111,7 +118,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         } else {
             summit.level
         };
-        // Coefficient of sin τ in the level, which adds to the derivatives.
+        // The level multiplied by sin τ is subtracted from the sum, and therefore contributes to the derivatives.
         let of_sine = if over_sine { level } else { zero };
         let cubic = self.cubic_about(summit, level, of_sine);
         let starts = over_sine && grid.stretch.from.is_zero();
@@ -128,18 +135,18 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
         let [plus, minus] = open;
         let among = if summit.negative { minus } else { plus };
-        // `closed` has a cell's bit once the cell is closed. `before` is true if E stays below 0 from the summit to the
+        // `closed` has the bits of the cells closed so far. `before` is true if E stays below 0 from the summit to the
         // last visited node. `last` is the bit of the cell after that node.
         let (mut closed, mut before, mut last) = (0, false, 0_u32);
         grid.beside(among, |after, tau, node| {
             let cell = after >> 1;
-            // A visited node that does not bound this cell proves nothing about it.
+            // A visited node proves something about this cell only if it bounds the cell.
             let known = before && last == cell;
             let (value, slope) = self.excess_at(&node, summit.negative, level);
             let first = starts && tau.is_zero();
             let there = Beyond {
                 tau,
-                // The excess is exactly 0 at the start.
+                // At τ = 0 the excess is exactly 0.
                 value: if first { zero } else { value },
                 slope,
                 rounding: if first { zero } else { grid.rounding(tau) },
@@ -164,7 +171,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns E around a summit, from its derivatives there. `of_sine` times sin τ is the level that is subtracted.
+    /// Returns the value and first three derivatives of E = ±sum − `level` near a local maximum. For a search of
+    /// sum/sin τ, E is ±sum − `of_sine`·sin τ.
     fn cubic_about(&self, summit: &Summit<S>, level: S, of_sine: S) -> Cubic<S> {
         let Summit { jet, negative, .. } = summit;
         let node = Node {

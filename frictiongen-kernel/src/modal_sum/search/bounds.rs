@@ -1,23 +1,27 @@
-//! Upper bounds on the derivatives of a sum from an instant on, and each mode's term in a form that its equation
-//! continues from there (section 9 of `docs/derivation.md`).
+//! Upper bounds on the derivatives of a modal sum after an instant, and the state of each mode at the instant.
+//!
+//! The motion of a mode is split into a free motion, and a forced motion of a constant and sinusoids. Some modes are
+//! not split and *keep their forcing*: their state contains the whole motion. From the state, the equation of the mode
+//! gives the later motion (section 9 of `docs/derivation.md`).
 
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// Distance from x = 1 within which a mode keeps its forcing. Its difference from the excitation is small, and its
-/// rounding error must be small too.
+/// Distance from the resonance x = 1 within which a mode is not split into free and forced motion. Close to x = 1 both
+/// motions are large and nearly cancel, so that their sum would be mainly rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
-/// Number of roundings of a mode's size by which its value at a node may be wrong. The same bound applies to sine and
-/// cosine of the excitation's angle. The matrix has three roundings and its fourth power twelve. The fourth power is
-/// applied seven times, with signs that do not all agree.
+/// Bound on the rounding error of a mode at a node, as a number of rounding units of the mode's amplitude. The same
+/// bound applies to sin τ and cos τ. The matrix of one step has three roundings, and its fourth power has twelve. A
+/// grid applies the fourth power seven times, with errors that do not all have the same sign.
 const ROUNDINGS: f64 = 64.0;
 
-/// A mode's term from an instant on: y″ + 2ζx y′ + x²y = constant + cosine·cos τ + sine·sin τ.
+/// State of one mode at an instant, and the force that drives the mode from the instant on: y″ + 2ζx y′ + x²y =
+/// constant + cosine·cos τ + sine·sin τ.
 pub(super) struct Track<S> {
-    /// Resonance of the mode over the excitation, x = √λ/r.
+    /// Natural frequency of the mode over the excitation frequency, x = √λ/r.
     pub x: S,
-    /// Damping coefficient 2ζx.
+    /// Coefficient 2ζx of y′.
     pub loss: S,
     pub value: S,
     pub slope: S,
@@ -26,7 +30,7 @@ pub(super) struct Track<S> {
     sine: S,
 }
 
-/// Rest of a mode's term, without its free motion. It is added to what all modes have in common.
+/// Forced motion of one mode: constant + cosine·cos τ + sine·sin τ. A grid adds the coefficients of all modes.
 pub(super) struct Common<S> {
     pub constant: S,
     pub cosine: S,
@@ -34,7 +38,9 @@ pub(super) struct Common<S> {
 }
 
 impl<S: Float> Track<S> {
-    /// Returns the term of a wave that its equation continues from an instant, and the rest for the common terms.
+    /// Splits the motion of a mode at an instant into a free and a forced motion. The first result is the state of the
+    /// free motion, the second has the coefficients of the forced motion. If `all` or [`keeps_forcing`] is true, the
+    /// state contains the whole motion, and the coefficients are 0.
     #[inline]
     pub fn of<D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>, all: bool) -> (Self, Common<S>) {
         let zero = S::constant(0.0);
@@ -69,7 +75,8 @@ impl<S: Float> Track<S> {
             };
             return (track, common);
         }
-        // A free mode, where the return contains d = p′ + 2ζx·p: coefficients of p and of p′.
+        // Without forcing, the state is a combination of p and p′. The return d = p′ + 2ζx·p contributes to both
+        // coefficients.
         let constant = wave.rise / (x * x);
         let of_slope = -(wave.forced_slope + constant);
         let of_free = wave.free - wave.forced - constant * loss;
@@ -92,8 +99,9 @@ impl<S: Float> Track<S> {
     }
 }
 
-/// Returns true if a mode keeps its forcing. Modes close to the excitation's frequency do, and modes far below it. For
-/// the latter the factor 1/x² of the return would outweigh the motion.
+/// Returns true if a mode is not split into free and forced motion. Modes that resonate close to the excitation
+/// frequency or far below it are not split. For modes far below, the factor 1/x² of the forced motion would outweigh
+/// the whole motion.
 pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool) -> bool {
     let slow = wave.x < S::constant(0.5) && !wave.rise.is_zero();
     all || wave.mass_controlled
@@ -101,29 +109,29 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
         || (wave.x - S::constant(1.0)).abs() < S::constant(NEAR_EXCITATION)
 }
 
-/// Upper bounds on the derivatives of a sum from an instant on.
+/// Upper bounds on the derivatives of a modal sum after an instant, with bounds on its size and rounding error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds<S> {
-    /// Second derivative at the instant, and third derivative below. Only a sum over sin τ needs them, and such a sum
-    /// has no mass-controlled mode.
+    /// Second derivative of the sum at the instant. The field `third` is the third derivative there. Only a search of
+    /// sum/sin τ needs these two numbers. Its sum has no mass-controlled modes, which the two numbers leave out.
     pub second: S,
     pub third: S,
     pub fourth: S,
     pub fifth: S,
-    /// Sum of the modes' sizes.
+    /// Sum of upper bounds on the terms of all modes.
     pub size: S,
-    /// Upper bound on the rounding error of a value at a node.
+    /// Upper bound on the rounding error of the sum at a node.
     pub rounding: S,
-    /// Upper bound on the rounding error per unit of time since the instant. It is valid if all modes are at rest at
-    /// the instant and keep their forcing.
+    /// Upper bound on the rounding error of the sum, per unit of τ since the instant. The bound is valid if all modes
+    /// are at rest at the instant, and none is split into free and forced motion.
     pub drift: S,
 }
 
 impl<S: Float> Bounds<S> {
-    /// Computes the bounds from an instant on, for a given time.
+    /// Computes the bounds for a modal sum from the instant `at` on, over a time `time`.
     ///
-    /// The energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of the nth derivative falls, except for the nth derivative of the forcing,
-    /// which drives it.
+    /// The bounds follow from the energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of the nth derivative of a mode. Damping decreases this
+    /// energy, and only the nth derivative of the force on the mode can increase it.
     pub fn of<D: Decay<S>>(sum: &Sum<'_, S, D>, at: &Instant<S>, time: S) -> Self {
         let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
         let (mut cosine, mut sine) = (sum.cosine, sum.sine);
@@ -148,7 +156,7 @@ impl<S: Float> Bounds<S> {
             let y3 = turned - loss * y2 - x * x * y1;
             let y4 = -turning - loss * y3 - x * x * y2;
             let push = track.cosine.abs() + track.sine.abs();
-            // √(a² + b²) ≤ max + (√2 − 1) min, without a square that may overflow.
+            // √(a² + b²) ≤ max + (√2 − 1) min. The bound needs no square, which might overflow.
             let (a, b) = ((x * y3).abs(), y4.abs());
             let energy = a.max(b) + a.min(b) * S::constant(0.414_213_6) + push * time;
             second = second + y2;
@@ -176,8 +184,9 @@ impl<S: Float> Bounds<S> {
     }
 }
 
-/// Returns upper bounds on a mass-controlled mode, on its fourth and on its fifth derivative. Its Fourier series
-/// contains Σ 4/(πn(n² − x²)) of sines, with x < 1/2.
+/// Returns three upper bounds for the motion of a mass-controlled mode: on |y| + |y′|, on the fourth derivative and on
+/// the fifth derivative. The Fourier series of the mode has odd harmonics n with amplitudes of at most 4/(πn(n² − x²)),
+/// and x < 1/2.
 fn mass_controlled_bounds<S: Float, D: Decay<S>>(wave: &Wave<S, D>) -> [S; 3] {
     let (y0, y1) = (S::constant(1.79), S::constant(2.1));
     let x = wave.x;

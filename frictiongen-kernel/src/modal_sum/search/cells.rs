@@ -1,8 +1,10 @@
-//! The search by grids. It closes a cell once nothing in the cell exceeds the largest value found.
+//! Search by grids, which closes every cell in which no value can exceed the largest value found.
 //!
-//! A cell is the interval between two nodes. In it the sum exceeds the largest Bernstein coefficient of its cubic by no
-//! more than the fourth derivative allows. The search evaluates summits from the highest open cell on. A finer grid
-//! divides the cells that remain open, until only rounding keeps them open (section 9 of `docs/derivation.md`).
+//! A cell is the interval between two nodes of a grid. In a cell a cubic with the values and slopes of the sum at both
+//! nodes approximates the sum. The sum exceeds the largest Bernstein coefficient of the cubic by no more than the
+//! fourth derivative allows. The search refines local maxima by Newton's method, from the highest open cell on. A finer
+//! grid divides the cells that remain open. The division ends when only rounding keeps cells open (section 9 of
+//! `docs/derivation.md`).
 
 use super::bounds::Bounds;
 use super::grid::{Grid, Node, Open, Stretch};
@@ -11,36 +13,36 @@ use super::{EQUAL, Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// Error allowed to a cubic, relative to the largest value, which sets the width of the cells. A smaller one needs more
-/// nodes, a larger one leaves more cells open.
+/// Allowed error of the cubic in a cell, relative to the largest value. It sets the width of the cells. A smaller error
+/// needs more nodes, a larger error leaves more cells open.
 const SLACK: f64 = 2e-3;
-/// Smallest value, as a share of the modes' amplitudes, on which the width of the first grid is based. It matters where
-/// modes cancel.
+/// Smallest estimate of the largest value, as a fraction of the sum of the modal amplitudes. The estimate sets the
+/// width of the first grid. The bound matters where modes cancel.
 const CANCELLED: f64 = 1e-3;
-/// Number of evaluations that a grid counts as.
+/// Cost of one grid, as a number of evaluations of the modal sum.
 const COST: u32 = 2;
-/// Largest number of summits that are evaluated on one grid.
+/// Largest number of local maxima that the search refines by Newton's method on one grid.
 const SUMMITS: u32 = 6;
-/// Number of cells into which each of a few open cells is divided.
+/// Number of cells into which a finer grid divides a cell, if at most three adjacent cells are open.
 const FINER: f64 = 10.0;
 
 const NONE: Open = [0, 0];
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns true if one more grid and its summits fit into the allowed evaluations. If they do not, the search is
-    /// marked as incomplete.
+    /// Returns true if the search may still evaluate one more grid and the local maxima on the grid. Otherwise marks
+    /// the search as incomplete.
     fn has_room(&mut self) -> bool {
         self.peak.exceeded |= self.most - self.peak.evaluations < COST + SUMMITS * EVALUATIONS;
         !self.peak.exceeded
     }
 
-    /// Searches the whole half period, as far as the allowed evaluations reach.
+    /// Searches the whole half period by grids, until the allowed number of evaluations is reached.
     pub(super) fn by_grids(&mut self) {
         let end = self.problem.end;
         let mut from = S::constant(0.0);
         while from < end && self.has_room() {
             let bounds = Bounds::of(&self.sum, &Instant::from_start(from), end - from);
-            // Solved for the width: the error of the cubic is h⁴/384 times the fourth derivative.
+            // The width h follows from the allowed error of the cubic, which is h⁴/384 times the fourth derivative.
             let fourth = bounds.fourth + self.level();
             let width = (S::constant(384.0 * SLACK) * self.size(&bounds) / fourth)
                 .sqrt()
@@ -51,7 +53,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns an estimate of the largest value. Unless modes cancel, it is not far below the modes' own size.
+    /// Estimates the largest value that the search will find. The estimate sets the width of the cells.
     fn size(&self, bounds: &Bounds<S>) -> S {
         let mut known = self.problem.start + self.peak.value;
         if self.problem.weight == Weight::One && known.is_zero() {
@@ -61,7 +63,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         known.max(bounds.size * S::constant(CANCELLED))
     }
 
-    /// Searches an interval by one grid, then divides the cells left open, until rounding exceeds the cubic's error.
+    /// Searches an interval by one grid, then divides the cells that may still contain a larger value. Cells are not
+    /// divided further once the error of their cubics is below the rounding error.
     fn settle(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) {
         let [plus, minus] = self.open_cells(stretch, bounds);
         let mut open = plus | minus;
@@ -84,7 +87,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Divides a run of open cells. A short run gets finer cells.
+    /// Searches an interval of adjacent open cells by finer grids. The cells of an interval of at most three are
+    /// divided more finely.
     fn divide(&mut self, from: S, to: S, width: S, bounds: &Bounds<S>) {
         let few = to - from < width * S::constant(3.5);
         let share = S::constant(if few { 1.0 / FINER } else { 0.25 });
@@ -97,12 +101,13 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns true if sum and sine both vanish here, at the end of the half period.
+    /// Returns true if `to` is the end τ = π of the half period, where the sum and sin τ both vanish.
     fn ends_at_pi(&self, to: S) -> bool {
         !(to < self.problem.end) && !(to < S::pi() * S::constant(0.75))
     }
 
-    /// Evaluates a grid and its highest summits, and returns the cells that may still contain a larger value.
+    /// Evaluates the sum at the nodes of a grid and at its highest local maxima. Returns the cells that may still
+    /// contain a larger value.
     #[inline(never)]
     pub(super) fn open_cells(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) -> Open {
         let mut grid = Grid::blank(stretch, bounds);
@@ -113,8 +118,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         } else {
             self.open(&grid, [u32::MAX; 2])
         };
-        // The cells next to a summit that remain open are for a finer grid. On this grid the same summit would be
-        // found again.
+        // Cells that stay open next to a local maximum would lead to the same maximum again on this grid. A finer grid
+        // searches them.
         let mut left = [u32::MAX; 2];
         for _ in 0..SUMMITS {
             let [plus, minus] = [open[0] & left[0], open[1] & left[1]];
@@ -147,12 +152,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         self.open(&grid, open)
     }
 
-    /// Returns true if no value of a motion is known yet, so that no cell can be closed.
+    /// Returns true if the search of a motion has not found any value yet. No cell can then be excluded.
     fn knows_nothing(&self) -> bool {
         self.problem.weight == Weight::One && self.peak.value.is_zero()
     }
 
-    /// Returns those of the given cells that may contain more than the largest value found.
+    /// Returns the cells among `among` in which the sum or its negative may exceed the largest value found.
     fn open(&self, grid: &Grid<S>, among: Open) -> Open {
         let mut open = NONE;
         for (open, (&negative, among)) in open.iter_mut().zip(self.signs().iter().zip(among)) {
@@ -163,11 +168,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         open
     }
 
-    /// Returns the level below which a cell is closed. For a motion it is slightly below the largest value, since all
-    /// equal maxima count.
+    /// Returns the level below which a cell is closed. For a motion the level is slightly below the largest value, so
+    /// that the search also finds equal maxima.
     fn bar(&self, negative: bool) -> S {
         match self.problem.weight {
-            // Nothing is found yet. Even a sum that is only rounding error must return its largest value.
+            // No value has been found yet. A sum that is only rounding error must return its largest value too.
             Weight::One if self.peak.places[0].is_none() => self.peak.value,
             Weight::One => {
                 let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
@@ -177,7 +182,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns ±sum − level·weight and its slope at a node.
+    /// Returns ±sum − level at a node, and the derivative of this difference. For a search of sum/sin τ the level is
+    /// multiplied by sin τ.
     pub(super) fn excess_at(&self, node: &Node<S>, negative: bool, level: S) -> (S, S) {
         let Node {
             value,
@@ -196,8 +202,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns those of the given cells that may contain more. In such a cell a Bernstein coefficient, value or value ±
-    /// slope·h/3, exceeds the bar less the cubic's error.
+    /// Returns the cells among `among` in which the sum may exceed the level. In such a cell a Bernstein coefficient of
+    /// the cubic exceeds the level less the error of the cubic. The coefficients are the values at the two nodes, and
+    /// value ± slope·h/3.
     pub(super) fn open_of(&self, grid: &Grid<S>, negative: bool, among: u32) -> u32 {
         let zero = S::constant(0.0);
         let Stretch {
@@ -238,8 +245,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         open & among
     }
 
-    /// Returns true if the last cell of a sum that vanishes with sin τ stays below the bar. There the cubic is the
-    /// distance from the end times a parabola.
+    /// Returns true if ±sum/sin τ is proven to stay below the level `bar` in the last cell before τ = π. The sum and
+    /// sin τ vanish at π. The cubic of the cell is therefore the distance from π times a parabola.
     fn ends_below(&self, grid: &Grid<S>, negative: bool, bar: S, slack: S) -> bool {
         let width = grid.stretch.width;
         let cells = grid.stretch.cells();
@@ -253,8 +260,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         most + slack <= S::constant(0.0)
     }
 
-    /// Returns true if the first cell of a sum that vanishes with its slope at 0 stays below the bar. It compares first
-    /// the sum over τ², a parabola except for the fifth derivative, and then the excess over τ, a cubic.
+    /// Returns true if ±sum/sin τ is proven to stay below the level `bar` in the first cell, where the sum and its
+    /// slope vanish at τ = 0. The function first bounds sum/τ², a parabola except for the fifth derivative. If this
+    /// bound is too large, it bounds (sum − bar·sin τ)/τ by a cubic.
     fn starts_below(&self, grid: &Grid<S>, negative: bool, bar: S) -> bool {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let third = S::constant(1.0 / 3.0);
@@ -279,7 +287,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         if (second * half).max(at_node).max(between) <= bar * node.sine / square {
             return true;
         }
-        // The fourth derivative of a function over τ is at most a fifth of the function's fifth derivative.
+        // The fourth derivative of E/τ is at most a fifth of the fifth derivative of E.
         let (value, slope) = self.excess_at(&node, negative, bar);
         let slack = (bounds.fifth + bar) * (square * square * S::constant(1.0 / (5.0 * 384.0)))
             + error / width;

@@ -1,9 +1,9 @@
-//! A grid over an interval of the half period, with upper bounds on the sum between its nodes.
+//! Grid of nodes over an interval of the half period, with upper bounds on the modal sum between the nodes.
 //!
-//! A constant matrix advances a mode from node to node, four nodes at a time. No sine and no exponential is evaluated
-//! on the way. Between two nodes the sum differs by at most h⁴/384 times the fourth derivative from the cubic that
-//! meets its values and slopes at both. The cubic's Bernstein coefficients follow directly from these values and slopes
-//! (section 9 of `docs/derivation.md`).
+//! A constant matrix advances a mode from node to node, four nodes at a time. The loop evaluates no sine and no
+//! exponential. Between two nodes, a cubic with the values and slopes of the sum at both nodes differs from the sum by
+//! at most h⁴/384 times the fourth derivative. The Bernstein coefficients of the cubic follow directly from the values
+//! and slopes (section 9 of `docs/derivation.md`).
 
 use super::bounds::{Bounds, Track, keeps_forcing};
 use super::row::{LANES, Matrix, Row, add, advanced, first_lanes, pairwise};
@@ -11,29 +11,31 @@ use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// Largest number of rows of nodes.
+/// Largest number of rows of a grid. A row has four nodes.
 const ROWS: usize = 8;
 
-/// Open cells of a grid, one bit for each, for the sum and for its negative.
+/// Open cells of a grid as two sets of bits, one bit for each cell. The first set is for the sum, the second for its
+/// negative.
 pub(super) type Open = [u32; 2];
 
-/// Interval covered by one grid, with the positions of its nodes.
+/// Interval of the half period that one grid covers, and the width of the grid's cells.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch<S> {
     pub from: S,
-    /// Distance between two nodes.
+    /// Width of a cell, the distance between two nodes.
     pub width: S,
-    /// Number of rows of nodes.
+    /// Number of rows of four nodes.
     rows: usize,
-    /// True if all modes are at rest at the start and keep their forcing. The rounding error then starts at 0 and grows
-    /// with time.
+    /// True if all modes are at rest at the start, and none is split into free and forced motion. The rounding error of
+    /// the sum is then 0 at the start and grows with time.
     pub keeps_forcing: bool,
-    /// Position of the last node.
+    /// Phase τ of the last node.
     pub to: S,
 }
 
 impl<S: Float> Stretch<S> {
-    /// Creates an interval from an instant to `end`, or as far as one grid reaches, with cells of at most this width.
+    /// Creates an interval from `from` to `end`, with cells of at most the given width. The interval is shorter if one
+    /// grid does not reach `end`.
     pub fn new(from: S, end: S, width: S, keeps_forcing: bool) -> Self {
         let (mut rows, mut cells) = (1, S::constant(LANES as f64 - 1.0));
         let left = end - from;
@@ -54,18 +56,18 @@ impl<S: Float> Stretch<S> {
         }
     }
 
-    /// Returns true if an instant is in the interval.
+    /// Returns true if the interval contains the phase τ.
     pub fn holds(&self, tau: S) -> bool {
         self.from <= tau && tau <= self.to
     }
 
-    /// Returns the number of cells.
+    /// Returns the number of cells, one less than the number of nodes.
     pub fn cells(&self) -> usize {
         self.rows * LANES - 1
     }
 }
 
-/// Values of a sum at one node.
+/// Value and slope of a modal sum at one node of a grid.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node<S> {
     pub value: S,
@@ -76,7 +78,7 @@ pub(super) struct Node<S> {
     pub cosine: S,
 }
 
-/// Value and slope of a sum at equidistant nodes, with bounds on its derivatives from the first node on.
+/// Values and slopes of a modal sum at equidistant nodes, with bounds on its derivatives from the first node on.
 pub(super) struct Grid<S> {
     pub stretch: Stretch<S>,
     pub bounds: Bounds<S>,
@@ -86,8 +88,8 @@ pub(super) struct Grid<S> {
     cosine: [Row<S>; ROWS],
 }
 
-/// Contribution of the forcing to a mode in one step that starts from rest. The three entries belong to sine and cosine
-/// of the excitation's angle and to the constant, for value and slope.
+/// Displacement and velocity that the force on a mode adds in one step from node to node. Each is a sum of three
+/// coefficients times sin τ, cos τ and 1, with τ at the start of the step.
 struct ForcedStep<S> {
     value: [S; 3],
     slope: [S; 3],
@@ -97,7 +99,7 @@ impl<S: Float> ForcedStep<S> {
     fn of<D: Decay<S>>(wave: &Wave<S, D>, loss: S, basis: &Basis<S>) -> Self {
         let x = wave.x;
         let detuning = (x - S::constant(1.0)) * (x + S::constant(1.0));
-        // cos h − d and sin h − p, and their derivatives.
+        // cos h − d and sin h − p for the step h, and their derivatives.
         let of_cosine = basis.forced_slope - loss * basis.free;
         let of_sine = basis.forced;
         let of_cosine_slope = detuning * basis.free - basis.forced;
@@ -127,7 +129,7 @@ impl<S: Float> ForcedStep<S> {
 }
 
 impl<S: Float> Grid<S> {
-    /// Creates a grid that contains no sum yet.
+    /// Creates a grid whose values and slopes are all 0.
     #[inline(always)]
     pub fn blank(stretch: &Stretch<S>, bounds: &Bounds<S>) -> Self {
         let blank = [[S::constant(0.0); LANES]; ROWS];
@@ -141,14 +143,14 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Evaluates the sum at the nodes. It works in place, since a returned grid would occupy the stack twice.
+    /// Evaluates the sum at all nodes. The grid is filled in place, since a returned grid would occupy the stack twice.
     pub fn fill<D: Decay<S>>(&mut self, sum: &Sum<'_, S, D>) {
         let (zero, stretch) = (S::constant(0.0), self.stretch);
         let at = &Instant::from_start(stretch.from);
         let width = stretch.width;
         let step = Instant::new(width * S::inverse_pi());
         self.turn(at, &step);
-        // Step by one row. Only a mode that keeps its forcing needs it.
+        // Time of a step by one row of nodes. Only modes that are not split into free and forced motion need it.
         let mut four = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {
@@ -175,7 +177,7 @@ impl<S: Float> Grid<S> {
         self.add_common(constant, cosine, sine);
     }
 
-    /// Evaluates sine and cosine of the excitation's angle at the nodes.
+    /// Computes sin τ and cos τ at all nodes.
     fn turn(&mut self, at: &Instant<S>, step: &Instant<S>) {
         let matrix = Matrix {
             a: step.cosine,
@@ -244,7 +246,8 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Adds constant + cosine·cos τ + sine·sin τ.
+    /// Adds the function constant + cosine·cos τ + sine·sin τ to the values of all nodes, and its derivative to the
+    /// slopes.
     fn add_common(&mut self, constant: S, cosine: S, sine: S) {
         let rows = self
             .value
@@ -261,7 +264,7 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Returns an upper bound on the rounding error of the value at a node.
+    /// Returns an upper bound on the rounding error of the modal sum at the node with phase `tau`.
     pub fn rounding(&self, tau: S) -> S {
         let Bounds {
             rounding, drift, ..
@@ -273,8 +276,8 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Visits the nodes of the given cells in ascending order. `visit` gets the bit of the cell that follows a node,
-    /// its τ, and the node.
+    /// Calls `visit` for both nodes of each given cell, in ascending order. `visit` gets the bit of the cell that
+    /// follows the node, the phase τ of the node, and the node.
     pub fn beside(&self, cells: u32, mut visit: impl FnMut(u32, S, Node<S>)) {
         let values = self.value.as_flattened().iter();
         let slopes = self.slope.as_flattened();
@@ -302,7 +305,8 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Returns the bit of the cell that contains an instant; 0 if it is before the first node or beyond the last.
+    /// Returns the bit of the cell that contains the phase τ. The result is 0 if τ is before the first node or beyond
+    /// the last.
     pub fn cell_of(&self, tau: S) -> u32 {
         let (mut cell, mut right) = (1_u32, self.stretch.from);
         if tau < right {
@@ -318,7 +322,7 @@ impl<S: Float> Grid<S> {
         0
     }
 
-    /// Returns one node; `None` beyond the last.
+    /// Returns the node with a zero-based index, or `None` beyond the last node.
     pub fn node(&self, index: usize) -> Option<Node<S>> {
         if index > self.stretch.cells() {
             return None;

@@ -1,10 +1,10 @@
-//! The largest value of a modal sum over a half period, with a guarantee.
+//! Search for the largest value of a modal sum over a half period, with a proof that no larger value exists.
 //!
-//! The search covers the half period by grids. The interval between two nodes of a grid is a cell. In a cell, a cubic
-//! and a bound on the fourth derivative give an upper bound on the sum. A cell is open while this bound exceeds the
-//! largest value found. The search then evaluates a summit, a position from which one Newton step leads to a local
-//! maximum. It divides the cells that remain open. At the end no value larger than the result times 1 + tolerance
-//! exists, except for rounding (section 9 of `docs/derivation.md`).
+//! The search covers the half period by grids. The interval between two nodes of a grid is a *cell*. In a cell, a cubic
+//! and a bound on the fourth derivative give an upper bound on the sum. A cell is *open* while this bound exceeds the
+//! largest value found so far. On each grid the search refines local maxima. A *summit* is a position from which one
+//! Newton step leads to a local maximum. Finer grids then divide the cells that remain open. The search ends when no
+//! value larger than the result times 1 + tolerance exists, except for rounding (section 9 of `docs/derivation.md`).
 
 mod about;
 mod bounds;
@@ -21,22 +21,25 @@ use crate::modal_sum::wave::Sum;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// Upper bound on the evaluations of every search, whatever the scene. A grid of up to 32 nodes counts as two
-/// evaluations. [`most_evaluations`] gives the smaller bound of a given scene, and `docs/evidence.md` has measured
-/// numbers. A search that would need more ends with the best value that it has found.
+/// Upper bound on the number of evaluations of the modal sum in one search, for any scene. A grid of up to 32 nodes
+/// counts as two evaluations. [`most_evaluations`] gives a smaller bound for a given scene, and `docs/evidence.md` has
+/// measured numbers. A search that reaches its bound returns the best value that it has found.
 pub const MAX_EVALUATIONS: u32 = 20_000;
 
-/// Evaluations allowed to a search over sin τ, however slow the modes are. It is five times the largest number seen.
+/// Number of evaluations that a search of sum/sin τ may take even if all modes are slow. The number is five times the
+/// largest one measured.
 const OVER_SINE: u32 = 256;
-/// Evaluations allowed to a search of a motion, however slow the modes are. The motion may be the remainder of modes
-/// that cancel. It is three times the largest number seen.
+/// Number of evaluations that a search of a motion may take even if all modes are slow. The number is three times the
+/// largest one measured. A motion can be the small remainder of modes that cancel.
 const OF_MOTION: u32 = 1024;
-/// Number of half turns of the fastest mode that allow one more evaluation. Measured searches need at most one for 120.
+/// Number of half turns of the fastest mode for which a search may take one more evaluation. Measured searches need at
+/// most one evaluation for 120 half turns.
 const HALF_TURNS: usize = 16;
 
-/// Returns the upper bound on evaluations of one search, from the weight and from the fastest mode, max √λ(1 + 2ζ)/r.
+/// Returns the upper bound on the number of evaluations in one search. `fastest` is the largest √λ(1 + 2ζ)/r of the
+/// modes.
 ///
-/// A search counts its evaluations. It stops before a grid and its summits that might exceed the bound.
+/// A search stops before it evaluates a grid and local maxima if these might exceed the bound.
 #[must_use]
 pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
     let few = match weight {
@@ -48,75 +51,78 @@ pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
     few.saturating_add(turns).min(MAX_EVALUATIONS)
 }
 
-/// Number of roundings within which two maxima count as equal.
+/// Relative difference within which two maxima count as equal, as a multiple of the resolution of the scalar type.
 const EQUAL: f64 = 64.0;
-/// Number of roundings of its largest terms by which a sum may be wrong.
+/// Factor by which the search multiplies the rounding error of a sum that it divides by sin τ, for τ > π/2.
 const NOISE: f64 = 16.0;
-/// Distance in τ below which two positions belong to the same maximum. Over this distance the sum falls by far more
-/// than equal maxima may differ, since it falls with the square of the distance.
+/// Distance in τ below which two positions belong to the same maximum. Around a maximum the sum falls with the square
+/// of the distance. At this distance it has fallen by far more than equal maxima may differ.
 const SAME_MAXIMUM: f64 = 0.05;
 
-/// Divisor of the sum.
+/// Divisor of the modal sum in a search: 1 or sin τ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
-    /// The sum is not divided.
+    /// The sum itself is searched, as for the amplitude of a motion.
     One,
-    /// The sum is divided by sin τ, as in the velocity constraint.
+    /// The sum divided by sin τ is searched, as in the velocity constraint.
     Sine,
 }
 
-/// A search problem.
+/// Settings of a search for the largest value of a modal sum, or of the sum divided by sin τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Problem<S> {
-    /// Divisor of the sum.
+    /// Divisor of the modal sum.
     pub weight: Weight,
-    /// True if the negative of the sum counts as well.
+    /// True if the search also covers the negative of the sum, for the largest absolute value.
     pub both_signs: bool,
-    /// Largest τ of the search: π, or π/2 for a sum that is odd about it.
+    /// End of the searched interval 0 < τ ≤ `end`: π, or π/2 for a sum that is odd about π/2.
     pub end: S,
-    /// Lower bound on the values of interest. The search ignores smaller values.
+    /// Smallest value of interest. The search ignores smaller values.
     pub floor: S,
-    /// Value of the wanted function for τ → 0, which the sum does not contain. The wanted function is the quotient plus
-    /// `start`.
+    /// Limit for τ → 0 of the function whose largest value is wanted. This function is `start` plus the modal sum over
+    /// its divisor. The sum does not contain `start`.
     pub start: S,
-    /// Amount by which a larger value may be missed, relative to the value and `start` together.
+    /// Tolerance of the search. The search may miss a value that exceeds the result by less than `tolerance` times
+    /// (result + `start`).
     pub tolerance: S,
 }
 
-/// A position at which the largest value occurs, or where the search looks for it.
+/// Position of a maximum of a modal sum, or a position near which the search looks for one.
 #[derive(Clone, Copy, Debug)]
 pub struct Maximiser<S> {
-    /// Position τ.
+    /// Phase τ of the position, in rad.
     pub tau: S,
-    /// True if the negative of the sum is the largest value there.
+    /// True for a maximum of the negative of the sum, false for a maximum of the sum.
     pub negative: bool,
 }
 
-/// Result of a search.
+/// Result of a search: the largest value, its positions, and the work.
 #[derive(Clone, Copy, Debug)]
 pub struct Peak<S> {
-    /// Largest value, or the floor if nothing exceeds the floor.
+    /// Largest value that the search found. If no value exceeds the floor of the problem, the floor is stored here.
     pub value: S,
-    /// Positions of the largest value; none if nothing exceeds the floor. Up to four equal maxima are kept.
+    /// Positions of up to four equal largest values. All are `None` if no value exceeds the floor of the problem.
     pub places: [Option<Maximiser<S>>; 4],
-    /// Number of evaluations of the sum. A grid counts as two.
+    /// Number of evaluations of the modal sum. A grid counts as two.
     pub evaluations: u32,
-    /// True if the search stopped early, at its [bound](most_evaluations).
+    /// True if the search stopped at its [bound](most_evaluations) and may have missed a larger value.
     pub exceeded: bool,
 }
 
-/// Work of a search.
+/// Number of evaluations that a search for the largest value of a modal sum needed, or a mark that the search is
+/// incomplete.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Effort {
-    /// The search was completed after this number of evaluations, and nothing larger remains.
+    /// The search is complete: no larger value exists. The number counts the evaluations of the modal sum.
     Bounded(u32),
-    /// The search stopped at its [bound](most_evaluations). Its result is the best value that it has found.
+    /// The search stopped at its [bound](most_evaluations). Its result is the largest value found, but a larger one may
+    /// exist.
     Exceeded,
 }
 
 impl<S> Peak<S> {
-    /// Returns the work of the search, and whether it was completed.
+    /// Returns the number of evaluations of a complete search, or [`Effort::Exceeded`] for a search that stopped early.
     #[must_use]
     pub fn effort(&self) -> Effort {
         if self.exceeded {
@@ -131,23 +137,23 @@ struct Search<'a, S, D> {
     sum: Sum<'a, S, D>,
     problem: Problem<S>,
     peak: Peak<S>,
-    /// Upper bound on the sum's rounding error. Smaller values carry no information.
+    /// Upper bound on the rounding error of the sum. Smaller values of the sum carry no information.
     rounding: S,
-    /// Upper bound on the evaluations.
+    /// Upper bound on the number of evaluations.
     most: u32,
-    /// Position at which to look for the first summit.
+    /// Position near which the search looks for its first maximum, predicted by earlier searches.
     guess: Option<Maximiser<S>>,
 }
 
-/// Returns the largest value of `sum` over (0, end], divided by the weight.
+/// Finds the largest value of a modal sum, or of the sum divided by sin τ, over 0 < τ ≤ `end`.
 pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: Problem<S>) -> Peak<S> {
     let mut search = Search::new(sum, problem);
     search.by_grids();
     search.peak
 }
 
-/// Returns the largest value as [`largest`] does, in a sequence of similar searches. The search begins at the position
-/// that the previous searches predict. Its own result updates the prediction.
+/// Finds the largest value as [`largest`] does, for one of a sequence of similar sums. `neighbour` predicts the
+/// position from the previous searches, and learns the position of this one.
 pub fn largest_near<S: Float, D: Decay<S>>(
     sum: Sum<'_, S, D>,
     problem: Problem<S>,
@@ -191,8 +197,9 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// Returns the level for the sum, or for its negative. The wanted value of the negative is −(sum + start·sin τ)/sin
-    /// τ. Less `start`, it must exceed the same level, so that −sum/sin τ must exceed a level raised by 2·start.
+    /// Returns the level that ±sum/sin τ must exceed to be larger than the largest value found. The function to be
+    /// maximised is `start` + sum/sin τ, or its negative. −sum/sin τ contains −`start` instead of +`start`, so that its
+    /// level is higher by 2·`start`.
     fn signed(&self, level: S, negative: bool) -> S {
         if negative {
             level + self.problem.start + self.problem.start
@@ -201,8 +208,9 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// Returns the size up to which a sum over sin τ is only rounding error. Towards π the sum and sin τ both vanish,
-    /// but the rounding error does not. Towards 0 the rounding error vanishes as well.
+    /// Returns the possible rounding error of a modal sum that is divided by sin τ. Towards τ = π the sum and sin τ
+    /// both vanish, but the rounding error does not. For τ ≤ π/2 the result is 0, since towards τ = 0 the error
+    /// vanishes as well.
     fn noise(&self, cosine: S) -> S {
         let zero = S::constant(0.0);
         if self.problem.weight == Weight::Sine && cosine < zero {
@@ -212,7 +220,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// Returns the signs that count: `false` for the sum, `true` for its negative.
+    /// Returns the signs of the sum that the search covers: `false` for the sum itself, `true` for its negative.
     fn signs(&self) -> &'static [bool] {
         if self.problem.both_signs {
             &[false, true]

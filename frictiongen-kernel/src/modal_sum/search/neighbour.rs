@@ -1,38 +1,39 @@
-//! Prediction of the largest value's position from earlier searches at nearby frequency ratios.
+//! Prediction of the position of a maximum from earlier searches at nearby frequency ratios.
 
 use super::{Maximiser, Peak};
 use crate::number::scalar::Float;
 
-/// Positions at which the last searches of a sweep found their largest values.
+/// Positions of the largest values that the last searches of a frequency sweep found.
 ///
-/// A search that gets a `Neighbour` begins at the predicted position. It then proves that nothing larger
-/// remains, as every search does. A wrong prediction costs some evaluations, but does not change the result.
+/// A search that gets a `Neighbour` begins at the predicted position. Like every search, it then proves that no larger
+/// value exists. A wrong prediction costs some evaluations, but does not change the result.
 ///
-/// One `Neighbour` serves the motion of one mass of one scene; see
+/// One `Neighbour` serves the motion of one mass of one scene. See
 /// [`Motion::largest_near`](crate::response::motion::Motion::largest_near).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Neighbour<S> {
-    /// Known positions, the latest first.
+    /// Up to three known positions, the latest first.
     known: [Option<Known<S>>; 3],
 }
 
-/// A position, and the point of the sweep at which it was found.
+/// Position of a largest value, and the frequency at which it was found.
 #[derive(Clone, Copy, Debug)]
 struct Known<S> {
-    /// Rate of the fastest mode, which is proportional to 1/r.
+    /// Rate x(1 + 2ζ) of the fastest mode. The rate is proportional to 1/r, and so identifies the frequency of the
+    /// sweep.
     speed: S,
     place: Maximiser<S>,
 }
 
 impl<S: Float> Neighbour<S> {
-    /// Creates an empty prediction. The first search of a sweep is like any other.
+    /// Creates a prediction that knows no positions. The first search of a sweep then runs without a prediction.
     #[must_use]
     pub fn new() -> Self {
         Self { known: [None; 3] }
     }
 
-    /// Returns the expected position of the largest value. It lies on the parabola through the last three positions, on
-    /// the line through the last two, or at the last one.
+    /// Extrapolates the position of the largest value to a new frequency. Three known positions give a parabola, two a
+    /// line, and a single one is returned itself. Without known positions the result is `None`.
     pub(super) fn guess(&self, speed: S) -> Option<Maximiser<S>> {
         let [last, second, third] = self.known;
         let last = last?;
@@ -51,7 +52,8 @@ impl<S: Float> Neighbour<S> {
         })
     }
 
-    /// Stores the position that a search has found.
+    /// Stores the position that a search has found, to predict the next one. A search without a position clears the
+    /// prediction.
     pub(super) fn learn(&mut self, speed: S, peak: &Peak<S>) {
         let [found, ..] = peak.places;
         let [last, second, _] = self.known;
@@ -61,9 +63,9 @@ impl<S: Float> Neighbour<S> {
         };
         let known = Some(Known { speed, place });
         self.known = match last {
-            // The sweep repeats its last point. The new position replaces the old one.
+            // The sweep repeats its last frequency. The new position replaces the position known for this frequency.
             Some(last) if last.speed == speed => [known, second, None],
-            // The position has jumped, so that the older ones no longer predict it.
+            // The maximum has changed its sign, so that the older positions no longer predict it.
             Some(last) if last.place.negative != place.negative => [known, None, None],
             _ => [known, last, second],
         };

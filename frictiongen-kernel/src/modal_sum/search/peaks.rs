@@ -1,11 +1,12 @@
-//! The largest value so far, and its positions.
+//! Record of the largest value that a search has found so far, and of its positions.
 
 use super::{EQUAL, Maximiser, SAME_MAXIMUM, Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Keeps a maximum if no larger one is known. `best` is the value for the comparison, `kept` the value to return.
+    /// Records a local maximum unless a larger one is known. `best` is compared with the largest value so far, and
+    /// `kept` then replaces the largest value.
     pub(super) fn keep(&mut self, best: S, kept: S, place: Maximiser<S>) {
         let share = S::constant(1.0 - EQUAL * S::RESOLUTION);
         if self.peak.value < best {
@@ -19,9 +20,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the next position of a climb within the half period, and true if it lies in the neighbouring half
-    /// period. There the motion continues with the opposite sign. The velocity constraint has no meaning beyond the
-    /// bounds, so its position is clamped.
+    /// Moves a position that a Newton step has reached into the half period. The returned flag is true if the position
+    /// was in the next or the previous half period, where a motion continues with the opposite sign. The velocity
+    /// constraint has no meaning outside the half period, so that its position is clamped to the bounds.
     pub(super) fn moved(&self, tau: S) -> (S, bool) {
         let (zero, end) = (S::constant(0.0), self.problem.end);
         match self.problem.weight {
@@ -40,8 +41,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns true if this maximum is known. For a motion the end of one half period is the beginning of the next,
-    /// with the opposite sign.
+    /// Returns true if the maximum at a position is already recorded. For a motion, the end of a half period and the
+    /// beginning of the next are one instant, and the motion continues with the opposite sign.
     fn knows(&self, place: Maximiser<S>) -> bool {
         let near = S::constant(SAME_MAXIMUM);
         self.peak.places.iter().flatten().any(|known| {
@@ -54,8 +55,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         })
     }
 
-    /// Returns the sum over its weight as a pair. The first value is reduced by the possible rounding error and serves
-    /// comparisons. The second is the plain quotient.
+    /// Returns the modal sum, or sum/sin τ, as a pair. The first number is reduced by the possible rounding error and
+    /// serves comparisons. The second number is the value itself.
     pub(super) fn quotient_at(&self, value: S, sine: S, cosine: S, negative: bool) -> (S, S) {
         let value = if negative { -value } else { value };
         match self.problem.weight {

@@ -1,16 +1,16 @@
-//! Four neighbouring nodes of a grid, which advance together.
+//! Rows of four neighbouring nodes of a grid, which the code advances together.
 //!
-//! All operations are written out. Optimised for size, a compiler would leave a loop over the four, and half of the
-//! instructions in the loop would only count.
+//! All operations on the four numbers are written out. In a loop, a compiler that optimises for size would spend half
+//! of the instructions on counting.
 
 use crate::number::scalar::Float;
 
-/// Number of nodes that advance together.
+/// Number of neighbouring grid nodes in one row.
 pub(super) const LANES: usize = 4;
 
 pub(super) type Row<S> = [S; LANES];
 
-/// The matrix ( a b ; c d ).
+/// The 2×2 matrix ( a b ; c d ), which advances a displacement and a velocity.
 #[derive(Clone, Copy)]
 pub(super) struct Matrix<S> {
     pub a: S,
@@ -20,7 +20,8 @@ pub(super) struct Matrix<S> {
 }
 
 impl<S: Float> Matrix<S> {
-    /// Returns the matrix that advances a free mode by a time step.
+    /// Returns the matrix that advances displacement and velocity of a free mode by a time step. `free` and `slope` are
+    /// the free displacement p and its derivative p′ after the step.
     pub fn of(x: S, loss: S, (free, slope): (S, S)) -> Self {
         Self {
             a: slope + loss * free,
@@ -47,7 +48,8 @@ impl<S: Float> Matrix<S> {
     }
 }
 
-/// Returns the start and the three steps after it. `step` gets the number of the lane from which it steps.
+/// Returns four consecutive pairs (displacement, velocity): the given start and the results of three steps. The closure
+/// `step` gets a pair and the number of its node, 0 to 2.
 #[inline(always)]
 pub(super) fn first_lanes<S: Float>(
     (u, v): (S, S),
@@ -59,7 +61,7 @@ pub(super) fn first_lanes<S: Float>(
     ([u, one.0, two.0, three.0], [v, one.1, two.1, three.1])
 }
 
-/// Applies a function to each of four pairs.
+/// Applies a function to four pairs (u, v) of numbers. Returns the four first results, then the four second results.
 #[inline(always)]
 pub(super) fn pairwise<S: Float>(
     [u0, u1, u2, u3]: Row<S>,

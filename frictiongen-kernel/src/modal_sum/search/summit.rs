@@ -1,5 +1,5 @@
-//! Summits of a grid. A summit is a position from which one Newton step leads to a local maximum. From the highest node
-//! it usually takes two evaluations.
+//! Summits of a modal sum. A summit is a position from which one Newton step leads to a local maximum. A search from
+//! the highest node of a grid usually needs two evaluations to find a summit.
 
 use super::grid::{Grid, Node, Open};
 use super::{Maximiser, Search, Weight};
@@ -7,22 +7,22 @@ use crate::modal_sum::wave::Jet;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// Largest number of evaluations that a summit may take.
+/// Largest number of evaluations of the modal sum in one iteration to a local maximum.
 pub(super) const EVALUATIONS: u32 = 5;
-/// Multiple of a step within which the neglected terms must be small for the step to count as the last.
+/// Multiple of a Newton step within which the terms that the step neglects must be small, for the step to be the last.
 pub(super) const REACH: f64 = 7.0;
 
-/// A position from which one step leads to the top.
+/// Position from which one Newton step leads to a local maximum, with the modal sum and its derivatives there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Summit<S> {
     pub tau: S,
     pub negative: bool,
     pub jet: Jet<S>,
-    /// Upper bound on the top.
+    /// Upper bound on the local maximum to which the Newton step leads.
     pub level: S,
 }
 
-/// Value, slope, curvature and third derivative at a position.
+/// Value and first three derivatives of a function at a position, as its Taylor polynomial of third degree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cubic<S> {
     pub value: S,
@@ -33,14 +33,14 @@ pub(super) struct Cubic<S> {
 
 #[cfg(test)]
 impl<S: Float> Summit<S> {
-    /// Returns the level, and true if the summit is one of the sum's negative.
+    /// Returns the upper bound on a local maximum. The flag is true for a maximum of the negative of the sum.
     pub fn height(&self) -> (S, bool) {
         (self.level, self.negative)
     }
 }
 
 impl<S: Float> Cubic<S> {
-    /// Returns the distance to the top.
+    /// Returns the distance to the local maximum, by a Newton step that the third derivative corrects.
     pub fn step(&self) -> S {
         let half = S::constant(0.5);
         let newton = -(self.slope / self.curvature);
@@ -48,19 +48,20 @@ impl<S: Float> Cubic<S> {
         newton * (S::constant(1.0) - bend.max(-half).min(half))
     }
 
-    /// Returns the height of the top above the value here.
+    /// Returns the height of the local maximum above the value at the position, for the step to the maximum.
     pub fn rise(&self, step: S) -> S {
         let bend = self.curvature * S::constant(0.5) + self.third * step * S::constant(1.0 / 6.0);
         (self.slope + bend * step) * step
     }
 
-    /// Returns true if the cubic bends down by at least half of its curvature within `reach` times a step.
+    /// Returns true if the third derivative changes the curvature by less than half within `reach` times a step. The
+    /// function then stays concave there.
     pub fn is_concave(&self, step: S, reach: S) -> bool {
         (self.third * step).abs() * (reach + reach) < -self.curvature
     }
 }
 
-/// Returns the most that the fourth derivative can add within `reach` times a step.
+/// Returns the largest contribution of the fourth derivative within `reach` times a step.
 pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
     let far = step * reach;
     let square = far * far;
@@ -68,7 +69,8 @@ pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
 }
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns the quotient and its first derivative at a node.
+    /// Returns the modal sum and its derivative at a node. For a search of sum/sin τ the results are the quotient and
+    /// the derivative of the quotient.
     fn quotient_node(&self, node: &Node<S>) -> (S, S) {
         match self.problem.weight {
             Weight::One => (node.value, node.slope),
@@ -79,8 +81,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the position at which to look for a summit: the top of the cubic next to the highest node of the open
-    /// cells.
+    /// Estimates the position of the highest local maximum in the open cells: the maximum of the cubic next to the
+    /// highest node. Returns `None` if the open cells have no usable node.
     pub(super) fn highest(&self, grid: &Grid<S>, open: Open) -> Option<Maximiser<S>> {
         let zero = S::constant(0.0);
         let over_sine = self.problem.weight == Weight::Sine;
@@ -109,7 +111,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         });
         let bounds = grid.bounds;
         if starts && open[0] & 1 != 0 && zero < bounds.second && bounds.third < zero {
-            // For small τ the quotient is second·τ/2 + third·τ²/6.
+            // For small τ, sum/sin τ is close to second·τ/2 + third·τ²/6.
             let tau = -(bounds.second * S::constant(1.5)) / bounds.third;
             let in_first = tau < grid.stretch.width * S::constant(0.5);
             if in_first && best.is_none_or(|(known, ..)| known < zero) {
@@ -125,7 +127,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let here = self.quotient_node(&node);
         let rising = (zero < here.1) != negative;
         if !over_sine {
-            // The motion continues beyond the half period with the opposite sign.
+            // A motion continues beyond the half period with the opposite sign.
             let end = self.problem.end;
             let outside = if rising { !(tau < end) } else { tau.is_zero() };
             if outside {
@@ -165,11 +167,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         })
     }
 
-    /// Finds the summit near a position and keeps its value if it is the largest. Returns `None` if the position is not
-    /// near enough to a summit.
+    /// Finds a local maximum near a position by Newton's method, and records the maximum if it is the largest. Returns
+    /// `None` if the method does not converge from the position.
     pub(super) fn summit(&mut self, place: &Maximiser<S>, grid: &Grid<S>) -> Option<Summit<S>> {
         let (fourth, width) = (grid.bounds.fourth, grid.stretch.width);
-        // The value is exact to rounding, even if the search has a larger tolerance.
+        // The maximum is computed to within rounding, even if the tolerance of the search is larger.
         let four = S::constant(4.0 * S::EPSILON);
         let Maximiser {
             mut tau,
@@ -198,12 +200,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 Weight::Sine => jet.sine,
             };
             let left = beyond_cubic(fourth + self.level(), step, S::constant(REACH));
-            // The lag of a motion needs the position itself, not only the value.
+            // The lag of a motion needs an accurate position of the maximum, not only an accurate value.
             let placed = self.problem.weight == Weight::Sine
                 || (fourth * step * step * step).abs() <= four * quotient.curvature.abs()
                 || evaluation == EVALUATIONS;
             let (at_top, flipped) = self.moved(tau + step);
-            // In the next half period friction has the opposite sign, and the curvature differs.
+            // In the next half period the friction force has the opposite sign, so that the curvature differs.
             let crossed = flipped && four < at_top.min(self.problem.end - at_top);
             if quotient.is_concave(step, S::constant(REACH))
                 && left <= spare * weight
@@ -221,7 +223,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                     tau,
                     negative,
                     jet,
-                    // Where modes cancel, rounding exceeds the tolerance.
+                    // Where modes cancel, rounding errors exceed the tolerance.
                     level: quotient.value + rise + tolerance * size + self.rounding,
                 });
             }
@@ -234,7 +236,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         None
     }
 
-    /// Returns the value of the quotient less its possible rounding error, and the quotient around the instant.
+    /// Returns the modal sum, or sum/sin τ, from its derivatives at an instant. The first result is reduced by the
+    /// possible rounding error and serves comparisons. The second result has the value and three derivatives.
     fn quotient_jet(&self, jet: &Jet<S>, negative: bool) -> (S, Cubic<S>) {
         let Jet {
             sine,
@@ -249,7 +252,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let [slope, curvature, third] = match self.problem.weight {
             Weight::One => [slope, curvature, third],
             Weight::Sine => {
-                // Derivatives of F = Q sin τ, solved for those of Q.
+                // F = Q sin τ is the sum. Its derivatives are solved for the derivatives of the quotient Q.
                 let over = |value: S| value / sine;
                 let q0 = over(value);
                 let q1 = over(slope - q0 * cosine);
@@ -269,14 +272,14 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     }
 }
 
-/// Returns where between 0 and 1 a cubic is largest, from its slope at 0, which is positive, its slope at 1, and its
-/// rise.
+/// Returns the position between 0 and 1 at which a cubic is largest. `up` is its slope at 0, `down` its slope at 1, and
+/// `rise` its value at 1 less its value at 0. Without a maximum in between the result is 0.
 fn top_between<S: Float>(up: S, down: S, rise: S) -> S {
     let zero = S::constant(0.0);
     if !(zero < up && down < zero) {
         return zero;
     }
-    // The derivative's Bernstein coefficients are up, mean and down.
+    // The Bernstein coefficients of the derivative are `up`, `mean` and `down`.
     let mean = rise * S::constant(3.0) - up - down;
     let root = (mean * mean - up * down).sqrt();
     if zero < mean {

@@ -14,8 +14,8 @@ mod whole;
 type TestSearch<'a> = Search<'a, f64, Damped<f64>>;
 type TestSum<'a> = Sum<'a, f64, Damped<f64>>;
 
-/// Returns a problem without a tolerance, over the half period, or over half of it for a sum that is odd about its
-/// middle.
+/// Returns a search problem without tolerance, over the half period. For a sum that is odd about π/2 it covers half of
+/// the half period.
 pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Problem<f64> {
     let odd = weight == Weight::Sine && both_signs;
     Problem {
@@ -28,14 +28,14 @@ pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Problem<f64> {
     }
 }
 
-/// Returns a search that has already found the value `known`.
+/// Returns a search that has already found the largest value `known`.
 pub fn search<'a>(sum: TestSum<'a>, problem: Problem<f64>, known: f64) -> TestSearch<'a> {
     let mut search = Search::new(sum, problem);
     search.peak.value = known;
     search
 }
 
-/// Returns ±sum − level·weight at any time, from other formulas.
+/// Returns the excess ±sum − level·weight at a phase τ, from formulas that the search does not use.
 pub fn excess(search: &TestSearch<'_>, negative: bool, tau: f64) -> f64 {
     let value = sum_derivative(&search.sum, tau, 0);
     let value = if negative { -value } else { value };
@@ -45,8 +45,8 @@ pub fn excess(search: &TestSearch<'_>, negative: bool, tau: f64) -> f64 {
     }
 }
 
-/// Returns the size of the sum's terms. Since its angle is rounded, a fast wave is known to about twelve digits of this
-/// size.
+/// Returns the sum of the sizes of the modal terms. The phase of a fast mode is rounded, so that its term is known to
+/// about twelve digits of this size.
 pub fn size(search: &TestSearch<'_>) -> f64 {
     let wave = |w: &TestWave| {
         w.free.abs() / w.x + w.forced.abs() + w.forced_slope.abs() + w.rise.abs() / (w.x * w.x)
@@ -58,7 +58,7 @@ pub fn size(search: &TestSearch<'_>) -> f64 {
         + search.sum.waves.iter().map(wave).sum::<f64>()
 }
 
-/// A random sum and its search problem, for the constraint's quotient or for a mass's motion.
+/// A random modal sum and its search problem, for the velocity constraint or for the motion of a mass.
 struct Drawn {
     waves: Vec<TestWave>,
     cosine: f64,

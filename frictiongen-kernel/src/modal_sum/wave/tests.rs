@@ -1,4 +1,4 @@
-//! Tests of a sum's derivatives against other formulas.
+//! Tests of the derivatives of a modal sum against other formulas.
 
 use super::*;
 use crate::oscillator::decay::{Damped, Undamped};
@@ -25,8 +25,8 @@ fn alone(wave: &TestWave) -> Sum<'_, f64, Damped<f64>> {
     }
 }
 
-/// Close to x = 1 and without damping, y = sin τ − sin(xτ)/x has y″ = 2 cos((x + 1)τ/2) sin((x − 1)τ/2) + (x − 1) sin
-/// xτ. This form keeps its digits.
+/// Compares y″ of y = sin τ − sin(xτ)/x close to x = 1, without damping, with a form that keeps its digits: y″ = 2
+/// cos((x + 1)τ/2) sin((x − 1)τ/2) + (x − 1) sin xτ.
 #[test]
 fn differences_keep_their_digits_beside_the_resonance() {
     let mut compared = 0;
@@ -44,7 +44,7 @@ fn differences_keep_their_digits_beside_the_resonance() {
                 + apart * x * turned.cos();
             for (name, want) in [("forced", second), ("forced_slope", third)] {
                 let jet = alone(of(name)).jet(&Instant::new(tau / PI));
-                // A few roundings of terms of the size of |x − 1|.
+                // The error may be a few roundings of terms of the size |x − 1|.
                 assert!(
                     (jet.curvature - want).abs() < 1e-13 * apart.abs(),
                     "{name}, x − 1 = {apart:e}, τ {tau}: {} instead of {want}",
@@ -58,7 +58,7 @@ fn differences_keep_their_digits_beside_the_resonance() {
     assert_eq!(compared, 192);
 }
 
-/// Checks values and three derivatives of sums of waves, and the bound on the size of each wave.
+/// Checks values and first three derivatives of modal sums, and the bound on the size of each modal term.
 #[test]
 fn sums_have_their_derivatives() {
     let mut random = Lcg(11);
@@ -76,7 +76,7 @@ fn sums_have_their_derivatives() {
         for _ in 0..5 {
             let tau = PI * random.unit();
             let jet = sum.jet(&Instant::new(tau / PI));
-            // The angle xτ of the fastest wave is known to about ten digits more than this tolerance needs.
+            // The phase xτ of the fastest mode is known to about ten digits more than this tolerance needs.
             let scale = largest + sum.cosine.abs() + sum.sine.abs();
             for (order, got) in [jet.value, jet.slope, jet.curvature, jet.third]
                 .into_iter()
@@ -100,7 +100,8 @@ fn sums_have_their_derivatives() {
     assert_eq!(compared, 12_000);
 }
 
-/// Checks that a wave's angle counts as known until its rounding has grown to a radian, or until the wave has decayed.
+/// Checks that the phase of a mode counts as known until its rounding error reaches a radian, or until the mode has
+/// decayed.
 #[test]
 fn turns_are_unknown_from_where_rounding_turns_by_a_radian() {
     let asked = |x: f64, zeta: f64| {
@@ -115,11 +116,11 @@ fn turns_are_unknown_from_where_rounding_turns_by_a_radian() {
         assert_eq!(forced.turns_unknown(), slope.turns_unknown());
         forced.turns_unknown()
     };
-    // 1/(πε) = 1.43e15.
+    // Without damping the phase is unknown from x = 1/(πε) = 1.43e15 on.
     assert!(!asked(1.4e15, 0.0) && asked(1.5e15, 0.0) && asked(1e300, 0.0));
-    // The wave lives for 1/ζx, in which it turns by 1/ζ.
+    // The mode decays within a time 1/ζx, in which its phase advances by 1/ζ.
     assert!(!asked(1.5e15, 1e-9) && !asked(1e300, 1e-3) && asked(1e300, 1e-16));
-    // A wave that the contact does not drive counts as unknown as well.
+    // A mode that the contact does not drive counts as unknown as well.
     assert!(at_rest(3.0, 0.0).turns_unknown());
     let single = Wave {
         forced: 1.0,

@@ -1,14 +1,14 @@
-//! Decimal digits of a double-double.
+//! Conversion of a double-double to decimal digits.
 
 use core::fmt;
 
 use super::Dd;
 
-/// Largest number of digits. One digit more than requested is computed, then the result is rounded. Digits beyond the
-/// 32nd carry no information.
+/// Largest number of decimal digits that `write` computes, one digit more than it prints. Digits beyond the 32nd carry
+/// no information.
 const MOST: usize = 39;
 
-/// Returns the number scaled to between 1 and 10, from which the digits are read, and the exponent of ten.
+/// Returns the decimal mantissa of a positive number, at least 1 and below 10, and the exponent of ten.
 fn mantissa(value: Dd) -> (Dd, i32) {
     let (mut value, mut exponent) = (value, 0);
     for power in [256, 128, 64, 32, 16, 8, 4, 2, 1] {
@@ -17,13 +17,13 @@ fn mantissa(value: Dd) -> (Dd, i32) {
             value = value / factor;
             exponent += power;
         }
-        // Scales up to just below 10. The last step, with power 1, leaves at least 1.
+        // The smaller numbers are scaled up to just below 10. The last pass, with power 1, leaves at least 1.
         if value < Dd::from(10.0) / factor {
             value = value * factor;
             exponent -= power;
         }
     }
-    // A rounding error of the divisions may leave the number just outside.
+    // Rounding errors of the divisions may leave the mantissa just outside the range from 1 to 10.
     if value >= Dd::from(10.0) {
         (value / Dd::from(10.0), exponent + 1)
     } else if value < Dd::ONE {

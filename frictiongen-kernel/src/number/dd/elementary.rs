@@ -1,4 +1,4 @@
-//! Elementary functions in double-double, to about 1e-31.
+//! Elementary functions in double-double, with errors of about 1e-31.
 
 use super::tables::LN_2;
 use super::{Dd, INVERSE_FACTORIAL, ordered_sum, two_product, two_sum};
@@ -6,15 +6,15 @@ use crate::number::float::POWER_400;
 use crate::number::scalar::{Float, Plain, Scalar};
 use crate::number::trig::double;
 
-/// Adds two numbers, of which the first is at least twice as large.
+/// Returns `large + small`, where |large| must be at least 2·|small|.
 #[inline]
 fn dominated_sum(large: Dd, small: Dd) -> Dd {
     let (hi, rest) = ordered_sum(large.hi, small.hi);
     Dd::joined(hi, rest + (large.lo + small.lo))
 }
 
-/// Returns Σ cₖvᵏ, where every term is far below the one before. From term `exact` on, the terms are below 2^−55 of the
-/// first, and their leading `f64` suffices.
+/// Returns Σ cₖvᵏ, where every term is far below the previous term. From index `exact` on, the terms are below 2^−55 of
+/// the first term. Their leading `f64` is therefore accurate enough.
 #[inline]
 fn series<'a>(
     coefficients: impl DoubleEndedIterator<Item = &'a Dd> + ExactSizeIterator + Clone,
@@ -28,7 +28,7 @@ fn series<'a>(
     })
 }
 
-/// Returns 1/first!, 1/(first + 2)!, 1/(first + 4)! ….
+/// Returns 18 inverse factorials in steps of two: 1/first!, 1/(first + 2)!, 1/(first + 4)! ….
 #[expect(
     clippy::indexing_slicing,
     reason = "only while compiling, where a panic is an error of the build"
@@ -42,19 +42,20 @@ const fn in_twos(first: usize) -> [Dd; 18] {
     }
     factorials
 }
-/// 1/2!, 1/4! … 1/36!.
+/// Inverse factorials of even numbers, 1/2!, 1/4! … 1/36!, for the cosine.
 static EVEN: [Dd; 18] = in_twos(2);
-/// 1/3!, 1/5! … 1/37!.
+/// Inverse factorials of odd numbers, 1/3!, 1/5! … 1/37!, for the sine.
 static ODD: [Dd; 18] = in_twos(3);
 
-/// Returns the first `terms` terms of Σ factorials[k]·v^k.
+/// Returns the sum of the first `terms` terms of Σ factorials[k]·vᵏ. From index `exact` on, `f64` is accurate enough.
 fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> Dd {
     series(factorials.iter().take(terms), exact, v)
 }
 
-/// Returns the number of halves nearest to h (in its two lowest bits) and the exact remainder.
+/// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Only the two lowest bits of q
+/// are meaningful.
 fn reduced(h: Dd) -> (u64, Dd) {
-    // Beyond 2^53 `lo` still contains a fraction, so that `hi` and `lo` are both reduced.
+    // Beyond 2^53 `lo` still contains a fraction. `hi` and `lo` are therefore both reduced.
     let (q, high) = double::reduced_any(h.hi);
     let (p, low) = double::reduced_any(h.lo);
     let (sum, lost) = two_sum(high, low);
@@ -62,7 +63,7 @@ fn reduced(h: Dd) -> (u64, Dd) {
     (q.wrapping_add(p).wrapping_add(o), Dd::sum(rest, lost))
 }
 
-/// Returns (sin πr, cos πr) turned by q quarter turns, for |r| ≤ 1/4.
+/// Returns the sine and cosine of πr + qπ/2, for |r| ≤ 1/4.
 fn turned(q: u64, r: Dd) -> (Dd, Dd) {
     let x = r * Dd::PI;
     let u = x * x;
@@ -76,7 +77,7 @@ fn turned(q: u64, r: Dd) -> (Dd, Dd) {
     }
 }
 
-/// 2^k for −1022 ≤ k ≤ 1023.
+/// Returns 2^k for −1022 ≤ k ≤ 1023.
 fn power_of_two(k: i32) -> f64 {
     f64::from_bits(u64::from((1023 + k).unsigned_abs()) << 52)
 }
@@ -91,7 +92,7 @@ fn reduced_exp_m1(x: Dd) -> (i32, Dd) {
     let rest = x - Dd::from(k * first) - Dd::from(k * second) - Dd::new(third, lost);
     let r = rest.scaled(1.0 / f64::from(1 << HALVINGS));
     let series = series(INVERSE_FACTORIAL.iter().take(17).skip(1), 8, r);
-    // (1 + p)² − 1 = 2p + p².
+    // Each step doubles the argument: (1 + p)² − 1 = 2p + p².
     let grown = (0..HALVINGS).fold(series * r, |p, _| p.scaled(2.0) + p * p);
     (k as i32, grown)
 }
@@ -145,7 +146,7 @@ impl Scalar for Dd {
             return Self::ZERO;
         }
         let (k, grown) = reduced_exp_m1(self);
-        // Scaled in two steps, since 2^1024 and the powers below 2^−1022 are not representable as `f64`.
+        // The result is scaled in two steps, since 2^1024 and the powers below 2^−1022 are not representable as `f64`.
         let half = k / 2;
         (Self::ONE + grown)
             .scaled(power_of_two(half))
@@ -173,11 +174,11 @@ impl Scalar for Dd {
         if y.is_zero() {
             return if x.hi < 0.0 { Self::PI } else { Self::ZERO };
         }
-        // Below 1e-17 the angle equals the ratio. The scaling below would cut off digits.
+        // For angles below 1e-17 the angle equals the ratio y/x. The scaling further down would cut off digits of y.
         if x.hi > 0.0 && start.abs() < 1e-17 {
             return y / x;
         }
-        // Only the ratio matters. The scaling avoids overflow and keeps the last digits.
+        // The angle depends on the ratio of y to x alone. The scaling avoids overflow and keeps the last digits.
         let size = y.hi.abs().max(x.hi.abs());
         let power = match size {
             size if size > 1e100 => power_of_two(-700),
@@ -185,7 +186,7 @@ impl Scalar for Dd {
             _ => 1.0,
         };
         (y, x) = (y.scaled(power), x.scaled(power));
-        // One Newton step adds the tangent of the missing angle, whose cube is below 1e-45.
+        // One Newton step adds the tangent of the remaining angle, whose cube is below 1e-45.
         let (sin, cos) = (Self::from(start) / Self::PI).sin_cos_pi();
         Self::from(start) + (y * cos - x * sin) / (x * cos + y * sin)
     }
@@ -200,7 +201,7 @@ impl Scalar for Dd {
         let (p, s) = reduced(d);
         let (difference, lost) = two_sum(r.hi, -s.hi);
         let (o, rest) = double::reduced_any(difference);
-        // All steps so far were exact. The only rounding is that of this sum.
+        // All steps before this sum are exact. Only this sum is rounded.
         let rest = Self::sum(rest, lost) + Self::sum(r.lo, -s.lo);
         turned(q.wrapping_sub(p).wrapping_add(o), rest)
     }
@@ -215,7 +216,7 @@ impl Scalar for Dd {
     }
 
     fn scaled_sinh_defect(self) -> Self {
-        // e^{−a} is 0 long before a = 1000. An infinite a times 0 would be NaN.
+        // e^{−a} is 0 long before a = 1000, and for an infinite a the product a·e^{−a} would be NaN.
         let a = if self.hi > 1000.0 {
             Self::from(1000.0)
         } else {
@@ -231,9 +232,9 @@ impl Scalar for Dd {
 }
 
 impl Float for Dd {
-    /// 2^−104.
+    /// Rounding unit of double-double arithmetic, 2^−104.
     const EPSILON: f64 = 1.0 / (1_u128 << 104) as f64;
-    /// 2^−90. Sums of many terms are not more accurate, and nothing that is compared with them needs more.
+    /// Resolution of a search, 2^−90. Sums of many terms are not more accurate.
     const RESOLUTION: f64 = 1.0 / (1_u128 << 90) as f64;
 
     fn inverse_ratio_range() -> (Self, Self) {

@@ -1,16 +1,16 @@
-//! Constants of the double-double functions, from `tools/coefficients.py constants`.
+//! Constants of the double-double functions, computed by `tools/coefficients.py constants`.
 
 use super::Dd;
 
-/// ln 2 as a sum of three terms. The first two have 42 bits, so that their products with the exponents of `f64` are
-/// exact.
+/// ln 2 as a sum of three terms. The first two terms have 42 bits, so that their products with binary exponents of
+/// `f64` are exact.
 pub(super) const LN_2: [f64; 3] = [
     0.6931471805598903,
     5.49792301870721e-14,
     1.1612227229362532e-26,
 ];
 
-/// 1/n! for n = 0 to 37.
+/// Inverse factorials 1/n! for n = 0 to 37.
 pub(crate) const INVERSE_FACTORIAL: [Dd; 38] = [
     Dd::new(1.0, 0.0),
     Dd::new(1.0, 0.0),

@@ -1,4 +1,4 @@
-//! Tests of grids against the sum itself: nodes, bounds, and closed cells.
+//! Tests of grids against the modal sum: its values at nodes, the bounds on its derivatives, and closed cells.
 
 use super::whole::scanned;
 use super::*;
@@ -19,7 +19,7 @@ fn grid_of(sum: &TestSum<'_>, from: f64, to: f64, width: f64) -> Grid<f64> {
     filled(sum, &Stretch::new(from, to, width, false), &bounds)
 }
 
-/// Checks value and slope at every node against the bound on their rounding error.
+/// Checks values and slopes at every node against the bound on their rounding error.
 #[test]
 fn nodes_are_on_the_sum() {
     let mut random = Lcg(59);
@@ -32,7 +32,7 @@ fn nodes_are_on_the_sum() {
         let rounding = grid.bounds.rounding;
         let fastest = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
         grid.beside(u32::MAX, |_, tau, node| {
-            // The reference sum's own angles are known to one rounding of τ.
+            // The reference sum has a rounding error too: its phases xτ are wrong by one rounding.
             let own = 1e-15 * size_of(&sum) * (1.0 + fastest * tau);
             let value = (node.value - sum_derivative(&sum, tau, 0)).abs();
             let slope = (node.slope - sum_derivative(&sum, tau, 1)).abs();
@@ -52,7 +52,7 @@ fn nodes_are_on_the_sum() {
     assert!(compared > 15_000);
 }
 
-/// Checks the bounds on the fourth and fifth derivative at later times.
+/// Checks that the fourth and fifth derivative of a sum stay below their bounds at later times.
 #[test]
 fn no_derivative_exceeds_its_bound() {
     let mut random = Lcg(61);
@@ -87,8 +87,8 @@ fn no_derivative_exceeds_its_bound() {
     assert!(compared == 600 * 51 && nearest > 0.5);
 }
 
-/// Checks the same bounds for each term of a wave alone, for every kind of damping, and checks that no bound is far too
-/// large.
+/// Checks the bounds on the derivatives for each term of a mode separately, for every kind of damping. Also checks that
+/// no bound is far too large.
 #[test]
 fn bounds_hold_for_every_part() {
     let (mut compared, mut least, mut most) = (0, 9.0_f64, 0.0_f64);
@@ -105,7 +105,7 @@ fn bounds_hold_for_every_part() {
                 for from in [0.0, 0.2 / x.max(1.0), 0.5, 2.4] {
                     let bounds = Bounds::of(&sum, &Instant::new(from / PI), PI - from);
                     let start = Bounds::of(&sum, &Instant::new(0.0), PI);
-                    // The rounding error of a decay is one unit of its value at the start.
+                    // The rounding error of a decaying term is one unit of its value at the start.
                     let fourth = bounds.fourth * (1.0 + 1e-9) + f64::EPSILON * start.fourth;
                     let fifth = bounds.fifth * (1.0 + 1e-9) + f64::EPSILON * start.fifth;
                     let near = (0..64).map(|k| from + 0.11 * f64::from(k) / x.max(1.0));
@@ -135,7 +135,7 @@ fn size_of(sum: &TestSum<'_>) -> f64 {
     size(&search(*sum, asked(Weight::One, true, 0.0), 0.0))
 }
 
-/// Checks that the sum is below an arbitrary level wherever a cell is closed, with summits evaluated.
+/// Checks that the sum is below an arbitrary level in all closed cells, if the search also refines local maxima.
 #[test]
 fn nothing_is_above_the_level_in_a_closed_cell() {
     let mut random = Lcg(67);
@@ -146,7 +146,7 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
         let (sum, problem) = (drawn.sum(), drawn.problem);
         let problem = Problem {
             tolerance: 4.0 * f64::EPSILON,
-            // The level is at most twice the largest value.
+            // The level is at most twice the largest value, or this floor.
             floor: if over_sine { 0.0 } else { 1e-3 * size_of(&sum) },
             ..problem
         };
@@ -190,8 +190,8 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
     assert!(closed > 50_000 && open > 500 && beside > 10_000);
 }
 
-/// Checks that a cell stays open if the level is just below the largest value in it. It takes the first, the last and
-/// any other cell, and evaluates no summits.
+/// Checks that a cell stays open if the level is just below the largest value in the cell. The test takes first, last
+/// and other cells, and refines no local maxima.
 #[test]
 fn a_cell_that_exceeds_the_level_is_open() {
     let mut random = Lcg(71);
@@ -215,11 +215,12 @@ fn a_cell_that_exceeds_the_level_is_open() {
         let most = (1..32).map(|i| quotient(at(i))).fold(f64::MIN, f64::max);
         let gap = random.log_uniform(1e-7, 1e-2) * size(&search);
         search.peak.value = most - gap;
-        // The excess above the level must be larger than rounding.
+        // The excess above the level must be larger than rounding errors.
         let above = (1..32)
             .map(|i| excess(&search, false, at(i)))
             .fold(f64::MIN, f64::max);
-        // Levels are positive, but just before π only a negative level is met.
+        // Levels that are not positive are left out, except in the last cell of sum/sin τ, where only such levels are
+        // exceeded.
         let low = search.peak.value <= 0.0 && (!over_sine || case % 3 != 1);
         if above < 1e-9 * size(&search) || low {
             continue;
@@ -241,7 +242,8 @@ fn a_cell_that_exceeds_the_level_is_open() {
     assert!(held.iter().all(|held| *held > 300));
 }
 
-/// Checks that a summit around any local maximum closes only cells in which the sum is not higher.
+/// Checks that the search closes, around any local maximum, only cells in which the sum is not higher than this
+/// maximum.
 #[test]
 fn a_summit_closes_nothing_that_is_higher() {
     let mut random = Lcg(73);
@@ -252,7 +254,7 @@ fn a_summit_closes_nothing_that_is_higher() {
         let (sum, problem) = (drawn.sum(), drawn.problem);
         let mut search = search(sum, problem, 0.0);
         let rate = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
-        // Wide enough that the fourth derivative decides.
+        // The cells are wide enough that the fourth derivative decides which cells are closed.
         let width = random.log_uniform(0.3, 6.0) / rate;
         let from = if case % 4 < 2 {
             0.0
@@ -287,8 +289,8 @@ fn a_summit_closes_nothing_that_is_higher() {
     assert!(summits > 900 && closed > 2000);
 }
 
-/// Checks a step across the end of the half period. The cells around the summit are closed for the sign that it has
-/// there.
+/// Checks a Newton step across the end of the half period. The cells around the local maximum are closed for the sign
+/// that the sum has there.
 #[test]
 fn a_summit_across_the_end_closes_cells_of_its_own_sign() {
     let waves = [];

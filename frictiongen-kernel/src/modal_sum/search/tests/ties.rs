@@ -1,9 +1,10 @@
-//! Tests of equal maxima, of a minimum at the start, and of a search that would take too long.
+//! Tests of sums with equal maxima, of a minimum at the start, and of a search that reaches its bound.
 
 use super::whole::scanned;
 use super::*;
 
-/// Returns a sum of sinusoids at multiples of the excitation's frequency: Σ sines b·sin kτ + Σ cosines c·cos kτ.
+/// Returns a sum of sinusoids at multiples k of the excitation frequency: Σ b·sin kτ over `sines` plus Σ c·cos kτ over
+/// `cosines`.
 fn harmonics(sines: &[(f64, f64)], cosines: &[(f64, f64)]) -> (Vec<TestWave>, f64, f64) {
     let (mut waves, mut cosine, mut sine) = (Vec::new(), 0.0, 0.0);
     for &(k, b) in sines {
@@ -36,7 +37,7 @@ fn motion_problem() -> Problem<f64> {
     }
 }
 
-/// Returns the positions in ascending order, with their signs.
+/// Returns the positions of the maxima in ascending order, each with a flag for a maximum of the negative of the sum.
 fn places(peak: &Peak<f64>) -> Vec<(f64, bool)> {
     let mut places: Vec<_> = peak
         .places
@@ -48,8 +49,8 @@ fn places(peak: &Peak<f64>) -> Vec<(f64, bool)> {
     places
 }
 
-/// Checks sums that are even or odd about the middle of the half period. Their largest values come in pairs, from far
-/// apart to a seventh of a radian.
+/// Checks sums that are even or odd about the middle of the half period. Their maxima come in pairs, with distances
+/// down to a seventh of a radian.
 #[test]
 fn equal_maxima_are_all_found() {
     let mut compared = 0;
@@ -80,7 +81,7 @@ fn equal_maxima_are_all_found() {
                 let peak = largest(sum, motion_problem());
                 assert!((peak.value / want - 1.0).abs() < 1e-13, "{k}, {b}, {odd}");
                 let places = places(&peak);
-                // No b here makes the middle itself the largest of a sum that is even about it.
+                // With these b, the middle itself is never the maximum of a sum that is even about it.
                 let [(first, sign), (second, other)] = places[..] else {
                     panic!("{k}, {b}, odd {odd}: {places:?}");
                 };
@@ -97,7 +98,7 @@ fn equal_maxima_are_all_found() {
     assert_eq!(compared, 18);
 }
 
-/// Checks that a peak keeps four of seven equal maxima, and that both bounds of the half period count as one maximum.
+/// Checks that a result keeps four of seven equal maxima. Both bounds of the half period count as one maximum.
 #[test]
 fn a_peak_keeps_four_places() {
     let (waves, cosine, sine) = harmonics(&[(7.0, 1.0)], &[]);
@@ -125,8 +126,8 @@ fn a_peak_keeps_four_places() {
     assert_eq!(places(&largest(sum, motion_problem())).len(), 1);
 }
 
-/// Checks a mode so fast that each of its 5·10⁴ turns must be evaluated. The search stops at its bound with the best
-/// value found.
+/// Checks a mode so fast that the search would have to evaluate each of its 5·10⁴ turns. The search stops at its bound
+/// with the best value found.
 #[test]
 fn a_search_that_takes_too_long_ends_with_the_best_so_far() {
     let waves = [Wave {
@@ -142,14 +143,14 @@ fn a_search_that_takes_too_long_ends_with_the_best_so_far() {
     let most = most_evaluations(Weight::One, 1e5 + 0.3);
     println!("{} evaluations of {most}", peak.evaluations);
     assert!(most < MAX_EVALUATIONS);
-    // The remainder is less than one more grid and its summits would take.
+    // The evaluations that remain are fewer than one more grid and its local maxima would take.
     assert!(peak.evaluations <= most && peak.evaluations > most - 32);
     assert!(peak.exceeded && peak.effort() == Effort::Exceeded);
     assert!((peak.value * (1e5 + 0.3) / 1e5 - 1.0).abs() < 1e-9);
     assert!(peak.places[0].is_some());
 }
 
-/// Checks a sum whose slope is exactly 0 at its minimum. A search must not take this for a maximum.
+/// Checks a sum whose slope is exactly 0 at its minimum. The search must not take the minimum for a maximum.
 #[test]
 fn a_minimum_at_the_start_is_left() {
     for (k, b) in [(3.0, 0.3), (5.0, 0.1), (9.0, 0.02)] {

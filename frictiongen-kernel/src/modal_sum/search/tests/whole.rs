@@ -1,8 +1,8 @@
-//! Tests of whole searches against a scan with a refinement, and of the number of evaluations.
+//! Tests of complete searches: the largest value against a dense scan, and the number of evaluations.
 
 use super::*;
 
-/// Returns the largest quotient on a grid of 24 points per fastest turn, refined by golden section.
+/// Returns the largest quotient from a scan with 24 points per turn of the fastest mode, refined by golden section.
 pub fn scanned(search: &TestSearch<'_>) -> f64 {
     let end = search.problem.end;
     let rate = search
@@ -25,7 +25,7 @@ pub fn scanned(search: &TestSearch<'_>) -> f64 {
             plus
         }
     };
-    // Towards π the rounding error of the sum is divided by almost 0.
+    // Towards π, the rounding error of the sum is divided by a sine close to 0.
     let at = |i: usize| (end * (i as f64 + 0.01) / points as f64).min(end - 1e-5);
     let values: Vec<f64> = (0..=points).map(|i| quotient(at(i))).collect();
     let most = values.iter().copied().fold(f64::MIN, f64::max);
@@ -68,14 +68,14 @@ fn no_maximum_of_a_random_sum_is_missed() {
         let most = most_evaluations(problem.weight, sum.fastest());
         assert!(!found.exceeded && found.evaluations <= most, "case {case}");
         if found.places[0].is_none() {
-            // The floor is returned. Sum and sin τ both vanish at τ = 0, where a scanned quotient may be slightly
-            // larger.
+            // The search returns the floor. Sum and sin τ both vanish at τ = 0, where a scanned quotient may be
+            // slightly larger.
             assert!(want < 1e-6, "case {case}: {want} above the floor");
             floors += 1;
             continue;
         }
         let scale = want.abs() + problem.start;
-        // Rounding error of the sum over sin τ, in a scan that stops 10⁻⁵ before π.
+        // Bound on the rounding error of sum/sin τ, in a scan that stops 10⁻⁵ before π.
         let bar = 1e-9 * scale;
         let value = found.value;
         assert!(value >= want - bar, "case {case}: {value} below {want}");
@@ -85,7 +85,7 @@ fn no_maximum_of_a_random_sum_is_missed() {
         );
         counts[usize::from(sine)].push(found.evaluations);
     }
-    // The bounds are a quarter above the measured median, 90 % point and worst number of evaluations.
+    // The limits are a quarter above the measured median, 90th percentile and largest number of evaluations.
     let most = [(213, 531, 1225), (91, 134, 980)];
     for ((name, counts), most) in ["plain", "over sin τ"].iter().zip(&mut counts).zip(most) {
         counts.sort_unstable();
