@@ -22,8 +22,8 @@ use crate::oscillator::mode::Mode;
 pub struct Friction<S> {
     /// Friction ratio β = F/P.
     pub beta: S,
-    /// Q = √(|V|² − (βU)²), the term of the relative motion in phase with the contact. It is multiplied by r² and by
-    /// the scale E of [`ContactAt`].
+    /// In-phase term Q = √(|V|² − (βU)²) of the contact's relative motion. It is multiplied by r² and by the scale E of
+    /// [`ContactAt`].
     pub root: S,
     /// Amplitude Z of the contact's relative motion, in units of P/k₁ (for base motion Y).
     pub amplitude: S,

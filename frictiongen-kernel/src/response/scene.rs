@@ -74,7 +74,7 @@ pub trait Scene: Clone {
         search(self.idle().as_mut())
     }
 
-    /// Returns H_c + μm*/r², the contact force over βP that break-away at a reversal needs (5.63, 7.47). The result is
+    /// Returns H_c + μm*/r², which decides whether the contact breaks away at a reversal (5.63, 7.47). The result is
     /// multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     fn break_away(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
