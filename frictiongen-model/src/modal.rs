@@ -152,10 +152,10 @@ impl Modal {
         Self::assembled(scene, &assembled, resonances, &vectors, NOISE)
     }
 
-    /// Returns the modal analysis of a scene with a solver that the caller provides. The solver receives the matrix G
-    /// by columns, whose squares GᵀG have the eigenvalues λ. It returns the singular values in ascending order, and the
-    /// right singular vectors as columns. A modal value below `noise` times the largest value that it can have is set
-    /// to zero.
+    /// Returns the modal analysis of a scene with a solver that the caller provides. The solver receives the columns of
+    /// G, where GᵀG has the eigenvalues λ. It returns the singular values of G in ascending order, and the right
+    /// singular vectors as columns. A modal value below `noise` times the largest value that it can have is set to
+    /// zero.
     #[must_use]
     pub fn solved_by(
         scene: &Scene,

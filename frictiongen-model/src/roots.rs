@@ -165,8 +165,8 @@ pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], 
     steps::<Dd>(modes, direct, roots, known, LAST_STEPS);
 }
 
-/// Upper bound on the number of iteration steps, and the relative correction at which the iteration ends. These are the
-/// values in double precision, with which the search for the roots begins.
+/// Upper bound on the number of iteration steps, and the relative correction at which the iteration ends. The iteration
+/// begins in double precision with these values, and ends in double-double with `LAST_STEPS`.
 const FIRST_STEPS: (usize, f64) = (100, 1e-14);
 const LAST_STEPS: (usize, f64) = (60, 1e-29);
 

@@ -327,7 +327,7 @@ impl Scene {
                 ends.contains(&Node::Base) && ends.contains(&Node::Mass(mass))
             }),
         };
-        // Marks the masses that the load reaches through masses that the contact does not join.
+        // Marks the masses that the load reaches by a path that avoids the masses of the contact.
         let mut reached: Vec<bool> = (0..self.masses.len())
             .map(|mass| !held(Node::Mass(mass)) && loaded(mass))
             .collect();

@@ -123,7 +123,7 @@ impl<S: Float> Steps<S> {
     }
 }
 
-/// Returns the number and size of the substeps into which the kernel divides a step of a scene.
+/// Returns the number and length of the sub-intervals into which the kernel divides a step of a scene.
 ///
 /// # Errors
 /// [`OutOfDomain`] for a step that the kernel refuses.

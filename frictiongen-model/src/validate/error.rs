@@ -1,9 +1,9 @@
-//! The messages: what is wrong, in the terms of an engineer, and what to write instead.
+//! Messages of invalid scenes. Each message says what is wrong, in the terms of an engineer, and what to write instead.
 
 use super::path::Path;
 use crate::table::FINEST_PROVEN;
 
-/// An error for which a scene makes no physical sense.
+/// Reason why a scene makes no physical sense.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 #[allow(
