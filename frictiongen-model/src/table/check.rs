@@ -1,4 +1,4 @@
-//! Compares tables with the exact values, at points that the fit did not use.
+//! Compares tables with the exact values, at frequency ratios that the fit did not use.
 
 use super::errors::{Comparison, or_infinite};
 use super::fit::Fitted;
@@ -8,18 +8,20 @@ use super::split::Landmarks;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Number of comparison points in each piece.
+/// Number of frequency ratios at which each polynomial piece is compared.
 const POINTS: usize = 40;
-/// Closest distance to a zero at which a piece is compared, in decades: 10^−13 of the length of the piece.
+/// Closest distance to a zero at which a polynomial piece is compared, in decades: 10^−13 of the length of the piece.
 const DECADES: f64 = 13.0;
-/// Number of points at which a product is compared, in addition to the points of interest.
+/// Number of frequency ratios at which a product over zeros and poles is compared, in addition to those near its zeros
+/// and poles.
 const PRODUCT_POINTS: usize = 256;
-/// Uncertainty of r in an exact value, in roundings.
+/// Uncertainty of an exact value at r, as the number of roundings by which r may be off.
 pub(super) const ROUNDINGS: f64 = 8.0;
-/// The golden section. The fractional parts of its multiples spread the points evenly.
+/// The golden section. The fractional parts of its multiples spread points evenly over an interval.
 pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// Returns the largest error of a piece over the allowed error, with its r, and the number of compared points.
+/// Returns the largest error of a polynomial piece divided by the allowed error, with its r. It also returns the number
+/// of compared points.
 pub(super) fn piece<S: Float>(
     comparison: &mut Comparison<'_, '_, S>,
     piece: &Fitted<S>,
@@ -33,12 +35,14 @@ pub(super) fn piece<S: Float>(
     let spread = (0..POINTS).map(|k| from + (GOLDEN * (k + 1) as f64).fract() * (to - from));
     let mut places: Vec<f64> = spread.collect();
     if let Some(zero) = zero {
-        // Towards a zero the accuracy stays relative, so every decade of the distance gets the same number of points.
+        // The error stays relative towards a zero, so every decade of the distance to the zero gets the same number of
+        // points.
         let length = if zero.at > from { from - to } else { to - from };
         let towards = (0..POINTS).map(|k| (GOLDEN * (k + 1) as f64).fract() * DECADES);
         places.extend(towards.map(|decades| zero.at + length * 10_f64.powf(-decades)));
     }
-    // Kinks within the piece lie between neighbouring points that have different maxima.
+    // A kink of β_lim within the piece lies between two neighbouring points whose velocity constraints have different
+    // maxima.
     places.sort_by(f64::total_cmp);
     let mut kinks = Vec::new();
     for neighbours in places.windows(2) {
@@ -62,7 +66,8 @@ pub(super) fn piece<S: Float>(
     (worst, points)
 }
 
-/// Returns the largest relative error of a product over zeros and poles, with its r, and the number of compared points.
+/// Returns the largest relative error of a product over zeros and poles, with its r. It also returns the number of
+/// compared points.
 pub(super) fn product<S: Float>(
     product: &Product<S>,
     (low, high): (f64, f64),
@@ -81,12 +86,12 @@ pub(super) fn product<S: Float>(
     for r in spread.chain(landmarks.closely.iter().copied()) {
         let own = S::constant(r);
         let expected = exact(own.to_f64());
-        // On a zero or a pole there is no value to compare.
+        // On a zero or a pole the exact value is 0 or infinite, so there is nothing to compare.
         if !(0.0 < expected && expected.is_finite()) {
             continue;
         }
         let off = (product.quotient().value(own).abs().to_f64() - expected).abs();
-        // Near a zero or a pole the exact value is uncertain by some roundings of r.
+        // Near a zero or a pole the exact value is uncertain by the effect of some roundings of r.
         let moved = own.to_f64() * (1.0 + ROUNDINGS * f64::EPSILON);
         let off = (off - (exact(moved) - expected).abs()).max(0.0);
         points += 1;

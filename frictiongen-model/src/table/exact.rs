@@ -1,4 +1,4 @@
-//! Exact values, from which tables are made and with which they are compared.
+//! Exact values of the tabulated functions. Tables are fitted to them and compared with them.
 
 use super::zeros::{ContactMode, contact_modes};
 use crate::modal::Modal;
@@ -10,26 +10,28 @@ use frictiongen_kernel::response::At;
 use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
-/// Index of arg V among the functions. The functions before it are divided by |V|/β_lim.
+/// Index of arg V among the functions of a table. The functions with smaller indices are proportional to β_lim/|V|,
+/// except β_lim itself.
 pub(super) const ANGLE: usize = 3;
-/// Index of |V|, if it is one of the functions.
+/// Index of |V| among the functions of a table, if |V| is one of them.
 pub(super) const SIZE: usize = 4;
-/// Fraction of its terms below which a sum has lost significant digits.
+/// Ratio of a sum to the sum of its terms' magnitudes. Below this ratio, the sum has lost significant digits.
 const CANCELS: f64 = 1e-2;
 
-/// The functions at one r: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. |V| is known separately. For an undamped
-/// chain a is multiplied by sgn V, which makes it smooth across a resonance, and arg V is 0.
+/// Exact functions at one r: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. |V| is computed separately. For an
+/// undamped chain a is multiplied by sgn V, which makes a smooth across a resonance, and arg V is 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     pub limit: f64,
     quadrature: f64,
     displacement: f64,
     direction: f64,
-    /// τ in the half period at which the velocity constraint is largest; `None` where its start decides.
+    /// Phase τ in the half period at which the velocity constraint is largest. `None` if the start of the half period
+    /// decides.
     pub tau: Option<f64>,
 }
 
-/// A scene that computes exact values and stores them.
+/// Scene that computes exact values at any r and keeps each of them for later use.
 pub(super) struct Exact<'a> {
     pub modal: &'a Modal,
     pub reduced: Reduced<f64>,
@@ -42,7 +44,7 @@ impl<'a> Exact<'a> {
     pub fn new(modal: &'a Modal) -> Self {
         Self {
             modal,
-            // Macros build tables, and macros run without optimisation.
+            // Macros build tables, and macros run without optimisation. Two modes at once would then be slower.
             reduced: Reduced {
                 two_at_once: false,
                 ..modal.reduced(|value| value.to_f64())
@@ -62,18 +64,18 @@ impl<'a> Exact<'a> {
         self.reduced.chain.damped
     }
 
-    /// Returns whether every mode that the contact drives is damped. |V| is then finite at every r.
+    /// Returns true if every mode that the contact drives is damped. |V| is then finite at every r.
     pub fn all_damped(&self) -> bool {
         let mut contact_modes = self.contact_modes.iter();
         contact_modes.all(|mode| !mode.driven.zeta.is_zero())
     }
 
-    /// Returns the number of evaluated points.
+    /// Returns the number of frequency ratios at which the functions were computed.
     pub fn looked_at(&self) -> usize {
         self.seen.len()
     }
 
-    /// Returns the functions at r, which must be in the domain.
+    /// Returns the exact functions at r. Returns `None` if r is NaN or negative.
     pub fn at(&mut self, r: f64) -> Option<Sample> {
         if let Some(sample) = self.seen.get(&r.to_bits()) {
             return Some(*sample);
@@ -110,7 +112,7 @@ impl<'a> Exact<'a> {
         Some(sample)
     }
 
-    /// Returns whether the sum V nearly cancels, as it does near its zeros.
+    /// Returns true if the terms of V nearly cancel in the sum over the modes, as they do near a zero of V.
     fn cancels(&self, at: &At<&Reduced<f64>>) -> bool {
         let chain = &self.reduced.chain;
         let contact = at.contact_sums();
@@ -133,7 +135,7 @@ impl<'a> Exact<'a> {
         0.0 < left && left < CANCELS * terms
     }
 
-    /// Returns V and H at r in double-double, as sums over the modes.
+    /// Returns V and H of the contact at r in double-double, as sums over the modes.
     pub fn receptances(&self, r: f64) -> [Complex<Dd>; 2] {
         let (r, two) = (Dd::from(r), Dd::from(2.0));
         let direct = if self.modal.on_moving_base { -1.0 } else { 0.0 };
@@ -149,7 +151,7 @@ impl<'a> Exact<'a> {
         [excitation, receptance]
     }
 
-    /// Returns a function at r by its index in a table.
+    /// Returns one exact function at r. `place` is the index of the function in a table.
     pub fn function(&mut self, place: usize, r: f64) -> Option<f64> {
         let sample = self.at(r)?;
         let functions = [
@@ -164,7 +166,7 @@ impl<'a> Exact<'a> {
         functions.get(place).copied()
     }
 
-    /// Returns the stored V of [`excitation`](Self::excitation).
+    /// Returns |V| or V as [`excitation`](Self::excitation) does, and keeps the result for later use.
     fn known_excitation(&mut self, r: f64) -> f64 {
         let known = self.excitations.get(&r.to_bits()).copied();
         let excitation = known.unwrap_or_else(|| self.excitation(r));
@@ -172,7 +174,8 @@ impl<'a> Exact<'a> {
         excitation
     }
 
-    /// Returns the values from which the contact's motion follows, with |V| to the last digits.
+    /// Returns the values from which amplitude and phase of the contact follow at any β. |V| is exact to the last
+    /// digits.
     pub fn contact(&mut self, sample: &Sample, r: f64) -> ContactTable<f64> {
         let excitation = self.known_excitation(r);
         if self.damped() {
@@ -189,14 +192,14 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// Returns β*_lim at r, to the last digits.
+    /// Returns the exact limit of sliding β*_lim at r, to the last digits, without regard to an absorber.
     pub fn sliding_limit(&self, r: f64) -> f64 {
         let [excitation, receptance] = self.receptances(r);
         let ratio = complex::modulus(excitation, true) / complex::modulus(receptance, true);
         (ratio / self.modal.stiction).to_f64()
     }
 
-    /// Returns |V| at r, to the last digits. For an undamped chain, returns V with its sign.
+    /// Returns |V| at r, to the last digits. For an undamped chain the result is V with its sign.
     pub fn excitation(&self, r: f64) -> f64 {
         let [excitation, _] = self.receptances(r);
         if self.damped() {

@@ -1,66 +1,66 @@
-//! Requests for tables, and the errors of requests that cannot be met.
+//! Requests for tables, and errors for requests that no table can meet.
 
 use crate::scene::Side;
 use frictiongen_kernel::Float;
 
-/// The coarsest accuracy that is useful.
+/// Largest relative error that a request may allow. A coarser table would not be useful.
 pub const COARSEST: f64 = 0.1;
-/// The finest accuracy of a table in double precision, relative.
+/// Smallest relative error that a request may allow in double precision.
 pub const FINEST: f64 = 1e-12;
-/// The finest accuracy for which a proof of β_lim is attempted. Finer tables are checked only.
+/// Smallest relative error for which a proof of β_lim is attempted. More accurate tables are only checked.
 pub const FINEST_PROVEN: f64 = 1e-6;
-/// The finest accuracy of a table in single precision, relative. It is some roundings of that
-/// precision.
+/// Smallest relative error that a request may allow in single precision. It is some roundings of single precision.
 pub const FINEST_SINGLE: f64 = 2e-6;
 
-/// A request for tables.
+/// A request for tables of one scene: their range, their accuracy and their content.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
-    /// Smallest and largest frequency ratio r of the table.
+    /// Smallest and largest frequency ratio r of the tables.
     pub r: (f64, f64),
-    /// The largest relative error of an answer, or for a phase the largest error in radians.
+    /// Largest error that a result may have. It is relative, except for a phase, where it is in radians.
     pub accuracy: f64,
-    /// The side of the exact limits on which the table's limits may lie.
+    /// Side of the exact limits on which the limits from the tables may lie.
     pub side: Side,
-    /// True if the table contains the motion of the contact in addition to the limits.
+    /// True if the tables contain the motion of the contact in addition to the limits.
     pub motion: bool,
-    /// True if the table contains the responses with the contact stuck.
+    /// True if the tables contain the responses while the contact is stuck.
     pub stuck: bool,
 }
 
-/// The reasons why a table cannot be built.
+/// Reason why a table cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableError {
-    /// The range is empty or reversed, or contains r = 0 or infinity.
+    /// The range of r is empty or reversed, or contains r = 0 or infinity.
     #[error("a table needs a range of frequency ratios 0 < a < b, both finite, not {0:?}..{1:?}")]
     Range(f64, f64),
-    /// The accuracy is outside the possible range.
+    /// The accuracy is coarser or finer than any table may have.
     #[error("an accuracy must be between {finest:?} and 0.1, not {value:?}")]
     Accuracy {
-        /// The requested accuracy.
+        /// The requested accuracy, a relative error.
         value: f64,
-        /// The finest accuracy of the scalar.
+        /// The finest accuracy that the number type allows, a relative error.
         finest: f64,
     },
-    /// No table that was tried meets the accuracy.
+    /// No table that the generator tried meets the accuracy.
     #[error("{}", not_met(.accuracy, .reached, .at))]
     NotMet {
-        /// The requested accuracy.
+        /// The requested accuracy, a relative error.
         accuracy: f64,
-        /// The finest of the accuracies 10, 100, … times as coarse that can be met.
+        /// The finest accuracy that a table can meet, of those that are 10, 100, … times as coarse as the request.
+        /// `None` if no such table exists.
         reached: Option<f64>,
-        /// The r at which it fails.
+        /// The frequency ratio r at which the table fails.
         at: f64,
     },
-    /// Even the coarsest accuracy does not fit into the allowed bytes.
+    /// The most coarse table does not fit into the allowed number of bytes.
     #[error(
         "no table fits into {bytes} bytes; the coarsest takes {least}; allow more, or narrow the range"
     )]
     TooFewBytes {
-        /// The allowed bytes.
+        /// The allowed number of bytes.
         bytes: usize,
-        /// The bytes of the coarsest table.
+        /// The number of bytes of the most coarse table.
         least: usize,
     },
 }
@@ -76,7 +76,7 @@ fn not_met(accuracy: &f64, reached: &Option<f64>, at: &f64) -> String {
 }
 
 impl Request {
-    /// Checks that the request is possible in a scalar.
+    /// Checks that the range and the accuracy of the request are possible in the number type `S`.
     ///
     /// # Errors
     /// [`TableError::Range`] and [`TableError::Accuracy`].
@@ -97,15 +97,15 @@ impl Request {
     }
 }
 
-/// A number between the roundings of single and of double precision.
+/// Bound that separates the relative rounding errors of single and of double precision.
 const BETWEEN_PRECISIONS: f64 = 1e-10;
 
-/// Returns whether a scalar has single precision.
+/// Returns true if a number type has single precision.
 pub(super) fn is_single<S: Float>() -> bool {
     S::EPSILON > BETWEEN_PRECISIONS
 }
 
-/// Returns the finest accuracy of a table in a scalar.
+/// Returns the finest accuracy of a table in a number type, as a relative error.
 pub fn finest<S: Float>() -> f64 {
     if is_single::<S>() {
         FINEST_SINGLE
