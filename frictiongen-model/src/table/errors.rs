@@ -22,8 +22,8 @@ pub(super) struct Comparison<'a, 'm, S> {
     pub limit: f64,
     /// Largest allowed error of the contact's amplitude (relative) and phase (rad).
     pub motion: f64,
-    /// |V| as a product over zeros and poles, or V with its sign without damping. `None` if the motion of the contact is not
-    /// needed, or if |V| is a function of the pieces.
+    /// |V| as a product over zeros and poles, or V with its sign without damping. `None` if the motion of the contact
+    /// is not needed, or if |V| is a function of the pieces.
     pub excitation: Option<Quotient<'a, S>>,
 }
 

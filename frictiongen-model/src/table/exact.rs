@@ -10,8 +10,7 @@ use frictiongen_kernel::response::At;
 use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
-/// Index of arg V among the functions of a table. The functions with smaller indices are proportional to β_lim/|V|,
-/// except β_lim itself.
+/// Index of arg V among the functions of a table. Functions 1 and 2 before it, a and g, are quantities times β_lim/|V|.
 pub(super) const ANGLE: usize = 3;
 /// Index of |V| among the functions of a table, if |V| is one of them.
 pub(super) const SIZE: usize = 4;

@@ -60,8 +60,8 @@ pub struct Tables<S> {
     /// Table of β*_lim as a product over zeros and poles. `None` if only the exact sums over the modes are accurate
     /// enough.
     pub sliding: Option<Product<S>>,
-    /// |V| as a product over zeros and poles, for the motion of the contact. `None` if |V| is a function of the pieces, or if
-    /// the tables have no motion.
+    /// |V| as a product over zeros and poles, for the motion of the contact. `None` if |V| is a function of the pieces,
+    /// or if the tables have no motion.
     pub excitation: Option<Product<S>>,
     /// Responses while the contact is stuck, if they were requested. `None` if only the exact formulas are accurate
     /// enough. The responses are compared with the exact values, but not proven.
@@ -273,9 +273,8 @@ impl<S: Float> Tables<S> {
     }
 
     /// Builds the tables with |V| as a function of the polynomial pieces, if every mode is damped and the tables fit.
-    /// Otherwise
-    /// |V| becomes a product over zeros and poles. A product needs fewer bytes, but costs a square root and some operations for
-    /// every zero and pole.
+    /// Otherwise |V| becomes a product over zeros and poles. A product needs fewer bytes, but costs a square root and
+    /// some operations for every zero and pole.
     fn of_terms(
         exact: &mut Exact<'_>,
         request: Request,
