@@ -14,8 +14,8 @@ pub use fuzzing::Random as Lcg;
 
 pub type TestWave = Wave<f64, Damped<f64>>;
 
-/// Number of derivatives that the tests compute: those of the Taylor series in a search, and those that the terms of a
-/// mode need in addition.
+/// Number of derivatives that the tests compute: those of the Taylor series in a search, and further ones that the
+/// terms of a mode need.
 pub const ORDERS: usize = 18;
 
 /// Modal damping ratios of every kind, on both sides of each ζ at which the closed form changes.
@@ -195,8 +195,8 @@ pub fn random_waves(
     waves
 }
 
-/// Returns a random motion like that of a chain: the terms of its modes (waves), and the cosine and sine of its
-/// fundamental component. The motion repeats with the opposite sign after half a period. A mode far below the
+/// Returns a random motion like that of a chain: the terms of the modes (waves), and the cosine and sine coefficients
+/// of the fundamental component. The motion repeats with the opposite sign after half a period. A mode far below the
 /// excitation has its whole response as one wave.
 pub fn random_motion(
     random: &mut Lcg,

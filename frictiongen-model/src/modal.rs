@@ -41,7 +41,7 @@ pub struct Modal<T = Dd> {
     pub reference: T,
     /// μ, the ratio of static to kinetic friction force.
     pub stiction: T,
-    /// The indices of the two masses of the contact in ascending order, or the index of its single mass and `None`.
+    /// The contact's masses by index: the two masses in ascending order, or a single mass and `None`.
     pub contact: (usize, Option<usize>),
     /// True if masses beyond the contact can act as an absorber ([`Scene::has_absorber`]).
     pub has_absorber: bool,
@@ -267,8 +267,8 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// Returns the frequency ratios of the undamped resonances that the load drives, at which the continuous motion may
-    /// be unbounded. With `invisible`, the result has only modes without relative displacement in the contact. At these
+    /// Returns the undamped resonances that the load drives, as frequency ratios. The continuous motion may be
+    /// unbounded there. If `invisible` is true, the result has only modes in which the contact does not move. At their
     /// resonances even the motion with a stuck contact is unbounded.
     #[must_use]
     pub fn unbounded(&self, invisible: bool) -> Vec<T> {

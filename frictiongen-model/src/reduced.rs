@@ -16,7 +16,7 @@ use frictiongen_kernel::response::{
 pub struct Reduced<S> {
     /// The modes that the load or the contact drives, in ascending order of resonance.
     pub modes: Vec<Mode<S>>,
-    /// Mode shape components of the modes in `modes`, mass after mass.
+    /// Mode shapes: for each mass in turn, the mass's component in each mode of `modes`.
     pub shapes: Vec<S>,
     /// Constants of the whole chain, which belong to no single mode.
     pub chain: Chain<S>,
@@ -143,7 +143,7 @@ pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
 }
 
 impl<S: Float> Reduced<S> {
-    /// Returns the constants as the kernel reads them.
+    /// Returns the constants as [`Numbers`], the form in which the kernel crate takes them.
     #[must_use]
     pub fn numbers(&self) -> Numbers<'_, S> {
         Numbers {

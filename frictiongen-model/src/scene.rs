@@ -161,7 +161,8 @@ pub struct Range {
     pub beta: (f64, f64),
 }
 
-/// The accuracy that the description declares for the emitted code, and the range in which it is valid.
+/// The accuracy that the description declares for the emitted code, and the range of r and β in which the code must
+/// meet it.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Declared {
@@ -224,12 +225,12 @@ pub enum StepInput {
     Linear,
 }
 
-/// Settings of the stepper: its step, its input and its loads.
+/// Settings of the stepper: the step, the input and the loads.
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stepping {
-    /// The fixed step in the scene's unit of time (s in SI), if it is known. The data for this step are then constants
-    /// of the emitted code.
+    /// The fixed step in the scene's unit of time (s in SI). `None` if the step is known only at run time. If it is
+    /// known, the data for the step are constants of the emitted code.
     pub step: Option<f64>,
     /// Course of the input between two samples.
     pub input: StepInput,

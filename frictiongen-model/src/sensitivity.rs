@@ -77,8 +77,8 @@ impl Modal {
         }
     }
 
-    /// Returns the modal data with their derivatives with respect to one quantity, in the unit of that quantity.
-    /// `scene` must be the scene that this modal analysis came from. Returns `None` if the scene has no such quantity.
+    /// Returns the modal data with derivatives with respect to one quantity of the scene. `scene` must be the scene
+    /// from which this modal analysis was made. Returns `None` if the scene has no such quantity.
     #[must_use]
     pub fn along(&self, scene: &Scene, quantity: Quantity) -> Option<Modal<Dual<Dd>>> {
         let mut along = self.fixed();

@@ -5,8 +5,8 @@ use crate::modal::Modal;
 use frictiongen_kernel::Float;
 
 impl<T: Float> Modal<T> {
-    /// Returns the friction threshold β_n,i of each mode: below it, the motion at the undamped resonance is unbounded
-    /// (6.2, 6.26). The entry is `None` for a mode that the contact does not drive.
+    /// Returns β_n,i, the friction threshold of each mode. Below this friction ratio, the motion at the undamped
+    /// resonance of the mode is unbounded (6.2, 6.26). The entry is `None` for a mode that the contact does not drive.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<T>> {
         self.loads

@@ -1,4 +1,4 @@
-//! Data that a stepper needs in addition to those for the motion in time: units, loads and the friction law.
+//! Data of a stepper: units, loads and the friction law. The stepper also needs the data for the motion in time.
 
 use crate::modal::Modal;
 use crate::scene::{Excitation, FrictionLaw, Node, Precision, Scene, StepInput};
@@ -18,8 +18,8 @@ pub struct Steps<S> {
     pub units: Units<S>,
     /// True if the excitation is a motion of the base.
     pub on_base: bool,
-    /// Indices of the masses on which a force may act: the excited mass, the masses that the description lists, and
-    /// those that the caller adds.
+    /// Indices of the masses on which a force may act: the excited mass, the masses that the description lists, and the
+    /// masses that the caller adds.
     pub forces: Vec<usize>,
     /// Course of the input between two samples.
     pub input: Input,
@@ -109,7 +109,7 @@ impl<S: Float> Steps<S> {
         Lines::under(&self.law, r, amplitude, self.speed)
     }
 
-    /// Returns the scene as the kernel reads it.
+    /// Returns the scene as a [`StepScene`], the form in which the kernel crate takes it.
     #[must_use]
     pub fn scene<'a>(&'a self, dynamics: Dynamics<'a, S>) -> StepScene<'a, S> {
         StepScene {
@@ -145,8 +145,8 @@ pub fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutO
     )
 }
 
-/// Returns the reason why a stepper refuses the step of a scene: the angle in rad by which the fastest oscillator turns
-/// in the step, and the range of angles that a stepper accepts. Returns `None` if the stepper accepts the step.
+/// Returns why a stepper refuses the step of a scene: the angle in rad by which the fastest oscillator turns in one
+/// step, and the range of angles that a stepper accepts. Returns `None` if the stepper accepts the step.
 #[must_use]
 pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<(f64, [f64; 2])> {
     let step = scene.stepping.step?;

@@ -31,7 +31,7 @@ pub fn validate(scene: &Scene) -> Result<(), Vec<SceneError>> {
     validate_known(scene, &Checks::default())
 }
 
-/// Checks those items of a scene that the reader of its description could read.
+/// Checks only those items of a scene that could be read from its description.
 ///
 /// # Errors
 /// Returns every error of the known items, in the order of the fields.

@@ -12,9 +12,9 @@
     label = "add `limits` to the scene's `provide: [...]`"
 )]
 pub trait AddLimitsToProvide {
-    /// Placeholder for the result of the method. No type implements the trait, so it is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
     type Answer;
-    /// Placeholder for the body of the method. No type implements the trait, so it is never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
@@ -25,9 +25,9 @@ pub trait AddLimitsToProvide {
     label = "add `motion` to the scene's `provide: [...]`"
 )]
 pub trait AddMotionToProvide {
-    /// Placeholder for the result of the method. No type implements the trait, so it is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
     type Answer;
-    /// Placeholder for the body of the method. No type implements the trait, so it is never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
@@ -38,9 +38,9 @@ pub trait AddMotionToProvide {
     label = "add `orbit` to the scene's `provide: [...]`"
 )]
 pub trait AddOrbitToProvide {
-    /// Placeholder for the result of the method. No type implements the trait, so it is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
     type Answer;
-    /// Placeholder for the body of the method. No type implements the trait, so it is never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
@@ -51,9 +51,9 @@ pub trait AddOrbitToProvide {
     label = "add `simulation` to the scene's `provide: [...]`"
 )]
 pub trait AddSimulationToProvide {
-    /// Placeholder for the result of the method. No type implements the trait, so it is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
     type Answer;
-    /// Placeholder for the body of the method. No type implements the trait, so it is never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
@@ -64,9 +64,9 @@ pub trait AddSimulationToProvide {
     label = "add `stepper` to the scene's `provide: [...]`"
 )]
 pub trait AddStepperToProvide {
-    /// Placeholder for the result of the method. No type implements the trait, so it is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
     type Answer;
-    /// Placeholder for the body of the method. No type implements the trait, so it is never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
@@ -77,9 +77,9 @@ pub trait AddStepperToProvide {
     label = "add `stuck` to the scene's `provide: [...]`"
 )]
 pub trait AddStuckToProvide {
-    /// Placeholder for the result of the method. No type implements the trait, so it is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
     type Answer;
-    /// Placeholder for the body of the method. No type implements the trait, so it is never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
@@ -90,15 +90,15 @@ pub trait AddStuckToProvide {
     label = "add the mass to `motion(...)` in the scene's `provide: [...]`"
 )]
 pub trait AddMassToMotion {
-    /// Placeholder for the result of the method. No type implements the trait, so it is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
     type Answer;
-    /// Placeholder for the body of the method. No type implements the trait, so it is never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
-/// Writes the methods that a scene does not provide. A call to such a method does not compile. If the method takes a
-/// number as its argument, it requires the trait of the number's type, and the compiler prints the trait's message. For
-/// the other methods the compiler prints only the trait's name.
+/// Writes a placeholder for each method that a scene does not provide. A call to a placeholder does not compile. If the
+/// method takes a number as its argument, it requires the trait of the number's type, and the compiler prints the
+/// trait's message. For the other methods the compiler prints only the trait's name.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! not_provided {
@@ -182,7 +182,8 @@ macro_rules! not_provided {
     };
 }
 
-/// Writes the methods for the masses whose motion a scene leaves out. A call to such a method does not compile.
+/// Writes a placeholder for the method of each mass whose motion the scene leaves out. A call to a placeholder does not
+/// compile, and the compiler message says what to add to the scene.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! left_out {

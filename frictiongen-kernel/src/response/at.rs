@@ -1,4 +1,4 @@
-//! Response of a scene at one frequency ratio r: both limits, the regime, and the methods that return its motions.
+//! Response of a scene at one frequency ratio r: both limits, the regime, and the methods that return motions.
 
 use super::scene::Scene;
 use crate::contact::regime::{self, Limits};
@@ -8,7 +8,8 @@ use crate::modal_sum::search::{self, Effort, Peak, Weight};
 use crate::modal_sum::wave::fastest;
 use crate::number::scalar::Scalar;
 
-/// A scene at one frequency ratio r. It stores the sums over the modes from which both limits and every motion follow.
+/// A scene at one frequency ratio r. The struct stores the sums over the modes from which both limits and every motion
+/// follow.
 #[derive(Clone, Debug)]
 pub struct At<T: Scene> {
     pub(super) scene: T,
@@ -33,14 +34,14 @@ pub struct MostEvaluations {
     pub amplitude: u32,
 }
 
-/// Checks the frequency ratio r, and returns r and 1/r. The value of 1/r is clamped so that its square stays finite.
+/// Checks the frequency ratio r, and returns r and 1/r. The value of 1/r is clamped so that 1/r² stays finite.
 #[inline]
 fn ratios<T: Scene>(scene: &T, r: T::Scalar) -> Result<(T::Scalar, T::Scalar), OutOfDomain> {
     let r = regime::check_ratio(r, "r")?;
     Ok((r, inverse_ratio(scene, r)))
 }
 
-/// Returns 1/r, the inverse of the frequency ratio, clamped so that its square stays finite.
+/// Returns 1/r, the inverse of the frequency ratio, clamped so that 1/r² stays finite.
 #[inline]
 pub(super) fn inverse_ratio<T: Scene>(scene: &T, r: T::Scalar) -> T::Scalar {
     let (low, high) = scene.inverse_ratio_range();
@@ -85,7 +86,7 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// Copies this scene with the functions of its modes at r, so that a motion can own the copy.
+    /// Copies the scene with the functions of the modes at r, so that a motion can own the copy.
     #[inline]
     pub(super) fn kept(&self) -> Self {
         Self {
@@ -134,8 +135,7 @@ impl<T: Scene> At<T> {
         self.r
     }
 
-    /// Returns 1/r, the inverse of the frequency ratio, clamped so that its square stays finite. All formulas use this
-    /// value.
+    /// Returns 1/r, the inverse of the frequency ratio, clamped so that 1/r² stays finite. All formulas use this value.
     #[inline]
     #[must_use]
     pub fn inverse_ratio(&self) -> T::Scalar {

@@ -59,19 +59,20 @@ impl<S: Scalar> Fundamental<S> {
 }
 
 /// Coefficients of one mode's functions of τ in a motion. The functions are d and q̃, the free vibration of the mode
-/// from a unit displacement and from a unit velocity.
+/// after a unit displacement and after a unit velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct ModalCoefficients<S> {
-    /// Coefficient of (1 − d)/x², the mode's response from rest to a constant force. x = 1/R is the mode's resonance
-    /// over the excitation frequency.
+    /// Coefficient of (1 − d)/x², the mode's response from rest to a constant force. Here x = 1/R is the natural
+    /// frequency of the mode divided by the frequency of the excitation.
     pub rise: S,
     /// Coefficient of cos τ − d, by which the mode's static displacement lags behind the excitation. The cos τ that
     /// this term adds is subtracted from the fundamental component. The coefficient is 0 without damping.
     pub fall: S,
-    /// Coefficient of sin τ − R q̃, by which the mode lags behind the excitation. R is the excitation frequency over
-    /// the mode's resonance.
+    /// Coefficient of sin τ − R q̃, by which the mode lags behind the excitation. R is the frequency of the excitation
+    /// divided by the natural frequency of the mode.
     pub forced: S,
-    /// φ_k(φᵀw)/r², the residue of the mode from a force in the contact to the mass. Only the harmonics need it.
+    /// φ_k(φᵀw)/r², the residue of the mode in the response of mass k to a force in the contact. Only the harmonics
+    /// need it.
     pub residue: S,
 }
 
@@ -190,9 +191,8 @@ impl<S: Scalar> Chain<S> {
         self.modal_coefficients(&at, residue, contact, friction, inverse_r, index)
     }
 
-    /// Sets u and g of a mass-controlled mode (resonance far below the excitation) to 0, and leaves any other mode
-    /// unchanged. A mass-controlled mode already has its whole response in one function, so u and g must not add to it
-    /// again.
+    /// Returns the functions of a mode at r. For a mass-controlled mode (resonance far below the excitation), u and g
+    /// are set to 0: such a mode has its whole response in one function, so u and g must not add to the response again.
     fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
         let (slow, zero) = (
             is_mass_controlled(mode.kind, mode.zeta, at.x),

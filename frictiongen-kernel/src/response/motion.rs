@@ -40,8 +40,8 @@ pub struct Largest<S> {
     pub effort: Effort,
 }
 
-/// Returns a mode's term in the modal sum of a motion, as a [`Wave`]. `x` is the mode's resonance over the excitation
-/// frequency.
+/// Returns a mode's term in the modal sum of a motion, as a [`Wave`]. `x` is the natural frequency of the mode divided
+/// by the frequency of the excitation.
 pub fn motion_wave<S: Float, D: Decay<S>>(
     x: S,
     decay: D,
@@ -57,8 +57,8 @@ pub fn motion_wave<S: Float, D: Decay<S>>(
     wave
 }
 
-/// Returns a mode's term in the modal sum for the motion of a mass. The coefficients come from
-/// [`Chain::mass_coefficients`].
+/// Returns a mode's term in the modal sum for the motion of a mass. `x` is the natural frequency of the mode divided by
+/// the frequency of the excitation. The coefficients come from [`Chain::mass_coefficients`].
 pub fn mass_wave<S: Float, D: Decay<S>>(
     x: S,
     decay: D,

@@ -9,11 +9,12 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::Kind;
 
 impl<T: Scene> At<T> {
-    /// Computes both limits at every frequency ratio of a slice, and writes them into two slices of the same length.
+    /// Computes both limits at every frequency ratio of a slice, and writes the limits into two slices of the same
+    /// length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if a slice has another length, which leaves both slices unchanged. [`OutOfDomain`] also at the
-    /// first NaN or negative r. The limits at the frequency ratios before it are then written.
+    /// [`OutOfDomain`] if the slices have different lengths; both result slices are then unchanged. [`OutOfDomain`]
+    /// also at the first NaN or negative r; the limits at the preceding frequency ratios are then written.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -26,12 +27,13 @@ impl<T: Scene> At<T> {
     }
 
     /// Computes both limits [without search](Self::limits_without_search) at every frequency ratio of a slice, and
-    /// writes them into two slices of the same length. The results have the same bits as those for single frequencies.
-    /// If all modes are undamped or all are lightly damped, the call computes several frequencies side by side.
+    /// writes the limits into two slices of the same length. Each limit has the same bits as in a call for a single
+    /// frequency ratio. If all modes are undamped or all are lightly damped, the call computes several frequency ratios
+    /// side by side.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if a slice has another length, which leaves both slices unchanged. [`OutOfDomain`] also at the
-    /// first NaN or negative r. The limits at the frequency ratios before it are then written.
+    /// [`OutOfDomain`] if the slices have different lengths; both result slices are then unchanged. [`OutOfDomain`]
+    /// also at the first NaN or negative r; the limits at the preceding frequency ratios are then written.
     pub fn limits_without_search_into(
         scene: &T,
         rs: &[T::Scalar],

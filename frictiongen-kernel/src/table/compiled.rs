@@ -21,7 +21,7 @@ pub struct Domain<S> {
     pub never_stuck: bool,
 }
 
-/// A scene with tables of its limits β_lim and β*_lim.
+/// A scene that has tables of both limits, β_lim and β*_lim.
 pub trait Tabled: Scene {
     /// Returns the range of r and β in which the tables are valid.
     fn domain(&self) -> Domain<Self::Scalar>;
@@ -66,11 +66,12 @@ impl<T: Tabled> Compiled<T> {
         Ok(Self { scene, r, within })
     }
 
-    /// Computes both limits at every frequency ratio of a slice, and writes them into two slices of the same length.
+    /// Computes both limits at every frequency ratio of a slice, and writes the limits into two slices of the same
+    /// length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if a slice has another length, which leaves both slices unchanged. [`OutOfDomain`] also at the
-    /// first r outside the domain. The limits at the frequency ratios before it are then written.
+    /// [`OutOfDomain`] if the slices have different lengths; both result slices are then unchanged. [`OutOfDomain`]
+    /// also at the first r outside the domain; the limits at the preceding frequency ratios are then written.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],

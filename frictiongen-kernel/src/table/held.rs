@@ -1,4 +1,4 @@
-//! Responses of the chain while its contact is stuck, as rational functions of s = ir. Each function is given by its
+//! Responses of the chain while the contact is stuck, as rational functions of s = ir. Each function is given by its
 //! zeros and poles.
 
 use super::quotient::Quotient;
@@ -44,15 +44,15 @@ impl<S: Float> Root<S> {
     }
 }
 
-/// Complex rational function of s = ir: the gain times the factors in `numerator`, divided by the factors in
-/// `denominator`.
+/// Complex rational function of s = ir. It is the product of the factors in `numerator`, divided by the product of the
+/// factors in `denominator`, times `gain`.
 #[derive(Clone, Copy, Debug)]
 pub struct Transfer<'a, S> {
-    /// Constant gain of the rational function.
+    /// Constant factor of the rational function.
     pub gain: S,
-    /// Factors of the zeros.
+    /// Factors of the numerator, one for each real zero or pair of complex zeros of the function.
     pub numerator: &'a [Root<S>],
-    /// Factors of the poles.
+    /// Factors of the denominator, one for each real pole or pair of complex poles of the function.
     pub denominator: &'a [Root<S>],
 }
 

@@ -70,8 +70,8 @@ impl<S: Float> ContactTable<S> {
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);
         let quadrature = share * self.quadrature;
-        // The product is negative only where β is within the accuracy of β_lim. The product is then 0 within that
-        // accuracy.
+        // The product is negative only if β exceeds the tabulated β_lim, within its accuracy. The exact product is then
+        // 0 within that accuracy.
         ((one - quadrature) * (one + quadrature)).abs().sqrt()
     }
 
@@ -94,7 +94,7 @@ impl<S: Float> ContactTable<S> {
     }
 }
 
-/// A scene with a table of its contact's continuous motion.
+/// A scene that has a table of the continuous motion of the contact.
 pub trait TabledMotion: Tabled + ProvidesMotion {
     /// Type that `motion` returns. In emitted code this type has one method for each mass.
     type Moving: From<Moving<Self>>;

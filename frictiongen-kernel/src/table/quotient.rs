@@ -54,30 +54,30 @@ impl<S: Float> Factor<S> {
     }
 }
 
-/// Rational function of r: the gain times the factors in `numerator`, divided by the factors in `denominator`. If
-/// `squared` is true, the function is the gain times the square root of that quotient.
+/// Rational function of r: the product of the factors in `numerator`, divided by the product of the factors in
+/// `denominator`, times `gain`. If `squared` is true, the function is `gain` times the square root of that quotient.
 #[derive(Clone, Copy, Debug)]
 pub struct Quotient<'a, S> {
-    /// Constant gain of the rational function.
+    /// Constant factor of the function.
     pub gain: S,
     /// True if the factors belong to the square of the wanted function. The quotient is then replaced by its square
     /// root.
     pub squared: bool,
-    /// Factors of the zeros.
+    /// Factors of the numerator, one for each zero or pair of zeros of the function.
     pub numerator: &'a [Factor<S>],
-    /// Factors of the poles.
+    /// Factors of the denominator, one for each pole or pair of poles of the function.
     pub denominator: &'a [Factor<S>],
 }
 
 impl<S: Float> Quotient<'_, S> {
-    /// Returns the modulus of the rational function at r.
+    /// Returns the absolute value of the function at r.
     #[inline(always)]
     #[must_use]
     pub fn size(&self, r: S) -> S {
         self.value(r).abs()
     }
 
-    /// Returns the rational function at r, infinite on a pole. The result has its sign, unless it is a square root.
+    /// Returns the function at r, infinite on a pole. The result may be negative, unless the function is a square root.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> S {

@@ -1,4 +1,4 @@
-//! Response of a scene with tables while its contact is stuck.
+//! Response of a scene with tables while the contact is stuck.
 
 use super::compiled::{Compiled, Tabled};
 use crate::errors::StuckResonance;
@@ -20,8 +20,8 @@ pub trait TabledStuck: Tabled + ProvidesStuck {
         false
     }
 
-    /// Returns those frequency ratios of the domain that equal an undamped resonance of the chain with its contact
-    /// stuck, to the last digit.
+    /// Returns frequency ratios within the domain at which the stuck chain has an undamped resonance. Only resonances
+    /// that are exactly a number of the type are listed.
     #[inline]
     fn stuck_resonances(&self) -> &[Self::Scalar] {
         &[]
@@ -71,7 +71,7 @@ impl<T: TabledStuck> Compiled<T> {
     }
 }
 
-/// Response of a [`TabledStuck`] scene at one frequency ratio, while its contact is stuck.
+/// Response of a [`TabledStuck`] scene at one frequency ratio, while the contact is stuck.
 #[derive(Clone, Copy, Debug)]
 pub struct Sticking<T: TabledStuck> {
     at: Compiled<T>,

@@ -12,16 +12,16 @@ use frictiongen_kernel::Float;
 const POINTS: usize = 40;
 /// Closest distance to a zero at which a polynomial piece is compared, in decades: 10^−13 of the length of the piece.
 const DECADES: f64 = 13.0;
-/// Number of frequency ratios at which a product over zeros and poles is compared, in addition to those near its zeros
-/// and poles.
+/// Number of frequency ratios over the range at which a product over zeros and poles is compared with the exact values.
+/// Further points are near zeros, resonances and sub-harmonics.
 const PRODUCT_POINTS: usize = 256;
-/// Uncertainty of an exact value at r, as the number of roundings by which r may be off.
+/// Number of roundings by which r may be off when an exact value is computed.
 pub(super) const ROUNDINGS: f64 = 8.0;
 /// The golden section. The fractional parts of its multiples spread points evenly over an interval.
 pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// Returns the largest error of a polynomial piece divided by the allowed error, with its r. It also returns the number
-/// of compared points.
+/// Compares a polynomial piece with the exact values. Returns the largest error divided by the allowed error, the r of
+/// this error, and the number of compared points.
 pub(super) fn piece<S: Float>(
     comparison: &mut Comparison<'_, '_, S>,
     piece: &Fitted<S>,
@@ -66,8 +66,8 @@ pub(super) fn piece<S: Float>(
     (worst, points)
 }
 
-/// Returns the largest relative error of a product over zeros and poles, with its r. It also returns the number of
-/// compared points.
+/// Compares a product over zeros and poles with the exact values. Returns the largest relative error, the r of this
+/// error, and the number of compared points.
 pub(super) fn product<S: Float>(
     product: &Product<S>,
     (low, high): (f64, f64),
@@ -91,7 +91,7 @@ pub(super) fn product<S: Float>(
             continue;
         }
         let off = (product.quotient().value(own).abs().to_f64() - expected).abs();
-        // Near a zero or a pole the exact value is uncertain by the effect of some roundings of r.
+        // Near a zero or a pole the function is steep, so a few roundings of r change the exact value noticeably.
         let moved = own.to_f64() * (1.0 + ROUNDINGS * f64::EPSILON);
         let off = (off - (exact(moved) - expected).abs()).max(0.0);
         points += 1;

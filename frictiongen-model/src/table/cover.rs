@@ -8,8 +8,8 @@ use super::split::Edge;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Factor in length at which the search for the longest piece ends: a piece longer by this factor is known to be too
-/// long. More fits would save at most a tenth of the pieces.
+/// Ratio of lengths at which the search for the longest piece ends. A piece that is longer by this factor is then known
+/// to be too long. More fits would save at most a tenth of the pieces.
 const LONGEST: f64 = 1.1;
 /// Step to which the end of a piece is rounded for human readers, as a fraction of the piece's length. The end is not
 /// rounded at a kink of β_lim or at a bound of the range.
@@ -18,7 +18,7 @@ const END: f64 = 0.02;
 /// the kink is then located. Across a kink the error falls only in proportion to the length, not with a high power of
 /// it.
 const KINK: f64 = 30.0;
-/// Ratio of a length that is too long to a good length at which a kink counts as located.
+/// Ratio of lengths at which a kink counts as located: a length that is too long divided by a length that is not.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
 /// Largest number of pieces that are fitted again after the check. Each repetition adds a point to check. A cover that
 /// exceeds this number would not end.
@@ -36,8 +36,8 @@ const AIM: f64 = 0.8;
 const AIM_AGAIN: f64 = 0.7;
 /// Error divided by the allowed error below which an error says nothing about the best length.
 const TINY: f64 = 1e-6;
-/// Bounds on the ratio of the next trial length to the last length, after a piece within the allowed error. The error
-/// follows a power of the length only approximately.
+/// Smallest and largest factor from the last trial length of a piece to the next, after a fit within the allowed error.
+/// The factor follows from a power law, which is only approximate.
 const LONGER_BY: [f64; 2] = [1.05, 2.0];
 const SHORTER_BY: [f64; 2] = [0.2, 0.95];
 
@@ -46,32 +46,33 @@ fn clamped(value: f64, [least, most]: [f64; 2]) -> f64 {
     value.clamp(least, most)
 }
 
-/// State of a cover: a range of r, whose functions are approximated by polynomial pieces.
+/// Approximation of the tabulated functions by polynomial pieces over a range of r: settings and state of the
+/// construction.
 pub(super) struct Cover<'a, 'm, S> {
     /// Exact values, with which each piece is compared, and the allowed errors of the fit.
     pub comparison: Comparison<'a, 'm, S>,
-    /// Frequency ratios at which β_lim has a kink, in ascending order.
+    /// Kinks of β_lim, as frequency ratios in ascending order.
     pub kinks: Vec<f64>,
     /// Allowed errors of the check: the first for β_lim, the second for the amplitude and the phase of the contact.
     pub whole: (f64, f64),
-    /// Largest number of pieces that a cover may have.
+    /// Largest number of pieces that the construction may make.
     pub most_pieces: usize,
     /// Length of the last piece that was fitted, from which the first trial length of the next piece follows.
     pub last: f64,
 }
 
-/// Failure of a cover, with the frequency ratio r at which no piece meets the accuracy.
+/// Failure to cover a range: no piece that contains the frequency ratio `at` meets the accuracy.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stuck {
     pub at: f64,
 }
 
 impl<S: Float> Cover<'_, '_, S> {
-    /// Returns polynomial pieces that cover the range, checked at points that their fits did not use. It also returns
-    /// the largest error divided by the allowed error, and the number of compared points.
+    /// Returns polynomial pieces that cover the range, checked at points that the fits did not use. Also returns the
+    /// largest error divided by the allowed error, and the number of compared points.
     ///
-    /// Where the check finds a larger error than allowed, the r of the error becomes a point at which later fits are
-    /// compared. The range of the piece is then covered again.
+    /// If the check finds a larger error than allowed, later fits are also compared at the r of the error. The interval
+    /// of the piece is then covered again.
     pub fn checked(
         &mut self,
         low: f64,

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 /// Ratios β/β_lim at which the amplitude and the phase of the contact are compared with the exact values.
 pub const FRICTION_SHARES: [f64; 7] = [0.05, 0.3, 0.6, 0.8, 0.9, 0.95, 0.98];
-/// Uncertainty of an exact value near a zero of β_lim, as the number of roundings by which r may be off.
+/// Number of roundings by which r may be off when an exact value near a zero of β_lim is computed.
 const ROUNDINGS: f64 = 4.0;
 
 /// Exact values with which polynomial pieces are compared, and the errors that a piece may have.
@@ -22,8 +22,8 @@ pub(super) struct Comparison<'a, 'm, S> {
     pub limit: f64,
     /// Largest allowed error of the contact's amplitude (relative) and phase (rad).
     pub motion: f64,
-    /// |V| as a product over zeros and poles, or V with its sign without damping. `None` if the motion of the contact
-    /// is not needed, or if |V| is a function of the pieces.
+    /// |V| as a product over zeros and poles; without damping, V with its sign. `None` if the motion of the contact is
+    /// not needed, or if |V| is a polynomial of the pieces.
     pub excitation: Option<Quotient<'a, S>>,
 }
 
@@ -92,8 +92,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         }
     }
 
-    /// Returns the error of a piece at r, divided by the allowed error. The exact value is uncertain by the effect of
-    /// some roundings of r.
+    /// Returns the error of a piece at r, divided by the allowed error. A few roundings of r may change the exact
+    /// value, and this change does not count as an error.
     pub fn error_at(&mut self, piece: &Fitted<S>, r: f64) -> f64 {
         let own = S::constant(r);
         let r = own.to_f64();
@@ -156,7 +156,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         if plain <= 1.0 {
             return plain;
         }
-        // Where β_lim is uncertain, the ratio β/β_lim is uncertain by the same relative amount.
+        // Where β_lim changes by a few roundings of r, the ratio β/β_lim changes by the same relative amount.
         let mut noise = [self.limit_noise(exact.limit, r) / exact.limit; APART];
         for r in Self::beside(r) {
             let Some(moved) = self.exact.at(r) else {
@@ -170,7 +170,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         over(&off, &noise)
     }
 
-    /// Returns the table values of the contact that a piece gives at r.
+    /// Returns β_lim, a, g, arg V and |V| at r, from a polynomial piece and the product for |V|.
     fn answer(&self, piece: &Fitted<S>, r: S) -> ContactTable<S> {
         let [limit, quadrature, displacement, direction] =
             [0, 1, 2, ANGLE].map(|function| piece.value(function, r));

@@ -12,9 +12,9 @@ use std::collections::HashMap;
 
 /// Index of arg V among the functions of a table. Functions 1 and 2 before it, a and g, are quantities times β_lim/|V|.
 pub(super) const ANGLE: usize = 3;
-/// Index of |V| among the functions of a table, if |V| is one of them.
+/// Index of |V| among the functions of a table, for tables in which |V| is a polynomial.
 pub(super) const SIZE: usize = 4;
-/// Ratio of a sum to the sum of its terms' magnitudes. Below this ratio, the sum has lost significant digits.
+/// Ratio of the size of a sum to the sum of all |terms|. Below this ratio, the sum has lost significant digits.
 const CANCELS: f64 = 1e-2;
 
 /// Exact functions at one r: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. |V| is computed separately. For an
@@ -30,7 +30,7 @@ pub(super) struct Sample {
     pub tau: Option<f64>,
 }
 
-/// Scene that computes exact values at any r and keeps each of them for later use.
+/// Computes exact values of a scene at any r, and keeps each value for later use.
 pub(super) struct Exact<'a> {
     pub modal: &'a Modal,
     pub reduced: Reduced<f64>,
@@ -69,7 +69,7 @@ impl<'a> Exact<'a> {
         contact_modes.all(|mode| !mode.driven.zeta.is_zero())
     }
 
-    /// Returns the number of frequency ratios at which the functions were computed.
+    /// Returns the number of frequency ratios at which exact values were computed.
     pub fn looked_at(&self) -> usize {
         self.seen.len()
     }

@@ -9,8 +9,8 @@ use std::f64::consts::PI;
 
 /// Step to which the origin of a piece is rounded, as a fraction of half the piece's length.
 const ORIGIN: f64 = 0.1;
-/// Finest accuracy (relative error) for which polynomials of four coefficients need the fewest numbers. The next two
-/// constants are the same bounds for six and eight coefficients.
+/// Smallest relative error down to which tables of polynomials with four coefficients store the fewest numbers. The
+/// next two constants are the same for six and eight coefficients.
 const FOUR_TERMS: f64 = 3e-3;
 const SIX_TERMS: f64 = 1e-7;
 const EIGHT_TERMS: f64 = 1e-10;
@@ -44,7 +44,7 @@ impl<S: Float> Fitted<S> {
 /// Numbers of coefficients that a polynomial of a table may have.
 pub(super) const TERMS: [usize; 4] = [4, 6, 8, 10];
 
-/// Returns the number of coefficients per polynomial with which a table of this accuracy needs the fewest numbers.
+/// Returns the number of coefficients per polynomial with which a table of this accuracy stores the fewest numbers.
 pub(super) fn terms(accuracy: f64) -> usize {
     let [four, six, eight, ten] = TERMS;
     if accuracy >= FOUR_TERMS {

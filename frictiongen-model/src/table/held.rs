@@ -15,11 +15,11 @@ pub enum HeldForm<S> {
     Undamped(Product<S>),
     /// Response of a damped chain, which is complex.
     Damped {
-        /// The constant gain of the response.
+        /// Constant factor of the response.
         gain: S,
-        /// The factors of the zeros.
+        /// Factors of the numerator, one for each real zero or pair of complex zeros.
         numerator: Vec<Root<S>>,
-        /// The factors of the poles.
+        /// Factors of the denominator, one for each real pole or pair of complex poles.
         denominator: Vec<Root<S>>,
     },
 }
@@ -40,7 +40,7 @@ pub struct Held<S> {
 }
 
 impl<S: Float> HeldForm<S> {
-    /// Returns the response as the kernel reads it.
+    /// Returns the response as a [`HeldResponse`], the form in which the kernel crate takes it.
     #[must_use]
     pub fn response(&self) -> HeldResponse<'_, S> {
         match self {
@@ -94,7 +94,7 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// Returns two numbers: how many numbers the gain and the zeros store, and how many the poles store.
+    /// Returns how many numbers the gain and the zeros store, and how many numbers the poles store.
     fn numbers(&self) -> (usize, usize) {
         let of_roots = |roots: &[Root<S>]| -> usize {
             let numbers = roots.iter().map(|root| match root {

@@ -14,8 +14,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Root;
 use frictiongen_kernel::{Complex, Float};
 
-/// Number of frequency ratios over the range at which each response is compared, in addition to those close to its
-/// zeros and poles.
+/// Number of frequency ratios over the range at which each response is compared with its exact value. Further points
+/// are close to the zeros and poles of the response.
 const POINTS: usize = 64;
 /// Relative distances from a zero or a pole at which a response is compared with its exact value.
 const BESIDE: [f64; 7] = [0.0, 1e-15, -1e-13, 1e-10, -1e-7, 1e-4, -1e-2];
@@ -111,11 +111,11 @@ impl<S: Float> Held<S> {
     }
 }
 
-/// A frequency ratio of the comparison, and the exact responses at it.
+/// A frequency ratio r at which responses are compared, with the exact responses at r.
 struct Point {
     r: f64,
     at: HeldAt,
-    /// The exact responses at a frequency ratio that is larger by `ROUNDINGS` roundings.
+    /// Exact responses at a slightly larger frequency ratio, `ROUNDINGS` roundings above r.
     moved: HeldAt,
 }
 
@@ -217,8 +217,8 @@ impl<'a> Build<'a> {
         })
     }
 
-    /// Compares a response with its exact values over the range, and close to its zeros and poles. It updates the
-    /// largest error.
+    /// Compares a response with its exact values over the range, and close to the zeros and poles. Updates the largest
+    /// error.
     fn compare<S: Float>(
         &mut self,
         response: &Response,
@@ -253,7 +253,7 @@ impl<'a> Build<'a> {
                 Dd::from(own.re.to_f64()),
                 Dd::from(own.im.to_f64()),
             ));
-            // Near a zero or a pole the exact value is uncertain by the effect of some roundings of r.
+            // Near a zero or a pole the response is steep, so a few roundings of r change the exact value noticeably.
             let noise = apart(exact(moved));
             let noise = if noise.is_finite() { noise } else { 0.0 };
             let error = or_infinite((off - noise).max(0.0) / size);

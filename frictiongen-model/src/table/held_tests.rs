@@ -90,7 +90,8 @@ fn two_masses_by_hand() {
     assert_eq!(on.resonances, [1.0]);
 }
 
-/// Returns the change of a zero's y that changes its factor by the factor's own magnitude, somewhere in the range.
+/// Returns the change of y that changes the factor of a zero by about 100 %, somewhere in the range. y is the imaginary
+/// part of the zero.
 fn reach(y: f64) -> f64 {
     let r = y.clamp(RANGE.0, RANGE.1);
     if r == y {
@@ -100,7 +101,8 @@ fn reach(y: f64) -> f64 {
     }
 }
 
-/// Returns the numbers of a factor. Each comes with the change that changes the factor by the factor's own magnitude.
+/// Returns the numbers that a factor stores. Each comes with the change of this number that changes the factor by about
+/// 100 %.
 fn of_root(root: &mut Root<f64>) -> Vec<(&mut f64, f64)> {
     let before = *root;
     let size = |r: f64| {
@@ -117,8 +119,8 @@ fn of_root(root: &mut Root<f64>) -> Vec<(&mut f64, f64)> {
     }
 }
 
-/// Returns every number of a response. Each comes with the change that changes the response by the response's own
-/// magnitude.
+/// Returns every number that a response stores. Each comes with the change of this number that changes the response by
+/// about 100 %.
 fn numbers(form: &mut HeldForm<f64>) -> Vec<(&mut f64, f64)> {
     let of_factor = |factor| match factor {
         &mut Factor::Zero { ref mut at, .. } => {

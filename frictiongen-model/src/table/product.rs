@@ -7,18 +7,18 @@ use frictiongen_kernel::table::{Factor, Quotient};
 /// [`Quotient`].
 #[derive(Clone, Debug)]
 pub struct Product<S> {
-    /// The constant gain of the function.
+    /// Constant factor of the function.
     pub gain: S,
     /// True if the factors belong to the square of the function. The function is then a square root.
     pub squared: bool,
-    /// The factors of the zeros.
+    /// Factors of the numerator, one for each zero or pair of zeros.
     pub numerator: Vec<Factor<S>>,
-    /// The factors of the poles.
+    /// Factors of the denominator, one for each pole or pair of poles.
     pub denominator: Vec<Factor<S>>,
 }
 
 impl<S: Float> Product<S> {
-    /// Returns the function as the kernel reads it.
+    /// Returns the function as a [`Quotient`], the form in which the kernel crate takes it.
     #[must_use]
     pub fn quotient(&self) -> Quotient<'_, S> {
         Quotient {

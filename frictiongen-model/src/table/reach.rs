@@ -111,8 +111,7 @@ fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f
     halves.all(|half| exceeds(half, halvings - 1, least, most))
 }
 
-/// Returns the interval of all results that a rounded operation of the number type may have, from the interval of its
-/// exact results.
+/// Widens the interval of the exact results of an operation by the rounding error of the number type `S`.
 fn rounded<S: Float>(exact: Interval) -> Interval {
     let (unit, smallest) = unit::<S>();
     exact * (Interval::ONE + Interval::within(2.0 * unit)) + Interval::within(smallest)

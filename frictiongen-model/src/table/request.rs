@@ -47,8 +47,8 @@ pub enum TableError {
     NotMet {
         /// The requested accuracy, a relative error.
         accuracy: f64,
-        /// The finest accuracy that a table can meet, of those that are 10, 100, … times as coarse as the request.
-        /// `None` if no such table exists.
+        /// The finest accuracy that a table can meet. The generator tries accuracies that are 10, 100, … times as
+        /// coarse as the request. `None` if it can meet none.
         reached: Option<f64>,
         /// The frequency ratio r at which the table fails.
         at: f64,

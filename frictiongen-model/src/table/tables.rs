@@ -19,8 +19,7 @@ use crate::modal::Modal;
 use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 
-/// Divisor that limits the responses with the contact stuck: they may use at most one in `STUCK_PART` of the allowed
-/// bytes.
+/// Bound on the responses with the contact stuck: they may use the allowed bytes divided by this number.
 const STUCK_PART: usize = 4;
 /// Length of the range of r divided by the length of the first interval that the fit tries.
 const FIRST: f64 = 16.0;
@@ -48,8 +47,8 @@ pub struct Report {
 pub struct Tables<S> {
     /// The request for which the tables were built.
     pub request: Request,
-    /// Number of functions that each polynomial piece holds. The first is always β_lim. With the motion of the contact,
-    /// a is added. With damping, g and arg V are added. If every mode is damped, |V| may be the fifth.
+    /// Number of functions that are polynomials in each piece. The first function is β_lim. With the motion of the
+    /// contact, a is the second. With damping, g and arg V follow. If every mode is damped, |V| may be the fifth.
     pub functions: usize,
     /// Number of coefficients of each polynomial.
     pub terms: usize,
@@ -234,7 +233,8 @@ impl<S: Float> Tables<S> {
         self
     }
 
-    /// Returns the finest accuracy that can be met, of those that are 10, 100, … times as coarse as the request.
+    /// Returns the finest accuracy that a table can meet. The method tries accuracies that are 10, 100, … times as
+    /// coarse as the request. Returns `None` if it can meet none.
     fn reached(exact: &mut Exact<'_>, request: Request) -> Option<f64> {
         let mut accuracy = request.accuracy;
         while accuracy < COARSEST {

@@ -42,7 +42,8 @@ impl Zero {
         self.x.is_zero()
     }
 
-    /// Returns the zero's factor in r. If `squared` is true, it is the factor of the squared modulus.
+    /// Returns the factor that this zero contributes to a function of r. If `squared` is true, the function is a
+    /// squared modulus.
     pub fn factor<S: Float>(&self, squared: bool, to: &impl Fn(Dd) -> S) -> Factor<S> {
         if self.y.is_zero() {
             return Factor::Real {
@@ -188,7 +189,7 @@ impl Zeros {
     }
 }
 
-/// Returns both poles of a mode, or one of them if they are a conjugate pair.
+/// Returns the poles of a mode: one pole that represents a conjugate pair, or two real poles of an overdamped mode.
 pub(super) fn poles(mode: &Driven) -> Vec<Zero> {
     let (one, zero) = (Dd::ONE, Dd::ZERO);
     let q = ((one - mode.zeta) * (one + mode.zeta)).abs().sqrt();
@@ -208,8 +209,8 @@ pub(super) fn poles(mode: &Driven) -> Vec<Zero> {
         .to_vec()
 }
 
-/// Returns the zeros of direct + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i), one of each conjugate pair. The first `known` zeros are
-/// at s = 0.
+/// Returns the zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. A conjugate pair
+/// is listed once. The first `known` zeros are at s = 0.
 fn zeros(modes: &[Driven], direct: Dd, damped: bool, known: usize) -> Option<Vec<Zero>> {
     let degree = degree(modes, direct)?;
     let mut roots = vec![complex::real(Dd::ZERO); known];
@@ -256,8 +257,8 @@ pub(super) fn classified(roots: Vec<Complex<Dd>>, known: usize, damped: bool) ->
     (found == degree).then_some(zeros)
 }
 
-/// Returns the number of zeros of direct + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i). The number follows from the first power of 1/s
-/// at infinity whose coefficient exceeds rounding.
+/// Returns the number of zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. It
+/// follows from the first power of 1/s at infinity whose coefficient exceeds rounding.
 fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
     let most = 2 * modes.len();
     if !direct.is_zero() {

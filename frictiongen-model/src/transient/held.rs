@@ -17,8 +17,8 @@ use frictiongen_kernel::{Float, Scalar};
 /// roundings of double-double.
 const ROUNDING: f64 = 1e-29;
 
-/// Returns the modes of the chain with its contact stuck (held modes), and the participations (g, h) of every mode of
-/// the sliding chain in each of them.
+/// Returns the held modes, which are the modes of the chain with its contact stuck. The second result has the
+/// participations (g, h) of every mode of the sliding chain in each held mode.
 pub(super) fn held<T: Float, S: Scalar>(
     modes: &[&Plain<T>],
     inverse_mass: T,

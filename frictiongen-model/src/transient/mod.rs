@@ -49,20 +49,21 @@ pub fn excess_loss(scene: &Scene) -> Option<f64> {
     }
 }
 
-/// Modes of a scene for its motion in time: those of the chain with its contact sliding, and those with its contact
-/// stuck.
+/// Modes of a scene for the motion in time: the modes with the contact sliding, and the modes with the contact stuck.
 #[derive(Clone, Debug)]
 pub struct Transient<S> {
     /// All modes of the sliding chain. The modes that the contact drives come first, and both groups are in ascending
     /// order of resonance. The contact drives only one of several equal modes.
     pub modes: Vec<Mode<S>>,
-    /// Mode shapes φ, mass after mass: the component of each mode at the mass.
+    /// Mode shapes φ: for each mass in turn, the mass's component in each mode.
     pub shapes: Vec<S>,
-    /// φᵀΓ, which turns displacements of the masses into modal coordinates, mode after mode: the weight of each mass.
+    /// φᵀΓ, which turns displacements of the masses into modal coordinates: for each mode in turn, the weight of each
+    /// mass.
     pub weights: Vec<S>,
     /// Held modes, which are the modes of the chain with its contact stuck.
     pub held: Vec<HeldMode<S>>,
-    /// Participations (g, h) of each mode of the sliding chain in each held mode, held mode after held mode.
+    /// Participations (g, h) of the sliding chain's modes in the held modes (contact stuck): for each held mode in
+    /// turn, one pair per mode.
     pub participations: Vec<[S; 2]>,
     /// Constants of the whole chain, which belong to no single mode.
     pub chain: Chain<S>,
@@ -144,7 +145,7 @@ impl<S: Scalar> Transient<S> {
         (!kept).then_some(loss)
     }
 
-    /// Returns the data as the kernel reads them.
+    /// Returns the data as [`Dynamics`], the form in which the kernel crate takes them.
     #[must_use]
     pub fn dynamics(&self) -> Dynamics<'_, S> {
         Dynamics {

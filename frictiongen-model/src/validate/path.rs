@@ -27,11 +27,11 @@ pub enum Path {
     ContactTo,
     /// The excitation of the scene.
     Excitation,
-    /// The damping as a whole, or one of its numbers, by index.
+    /// The damping as a whole (`None`), or the damping number with this index.
     Damping(Option<usize>),
     /// The ratio μ of static to kinetic friction.
     Stiction,
-    /// The list `provide` as a whole, or one of its items, by index.
+    /// The list `provide` as a whole (`None`), or the item with this index.
     Provide(Option<usize>),
     /// The accuracy that the scene declares.
     Accuracy,
@@ -49,13 +49,13 @@ pub enum Path {
     Beyond,
     /// Time that the macro may spend on a proof of the tables.
     Proof,
-    /// The friction law as a whole, or one of its numbers, by index. The numbers are the speed and the level of each
-    /// point in turn.
+    /// The friction law as a whole (`None`), or the number with this index. The numbers are the speed and the level of
+    /// each point in turn.
     Friction(Option<usize>),
     /// The fixed step of the stepper.
     Step,
     /// The course of the stepper's input between two samples.
     Input,
-    /// The list of masses that a force in the stepper may load, or one of its entries, by index.
+    /// The list of masses that a force may load in the stepper, as a whole (`None`), or the entry with this index.
     Force(Option<usize>),
 }

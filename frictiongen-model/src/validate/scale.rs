@@ -11,7 +11,7 @@ const MOST_ANALYSED: usize = 64;
 /// Smallest relative difference of two frequencies that single precision can separate. It is a few roundings of single
 /// precision.
 const SINGLE_GAP: f64 = 1e-6;
-/// Relative difference of two frequencies below which double-double cannot separate them.
+/// Relative difference below which double-double cannot separate two frequencies.
 const SAME: f64 = 1e-28;
 
 /// Returns the largest ratio between two masses, or between two stiffnesses, that a scene may have.
