@@ -12,7 +12,7 @@
     label = "add `limits` to the scene's `provide: [...]`"
 )]
 pub trait AddLimitsToProvide {
-    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
     /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
@@ -25,7 +25,7 @@ pub trait AddLimitsToProvide {
     label = "add `motion` to the scene's `provide: [...]`"
 )]
 pub trait AddMotionToProvide {
-    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
     /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
@@ -38,7 +38,7 @@ pub trait AddMotionToProvide {
     label = "add `orbit` to the scene's `provide: [...]`"
 )]
 pub trait AddOrbitToProvide {
-    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
     /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
@@ -51,7 +51,7 @@ pub trait AddOrbitToProvide {
     label = "add `simulation` to the scene's `provide: [...]`"
 )]
 pub trait AddSimulationToProvide {
-    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
     /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
@@ -64,7 +64,7 @@ pub trait AddSimulationToProvide {
     label = "add `stepper` to the scene's `provide: [...]`"
 )]
 pub trait AddStepperToProvide {
-    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
     /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
@@ -77,7 +77,7 @@ pub trait AddStepperToProvide {
     label = "add `stuck` to the scene's `provide: [...]`"
 )]
 pub trait AddStuckToProvide {
-    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
     /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
@@ -90,7 +90,7 @@ pub trait AddStuckToProvide {
     label = "add the mass to `motion(...)` in the scene's `provide: [...]`"
 )]
 pub trait AddMassToMotion {
-    /// Result type of a method that requires this trait. No type implements the trait, so the result type is never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
     /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;

@@ -48,14 +48,14 @@ pub(super) fn inverse_ratio<T: Scene>(scene: &T, r: T::Scalar) -> T::Scalar {
     Scalar::min(Scalar::max(T::Scalar::constant(1.0) / r, low), high)
 }
 
-/// Returns β_lim, the limit of continuous motion, and replaces `limit` by the limiting value at r = 0 and at r = ∞.
+/// Returns β_lim, the limit of continuous motion: the computed `limit`, or at r = 0 and r = ∞ the known limiting value.
 #[inline]
 fn continuous_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
     let at_infinity = scene.numbers().ends.continuous_at_infinity;
     regime::with_ends(r, limit, T::Scalar::constant(0.0), at_infinity)
 }
 
-/// Returns β*_lim, the limit of sliding, and replaces `limit` by the limiting value at r = 0 and at r = ∞.
+/// Returns β*_lim, the limit of sliding: the computed `limit`, or at r = 0 and r = ∞ the known limiting value.
 #[inline]
 fn sliding_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
     let ends = scene.numbers().ends;
@@ -142,8 +142,8 @@ impl<T: Scene> At<T> {
         self.inverse_r
     }
 
-    /// Returns V, U, G, H and H_c, the sums over the modes for the contact. Each sum is multiplied by r² and by the
-    /// scale E of [`ContactAt`].
+    /// Returns the sums over the modes for the contact: V (response to the load), H (receptance), U, G and H_c
+    /// (response to a square wave of friction). Each sum is multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     #[must_use]
     pub fn contact_sums(&self) -> &ContactAt<T::Scalar> {
@@ -203,8 +203,8 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns the exact β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49). A search with a guarantee
-    /// finds the velocity constraint S over the half period. Without damping, the search is needed only where some mode
-    /// has R < 1/2.
+    /// finds the velocity constraint S, a maximum over the half period. Without damping, the search is needed only
+    /// where the excitation is slower than half the natural frequency of some mode.
     ///
     /// [`most_evaluations`](Self::most_evaluations) bounds the number of evaluations of the modal sum.
     /// [`limits_searched`](Self::limits_searched) reports how many evaluations the search took, and whether the search
@@ -257,8 +257,9 @@ impl<T: Scene> At<T> {
         ))
     }
 
-    /// Returns β*_lim = |V|/(μ|H|), the smallest β at which a stuck state exists (6.11, 6.27, 6.33). With μ > 1, motion
-    /// from rest may continue to slide at a larger β.
+    /// Returns β*_lim, the limit of sliding, which is the smallest β at which a stuck state exists (6.11, 6.27, 6.33).
+    /// The formula is |V|/(μ|H|), with V the response of the contact to the load and H its receptance. With μ > 1,
+    /// motion from rest may continue to slide at a larger β.
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {

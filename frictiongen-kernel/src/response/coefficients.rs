@@ -22,8 +22,8 @@ use crate::oscillator::mode::Mode;
 pub struct Friction<S> {
     /// Friction ratio β = F/P.
     pub beta: S,
-    /// In-phase term Q = √(|V|² − (βU)²) of the contact's relative motion. It is multiplied by r² and by the scale E of
-    /// [`ContactAt`].
+    /// In-phase term Q = √(|V|² − (βU)²) of the contact's relative motion. V is the response of the contact to the
+    /// load, and βU its velocity term from friction. Q is multiplied by r² and by the scale E of [`ContactAt`].
     pub root: S,
     /// Amplitude Z of the contact's relative motion, in units of P/k₁ (for base motion Y).
     pub amplitude: S,
@@ -323,7 +323,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck (P/k₁; for base motion
-    /// Y).
+    /// Y). V/H is the force that keeps the contact stuck, and H_k the response of mass k to a unit force in the
+    /// contact.
     pub fn stuck(
         &self,
         shape: &[S],

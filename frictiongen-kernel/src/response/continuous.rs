@@ -86,8 +86,9 @@ impl<T: ProvidesMotion> At<T> {
         })
     }
 
-    /// Returns the closed form of the continuous motion at any β with 0 ≤ β < |V|/|U|, without a check of the regime.
-    /// The closed form is a steady state only where [`motion`](Self::motion) returns it.
+    /// Returns the closed form of the continuous motion without a check of the regime, at any β with 0 ≤ β < |V|/|U|.
+    /// At larger β the formula has no real value. The closed form is a steady state only where [`motion`](Self::motion)
+    /// returns it.
     #[inline]
     #[must_use]
     pub fn closed_form(self, beta: T::Scalar) -> Continuous<T> {
@@ -114,7 +115,8 @@ impl<T: ProvidesMotion> Continuous<T> {
         &self.at
     }
 
-    /// Returns the amplitude, the phase and the factors of the contact's relative motion at this friction ratio.
+    /// Returns the amplitude Z and the phase φ of the contact's relative motion at this friction ratio, with
+    /// intermediate results.
     #[inline]
     #[must_use]
     pub fn friction(&self) -> &Friction<T::Scalar> {

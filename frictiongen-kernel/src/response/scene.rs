@@ -49,7 +49,8 @@ pub trait Scene: Clone {
     fn frequency_stage(&self, inverse_r: Self::Scalar) -> (ContactAt<Self::Scalar>, Self::Modes);
 
     /// Returns the contact's sums as [`frequency_stage`](Self::frequency_stage) does, without the functions of the
-    /// modes. The sum G is left out, since the limits do not need it.
+    /// modes. The sum G, the contact's displacement from friction at a reversal, is left out, since the limits do not
+    /// need it.
     #[inline]
     fn contact_without_g(&self, inverse_r: Self::Scalar) -> ContactAt<Self::Scalar> {
         self.frequency_stage(inverse_r).0
@@ -92,15 +93,17 @@ pub trait Scene: Clone {
         self.numbers().chain.continuous_limit(contact, constraint)
     }
 
-    /// Returns the limit of sliding β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33), without regard to an absorber.
+    /// Returns β*_lim = |V|/(μ|H|), the limit of sliding (6.11, 6.27, 6.33), without regard to an absorber. V is the
+    /// response of the contact to the load, H its receptance.
     #[inline]
     fn sliding_limit(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.sliding_limit(contact)
     }
 
-    /// Returns the upper bound on β_lim that needs no search, and β*_lim without regard to an absorber. The value of r
-    /// must be neither 0 nor infinite. The second result is the real part of H, multiplied by r² and by the scale E of
-    /// [`ContactAt`]. The caller decides from this number whether masses may act as an absorber.
+    /// Returns both limits without a search: an upper bound on β_lim, and β*_lim without regard to an absorber. The
+    /// value of r must be neither 0 nor infinite. The second result is the real part of H, the receptance of the
+    /// contact, multiplied by r² and by the scale E of [`ContactAt`]. The caller decides from this number whether
+    /// masses may act as an absorber.
     #[inline]
     fn limits_without_search(
         &self,

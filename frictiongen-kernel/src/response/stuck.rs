@@ -11,8 +11,9 @@ pub trait ProvidesStuck: Scene {
     /// Type that `stuck` returns. In emitted code this type has one method for each mass.
     type Stuck: From<Stuck<Self>>;
 
-    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (6.11, 6.27, 6.33). The
-    /// mass must not be the one that the stuck contact fixes to its support. A generator may write its own body.
+    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (6.11, 6.27, 6.33). V/H
+    /// is the force that keeps the contact stuck. The mass must not be the one that the stuck contact fixes to its
+    /// support. A generator may write its own body.
     #[inline]
     fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<Self::Scalar>> {
         let numbers = at.scene.numbers();
@@ -74,8 +75,8 @@ impl<T: ProvidesStuck> Stuck<T> {
         &self.at
     }
 
-    /// Returns the complex amplitude A = V/H of the contact force Re(A e^{iτ}) that keeps the contact stuck, divided by
-    /// P (6.11, 6.27, 6.33). A positive force opposes positive sliding. The modulus |A| equals μβ*_lim.
+    /// Returns V/H, the complex amplitude of the contact force that keeps the contact stuck, divided by P (6.11, 6.27,
+    /// 6.33). A positive force opposes positive sliding. The modulus equals μβ*_lim, with β*_lim the limit of sliding.
     #[must_use]
     pub fn contact_force(&self) -> Complex<T::Scalar> {
         if let Some(force) = self.at.absorbed_force() {
@@ -94,8 +95,8 @@ impl<T: ProvidesStuck> Stuck<T> {
         self.mass_at(mass).unwrap_or(at_rest)
     }
 
-    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of a mass while the contact is stuck (6.11, 6.27, 6.33).
-    /// `mass` is the index of the mass in the description. Returns `None` if the scene has no such mass.
+    /// Returns x̄*, the complex amplitude of a mass while the contact is stuck (6.11, 6.27, 6.33). `mass` is the index
+    /// of the mass in the description. Returns `None` if the scene has no such mass.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<Complex<T::Scalar>> {

@@ -104,7 +104,8 @@ impl<T: Tabled> Compiled<T> {
         self.within
     }
 
-    /// Returns the scene at the same r, with all results from the exact formulas instead of the tables.
+    /// Returns the scene at the same frequency ratio, where all results come from the exact formulas instead of the
+    /// tables.
     #[must_use]
     pub fn exact(&self) -> At<T> {
         At::known(self.scene.clone(), self.r)
@@ -121,8 +122,8 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns β*_lim = |V|/(μ|H|), the smallest β at which a stuck state exists (6.11, 6.27, 6.33), to the declared
-    /// accuracy.
+    /// Returns β*_lim, the limit of sliding, to the declared accuracy. It is the smallest β at which a stuck state
+    /// exists (6.11, 6.27, 6.33).
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {

@@ -22,7 +22,7 @@ pub enum Root<S> {
     },
     /// Factor s − x of a zero on the real axis of s.
     Real {
-        /// −x, the negative of the zero.
+        /// −x, where x is the real zero of the factor.
         rate: S,
     },
 }
@@ -57,7 +57,7 @@ pub struct Transfer<'a, S> {
 }
 
 impl<S: Float> Transfer<'_, S> {
-    /// Returns the rational function at r. On a pole the result is infinite or NaN.
+    /// Returns the rational function at the frequency ratio r. On a pole the result is infinite or NaN.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> Complex<S> {
@@ -72,8 +72,8 @@ impl<S: Float> Transfer<'_, S> {
     }
 }
 
-/// Returns the product of all factors at r. Returns `None` if there are no factors. The product of the first twelve
-/// factors is written out without a loop, so that constant factors compile to plain arithmetic.
+/// Returns the product of all factors at the frequency ratio r. Returns `None` if there are no factors. The product of
+/// the first twelve factors is written out without a loop, so that constant factors compile to plain arithmetic.
 #[inline(always)]
 fn product<S: Float>(roots: &[Root<S>], r: S) -> Option<Complex<S>> {
     let mut product = roots.first()?.value(r);

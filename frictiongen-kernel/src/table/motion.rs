@@ -15,10 +15,11 @@ use crate::response::{Continuous, MotionOf, ProvidesMotion};
 pub struct ContactTable<S> {
     /// Limit of continuous motion β_lim.
     pub limit: S,
-    /// a = β_lim·U/|V|. U is the slope of the contact's response to a square wave of friction, at the reversal.
+    /// a = β_lim·U/|V|: velocity that friction at β_lim gives the contact at a reversal (β_lim·U), divided by |V|, the
+    /// amplitude of the contact without friction.
     pub quadrature: S,
-    /// g = β_lim·G/|V|. G is the contact's response to a square wave of friction, at the reversal. Without damping g is
-    /// 0.
+    /// g = β_lim·G/|V|: displacement that friction at β_lim gives the contact at a reversal (β_lim·G), divided by |V|,
+    /// the amplitude of the contact without friction. Without damping g is 0.
     pub displacement: S,
     /// Modulus |V| of the relative motion that the excitation causes without friction.
     pub excitation: S,
@@ -27,8 +28,8 @@ pub struct ContactTable<S> {
 }
 
 impl<S: Float> ContactTable<S> {
-    /// Creates the table values of an undamped chain. β_lim and a·sgn V come from a table. `excitation` is V with its
-    /// sign.
+    /// Creates the table values of an undamped chain from β_lim, a·sgn V and V, where V is the response of the contact
+    /// without friction. V has a sign here instead of a phase.
     #[inline]
     #[must_use]
     pub fn undamped([limit, quadrature]: [S; 2], excitation: S) -> Self {
@@ -43,15 +44,17 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Creates the table values of a damped chain. β_lim, a, g, arg V and |V| all come from a table.
+    /// Creates the table values of a damped chain from β_lim, a, g, arg V and |V|, all of which come from a table. V is
+    /// the response of the contact without friction.
     #[inline]
     #[must_use]
     pub fn tabled([limit, quadrature, displacement, direction, excitation]: [S; 5]) -> Self {
         Self::damped([limit, quadrature, displacement, direction], excitation)
     }
 
-    /// Creates the table values of a chain with both undamped and damped modes, where |V| may have poles. β_lim, a, g
-    /// and arg V come from a table. `excitation` is |V|.
+    /// Creates the table values of a chain with both undamped and damped modes. β_lim, a, g and arg V come from a
+    /// table. `excitation` is |V|, the amplitude of the contact without friction, which has poles at the undamped
+    /// resonances.
     #[inline]
     #[must_use]
     pub fn damped([limit, quadrature, displacement, direction]: [S; 4], excitation: S) -> Self {
@@ -64,8 +67,8 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Returns √((1 − ρ²) + ρ²(1 − a²)), the in-phase term of the relative motion divided by |V|. `share` is ρ =
-    /// β/β_lim.
+    /// Returns √((1 − ρ²) + ρ²(1 − a²)), the in-phase term of the contact's motion divided by |V|, the amplitude
+    /// without friction. `share` is ρ = β/β_lim.
     #[inline]
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);
@@ -165,7 +168,7 @@ impl<T: TabledMotion> Moving<T> {
         &self.at
     }
 
-    /// Returns the motion at the same r and β, with all results from the exact formulas.
+    /// Returns the continuous motion from the exact formulas, at the same frequency ratio and friction ratio.
     #[must_use]
     pub fn exact(&self) -> Continuous<T> {
         self.at.exact().closed_form(self.beta)
@@ -202,7 +205,8 @@ pub struct SteadyContact<T: TabledMotion> {
 }
 
 impl<T: TabledMotion> SteadyContact<T> {
-    /// Returns the relative motion of the contact at the same r and β, from the exact formulas.
+    /// Returns the relative motion of the contact from the exact formulas, at the same frequency ratio and friction
+    /// ratio.
     #[must_use]
     pub fn exact(&self) -> MotionOf<T> {
         self.moving.exact().contact()

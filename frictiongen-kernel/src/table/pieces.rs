@@ -8,8 +8,8 @@ use crate::number::scalar::Float;
 pub struct Piece<S, const F: usize, const C: usize> {
     /// Smallest r of the interval. The interval ends where the next one begins.
     pub from: S,
-    /// Origin from which the polynomials count r. Near a zero of a function, the origin is the zero. The relative
-    /// accuracy is then kept up to the zero.
+    /// Origin from which the polynomials count r. Near a zero of a function, the origin is that zero of the function.
+    /// The relative accuracy is then kept up to the zero.
     pub origin: S,
     /// Polynomial coefficients of each function, from the constant term upwards.
     pub coefficients: [[S; C]; F],
@@ -25,18 +25,18 @@ pub struct Table<'a, S, B, const F: usize, const C: usize> {
     pub low: S,
     /// Number of buckets per unit of r. All buckets have the same width.
     pub density: S,
-    /// Number of comparisons that find the piece within a bucket. At most 2^halvings − 1 pieces begin within one
+    /// Number of comparisons that find a polynomial piece within a bucket. At most 2^halvings − 1 pieces begin in a
     /// bucket.
     pub halvings: u32,
-    /// Index of the piece that contains the start of each bucket. The number of buckets is a power of two.
+    /// Index of the polynomial piece that contains the start of each bucket. The number of buckets is a power of two.
     pub buckets: &'a [B],
     /// Polynomial pieces in ascending order of r.
     pub pieces: &'a [Piece<S, F, C>],
 }
 
 impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, S, B, F, C> {
-    /// Returns the piece that contains r. For r outside the range, the result is an arbitrary piece. Returns `None` if
-    /// the table has no pieces.
+    /// Returns the polynomial piece that contains r. For r outside the range, the result is an arbitrary piece. Returns
+    /// `None` if the table has no pieces.
     #[inline(always)]
     #[must_use]
     pub fn piece(&self, r: S) -> Option<&Piece<S, F, C>> {
@@ -55,8 +55,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// Returns the piece that contains r. It looks at the `W` pieces from index `first` on, or at the last `W` pieces
-    /// if fewer follow.
+    /// Returns the polynomial piece that contains r, by looking at `W` pieces from index `first` on. If fewer pieces
+    /// follow, it looks at the last `W` pieces.
     #[inline(always)]
     fn among<const W: usize>(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let first = first.min(self.pieces.len().saturating_sub(W));
@@ -157,8 +157,8 @@ fn half<S: Float, const F: usize, const C: usize>(
     }
 }
 
-/// Returns the index of the piece that contains r in a window of `W` pieces. It counts the pieces that begin at or
-/// below r, in steps of a quarter of the window.
+/// Returns the index of the polynomial piece that contains r in a window of `W` pieces. It counts the pieces that begin
+/// at or below r, first in coarse and then in fine steps.
 ///
 /// A compiler turns halving into branches. A large processor cannot predict these branches for an arbitrary r, and each
 /// branch waits for the previous one. The comparisons of a count do not wait for one another.

@@ -27,8 +27,8 @@ pub trait TabledStuck: Tabled + ProvidesStuck {
         &[]
     }
 
-    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of a mass while the contact is stuck, for r within the domain.
-    /// Returns `None` if the scene has no such mass.
+    /// Returns x̄*, the complex amplitude of a mass while the contact is stuck, for r within the domain. Returns `None`
+    /// if the scene has no such mass.
     #[inline]
     fn tabled_stuck(&self, _mass: usize, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
         None
@@ -85,14 +85,14 @@ impl<T: TabledStuck> Sticking<T> {
         &self.at
     }
 
-    /// Returns the response at the same r, with all results from the exact formulas.
+    /// Returns the response while the contact is stuck from the exact formulas, at the same frequency ratio.
     #[must_use]
     pub fn exact(&self) -> Stuck<T> {
         self.at.exact().stuck_unchecked()
     }
 
-    /// Returns the complex amplitude A = V/H of the contact force Re(A e^{iτ}) that keeps the contact stuck, divided by
-    /// P (6.11, 6.27, 6.33). A positive force opposes positive sliding. The modulus |A| equals μβ*_lim.
+    /// Returns V/H, the complex amplitude of the contact force that keeps the contact stuck, divided by P (6.11, 6.27,
+    /// 6.33). A positive force opposes positive sliding. The modulus equals μβ*_lim, with β*_lim the limit of sliding.
     #[inline]
     #[must_use]
     pub fn contact_force(&self) -> Complex<T::Scalar> {
@@ -117,8 +117,8 @@ impl<T: TabledStuck> Sticking<T> {
         self.mass_at(mass).unwrap_or(at_rest)
     }
 
-    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of a mass while the contact is stuck (6.11, 6.27, 6.33).
-    /// `mass` is the index of the mass in the description. Returns `None` if the scene has no such mass.
+    /// Returns x̄*, the complex amplitude of a mass while the contact is stuck (6.11, 6.27, 6.33). `mass` is the index
+    /// of the mass in the description. Returns `None` if the scene has no such mass.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<Complex<T::Scalar>> {

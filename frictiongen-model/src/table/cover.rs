@@ -28,16 +28,17 @@ const SHORTEST: f64 = 1e-13;
 /// First trial length of a piece, as a multiple of the length of the previous piece. It is rather too long than too
 /// short, since a trial that is too long bounds the length from above at once.
 const LONGER: f64 = 1.5;
-/// Largest number of fits for one piece. Halving the whole range down to [`SHORTEST`] takes 44 fits.
+/// Length of the last polynomial piece. The first trial length of the next piece follows from it.
 const MOST_FITS: usize = 200;
-/// Error divided by the allowed error at which the next trial length aims, after a piece within the allowed error.
+/// Error that the next trial length of a piece aims at, divided by the allowed error, after a fit within the allowed
+/// error.
 const AIM: f64 = 0.8;
-/// Error divided by the allowed error at which the next trial length aims, after a piece that was too long.
+/// Error that the next trial length of a piece aims at, divided by the allowed error, after a piece that was too long.
 const AIM_AGAIN: f64 = 0.7;
 /// Error divided by the allowed error below which an error says nothing about the best length.
 const TINY: f64 = 1e-6;
-/// Smallest and largest factor from the last trial length of a piece to the next, after a fit within the allowed error.
-/// The factor follows from a power law, which is only approximate.
+/// Bounds on the factor by which the trial length of a piece grows after a fit within the allowed error. The factor
+/// comes from a power law, which is only approximate.
 const LONGER_BY: [f64; 2] = [1.05, 2.0];
 const SHORTER_BY: [f64; 2] = [0.2, 0.95];
 
@@ -57,7 +58,7 @@ pub(super) struct Cover<'a, 'm, S> {
     pub whole: (f64, f64),
     /// Largest number of pieces that the construction may make.
     pub most_pieces: usize,
-    /// Length of the last piece that was fitted, from which the first trial length of the next piece follows.
+    /// Length of the last polynomial piece. The first trial length of the next piece follows from it.
     pub last: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Errors of a polynomial piece, divided by the errors that the request allows.
+//! Errors of a polynomial piece of a table, divided by the errors that the request allows.
 
 use super::digits::above;
 use super::exact::{ANGLE, Exact, SIZE};
@@ -13,12 +13,12 @@ pub const FRICTION_SHARES: [f64; 7] = [0.05, 0.3, 0.6, 0.8, 0.9, 0.95, 0.98];
 /// Number of roundings by which r may be off when an exact value near a zero of β_lim is computed.
 const ROUNDINGS: f64 = 4.0;
 
-/// Exact values with which polynomial pieces are compared, and the errors that a piece may have.
+/// Exact values with which polynomial pieces are compared, and the errors that a polynomial piece may have.
 pub(super) struct Comparison<'a, 'm, S> {
     pub exact: &'a mut Exact<'m>,
     pub landmarks: Landmarks,
     pub form: Form,
-    /// Largest allowed deviation of a piece from `side_factor`·β_lim, relative to β_lim.
+    /// Largest allowed deviation of a polynomial from `side_factor`·β_lim, relative to β_lim.
     pub limit: f64,
     /// Largest allowed error of the contact's amplitude (relative) and phase (rad).
     pub motion: f64,
@@ -35,7 +35,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         self.landmarks.zero_at(piece.origin.to_f64(), to)
     }
 
-    /// Returns the largest error of a piece, divided by the allowed error.
+    /// Returns the largest error of a polynomial piece, divided by the allowed error.
     pub fn error(&mut self, piece: &Fitted<S>, (low, high): (f64, f64), zero: Option<Edge>) -> f64 {
         let points = 2 * self.form.terms + 3;
         let step = (high - low) / (points - 1) as f64;

@@ -10,23 +10,24 @@ use frictiongen_kernel::response::At;
 use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
-/// Index of arg V among the functions of a table. Functions 1 and 2 before it, a and g, are quantities times β_lim/|V|.
+/// Index of arg V among the functions of a table. V is the response of the contact without friction.
 pub(super) const ANGLE: usize = 3;
-/// Index of |V| among the functions of a table, for tables in which |V| is a polynomial.
+/// Index of |V| among the functions of a table, if |V| is a polynomial. V is the response of the contact without
+/// friction.
 pub(super) const SIZE: usize = 4;
 /// Ratio of the size of a sum to the sum of all |terms|. Below this ratio, the sum has lost significant digits.
 const CANCELS: f64 = 1e-2;
 
-/// Exact functions at one r: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. |V| is computed separately. For an
-/// undamped chain a is multiplied by sgn V, which makes a smooth across a resonance, and arg V is 0.
+/// Exact functions at one frequency ratio: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. V is the response of the
+/// contact to the load, U and G its velocity and displacement from friction at a reversal. For an undamped chain a is
+/// multiplied by sgn V, which makes a smooth across a resonance, and arg V is 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     pub limit: f64,
     quadrature: f64,
     displacement: f64,
     direction: f64,
-    /// Phase τ in the half period at which the velocity constraint is largest. `None` if the start of the half period
-    /// decides.
+    /// Phase τ in the half period at which the velocity constraint is largest. `None` if the value for τ → 0 decides.
     pub tau: Option<f64>,
 }
 
@@ -63,7 +64,8 @@ impl<'a> Exact<'a> {
         self.reduced.chain.damped
     }
 
-    /// Returns true if every mode that the contact drives is damped. |V| is then finite at every r.
+    /// Returns true if every mode that the contact drives is damped. The response of the contact then has no pole at a
+    /// real r.
     pub fn all_damped(&self) -> bool {
         let mut contact_modes = self.contact_modes.iter();
         contact_modes.all(|mode| !mode.driven.zeta.is_zero())
@@ -111,7 +113,8 @@ impl<'a> Exact<'a> {
         Some(sample)
     }
 
-    /// Returns true if the terms of V nearly cancel in the sum over the modes, as they do near a zero of V.
+    /// Returns true if the terms of V, the response of the contact to the load, nearly cancel in the sum over the
+    /// modes. They do so near a zero of V.
     fn cancels(&self, at: &At<&Reduced<f64>>) -> bool {
         let chain = &self.reduced.chain;
         let contact = at.contact_sums();
@@ -134,7 +137,7 @@ impl<'a> Exact<'a> {
         0.0 < left && left < CANCELS * terms
     }
 
-    /// Returns V and H of the contact at r in double-double, as sums over the modes.
+    /// Returns the responses of the contact at r in double-double: V to the load, and H to a force in the contact.
     pub fn receptances(&self, r: f64) -> [Complex<Dd>; 2] {
         let (r, two) = (Dd::from(r), Dd::from(2.0));
         let direct = if self.modal.on_moving_base { -1.0 } else { 0.0 };
@@ -150,7 +153,7 @@ impl<'a> Exact<'a> {
         [excitation, receptance]
     }
 
-    /// Returns one exact function at r. `place` is the index of the function in a table.
+    /// Returns one of the tabulated functions at r, computed exactly. `place` is the index of the function in a table.
     pub fn function(&mut self, place: usize, r: f64) -> Option<f64> {
         let sample = self.at(r)?;
         let functions = [
@@ -165,7 +168,8 @@ impl<'a> Exact<'a> {
         functions.get(place).copied()
     }
 
-    /// Returns |V| or V as [`excitation`](Self::excitation) does, and keeps the result for later use.
+    /// Returns the response of the contact as [`excitation`](Self::excitation) does, and keeps the result for later
+    /// use.
     fn known_excitation(&mut self, r: f64) -> f64 {
         let known = self.excitations.get(&r.to_bits()).copied();
         let excitation = known.unwrap_or_else(|| self.excitation(r));
@@ -173,8 +177,7 @@ impl<'a> Exact<'a> {
         excitation
     }
 
-    /// Returns the values from which amplitude and phase of the contact follow at any β. |V| is exact to the last
-    /// digits.
+    /// Returns the exact values from which amplitude and phase of the contact follow at any β.
     pub fn contact(&mut self, sample: &Sample, r: f64) -> ContactTable<f64> {
         let excitation = self.known_excitation(r);
         if self.damped() {
@@ -198,7 +201,8 @@ impl<'a> Exact<'a> {
         (ratio / self.modal.stiction).to_f64()
     }
 
-    /// Returns |V| at r, to the last digits. For an undamped chain the result is V with its sign.
+    /// Returns |V|, the amplitude of the contact without friction, to the last digits. For an undamped chain the result
+    /// is V with its sign.
     pub fn excitation(&self, r: f64) -> f64 {
         let [excitation, _] = self.receptances(r);
         if self.damped() {

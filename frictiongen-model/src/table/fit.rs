@@ -19,7 +19,7 @@ const EIGHT_TERMS: f64 = 1e-10;
 /// polynomial.
 #[derive(Clone, Debug)]
 pub struct Fitted<S> {
-    /// Smallest r of the piece.
+    /// Smallest r of the polynomial piece.
     pub from: S,
     /// Origin from which the polynomials of the piece count r.
     pub origin: S,
@@ -28,13 +28,13 @@ pub struct Fitted<S> {
 }
 
 impl<S: Float> Fitted<S> {
-    /// Returns the number of numbers that the piece stores.
+    /// Returns how many numbers the polynomial piece stores.
     pub(super) fn numbers(&self) -> usize {
         2 + self.coefficients.iter().map(Vec::len).sum::<usize>()
     }
 
-    /// Returns the value of a function at r, in the arithmetic of the table. The value is NaN if the piece has no such
-    /// function.
+    /// Returns the value of one polynomial at r, in the arithmetic of the table. `function` is the index of the
+    /// function. The value is NaN if the piece has no such function.
     pub fn value(&self, function: usize, r: S) -> S {
         let coefficients = self.coefficients.get(function);
         coefficients.map_or(S::constant(f64::NAN), |of| polynomial(of, r - self.origin))
@@ -61,7 +61,7 @@ pub(super) fn terms(accuracy: f64) -> usize {
 /// Settings of a fit: the number of functions, their coefficients and the roundings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Form {
-    /// Number of functions that each piece holds.
+    /// Number of functions that are fitted in each piece, one polynomial for each.
     pub functions: usize,
     /// Number of coefficients of each function's polynomial.
     pub terms: usize,

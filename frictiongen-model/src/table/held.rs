@@ -29,7 +29,8 @@ pub enum HeldForm<S> {
 pub struct Held<S> {
     /// Response x̄* of each mass, in the order of the masses.
     pub masses: Vec<HeldForm<S>>,
-    /// V/H, the force that keeps the contact stuck.
+    /// V/H, the force that keeps the contact stuck. V and H are the responses of the contact to the load and to a
+    /// contact force.
     pub force: HeldForm<S>,
     /// Frequency ratios within the range that equal an undamped resonance of the stuck chain to the last digit.
     pub resonances: Vec<S>,

@@ -88,8 +88,8 @@ impl HeldAt {
         }
     }
 
-    /// Returns the complex amplitude of mass k with the contact stuck, x̄*_k = V_k − H_kV/H (section 4 of
-    /// `docs/derivation.md`).
+    /// Returns x̄*_k = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (section 4 of
+    /// `docs/derivation.md`). V/H is the force that keeps the contact stuck.
     pub fn mass(&self, modal: &Modal, mass: usize) -> Complex<Dd> {
         let mut sum = complex::real(Dd::ZERO);
         for (shape, moved) in modal.shapes.iter().zip(&self.modes) {
@@ -143,7 +143,8 @@ impl Sum {
     }
 }
 
-/// Returns the pole of 1/H at a zero of H, with the residue of −H_kV/H for each mass k.
+/// Returns a pole of the stuck chain, which is a zero of the contact's receptance H, with a residue for each mass k. It
+/// is the residue of −H_kV/H, the part of the response that the force in the stuck contact causes.
 fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     let s = Complex::new(zero.x, zero.y);
     let two = Dd::from(2.0);

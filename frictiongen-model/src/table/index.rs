@@ -8,22 +8,22 @@ const FEWEST: usize = 8;
 /// Numbers of buckets that `Index::of` tries, one after the other. If the number is a power of two, a lookup finds its
 /// bucket without a comparison.
 const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
-/// Largest number of buckets divided by the number of stored numbers in the pieces. More buckets would need more memory
-/// than they are worth.
+/// Largest number of buckets for each number that the polynomial pieces store. More buckets would need more memory than
+/// they are worth.
 const CROWDED: usize = 1;
 /// Number of comparisons in a bucket that is small enough. Beyond that, more buckets would not save time.
 const FEW: u32 = 2;
 
-/// Buckets that divide a range of r into equal parts. They name the first piece that a lookup looks at.
+/// Buckets that divide a range of r into equal parts, by which a lookup finds the polynomial piece that contains r.
 #[derive(Clone, Debug)]
 pub struct Index<S> {
     /// The r at which the first bucket begins.
     pub low: S,
     /// Number of buckets per unit of r.
     pub density: S,
-    /// Number of comparisons by which a lookup finds the piece that contains r within a bucket.
+    /// Number of comparisons by which a lookup finds the polynomial piece within a bucket.
     pub halvings: u32,
-    /// Index of the piece that contains the start of each bucket.
+    /// Index of the polynomial piece that contains the start of each bucket.
     pub buckets: Vec<usize>,
 }
 

@@ -15,8 +15,8 @@ use frictiongen_kernel::table::Factor;
 
 /// Fraction of the accuracy that β*_lim, |V| and the responses with the contact stuck may use for their errors.
 pub(super) const EXACT_SHARE: f64 = 0.5;
-/// Amounts, in roundings, by which β*_lim may be enlarged so that `side: safe` is met. The one with the best proof is
-/// used, and of equal ones the smallest: it must exceed the errors of the factors and of the zeros.
+/// Amounts, in roundings, by which β*_lim may be enlarged to lie on the safe side. The amount must exceed the errors of
+/// the factors and of the zeros. The amount with the best proof is used, and of equal amounts the smallest.
 const SAFE_ROUNDINGS: [f64; 5] = [64.0, 512.0, 4096.0, 65_536.0, 1_048_576.0];
 
 /// Returns a rational function as a product over its zeros and poles. The gain makes the product equal to `value` at
@@ -93,7 +93,8 @@ fn sliding<S: Float>(
     Some(product)
 }
 
-/// Returns |V| as a product over its zeros and poles. For an undamped chain, the result is V with its sign.
+/// Returns |V|, the amplitude of the contact without friction, as a product over its zeros and poles. For an undamped
+/// chain, the result is V with its sign.
 fn excitation<S: Float>(
     exact: &Exact<'_>,
     zeros: &Zeros,
@@ -116,8 +117,8 @@ fn rounded<S: Float>(value: Dd) -> S {
     S::constant(value.to_f64())
 }
 
-/// β*_lim and |V| as products over their zeros and poles. A product that is not accurate enough is `None`, and the
-/// exact formulas are then used.
+/// Limit of sliding β*_lim, and |V|, the amplitude of the contact without friction, as products over their zeros and
+/// poles. A product that is not accurate enough is `None`, and the exact formulas are then used.
 pub(super) struct Products<S> {
     pub sliding: Option<Product<S>>,
     pub excitation: Option<Product<S>>,

@@ -23,7 +23,8 @@ const ROUNDING: f64 = 1e-3;
 /// Largest number of polynomial pieces in a table.
 const MOST_PIECES: usize = 20_000;
 
-/// Returns a cover with the allowed errors of a request, before any piece is fitted.
+/// Returns the settings for fitting polynomial pieces to a request: allowed errors, and the number of functions and
+/// terms. No piece is fitted yet.
 pub(super) fn cover<'a, 'm, S: Float>(
     exact: &'a mut Exact<'m>,
     landmarks: Landmarks,

@@ -19,7 +19,7 @@ impl Edge {
         Self { at: high, rest }
     }
 
-    /// Returns r − r₀, the signed distance of r from the zero.
+    /// Returns r − r₀, the signed distance of r from the zero r₀ of β_lim.
     pub fn distance(&self, r: f64) -> f64 {
         (r - self.at) - self.rest
     }
@@ -37,12 +37,13 @@ const BROAD: f64 = 0.5;
 /// Largest number of sub-harmonics that are considered for each mode.
 const MOST: usize = 10_000;
 
-/// Frequency ratios that are known before any fit: zeros of β_lim, jumps of arg V, and narrow features of β_lim.
+/// Frequency ratios that are known before any fit: zeros of β_lim, jumps in the phase of the contact's response, and
+/// narrow features of β_lim.
 #[derive(Clone, Debug)]
 pub(super) struct Landmarks {
     /// Zeros of β_lim within the range of r and just outside, in ascending order.
     pub zeros: Vec<Edge>,
-    /// Resonances of undamped modes within the range of r, at which arg V jumps.
+    /// Resonances of undamped modes within the range of r. The phase of the contact's response jumps there.
     pub jumps: Vec<f64>,
     /// Frequency ratios at which the error of a table is also computed, in ascending order. They are at and near zeros,
     /// resonances and sub-harmonics.
@@ -50,8 +51,8 @@ pub(super) struct Landmarks {
 }
 
 impl Landmarks {
-    /// Returns the zero of β_lim that is the origin of a piece. `to` rounds a zero to the number type of the table.
-    /// Returns `None` if the origin is not a zero.
+    /// Returns the zero of β_lim from which a polynomial piece counts r. `to` rounds a zero to the number type of the
+    /// table. Returns `None` if the origin of the piece is not a zero.
     pub fn zero_at(&self, origin: f64, to: impl Fn(f64) -> f64) -> Option<Edge> {
         let mut zeros = self.zeros.iter().copied();
         zeros.find(|zero| to(zero.at) == origin)

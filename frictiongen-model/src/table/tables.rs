@@ -21,7 +21,7 @@ use frictiongen_kernel::Float;
 
 /// Bound on the responses with the contact stuck: they may use the allowed bytes divided by this number.
 const STUCK_PART: usize = 4;
-/// Length of the range of r divided by the length of the first interval that the fit tries.
+/// Length of the range of r, divided by the length of the first piece that the fit tries.
 const FIRST: f64 = 16.0;
 /// Largest number of pieces whose indices fit in one byte.
 const IN_A_BYTE: usize = 1 << u8::BITS;
@@ -47,20 +47,20 @@ pub struct Report {
 pub struct Tables<S> {
     /// The request for which the tables were built.
     pub request: Request,
-    /// Number of functions that are polynomials in each piece. The first function is β_lim. With the motion of the
-    /// contact, a is the second. With damping, g and arg V follow. If every mode is damped, |V| may be the fifth.
+    /// Number of functions that are polynomials in each piece: 1 for β_lim alone, and up to 5 with the motion of the
+    /// contact. The order is β_lim, a, g, arg V and |V|, with V the response of the contact without friction.
     pub functions: usize,
     /// Number of coefficients of each polynomial.
     pub terms: usize,
     /// Polynomial pieces of β_lim and of the other functions, in ascending order of r.
     pub pieces: Vec<Fitted<S>>,
-    /// Buckets by which a lookup finds the piece that contains r.
+    /// Buckets of r, by which a lookup finds the polynomial piece that contains r.
     pub index: Index<S>,
     /// Table of β*_lim as a product over zeros and poles. `None` if only the exact sums over the modes are accurate
     /// enough.
     pub sliding: Option<Product<S>>,
-    /// |V| as a product over zeros and poles, for the motion of the contact. `None` if |V| is a function of the pieces,
-    /// or if the tables have no motion.
+    /// |V|, the amplitude of the contact without friction, as a product over zeros and poles. `None` if |V| is a
+    /// polynomial of the pieces, or if the tables have no motion.
     pub excitation: Option<Product<S>>,
     /// Responses while the contact is stuck, if they were requested. `None` if only the exact formulas are accurate
     /// enough. The responses are compared with the exact values, but not proven.
@@ -74,7 +74,7 @@ pub struct Tables<S> {
     pub motion_proof: Proof,
     /// Proof that the table of β*_lim has the requested accuracy. It takes little work, so it is made with the tables.
     pub sliding_proof: Proof,
-    /// Proof that |V| has the requested accuracy, if |V| is a product over zeros and poles.
+    /// Proof that |V|, the amplitude of the contact without friction, has the requested accuracy, if it is a product.
     pub excitation_proof: Proof,
     /// Undamped resonances within the range that the load drives, rounded to the number type. The amplitude of a
     /// continuous motion is infinite there.
@@ -272,9 +272,9 @@ impl<S: Float> Tables<S> {
         found.ok_or(not_met)
     }
 
-    /// Builds the tables with |V| as a function of the polynomial pieces, if every mode is damped and the tables fit.
-    /// Otherwise |V| becomes a product over zeros and poles. A product needs fewer bytes, but costs a square root and
-    /// some operations for every zero and pole.
+    /// Builds the tables with |V| as a polynomial of the pieces, if every mode is damped and the tables fit. |V| is the
+    /// amplitude of the contact without friction. Otherwise |V| becomes a product over zeros and poles. A product needs
+    /// fewer bytes, but costs a square root and some operations for every zero and pole.
     fn of_terms(
         exact: &mut Exact<'_>,
         request: Request,

@@ -13,19 +13,20 @@ pub(super) const NONE: f64 = 1e-20;
 /// Largest relative difference between the constants of two modes that count as equal. In double-double such modes
 /// differ only by rounding.
 pub(super) const EQUAL: f64 = 1e-24;
-/// Largest relative distance between a zero of V and a zero of H that count as one common zero. A scene in doubles
-/// cannot separate them.
+/// Largest relative distance between two zeros that count as one common zero of V and H, the responses of the contact
+/// to the load and to a contact force. A scene in doubles cannot separate them.
 const COMMON: f64 = 1e-13;
-/// Smallest modulus of a first guess of a zero, relative to the lowest resonance.
+/// Smallest modulus from which the search for a zero starts, relative to the lowest resonance.
 const BELOW: f64 = 0.6;
-/// Largest modulus of a first guess of a zero, relative to the highest resonance. Zeros lie between resonances or
-/// slightly beyond.
+/// Largest modulus from which the search for a zero starts, relative to the highest resonance. Zeros lie between
+/// resonances or slightly beyond.
 const ABOVE: f64 = 1.4;
-/// Smallest angle between a first guess and the imaginary axis, in rad. From a guess on an axis, the iteration would
-/// stay on that axis.
+/// Smallest angle between the imaginary axis and a point from which the search for a zero starts, in rad. From a point
+/// on an axis, the iteration would stay on that axis.
 const LEAST_ANGLE: f64 = 0.1;
-/// Range of the angles of first guesses, beyond the smallest angle. It is divided into elevenths. Each next guess is
-/// seven elevenths further, so that neighbouring guesses have very different angles.
+/// Range of the angles from which the search for zeros starts, in rad beyond `LEAST_ANGLE`. It is divided into
+/// elevenths. Each next angle is seven elevenths further, so that neighbouring starting points have very different
+/// angles.
 const ANGLES: f64 = 0.7;
 
 /// A zero or pole s = x + iy of a function of s = ir, in double-double. A conjugate pair is represented by its zero
@@ -77,20 +78,21 @@ impl Zero {
 #[derive(Clone, Debug)]
 pub(super) struct Zeros {
     pub damped: bool,
-    /// Zeros of V that are not zeros of H.
+    /// Zeros of V that are not zeros of H. V and H are the responses of the contact to the load and to a contact force.
     pub excitation: Vec<Zero>,
-    /// Zeros of H that are not zeros of V.
+    /// Zeros of H that are not zeros of V. V and H are the responses of the contact to the load and to a contact force.
     pub receptance: Vec<Zero>,
-    /// Common zeros of V and H.
+    /// Common zeros of V and H, the responses of the contact to the load and to a contact force.
     pub common: Vec<Zero>,
-    /// Poles of V, from the modes that both the load and the contact drive.
+    /// Poles of V, the response of the contact to the load. They come from the modes that both the load and the contact
+    /// drive.
     pub loaded: Vec<Zero>,
-    /// Poles of H that are not poles of V.
+    /// Poles of H, the response of the contact to a contact force, that are not poles of the response to the load.
     pub unloaded: Vec<Zero>,
 }
 
-/// A mode that the contact drives, in double-double. `residue` is its contribution to V. `driven` includes its
-/// contribution to H.
+/// A mode that the contact drives, in double-double. `residue` is the mode's contribution to the response of the
+/// contact to the load. `driven` includes the contribution to the response to a contact force.
 pub(super) struct ContactMode {
     pub driven: Driven,
     pub residue: Dd,
@@ -128,8 +130,8 @@ pub(super) fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
 }
 
 impl Zeros {
-    /// Returns the zeros and poles of V and H. Returns `None` if the zeros cannot be separated. The exact sums over the
-    /// modes are then used.
+    /// Returns the zeros and poles of the contact's responses to the load and to a contact force. Returns `None` if the
+    /// zeros cannot be separated. The exact sums over the modes are then used.
     pub fn of(modal: &Modal) -> Option<Self> {
         let contact_modes = contact_modes(modal);
         let damped = modal.is_damped();
@@ -283,8 +285,8 @@ fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
     None
 }
 
-/// Returns first guesses of `count` zeros, unevenly spread near the imaginary axis. Their moduli span the range of the
-/// resonances, and slightly more.
+/// Returns `count` starting points for the search of zeros, unevenly spread near the imaginary axis. Their moduli span
+/// the range of the resonances, and slightly more.
 pub(super) fn guesses(sigmas: impl Iterator<Item = f64>, count: usize) -> Vec<Complex<Dd>> {
     let ends = (f64::INFINITY, 0.0_f64);
     let (low, high) = sigmas.fold(ends, |(low, high), sigma| (low.min(sigma), high.max(sigma)));

@@ -57,8 +57,7 @@ pub struct Transient<S> {
     pub modes: Vec<Mode<S>>,
     /// Mode shapes φ: for each mass in turn, the mass's component in each mode.
     pub shapes: Vec<S>,
-    /// φᵀΓ, which turns displacements of the masses into modal coordinates: for each mode in turn, the weight of each
-    /// mass.
+    /// Weights φᵀΓ of the masses, for each mode in turn. They turn displacements of the masses into modal coordinates.
     pub weights: Vec<S>,
     /// Held modes, which are the modes of the chain with its contact stuck.
     pub held: Vec<HeldMode<S>>,
