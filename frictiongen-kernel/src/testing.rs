@@ -118,8 +118,8 @@ pub fn sum_derivative(sum: &Sum<'_, f64, Damped<f64>>, tau: f64, order: usize) -
     sum.cosine * c + sum.sine * s + waves.sum::<f64>()
 }
 
-/// Returns terms of a mode (waves) in which only one of the four coefficients is 1 and the others are 0. A slow mode
-/// adds a wave that is its whole response.
+/// Returns four or five test waves, each with a name. A wave is the term of one mode in a modal sum. In each of the
+/// first four, one coefficient is 1 and the others are 0. For a slow mode, a fifth wave is the whole response.
 pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     let at_rest = at_rest(x, zeta);
     let mut parts = vec![

@@ -17,7 +17,7 @@ pub(crate) struct Driven {
     pub inverse_mass: Dd,
 }
 
-/// One mode of the chain with its contact stuck, as the factor s² + 2αs + ω² of two roots.
+/// One mode of the chain with its contact stuck. It stands for two roots, with the common factor s² + 2αs + ω².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pair {
     /// ω, the natural frequency of the mode.
@@ -103,8 +103,8 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
     (a + b) * half
 }
 
-/// Returns first guesses of the roots: the undamped frequencies, with the damping that their mode shapes imply. A
-/// slight asymmetry of the guesses lets a pair separate into two real roots.
+/// Returns starting values for the search of the roots: the undamped frequencies, with the damping that the mode shapes
+/// imply. A slight asymmetry of the values lets a pair separate into two real roots.
 fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
     let mut roots = Vec::new();
     for (index, omega) in undamped.iter().enumerate() {
@@ -144,8 +144,8 @@ fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
     roots
 }
 
-/// Finds zeros of `direct` + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) from the guesses in `roots`, one zero for each guess. The
-/// first `known` entries of `roots` stay fixed.
+/// Finds zeros of the sum `direct` + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) over the modes, starting from the estimates in
+/// `roots`. The first `known` entries of `roots` stay fixed.
 pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], known: usize) {
     fn steps<S: Float>(
         modes: &[Driven],

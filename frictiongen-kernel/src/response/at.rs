@@ -96,8 +96,8 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// Returns both limits, with the upper bound on β_lim that needs no search. The call is faster than
-    /// [`new`](Self::new), since it stores nothing for a motion. The results are bit for bit those of
+    /// Returns both limits without a search. β_lim is then an upper bound. The call is faster than [`new`](Self::new),
+    /// since it stores nothing for a motion. The results are bit for bit those of
     /// [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
     /// [`sliding_limit`](Self::sliding_limit).
     ///
@@ -158,8 +158,9 @@ impl<T: Scene> At<T> {
         &self.modes
     }
 
-    /// Searches for max(S, H_c + μm*/r²), the velocity constraint that decides β_lim (5.54, 7.36). The result is
-    /// multiplied by r² and by the scale E of [`ContactAt`].
+    /// Searches for the velocity constraint max(S, H_c + μm*/r²), which decides β_lim (5.54, 7.36). S is a maximum over
+    /// the half period, the other term is the condition for break-away at a reversal. The result is multiplied by r²
+    /// and by the scale E of [`ContactAt`].
     #[must_use]
     pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
         let numbers = self.scene.numbers();

@@ -17,7 +17,7 @@ use crate::number::phase::wrapped;
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// Amplitude, phase and factors of the contact's relative motion at one friction ratio.
+/// Amplitude and phase of the contact's relative motion at one friction ratio, with intermediate results.
 #[derive(Clone, Copy, Debug)]
 pub struct Friction<S> {
     /// Friction ratio β = F/P.
@@ -33,7 +33,7 @@ pub struct Friction<S> {
     pub unscale: S,
 }
 
-/// Coefficients of the component of a motion that has the frequency of the excitation.
+/// Fundamental component of a motion, which has the frequency of the excitation: its coefficients.
 #[derive(Clone, Copy, Debug)]
 pub struct Fundamental<S> {
     /// Coefficient of cos τ in the displacement.
@@ -191,8 +191,8 @@ impl<S: Scalar> Chain<S> {
         self.modal_coefficients(&at, residue, contact, friction, inverse_r, index)
     }
 
-    /// Returns the functions of a mode at r. For a mass-controlled mode (resonance far below the excitation), u and g
-    /// are set to 0: such a mode has its whole response in one function, so u and g must not add to the response again.
+    /// Returns the functions u and g of a mode, with both set to 0 for a mass-controlled mode (resonance far below the
+    /// excitation). Such a mode has its whole response in one function, so u and g must not add to the response again.
     fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
         let (slow, zero) = (
             is_mass_controlled(mode.kind, mode.zeta, at.x),
@@ -228,8 +228,8 @@ impl<S: Scalar> Chain<S> {
         self.fundamental_of(parts, &sums, contact, friction)
     }
 
-    /// Returns the fundamental component of the motion that the given modes make together. Each entry of `parts` is the
-    /// index of a mode, the component of the mass in its mode shape, its constants and its functions at r.
+    /// Returns the fundamental component of a mass's motion, summed over the given modes. Each entry of `parts` is the
+    /// index of a mode, the component of the mass in the mode shape, the constants of the mode, and its functions at r.
     pub(crate) fn fundamental_of<'a>(
         &self,
         parts: impl Iterator<Item = (usize, S, &'a Mode<S>, ModeAt<S>)>,

@@ -13,8 +13,8 @@ impl<T: Scene> At<T> {
     /// length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths; both result slices are then unchanged. [`OutOfDomain`]
-    /// also at the first NaN or negative r; the limits at the preceding frequency ratios are then written.
+    /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
+    /// also at the first NaN or negative r, after writing the limits at the preceding frequency ratios.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -32,8 +32,8 @@ impl<T: Scene> At<T> {
     /// side by side.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths; both result slices are then unchanged. [`OutOfDomain`]
-    /// also at the first NaN or negative r; the limits at the preceding frequency ratios are then written.
+    /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
+    /// also at the first NaN or negative r, after writing the limits at the preceding frequency ratios.
     pub fn limits_without_search_into(
         scene: &T,
         rs: &[T::Scalar],

@@ -70,8 +70,8 @@ impl<T: Tabled> Compiled<T> {
     /// length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths; both result slices are then unchanged. [`OutOfDomain`]
-    /// also at the first r outside the domain; the limits at the preceding frequency ratios are then written.
+    /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
+    /// also at the first r outside the domain, after writing the limits at the preceding frequency ratios.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],

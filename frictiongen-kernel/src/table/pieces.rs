@@ -68,8 +68,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// Returns the piece that contains r, from index `first` on. The method halves the interval `halvings` times in a
-    /// loop.
+    /// Returns the polynomial piece that contains r, from index `first` on. It halves the interval `halvings` times in
+    /// a loop.
     fn onwards(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let mut index = first;
         let mut halving = self.halvings;
@@ -106,7 +106,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         values
     }
 
-    /// Returns the value of the table's first function at r. The value is NaN if the table has no pieces.
+    /// Returns the value at r of the first function in the table. The value is NaN if the table has no pieces.
     #[inline(always)]
     #[must_use]
     pub fn first(&self, r: S) -> S {
@@ -119,7 +119,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
     }
 }
 
-/// Returns the piece that contains r among the `W` pieces of a window, by halving. Halving takes the fewest
+/// Returns the polynomial piece that contains r, among `W` consecutive pieces, by halving. Halving takes the fewest
 /// instructions.
 #[inline(always)]
 fn halved<S: Float, const F: usize, const C: usize, const W: usize>(
@@ -142,7 +142,7 @@ fn halved<S: Float, const F: usize, const C: usize, const W: usize>(
     half(pieces, r).first()
 }
 
-/// Returns the first or the second half of the given pieces, whichever contains r.
+/// Returns the first or the second half of the given polynomial pieces, whichever contains r.
 #[inline(always)]
 fn half<S: Float, const F: usize, const C: usize>(
     pieces: &[Piece<S, F, C>],
@@ -193,8 +193,8 @@ fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
     }
 }
 
-/// Evaluates the function with the index `function` of a piece, and writes it into `values`. Does nothing if there is
-/// no such function.
+/// Evaluates one function of a polynomial piece, and writes the value into `values` at the index `function`. Does
+/// nothing if there is no such function.
 #[inline(always)]
 fn put<S: Float, const F: usize, const C: usize>(
     values: &mut [S; F],

@@ -3,8 +3,8 @@
 
 use crate::number::scalar::Float;
 
-/// Real factor of a rational function of r². It comes from a zero s = x + iy of a polynomial in s = ir, or for a damped
-/// chain from the squared modulus.
+/// Real factor of a rational function of r², for one zero or pole or for a pair of them. In a damped chain the factor
+/// belongs to the squared modulus. A zero is written s = x + iy, with s = ir.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor<S> {
     /// Factor (r − y)(r + y) of a zero on the imaginary axis. It stores y as a rounded value and the rounding error, so
@@ -23,7 +23,7 @@ pub enum Factor<S> {
         rest: S,
         /// x², the square of the real part of the zeros.
         off: S,
-        /// 4x²y², the constant term of the factor.
+        /// Constant term 4x²y² of the factor.
         least: S,
     },
     /// Factor r² + x² of a zero on the real axis of s.

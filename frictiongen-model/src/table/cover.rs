@@ -11,8 +11,8 @@ use frictiongen_kernel::Float;
 /// Ratio of lengths at which the search for the longest piece ends. A piece that is longer by this factor is then known
 /// to be too long. More fits would save at most a tenth of the pieces.
 const LONGEST: f64 = 1.1;
-/// Step to which the end of a piece is rounded for human readers, as a fraction of the piece's length. The end is not
-/// rounded at a kink of β_lim or at a bound of the range.
+/// Step to which the end of a polynomial piece is rounded for human readers, as a fraction of the length of the piece.
+/// The end is not rounded at a kink of β_lim or at a bound of the range.
 const END: f64 = 0.02;
 /// Error divided by the allowed error above which a piece that is too long probably contains a kink. The position of
 /// the kink is then located. Across a kink the error falls only in proportion to the length, not with a high power of
@@ -20,13 +20,13 @@ const END: f64 = 0.02;
 const KINK: f64 = 30.0;
 /// Ratio of lengths at which a kink counts as located: a length that is too long divided by a length that is not.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
-/// Largest number of pieces that are fitted again after the check. Each repetition adds a point to check. A cover that
-/// exceeds this number would not end.
+/// Largest number of polynomial pieces that are fitted again after the check. Each repetition adds a point to check.
+/// With more repetitions, the construction would not end.
 const MOST_AGAIN: usize = 1000;
-/// Shortest piece, as a fraction of r. It is some hundreds of roundings of double precision.
+/// Length of the shortest polynomial piece, as a fraction of r. It is some hundreds of roundings of double precision.
 const SHORTEST: f64 = 1e-13;
-/// First trial length of a piece, as a multiple of the length of the previous piece. It is rather too long than too
-/// short, since a trial that is too long bounds the length from above at once.
+/// First trial length of a polynomial piece, as a multiple of the length of the previous piece. It is rather too long
+/// than too short, since a trial that is too long bounds the length from above at once.
 const LONGER: f64 = 1.5;
 /// Length of the last polynomial piece. The first trial length of the next piece follows from it.
 const MOST_FITS: usize = 200;
@@ -35,7 +35,8 @@ const MOST_FITS: usize = 200;
 const AIM: f64 = 0.8;
 /// Error that the next trial length of a piece aims at, divided by the allowed error, after a piece that was too long.
 const AIM_AGAIN: f64 = 0.7;
-/// Error divided by the allowed error below which an error says nothing about the best length.
+/// Smallest error of a fit, divided by the allowed error, from which the next trial length is computed. A smaller error
+/// says nothing about the best length.
 const TINY: f64 = 1e-6;
 /// Bounds on the factor by which the trial length of a piece grows after a fit within the allowed error. The factor
 /// comes from a power law, which is only approximate.
@@ -50,7 +51,7 @@ fn clamped(value: f64, [least, most]: [f64; 2]) -> f64 {
 /// Approximation of the tabulated functions by polynomial pieces over a range of r: settings and state of the
 /// construction.
 pub(super) struct Cover<'a, 'm, S> {
-    /// Exact values, with which each piece is compared, and the allowed errors of the fit.
+    /// Exact values with which each polynomial piece is compared, and the allowed errors of the fit.
     pub comparison: Comparison<'a, 'm, S>,
     /// Kinks of β_lim, as frequency ratios in ascending order.
     pub kinks: Vec<f64>,
@@ -180,7 +181,8 @@ impl<S: Float> Cover<'_, '_, S> {
         Ok(())
     }
 
-    /// Returns the longest piece that meets the accuracy, from `start` towards `limit`, and the r at which it ends.
+    /// Returns the longest polynomial piece that meets the accuracy, from `start` towards `limit`, and the r at which
+    /// the piece ends.
     fn longest(
         &mut self,
         start: f64,

@@ -22,8 +22,9 @@ pub(super) struct Comparison<'a, 'm, S> {
     pub limit: f64,
     /// Largest allowed error of the contact's amplitude (relative) and phase (rad).
     pub motion: f64,
-    /// |V| as a product over zeros and poles; without damping, V with its sign. `None` if the motion of the contact is
-    /// not needed, or if |V| is a polynomial of the pieces.
+    /// |V|, the amplitude of the contact without friction, as a product over zeros and poles. Without damping, the
+    /// product is V with its sign. `None` if the motion of the contact is not needed, or if |V| is a polynomial of the
+    /// pieces.
     pub excitation: Option<Quotient<'a, S>>,
 }
 
@@ -65,8 +66,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         worst
     }
 
-    /// Returns the error of a piece, divided by the allowed error, at the number of the type `S` that is nearest to r
-    /// within the piece. Returns 0 if the piece contains no such number.
+    /// Returns the error of a polynomial piece, divided by the allowed error, at the number of the type `S` that is
+    /// nearest to r within the piece. Returns 0 if the piece contains no such number.
     fn error_within(
         &mut self,
         piece: &Fitted<S>,
@@ -92,8 +93,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         }
     }
 
-    /// Returns the error of a piece at r, divided by the allowed error. A few roundings of r may change the exact
-    /// value, and this change does not count as an error.
+    /// Returns the error of a polynomial piece at r, divided by the allowed error. A few roundings of r may change the
+    /// exact value, and this change does not count as an error.
     pub fn error_at(&mut self, piece: &Fitted<S>, r: f64) -> f64 {
         let own = S::constant(r);
         let r = own.to_f64();
@@ -105,12 +106,12 @@ impl<S: Float> Comparison<'_, '_, S> {
         of_limit.max(or_infinite(of_motion))
     }
 
-    /// Returns two frequency ratios: r shifted up and r shifted down, by some roundings.
+    /// Returns two frequency ratios: r increased and r decreased by some roundings.
     fn beside(r: f64) -> [f64; 2] {
         [1.0, -1.0].map(|side| r * (1.0 + side * ROUNDINGS * f64::EPSILON))
     }
 
-    /// Returns the error of β_lim divided by the allowed error.
+    /// Returns the error of β_lim from a polynomial piece, divided by the allowed error.
     fn limit_error(&mut self, piece: &Fitted<S>, own: S) -> f64 {
         let r = own.to_f64();
         let Some(limit) = self.exact.at(r).map(|sample| sample.limit) else {
@@ -133,7 +134,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         moved.map(|near| (near - limit).abs()).fold(0.0, f64::max)
     }
 
-    /// Returns the largest error of the contact's amplitude and phase, divided by the allowed error.
+    /// Returns the largest error of the contact's amplitude and phase from a table, divided by the allowed error.
     fn motion_error(&mut self, answer: &ContactTable<S>, r: f64) -> f64 {
         let Some(sample) = self.exact.at(r) else {
             return f64::INFINITY;
@@ -170,7 +171,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         over(&off, &noise)
     }
 
-    /// Returns β_lim, a, g, arg V and |V| at r, from a polynomial piece and the product for |V|.
+    /// Returns the values of the contact that a polynomial piece and the product for |V| give at r: β_lim, a, g, arg V
+    /// and |V|.
     fn answer(&self, piece: &Fitted<S>, r: S) -> ContactTable<S> {
         let [limit, quadrature, displacement, direction] =
             [0, 1, 2, ANGLE].map(|function| piece.value(function, r));
@@ -192,7 +194,7 @@ pub(super) fn or_infinite(error: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Number of compared values: the amplitude and the phase of the contact at each friction ratio.
+/// Number of compared values: the amplitude and the phase of the contact at each friction ratio in `FRICTION_SHARES`.
 const APART: usize = 2 * FRICTION_SHARES.len();
 
 /// Returns the errors of the contact's amplitudes (relative) and phases (rad), in this order, at each compared friction

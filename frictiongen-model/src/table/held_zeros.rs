@@ -8,8 +8,8 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 
-/// Relative distance from a resonance of the sliding chain below which the sums over the modes lose half of their 30
-/// digits. It is relative to σ², the square of the resonance.
+/// Bound on |s² + 2ζσs + σ²|/σ² of a mode below which the sums over the modes lose half of their 30 digits. The
+/// frequency is then close to the resonance σ.
 const ON_RESONANCE: f64 = 1e-12;
 
 /// Upper bound on the number of corrections of a zero, and the relative correction at which the iteration ends. The
@@ -48,8 +48,8 @@ fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>
 pub(super) struct HeldAt {
     /// V/H, the force that keeps the contact stuck.
     pub force: Complex<Dd>,
-    /// False on an undamped resonance of the sliding chain. The modal amplitude is then a quotient of rounding errors,
-    /// although the responses are regular.
+    /// False if the frequency is on an undamped resonance of the sliding chain. The modal amplitude is then a quotient
+    /// of rounding errors, although the responses are regular.
     pub known: bool,
     /// Complex amplitude of each mode of the sliding chain.
     modes: Vec<Complex<Dd>>,
@@ -107,14 +107,14 @@ fn carried(modal: &Modal) -> Dd {
     Dd::from(if modal.on_moving_base { 1.0 } else { 0.0 })
 }
 
-/// A pole of the responses of the stuck chain, with its residue for each mass. A conjugate pair is represented by its
-/// pole with y > 0.
+/// A pole of the responses while the contact is stuck, with a residue for each mass. A conjugate pair is represented by
+/// the pole with y > 0.
 struct Pole {
     zero: Zero,
     residues: Vec<Complex<Dd>>,
 }
 
-/// Sum of terms that becomes exactly 0 if only the rounding of the terms is left.
+/// Sum of terms that is set to exactly 0 if it is only the rounding of the terms.
 struct Sum {
     value: Complex<Dd>,
     size: Dd,
@@ -305,7 +305,8 @@ fn found(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     Some((masses?, Response::Rational(force)))
 }
 
-/// Returns the response of a mass from the poles that have a residue for that mass.
+/// Returns the response of a mass while the contact is stuck, as zeros and poles. It uses those `poles` that have a
+/// residue for the mass.
 fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     let own = poles.iter().filter_map(|pole| {
         let residue = *pole.residues.get(mass)?;

@@ -8,10 +8,11 @@ const FEWEST: usize = 8;
 /// Numbers of buckets that `Index::of` tries, one after the other. If the number is a power of two, a lookup finds its
 /// bucket without a comparison.
 const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
-/// Largest number of buckets for each number that the polynomial pieces store. More buckets would need more memory than
-/// they are worth.
+/// Largest ratio of the number of buckets to the number of numbers that the polynomial pieces store. More buckets would
+/// need more memory than they are worth.
 const CROWDED: usize = 1;
-/// Number of comparisons in a bucket that is small enough. Beyond that, more buckets would not save time.
+/// Number of comparisons per lookup that is small enough. To save even more comparisons, more buckets would not pay
+/// off.
 const FEW: u32 = 2;
 
 /// Buckets that divide a range of r into equal parts, by which a lookup finds the polynomial piece that contains r.

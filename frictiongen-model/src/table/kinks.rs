@@ -3,9 +3,10 @@
 
 use super::exact::Exact;
 
-/// Step of the search for kinks, in units of √λ/r of the fastest mode.
+/// Step of the search for kinks of β_lim, in units of √λ/r, the natural frequency of the fastest mode over the
+/// excitation frequency.
 const STEP: f64 = 0.005;
-/// Distance in τ, in rad, above which two maxima count as different.
+/// Distance in τ, in rad, above which two maxima of the velocity constraint count as different.
 const JUMP: f64 = 0.1;
 /// Smallest number of steps in the search for kinks of β_lim over the range of r.
 const FEWEST: usize = 64;
@@ -36,7 +37,8 @@ pub(super) fn kinks(exact: &mut Exact<'_>, (low, high): (f64, f64)) -> Vec<f64> 
     kinks
 }
 
-/// Returns true if `a` and `b` are the phases of two different maxima. Returns false if one maximum has only shifted.
+/// Returns true if `a` and `b` are the phases τ of two different maxima of the velocity constraint. Returns false if
+/// one maximum has only shifted.
 fn differ(a: Option<f64>, b: Option<f64>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => (a - b).abs() > JUMP,

@@ -8,9 +8,9 @@ use crate::scene::{Beyond, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
 
-/// Number of halvings after which the proof gives up on an interval of r.
+/// Number of halvings of an interval of r after which the proof that a limit exceeds a friction ratio gives up.
 const HALVINGS: u32 = 12;
-/// Number of equal intervals of r with which the proof begins.
+/// Number of equal intervals of r with which the proof that a limit exceeds a friction ratio begins.
 const PARTS: usize = 64;
 
 /// Regimes that can occur at friction ratios up to a largest one, over the range of the tables.
@@ -54,7 +54,7 @@ impl<S: Float> Tables<S> {
         }
     }
 
-    /// Returns both bounds of the range of r, rounded as in a lookup.
+    /// Returns both bounds of the range of r, rounded to the number type as in a lookup.
     fn ends(&self) -> (f64, f64) {
         let (low, high) = self.request.r;
         (S::constant(low).to_f64(), S::constant(high).to_f64())
@@ -95,8 +95,8 @@ impl<S: Float> Tables<S> {
     }
 }
 
-/// Returns true if a function of r is proven to exceed `most` over a whole interval. `least` gives a lower bound of the
-/// function over an interval.
+/// Tries to prove that a function of r exceeds `most` over a whole interval, and returns true if the proof succeeds.
+/// `least` gives a lower bound of the function over an interval.
 fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f64) -> bool {
     if most < least(r) {
         return true;

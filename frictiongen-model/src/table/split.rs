@@ -25,14 +25,14 @@ impl Edge {
     }
 }
 
-/// Relative distances from a zero, resonance or sub-harmonic at which the error of a table is computed.
+/// Relative distances from a zero of β_lim, a resonance or a sub-harmonic at which the error of a table is computed.
 const BESIDE: [f64; 13] = [
     0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2,
 ];
 /// Largest relative distance of a zero of β_lim from the range of r at which the zero still influences the table.
 const OUTSIDE: f64 = 1e-2;
-/// Damping above which a mode makes no narrow feature in β_lim: bound on the damping ratio times the order of a
-/// sub-harmonic. For a zero x + iy, the same bound applies to |x|/y.
+/// Bound above which a mode is too damped for a narrow feature in β_lim. It is compared with the damping ratio times
+/// the order of a sub-harmonic, and for a zero x + iy with |x|/y.
 const BROAD: f64 = 0.5;
 /// Largest number of sub-harmonics that are considered for each mode.
 const MOST: usize = 10_000;
@@ -45,8 +45,8 @@ pub(super) struct Landmarks {
     pub zeros: Vec<Edge>,
     /// Resonances of undamped modes within the range of r. The phase of the contact's response jumps there.
     pub jumps: Vec<f64>,
-    /// Frequency ratios at which the error of a table is also computed, in ascending order. They are at and near zeros,
-    /// resonances and sub-harmonics.
+    /// Frequency ratios at which the error of a table is also computed, in ascending order. They are at and near zeros
+    /// of β_lim, resonances and sub-harmonics.
     pub closely: Vec<f64>,
 }
 

@@ -50,7 +50,7 @@ fn request(r: (f64, f64), accuracy: f64) -> Request {
     }
 }
 
-/// With equal masses, x̄₂ = 2x̄₁ + … holds. The first two masses move alike at r² = 1, whatever masses follow.
+/// Equal masses: x̄₂ = 2x̄₁ + …. The first two masses move alike at r² = 1, whatever masses follow.
 #[test]
 fn zeros_of_equal_masses() {
     for count in [2, 3, 5, 9] {
