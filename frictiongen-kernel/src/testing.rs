@@ -14,8 +14,8 @@ pub use fuzzing::Random as Lcg;
 
 pub type TestWave = Wave<f64, Damped<f64>>;
 
-/// Number of derivatives that the tests compute: those of the Taylor series in a search, and further ones that the
-/// terms of a mode need.
+/// Number of derivatives of a wave that the tests compute. They include the derivatives in the Taylor series of a
+/// search.
 pub const ORDERS: usize = 18;
 
 /// Modal damping ratios of every kind, on both sides of each ζ at which the closed form changes.

@@ -14,10 +14,10 @@ pub struct Domain<S> {
     pub beta: (S, S),
     /// True if the exact formulas compute the results beyond this range. If false, a call beyond the range is an error.
     pub exact_beyond: bool,
-    /// True if every friction ratio of the range is below β_lim at every frequency ratio of the range. The closed form
+    /// True if β_lim exceeds every friction ratio of the range, at every frequency ratio of the range. The closed form
     /// of the continuous motion is then used without a comparison with β_lim.
     pub always_continuous: bool,
-    /// True if every friction ratio of the range is below β*_lim, the limit of sliding. β*_lim is then not evaluated.
+    /// True if β*_lim, the limit of sliding, exceeds every friction ratio of the range. β*_lim is then not evaluated.
     pub never_stuck: bool,
 }
 
@@ -201,8 +201,8 @@ impl<T: Tabled> Compiled<T> {
         self.scene.numbers().chain.stiction <= one || self.slides(beta)
     }
 
-    /// Returns the regime at the friction ratio β = F/P. The regime is wrong at most where β is within the declared
-    /// accuracy of a limit.
+    /// Returns the regime at the friction ratio β = F/P. It may be the wrong regime only if β is as close to a limit as
+    /// the declared accuracy.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β, and for β beyond the declared range.

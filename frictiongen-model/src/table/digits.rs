@@ -6,7 +6,7 @@ use frictiongen_kernel::Float;
 /// Largest number of decimals. A frequency ratio in double precision has no digits beyond this decimal.
 const MOST_DECIMALS: f64 = 40.0;
 
-/// Returns the smallest number of the type `S` above a value. The value need not be a number of that type.
+/// Returns the smallest number of the type `S` that is larger than a value in double precision.
 pub(super) fn above<S: Float>(value: f64) -> S {
     let next = S::constant(value.next_up());
     if next.to_f64() > value {
@@ -22,7 +22,7 @@ pub(super) fn above<S: Float>(value: f64) -> S {
     }
 }
 
-/// Returns the nearest number whose last decimal place is at most `least`.
+/// Rounds a value to decimals. The last decimal place of the result is at most `least`.
 pub(super) fn to_decimals(value: f64, least: f64) -> f64 {
     let decimals = -least.log10().floor();
     if decimals < 0.0 {

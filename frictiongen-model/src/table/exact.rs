@@ -1,4 +1,4 @@
-//! Exact values of the tabulated functions. Tables are fitted to them and compared with them.
+//! Exact values of the functions in a table. Tables are fitted to these values and compared with them.
 
 use super::zeros::{ContactMode, contact_modes};
 use crate::modal::Modal;
@@ -15,7 +15,7 @@ pub(super) const ANGLE: usize = 3;
 /// Index of |V| among the functions of a table, if |V| is a polynomial. V is the response of the contact without
 /// friction.
 pub(super) const SIZE: usize = 4;
-/// Ratio of the size of a sum to the sum of all |terms|. Below this ratio, the sum has lost significant digits.
+/// Smallest size of a sum, relative to the sum of all |terms|, at which the sum still has enough digits.
 const CANCELS: f64 = 1e-2;
 
 /// Exact functions at one frequency ratio: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. V is the response of the
@@ -89,7 +89,7 @@ impl<'a> Exact<'a> {
         let mut limit = self.reduced.chain.continuous_limit(contact, constraint);
         let mut negative = contact.v.re < 0.0;
         if self.cancels(&at) {
-            // The sum over the modes has lost digits of V, so V is computed in double-double.
+            // The sum over the modes in double precision has lost digits of V, so V is computed in double-double.
             negative = self.excitation(r) < 0.0;
             let square = at.inverse_ratio() * at.inverse_ratio();
             let own = complex::modulus(contact.v, self.damped());

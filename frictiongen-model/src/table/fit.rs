@@ -7,7 +7,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::table::polynomial;
 use std::f64::consts::PI;
 
-/// Step to which the origin of a piece is rounded, as a fraction of half the piece's length.
+/// Step to which the origin of a polynomial piece is rounded, as a fraction of half the length of the piece.
 const ORIGIN: f64 = 0.1;
 /// Smallest relative error down to which tables of polynomials with four coefficients store the fewest numbers. The
 /// next two constants are the same for six and eight coefficients.
@@ -58,7 +58,7 @@ pub(super) fn terms(accuracy: f64) -> usize {
     }
 }
 
-/// Settings of a fit: the number of functions, their coefficients and the roundings.
+/// Settings for the fit of a polynomial piece: number of functions, number of coefficients and roundings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Form {
     /// Number of functions that are fitted in each piece, one polynomial for each.
@@ -68,7 +68,7 @@ pub(super) struct Form {
     /// Factor by which the fitted β_lim differs from the exact β_lim. It also multiplies a and g, which are
     /// proportional to β_lim.
     pub side_factor: f64,
-    /// Largest change of a function that the rounding of one coefficient may cause, relative to β_lim.
+    /// Largest change of a function, relative to β_lim, that the rounding of one coefficient to decimals may cause.
     pub rounding: f64,
 }
 
@@ -148,7 +148,7 @@ fn times_distance(coefficients: &[f64], rest: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Shifts angles by whole turns so that neighbouring angles differ as little as possible.
+/// Adds whole turns to angles so that neighbouring angles differ as little as possible.
 fn unwrap(angles: &mut [f64]) {
     let mut last: Option<f64> = None;
     for angle in angles {

@@ -19,8 +19,8 @@ use frictiongen_kernel::{Complex, Float};
 const POINTS: usize = 64;
 /// Relative distances from a zero or a pole at which a response is compared with its exact value.
 const BESIDE: [f64; 7] = [0.0, 1e-15, -1e-13, 1e-10, -1e-7, 1e-4, -1e-2];
-/// Relative distance below which a pole equals a number of the table's type. The iteration leaves the last of the 30
-/// digits of a pole open.
+/// Largest relative difference between a pole and a number of the table's type that count as equal. The iteration
+/// leaves the last of the 30 digits of a pole open.
 const SAME: f64 = 1e-26;
 /// Number of candidates in the search for an r far from all zeros and poles. The gain is computed there.
 const PLACES: usize = 33;
@@ -115,7 +115,8 @@ impl<S: Float> Held<S> {
 struct Point {
     r: f64,
     at: HeldAt,
-    /// Exact responses at a slightly larger frequency ratio, `ROUNDINGS` roundings above r.
+    /// Exact responses at a frequency ratio slightly above r, by `ROUNDINGS` roundings. The difference shows how
+    /// uncertain the exact responses at r are.
     moved: HeldAt,
 }
 

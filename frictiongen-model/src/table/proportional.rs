@@ -44,8 +44,8 @@ impl Proportional {
         rates.iter().all(fits).then_some(own)
     }
 
-    /// Returns a response of the damped chain from the response of the undamped chain. `over` is the number of
-    /// additional factors 1 + bs in the denominator of the result.
+    /// Returns the response of the damped chain that corresponds to a response of the undamped chain. `over` is the
+    /// number of additional factors 1 + bs in the denominator of the damped response.
     pub fn of_undamped(&self, undamped: &Rational, over: usize) -> Option<Rational> {
         let (mut zeros, mut poles) = (Vec::new(), Vec::new());
         let mut left = 0_isize;
@@ -67,8 +67,8 @@ impl Proportional {
         Some(Rational { zeros, poles })
     }
 
-    /// Appends the zeros of the damped chain that follow from a zero of the undamped chain. Returns the number of
-    /// different values of q = −s² that this zero stands for.
+    /// Appends the zeros of the damped chain that follow from one zero of the undamped chain. Returns the number of
+    /// different values of q = −s² at the undamped zero.
     fn moved(&self, zero: &Zero, into: &mut Vec<Zero>) -> isize {
         let half = Dd::from(0.5);
         if zero.x.is_zero() || zero.y.is_zero() {

@@ -42,7 +42,7 @@ pub enum TableError {
         /// The finest accuracy that the number type allows, a relative error.
         finest: f64,
     },
-    /// No table that the generator tried meets the accuracy.
+    /// No table that the generator tried has errors as small as the requested accuracy.
     #[error("{}", not_met(.accuracy, .reached, .at))]
     NotMet {
         /// The requested accuracy, a relative error.
@@ -50,7 +50,7 @@ pub enum TableError {
         /// The finest accuracy that a table can meet. The generator tries accuracies that are 10, 100, … times as
         /// coarse as the request. `None` if it can meet none.
         reached: Option<f64>,
-        /// The frequency ratio r at which the table fails.
+        /// The frequency ratio r at which no table meets the accuracy.
         at: f64,
     },
     /// The most coarse table does not fit into the allowed number of bytes.

@@ -42,7 +42,8 @@ pub struct Report {
     pub bytes: usize,
 }
 
-/// Tables of a scene, whose numbers have the type `S`.
+/// Tables of the limits, the contact's motion and the stuck responses of a scene, with their proofs. The numbers have
+/// the type `S`.
 #[derive(Clone, Debug)]
 pub struct Tables<S> {
     /// The request for which the tables were built.
@@ -67,10 +68,10 @@ pub struct Tables<S> {
     pub held: Option<Held<S>>,
     /// Size of the tables, and the errors that the check has found.
     pub report: Report,
-    /// Proof that the table of β_lim has the requested accuracy.
+    /// Proof, complete or partial, that β_lim from the table has the requested accuracy over the range of r.
     pub proof: Proof,
-    /// Proof that amplitude and phase of the contact have the requested accuracy, for β/β_lim up to the last of the
-    /// compared friction ratios.
+    /// Proof that amplitude and phase of the contact have the requested accuracy. It covers β/β_lim up to the largest
+    /// ratio in `FRICTION_SHARES`.
     pub motion_proof: Proof,
     /// Proof that the table of β*_lim has the requested accuracy. It takes little work, so it is made with the tables.
     pub sliding_proof: Proof,
@@ -254,9 +255,9 @@ impl<S: Float> Tables<S> {
         Self::built_within(exact, request, usize::MAX)
     }
 
-    /// Builds the tables of the limits and of the contact's motion, if necessary with polynomials of a higher degree. A
-    /// mode may change a function only over a range of r that is some hundred roundings of r wide. Polynomials of the
-    /// usual degree cannot follow such a change.
+    /// Builds the tables of the limits and of the contact's motion. If the usual degree of the polynomials does not
+    /// suffice, higher degrees are tried: a mode may change a function over a range of r that is only some hundred
+    /// roundings of r wide.
     fn built_within(
         exact: &mut Exact<'_>,
         request: Request,

@@ -7,11 +7,11 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use frictiongen_kernel::{Complex, Float};
 
-/// Relative bound below which a coefficient, or the real or imaginary part of a zero or pole, counts as zero. It is far
+/// Relative size below which the real or imaginary part of a zero or pole, or a coefficient, counts as zero. It is far
 /// above the roundings of a double-double sum, 10⁻³², and far below the precision of a scene in doubles.
 pub(super) const NONE: f64 = 1e-20;
-/// Largest relative difference between the constants of two modes that count as equal. In double-double such modes
-/// differ only by rounding.
+/// Largest relative difference between the constants of two modes (resonance or damping ratio) that count as equal. In
+/// double-double such modes differ only by rounding.
 pub(super) const EQUAL: f64 = 1e-24;
 /// Largest relative distance between two zeros that count as one common zero of V and H, the responses of the contact
 /// to the load and to a contact force. A scene in doubles cannot separate them.

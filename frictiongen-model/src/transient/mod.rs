@@ -16,13 +16,13 @@ use frictiongen_kernel::simulation::{Dynamics, HeldMode};
 use frictiongen_kernel::{Float, Scalar};
 use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned};
 
-/// Damping ratio below which the frequencies of held modes (contact stuck) are as far apart as those of the sliding
-/// chain. Up to 64 masses then lose only some roundings.
+/// Modal damping ratio above which the modes of the stuck chain (held modes) may be close to one another. Below it, up
+/// to 64 masses lose only some roundings.
 const NEAR_CRITICAL: f64 = 0.9;
 
-/// Returns the largest relative change of a motion of the scene if the contact sticks and is released at once
-/// ([`Transient::excess_loss`]). The change comes from rounding. Returns `None` if it is at most √ε of the scene's
-/// number type, so that half of the digits remain.
+/// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is released at once
+/// ([`Transient::excess_loss`]). Returns `None` if the error is at most √ε of the scene's number type, so that half of
+/// the digits remain.
 #[must_use]
 pub fn excess_loss(scene: &Scene) -> Option<f64> {
     let near_critical = |ratio: f64| NEAR_CRITICAL <= ratio;
@@ -121,10 +121,10 @@ impl<S: Scalar> Transient<S> {
         }
     }
 
-    /// Returns the largest relative change of a motion if the contact sticks and is released at once
-    /// ([`held_loss`](Dynamics::held_loss)). The change comes from rounding. Returns `None` if it is at most √ε of the
-    /// number type, so that half of the digits remain. A larger change makes all results in the time domain useless.
-    /// Only modes near critical damping or above cause a larger change.
+    /// Returns the largest relative rounding error in a motion if the contact sticks and is released at once
+    /// ([`held_loss`](Dynamics::held_loss)). Returns `None` if the error is at most √ε of the number type, so that half
+    /// of the digits remain. A larger error makes all results in the time domain useless. Only modes near critical
+    /// damping or above cause a larger error.
     #[must_use]
     pub fn excess_loss(&self) -> Option<S>
     where

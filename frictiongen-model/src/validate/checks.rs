@@ -1,4 +1,4 @@
-//! Bounds that the checks share, and the list of items that the reader of a description could read.
+//! Bounds that the checks share, and the list of items that could be read from a description.
 
 use super::error::SceneError;
 use super::path::Path;
@@ -13,23 +13,23 @@ pub const LARGEST: f64 = 1e60;
 /// Lower bound on masses and stiffnesses. Products of a few such numbers must fit in a double.
 pub const SMALLEST: f64 = 1e-60;
 
-/// Items of a scene on which the checks may rely.
+/// Items of a scene that could be read from its description, and on which the checks may rely.
 ///
-/// A description with errors still gives most of a scene. A check that needs an item that could not be read is skipped.
-/// Otherwise one error would be reported as two.
+/// A description with errors still gives most of a scene. A check is skipped if it needs an item that could not be
+/// read. Otherwise one error would be reported as two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Checks {
     /// The largest number of masses that the scene may have.
     pub most_masses: usize,
-    /// True if the reader could read every mass.
+    /// True if every mass could be read from the description.
     pub masses: bool,
-    /// True if the reader could read every spring.
+    /// True if every spring could be read from the description.
     pub springs: bool,
-    /// True if the reader could read the contact.
+    /// True if the contact could be read from the description.
     pub contact: bool,
-    /// True if the reader could read the excitation.
+    /// True if the excitation could be read from the description.
     pub excitation: bool,
-    /// True if the reader could read the whole list `provide`.
+    /// True if the list `provide` could be read completely from the description.
     pub provide: bool,
 }
 
