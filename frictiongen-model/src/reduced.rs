@@ -30,7 +30,7 @@ pub struct Reduced<S> {
     pub unbounded: Vec<S>,
     /// Those frequency ratios of `unbounded` at which friction in the contact does not act on the resonant mode.
     pub invisible: Vec<S>,
-    /// True if the sums over the modes may process two modes at once. The results are the same to the last bit.
+    /// True to let the sums over the modes process two modes at once. The results are the same to the last bit.
     /// Optimised code is then faster, but code without optimisation is slower.
     pub two_at_once: bool,
 }

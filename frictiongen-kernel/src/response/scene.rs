@@ -82,8 +82,10 @@ pub trait Scene: Clone {
         self.numbers().chain.break_away(contact)
     }
 
-    /// Returns the limit of continuous motion β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49). The
-    /// argument `constraint` is max(S, H_c + μm*/r²) times r²E, where S is the velocity constraint.
+    /// Returns β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²), the limit of continuous motion (5.65, 5.80, 5.96, 7.49). V is
+    /// the response of the contact to the load, U its velocity from friction at a reversal, and S the velocity
+    /// constraint. The argument `constraint` is max(S, H_c + μm*/r²), multiplied by r² and by the scale E of
+    /// [`ContactAt`].
     #[inline]
     fn continuous_limit(
         &self,

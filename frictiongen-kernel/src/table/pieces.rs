@@ -229,7 +229,8 @@ pub fn polynomial<S: Float>(coefficients: &[S], t: S) -> S {
     sum.unwrap_or(S::constant(0.0))
 }
 
-/// Returns the pair c_k + c_k+1·t with k = `first`, plus t² times the sum of the higher pairs.
+/// Returns one step of the evaluation of a polynomial: the pair c_k + c_k+1·t with k = `first`, plus t² times the sum
+/// of the higher pairs. Returns `higher` unchanged if there is no coefficient `first`.
 #[inline(always)]
 fn below<S: Float>(
     coefficients: &[S],

@@ -66,8 +66,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         worst
     }
 
-    /// Returns the error of a polynomial piece, divided by the allowed error, at the number of the type `S` that is
-    /// nearest to r within the piece. Returns 0 if the piece contains no such number.
+    /// Returns the error of a polynomial piece near r, divided by the allowed error. The error is computed at the
+    /// nearest number of the type `S` within the piece. Returns 0 if the piece contains no such number.
     fn error_within(
         &mut self,
         piece: &Fitted<S>,
