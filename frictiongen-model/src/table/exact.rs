@@ -18,9 +18,9 @@ pub(super) const SIZE: usize = 4;
 /// Smallest size of a sum, relative to the sum of all |terms|, at which the sum still has enough digits.
 const CANCELS: f64 = 1e-2;
 
-/// Exact functions at one frequency ratio: β_lim, a, g and arg V. They are a = β_lim·U/|V| and g = β_lim·G/|V|, where V
-/// is the response of the contact to the load, and U and G are its velocity and displacement from friction at a
-/// reversal. For an undamped chain a is multiplied by sgn V, which makes a smooth across a resonance, and arg V is 0.
+/// Exact functions at one frequency ratio: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. V is the response of the
+/// contact to the load, U and G its velocity and displacement from friction at a reversal. For an undamped chain, a is
+/// multiplied by sgn V, so that the function a is smooth across a resonance, and arg V is 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     pub limit: f64,
