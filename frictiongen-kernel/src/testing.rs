@@ -1,4 +1,5 @@
-//! Helpers of the unit tests of waves and searches: derivatives of a wave by independent formulas, and random waves.
+//! Helpers of the unit tests of modal sums and their searches. A wave is the term of one mode in a modal sum. The
+//! helpers compute derivatives of a wave by independent formulas, and make random waves.
 //!
 //! A wave is the sum of a free vibration p, whose derivatives obey p⁽ⁿ⁺²⁾ = −2ζx p⁽ⁿ⁺¹⁾ − x² p⁽ⁿ⁾, and of sinusoids.
 
@@ -13,10 +14,11 @@ pub use fuzzing::Random as Lcg;
 
 pub type TestWave = Wave<f64, Damped<f64>>;
 
-/// Number of derivatives: those of the search's Taylor series, and those that the waves need beyond them.
+/// Number of derivatives of a wave that the tests compute. They include the derivatives in the Taylor series of a
+/// search.
 pub const ORDERS: usize = 18;
 
-/// Damping ratios of every kind, on both sides of each change of closed form.
+/// Modal damping ratios of every kind, on both sides of each ζ at which the closed form changes.
 pub const ZETAS: [f64; 12] = [
     0.0, 1e-6, 0.01, 0.1, 0.3, 0.49, 0.6, 0.9, 1.0, 1.2, 3.0, 20.0,
 ];
@@ -36,7 +38,8 @@ pub fn at_rest(x: f64, zeta: f64) -> TestWave {
     Wave::at_rest(x, damped(zeta))
 }
 
-/// p⁽ⁿ⁾ at τ for n = 0, 1, …, `last`.
+/// Returns the derivatives p⁽ⁿ⁾ of a free vibration at τ, for n = 0, 1, …, `last`. p starts with displacement 0 and
+/// velocity 1.
 fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
     let mut out = [0.0; ORDERS];
     let q2 = 1.0 - zeta * zeta;
@@ -65,25 +68,25 @@ fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
     out
 }
 
-/// (cos τ)⁽ⁿ⁾ and (sin τ)⁽ⁿ⁾ for n = `order`.
+/// Returns the derivatives (cos τ)⁽ⁿ⁾ and (sin τ)⁽ⁿ⁾ for n = `order`.
 fn turning(tau: f64, order: usize) -> (f64, f64) {
     let (s, c) = tau.sin_cos();
     [(c, s), (-s, c), (-c, -s), (s, -c)][order % 4]
 }
 
-/// Coefficients a and b of y = 1/x² + a·d + b·p, the response to a unit force that changes its sign every half period.
-/// They follow from y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′ = −x²p.
+/// Returns a and b of y = 1/x² + a·d + b·p, the response of a mode to a unit force that changes its sign every half
+/// period. They follow from y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′ = −x²p.
 fn mass_controlled_parts(x: f64, zeta: f64) -> (f64, f64) {
     let end = free(x, zeta, PI, 1);
     let (p, slope) = (end[0], end[1]);
     let d = slope + 2.0 * zeta * x * p;
-    // The conditions are (1 + d)a + p·b = −2/x² and −x²p·a + (1 + p′)b = 0.
+    // The two conditions are (1 + d)a + p·b = −2/x² and −x²p·a + (1 + p′)b = 0.
     let determinant = (1.0 + d) * (1.0 + slope) + x * x * p * p;
     let a = -2.0 / (x * x) * (1.0 + slope) / determinant;
     (a, -2.0 * p / determinant)
 }
 
-/// Derivative of a wave at τ, of this order.
+/// Returns the derivative of one mode's term (wave) at τ. `order` is the order of the derivative.
 pub fn derivative(wave: &TestWave, tau: f64, order: usize) -> f64 {
     use crate::oscillator::decay::Decay;
     let (x, zeta) = (wave.x, wave.decay.zeta());
@@ -108,14 +111,15 @@ pub fn derivative(wave: &TestWave, tau: f64, order: usize) -> f64 {
         + wave.rise * rise
 }
 
-/// Derivative of a sum at τ, of this order.
+/// Returns the derivative of a modal sum at τ. `order` is the order of the derivative.
 pub fn sum_derivative(sum: &Sum<'_, f64, Damped<f64>>, tau: f64, order: usize) -> f64 {
     let (c, s) = turning(tau, order);
     let waves = sum.waves.iter().map(|wave| derivative(wave, tau, order));
     sum.cosine * c + sum.sine * s + waves.sum::<f64>()
 }
 
-/// Waves with one of the four terms each.  A slow mode adds a wave of its whole response.
+/// Returns four or five test waves, each with a name. A wave is the term of one mode in a modal sum. In each of the
+/// first four, one coefficient is 1 and the others are 0. For a slow mode, a fifth wave is the whole response.
 pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     let at_rest = at_rest(x, zeta);
     let mut parts = vec![
@@ -159,8 +163,8 @@ pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     parts
 }
 
-/// Waves of random rates, the slowest first.  Each wave has its own damping, or none is damped.  Without `rise` the
-/// waves have the terms of the velocity constraint only.
+/// Returns random terms of a modal sum (waves), the slowest mode first. Either each mode has its own damping, or no
+/// mode is damped. Without `rise`, a wave has only the terms of the velocity constraint.
 pub fn random_waves(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -176,7 +180,7 @@ pub fn random_waves(
             } else {
                 [0.0, random.log_uniform(1e-4, 0.5), 0.7, 1.0, 4.0][random.below(5)]
             };
-            // The terms have similar sizes: each term of a fast wave is of order 1.
+            // The terms have similar sizes: each term of a fast mode is of order 1.
             let mut wave = at_rest(x, zeta);
             wave.forced = random.signed();
             wave.forced_slope = random.signed();
@@ -191,8 +195,9 @@ pub fn random_waves(
     waves
 }
 
-/// A motion like that of a chain: a fundamental component and waves, which repeat with the opposite sign after half a
-/// period.  Modes far below the excitation have their whole response as a wave.
+/// Returns a random motion like that of a chain: the terms of the modes (waves), and the cosine and sine coefficients
+/// of the fundamental component. The motion repeats with the opposite sign after half a period. A mode far below the
+/// excitation has its whole response as one wave.
 pub fn random_motion(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -240,8 +245,9 @@ pub fn random_motion(
     (waves, cosine, sine)
 }
 
-/// Waves, sine amplitude and quotient for τ → 0 of a random velocity constraint.  The sum vanishes together with sin τ
-/// at both ends of the half period, and without damping it is odd about the middle.
+/// Returns the terms of the modes (waves), the sine amplitude and the quotient for τ → 0 of a random velocity
+/// constraint. The sum of the waves vanishes together with sin τ at both ends of the half period. Without damping the
+/// sum is odd about the middle of the half period.
 pub fn random_constraint(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -264,7 +270,7 @@ pub fn random_constraint(
                 damping[random.below(4)]
             };
             let inverse_mass = random.unit();
-            // The velocity is y′ = −a x²p + b p′.
+            // The velocity of the mode is y′ = −a x²p + b p′.
             let (a, b) = mass_controlled_parts(x, zeta);
             let (forced, forced_slope) = (inverse_mass * a * x * x, -(inverse_mass * b));
             sine -= 2.0 * zeta * x * forced_slope;

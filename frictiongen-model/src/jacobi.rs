@@ -1,18 +1,18 @@
-//! One-sided Jacobi method: singular values and right singular vectors, in double-double.
+//! One-sided Jacobi method: singular values and right singular vectors of a matrix, in double-double.
 //!
-//! The natural frequencies are the singular values of G = diag(√κ)·E·diag(1/√γ). The Jacobi method
-//! on the columns of G keeps all of them to full relative accuracy, for any spread of masses and
-//! stiffnesses. An eigensolver on K̄ = GᵀG does not.
+//! The natural frequencies are the singular values of G = diag(√κ)·E·diag(1/√γ). E is the incidence matrix of the
+//! springs. The Jacobi method on the columns of G computes every natural frequency to full relative accuracy, for any
+//! spread of masses and stiffnesses. An eigensolver on K̄ = GᵀG loses the small frequencies.
 
 use frictiongen_kernel::number::dd::Dd;
 
-/// A matrix, stored by columns.
+/// A matrix, stored as a list of columns.
 pub type Columns = Vec<Vec<Dd>>;
 
-/// Largest cosine of two columns that count as orthogonal.
+/// Largest |cosine| of the angle between two columns that count as orthogonal.
 const ORTHOGONAL: f64 = 1e-30;
-/// Upper bound on sweeps. Convergence is quadratic and ends long before; the bound only prevents an
-/// endless loop.
+/// Upper bound on the number of sweeps, which only prevents an endless loop. Convergence is quadratic and takes far
+/// fewer sweeps.
 const MAX_SWEEPS: usize = 60;
 
 /// Returns the scalar product of two vectors.
@@ -22,7 +22,7 @@ pub fn dot(a: &[Dd], b: &[Dd]) -> Dd {
         .fold(Dd::from(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// Returns the singular values in ascending order, and the right singular vectors as columns.
+/// Returns the singular values of a matrix in ascending order, and its right singular vectors as columns.
 pub fn singular(mut g: Columns) -> (Vec<Dd>, Columns) {
     let n = g.len();
     let (zero, one) = (Dd::from(0.0), Dd::from(1.0));
@@ -48,7 +48,7 @@ pub fn singular(mut g: Columns) -> (Vec<Dd>, Columns) {
     (norms, v)
 }
 
-/// Rotates two columns to make them orthogonal. Returns false if they already are.
+/// Rotates two columns to make them orthogonal. Returns false if the columns are orthogonal already.
 fn rotate(g: &mut Columns, v: &mut Columns, left: usize, right: usize) -> bool {
     let (Some(a), Some(b)) = (g.get(left), g.get(right)) else {
         return false;
@@ -82,7 +82,7 @@ fn turn(columns: &mut Columns, left: usize, right: usize, c: Dd, s: Dd) {
     }
 }
 
-/// Sorts the columns by their norms with a stable insertion sort.
+/// Sorts the columns of `g` and `v` by the norms of the columns of `g`, with a stable insertion sort.
 fn sort(g: &mut Columns, v: &mut Columns, norms: &mut [Dd], before: impl Fn(Dd, Dd) -> bool) {
     for end in 1..norms.len() {
         let mut at = end;

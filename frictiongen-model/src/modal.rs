@@ -1,4 +1,5 @@
-//! Modal data of a scene. All linear algebra is done here, once, in double-double.
+//! Modal data of a scene: resonances, damping ratios, mode shapes and modal loads. All linear algebra is done here,
+//! once, in double-double.
 
 use crate::jacobi::{self, Columns, dot};
 use crate::scene::{Contact, Damping, Excitation, Node, Scene};
@@ -6,39 +7,41 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::Ends;
 
-/// Largest residue that counts as rounding noise, as a fraction of its largest possible value. A smaller one is set to
-/// exactly zero.
+/// Largest residue that counts as rounding noise, as a fraction of the largest value that the residue can have. A
+/// smaller residue is set to exactly zero.
 pub(crate) const NOISE: f64 = 1e-26;
 
-/// A scene in modal coordinates (section 2 of `docs/derivation.md`), to about 30 digits. `T` is a number, or a number
-/// with its derivative ([`Modal::along`]).
+/// A scene in modal coordinates (section 2 of `docs/derivation.md`), to about 30 digits. The type `T` is a number, or a
+/// number with its derivative ([`Modal::along`]).
 #[derive(Clone, Debug)]
 pub struct Modal<T = Dd> {
-    /// √λ_i, the frequency ratios of the undamped resonances, ascending.
+    /// √λ_i, the undamped resonances as frequency ratios r, in ascending order.
     pub resonances: Vec<T>,
-    /// ζ_i, the modal damping ratios.
+    /// ζ_i, the modal damping ratio of each mode.
     pub damping_ratios: Vec<T>,
-    /// φ, the mode shapes by mode and mass, with φᵀΓφ = 1.
+    /// φ, the components of the mode shapes: one list per mode, one entry per mass. The shapes are normalised to φᵀΓφ =
+    /// 1.
     pub shapes: Vec<Vec<T>>,
-    /// φᵀp, the modal load of each mode.
+    /// φᵀp, the load on each mode, from the load vector p.
     pub loads: Vec<T>,
-    /// φᵀw, the component of the contact direction in each mode.
+    /// φᵀw, the relative displacement of the contact in each mode, from the contact direction w.
     pub contacts: Vec<T>,
     /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
     pub inverse_mass: T,
-    /// wᵀΓ⁻¹p, the component of the load along the contact direction, weighted with the inverse masses.
+    /// wᵀΓ⁻¹p, the relative acceleration that a unit load gives the contact without springs.
     pub inertial_load: T,
-    /// wᵀK̄⁻¹p − s, the static relative motion.
+    /// wᵀK̄⁻¹p − s, the static relative displacement of the contact under a unit load. s is 1 if the contact rubs on
+    /// the moving base, otherwise 0.
     pub static_motion: T,
-    /// wᵀK̄⁻¹w, the static receptance of the contact.
+    /// wᵀK̄⁻¹w, the static relative displacement of the contact under a unit force in the contact.
     pub static_receptance: T,
-    /// True if the contact rubs on the moving base (s = 1).
+    /// True if the contact rubs on the moving base, so that s = 1 in z̄ = wᵀx̄ − s cos τ.
     pub on_moving_base: bool,
-    /// √(k₁/m₁), the reference frequency, rad/s in the scene's own units.
+    /// √(k₁/m₁), the reference frequency of all frequency ratios, rad/s in the scene's own units.
     pub reference: T,
-    /// μ, static over kinetic friction force.
+    /// μ, the ratio of static to kinetic friction force.
     pub stiction: T,
-    /// The two masses of the contact (A < B), or its single mass.
+    /// The contact's masses by index: the two masses in ascending order, or a single mass and `None`.
     pub contact: (usize, Option<usize>),
     /// True if masses beyond the contact can act as an absorber ([`Scene::has_absorber`]).
     pub has_absorber: bool,
@@ -48,7 +51,7 @@ fn dd(value: f64) -> Dd {
     Dd::from(value)
 }
 
-/// Returns the contact direction w as (mass, sign) pairs. The earlier of two masses has the minus sign.
+/// Returns the contact direction w as pairs (index of a mass, sign). The earlier of two masses has the minus sign.
 fn direction(contact: Contact) -> Vec<(usize, f64)> {
     match (contact.from, contact.to) {
         (Node::Mass(a), Node::Mass(b)) => vec![(a.min(b), -1.0), (a.max(b), 1.0)],
@@ -57,17 +60,18 @@ fn direction(contact: Contact) -> Vec<(usize, f64)> {
     }
 }
 
-/// Matrices and vectors of a scene before its modal analysis.
+/// Matrix and vectors of a scene before its modal analysis, scaled by the masses.
 struct Assembled {
     /// √γ_i, the square roots of the mass ratios.
     root_gamma: Vec<Dd>,
-    /// √(k₁/m₁), the reference frequency.
+    /// √(k₁/m₁), the reference frequency of all frequency ratios.
     reference: Dd,
-    /// G = diag(√κ)·E·diag(1/√γ), by columns. Its singular values are the √λ.
+    /// G = diag(√κ)·E·diag(1/√γ), stored by columns. E is the incidence matrix of the springs. The singular values of G
+    /// are the √λ.
     g: Columns,
-    /// The load vector p divided by √γ.
+    /// Load vector p, with each entry divided by √γ of its mass.
     p_scaled: Vec<Dd>,
-    /// The contact direction w divided by √γ.
+    /// Contact direction w, with each entry divided by √γ of its mass.
     w_scaled: Vec<Dd>,
 }
 
@@ -140,7 +144,7 @@ impl Assembled {
 }
 
 impl Modal {
-    /// Returns the modal analysis of a valid scene, in double-double.
+    /// Returns the modal analysis of a valid scene, computed in double-double.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let mut assembled = Assembled::of(scene);
@@ -148,9 +152,10 @@ impl Modal {
         Self::assembled(scene, &assembled, resonances, &vectors, NOISE)
     }
 
-    /// Returns the modal analysis with the caller's solver. The solver receives G by columns. It returns the singular
-    /// values in ascending order, and the right singular vectors as columns. A value below `noise` times its largest
-    /// possible value becomes zero.
+    /// Returns the modal analysis of a scene with a solver that the caller provides. The solver receives the columns of
+    /// G, where GᵀG has the eigenvalues λ. It returns the singular values of G in ascending order, and the right
+    /// singular vectors as columns. A modal value below `noise` times the largest value that it can have is set to
+    /// zero.
     #[must_use]
     pub fn solved_by(
         scene: &Scene,
@@ -181,7 +186,7 @@ impl Modal {
             ..
         } = assembled;
         let reference = *reference;
-        // Divided by √γ, the solver's orthonormal vectors become the mode shapes.
+        // The solver's orthonormal vectors, divided by √γ, are the mode shapes.
         let n = vectors.len();
         let mut shapes = Vec::with_capacity(n);
         let (mut loads, mut contacts) = (Vec::with_capacity(n), Vec::with_capacity(n));
@@ -246,14 +251,14 @@ impl Modal {
 }
 
 impl<T: Float> Modal<T> {
-    /// Returns the mass that rubs on a support, or `None` if two masses rub on each other.
+    /// Returns the index of the mass that rubs on a support. Returns `None` if two masses rub on each other.
     #[must_use]
     pub fn rubbing(&self) -> Option<usize> {
         let (mass, other) = self.contact;
         other.is_none().then_some(mass)
     }
 
-    /// Returns ω_i, the natural frequencies, rad/s in the scene's own units.
+    /// Returns the undamped natural frequencies ω_i, rad/s in the scene's own units.
     #[must_use]
     pub fn natural_frequencies(&self) -> Vec<T> {
         self.resonances
@@ -262,9 +267,9 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// Returns the undamped resonances that the load drives, at which the continuous motion is unbounded. With
-    /// `invisible`, returns only those of modes that the contact does not touch. There even the motion with a stuck
-    /// contact is unbounded.
+    /// Returns the undamped resonances that the load drives, as frequency ratios. The continuous motion may be
+    /// unbounded there. If `invisible` is true, the result has only modes in which the contact does not move. At their
+    /// resonances even the motion with a stuck contact is unbounded.
     #[must_use]
     pub fn unbounded(&self, invisible: bool) -> Vec<T> {
         let zero = T::constant(0.0);
@@ -282,13 +287,13 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// Returns whether any mode is damped, or becomes damped when the variable of a derivative changes.
+    /// Returns true if any mode is damped, or becomes damped when the variable of a derivative changes.
     #[must_use]
     pub fn is_damped(&self) -> bool {
         self.damping_ratios.iter().any(|zeta| !zeta.vanishes())
     }
 
-    /// Returns the limits at r = 0 and r = ∞.
+    /// Returns the limiting values of β_lim and β*_lim at r = 0 and r = ∞.
     #[must_use]
     pub fn ends(&self) -> Ends<T> {
         let mu = self.stiction;
@@ -311,12 +316,14 @@ impl<T: Float> Modal<T> {
     }
 }
 
-/// Returns the projection on a unit vector, or exactly zero if only noise remains.
+/// Returns the scalar product of a unit vector and another vector, or exactly zero if the product is only rounding
+/// noise.
 fn projected(vector: &[Dd], on: &[Dd], noise: f64) -> Dd {
     cleaned(dot(vector, on), dot(on, on).sqrt(), noise)
 }
 
-/// Returns wᵀK̄⁻¹p − s and wᵀK̄⁻¹w.
+/// Returns wᵀK̄⁻¹p − s and wᵀK̄⁻¹w, the static relative displacements of the contact under a unit load and under a unit
+/// force in the contact.
 pub(crate) fn static_sums<T: Float>(
     carried: T,
     resonances: &[T],
@@ -344,7 +351,8 @@ fn cleaned<T: Float>(value: T, size: T, noise: f64) -> T {
     }
 }
 
-/// Returns ζ = (a/ω + bω)/2 of a mode, for C = aM + bK.
+/// Returns the modal damping ratio ζ = (a/ω + bω)/2 of a mode with natural frequency ω, for Rayleigh damping C = aM +
+/// bK.
 pub(crate) fn rayleigh<T: Float>(mass: T, stiffness: T, omega: T) -> T {
     (mass / omega + stiffness * omega) * T::constant(0.5)
 }

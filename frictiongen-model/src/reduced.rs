@@ -1,4 +1,5 @@
-//! Modal data for the steady response, in a solver's own scalar, and the kernel's scene made from them.
+//! Modal data for the steady response, rounded to the number type of a solver. The data implement the kernel's trait
+//! [`Scene`].
 
 use crate::modal::Modal;
 use frictiongen_kernel::Float;
@@ -10,32 +11,32 @@ use frictiongen_kernel::response::{
     Continuous, Ends, Numbers, ProvidesMotion, ProvidesStuck, Scene, Stuck,
 };
 
-/// The kernel's [`Numbers`], with owned vectors.
+/// Constants for the steady response of a scene, in owned vectors. The kernel reads them as [`Numbers`].
 #[derive(Clone, Debug)]
 pub struct Reduced<S> {
-    /// The modes that the load or the contact drives, ascending.
+    /// The modes that the load or the contact drives, in ascending order of resonance.
     pub modes: Vec<Mode<S>>,
-    /// φ of the modes in `modes`, mass after mass.
+    /// Mode shapes: for each mass in turn, the mass's component in each mode of `modes`.
     pub shapes: Vec<S>,
-    /// Properties of the scene that are not modal.
+    /// Constants of the whole chain, which belong to no single mode.
     pub chain: Chain<S>,
-    /// The limits at r = 0 and r = ∞.
+    /// Limiting values of β_lim and β*_lim at r = 0 and r = ∞.
     pub ends: Ends<S>,
-    /// The mass that rubs on a support; `None` if two masses rub on each other.
+    /// Index of the mass that rubs on a support. `None` if two masses rub on each other.
     pub rubbing: Option<usize>,
-    /// True if masses beyond the contact may act as an absorber.
+    /// True if masses beyond the stuck contact may act as an absorber. This needs a chain without damping.
     pub absorbs: bool,
-    /// The undamped resonances that the load drives.
+    /// Frequency ratios of the undamped resonances that the load drives. The response there may be unbounded.
     pub unbounded: Vec<S>,
-    /// The resonances in `unbounded` whose modes the contact does not touch.
+    /// Those frequency ratios of `unbounded` at which friction in the contact does not act on the resonant mode.
     pub invisible: Vec<S>,
-    /// True if the contact's sums may take two modes at once. The results are the same to the last bit. Optimised code
-    /// is then faster, but code without optimisation is slower.
+    /// True to let the sums over the modes process two modes at once. The results are the same to the last bit.
+    /// Optimised code is then faster, but code without optimisation is slower.
     pub two_at_once: bool,
 }
 
 impl<S> Reduced<S> {
-    /// Returns the components of a mass in the mode shapes. The slice is empty if the mass does not exist.
+    /// Returns the component of a mass in each mode shape. The slice is empty if the mass does not exist.
     #[must_use]
     pub fn shape(&self, mass: usize) -> &[S] {
         let mut shapes = self.shapes.chunks_exact(self.modes.len().max(1));
@@ -44,7 +45,8 @@ impl<S> Reduced<S> {
 }
 
 impl<T: Float> Modal<T> {
-    /// Returns the modal data in another scalar. `to` rounds each number once from double-double.
+    /// Returns the constants for the steady response in another number type. `to` rounds each number once from
+    /// double-double.
     #[must_use]
     pub fn reduced<S>(&self, to: impl Fn(T) -> S) -> Reduced<S> {
         let zero = T::constant(0.0);
@@ -98,7 +100,7 @@ impl<T: Float> Modal<T> {
     }
 }
 
-/// Returns the constants of a mode in another scalar. `to` rounds each number once.
+/// Returns the constants of one mode in another number type. `to` rounds each number once.
 pub(crate) fn mode<T: Float, S>(
     resonance: T,
     zeta: T,
@@ -127,7 +129,7 @@ pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
     if zeta.vanishes() {
         return Kind::Undamped;
     }
-    // The rounded ζ decides, so that the formula and the constant agree.
+    // The rounded ζ decides, so that the closed form is the right one for the emitted constant ζ.
     let zeta = zeta.to_f64();
     if zeta < 0.5 {
         Kind::Light
@@ -141,7 +143,7 @@ pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
 }
 
 impl<S: Float> Reduced<S> {
-    /// Returns the data as the kernel reads them.
+    /// Returns the constants as [`Numbers`], the form in which the kernel crate takes them.
     #[must_use]
     pub fn numbers(&self) -> Numbers<'_, S> {
         Numbers {

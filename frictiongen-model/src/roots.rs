@@ -1,14 +1,15 @@
-//! Natural frequencies of the chain with its contact stuck: the roots of Σ c_i/(s² + 2ζ_iσ_i s + λ_i).
+//! Natural frequencies of the chain with its contact stuck: the roots of Σ c_i/(s² + 2ζ_iσ_i s + λ_i) over the modes i.
 //!
 //! Without damping, one root lies between each pair of neighbouring resonances. With damping, the simultaneous
-//! iteration of Aberth and Ehrlich starts from those roots.
+//! iteration of Aberth and Ehrlich starts from the undamped roots.
 
 use frictiongen_kernel::Complex;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 
-/// A mode that the contact drives: σ = √λ, ζ, and its contribution c to the inverse effective mass of the contact.
+/// A mode that the contact drives. Its constants are the resonance σ = √λ, the damping ratio ζ, and the contribution c
+/// to the inverse effective mass of the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Driven {
     pub sigma: Dd,
@@ -16,16 +17,17 @@ pub struct Driven {
     pub inverse_mass: Dd,
 }
 
-/// Two roots, as the factor s² + 2αs + ω².
+/// One mode of the chain with its contact stuck. It stands for two roots, with the common factor s² + 2αs + ω².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pair {
-    /// ω, the natural frequency.
+    /// ω, the natural frequency of the mode.
     pub omega: Dd,
-    /// α/ω, the damping ratio.
+    /// α/ω, the damping ratio of the mode.
     pub zeta: Dd,
 }
 
-/// Returns the roots in pairs, ascending by ω. `modes` must be ascending and distinct.
+/// Returns the modes of the chain with its contact stuck, in ascending order of ω. The argument `modes` must be
+/// ascending and distinct.
 pub(crate) fn pairs(modes: &[Driven]) -> Vec<Pair> {
     let zero = Dd::ZERO;
     let undamped: Vec<Dd> = modes
@@ -44,13 +46,13 @@ pub(crate) fn pairs(modes: &[Driven]) -> Vec<Pair> {
     paired(roots)
 }
 
-/// Returns the undamped root between two neighbouring resonances, between which Σ c_i/(λ_i − ω²) rises from −∞ to ∞.
-/// Applies regula falsi with the Illinois rule to the sum times both neighbouring denominators.
+/// Returns the undamped root ω between two neighbouring resonances, where Σ c_i/(λ_i − ω²) rises from −∞ to ∞. It
+/// applies regula falsi with the Illinois rule to the sum times both neighbouring denominators.
 fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
     let value = |omega: Dd| {
         modes.iter().fold(Dd::ZERO, |sum, mode| {
             let gap = |sigma: Dd| (sigma - omega) * (sigma + omega);
-            // In the terms of the two neighbours, one denominator cancels.
+            // In the terms of the two neighbouring modes, one of the two denominators cancels.
             let weight = if mode.sigma == low {
                 gap(high)
             } else if mode.sigma == high {
@@ -67,8 +69,8 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
     let mut last = None;
     for step in 0..200 {
         let mut c = b - at_b * (b - a) / (at_b - at_a);
-        // If the two modes have very different weights, regula falsi keeps one bound for many steps. Every eighth step
-        // therefore bisects.
+        // If the two modes have very different weights, regula falsi keeps the same bound for many steps. Every eighth
+        // step therefore bisects.
         if step % 8 == 7 || !(a < c && c < b) {
             c = (a + b) * half;
         }
@@ -85,7 +87,7 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
         } else {
             (b, at_b) = (c, at_c);
         }
-        // One bound was kept twice in a row, so its weight is halved.
+        // The same bound was kept twice in a row, so its weight is halved.
         if last == Some(lower) {
             if lower {
                 at_b = at_b * half;
@@ -101,8 +103,8 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
     (a + b) * half
 }
 
-/// Returns first guesses: the undamped frequencies, with the damping that their shapes imply. Their slight asymmetry
-/// lets a pair separate into two real roots.
+/// Returns starting values for the search of the roots: the undamped frequencies, with the damping that the mode shapes
+/// imply. A slight asymmetry of the values lets a pair separate into two real roots.
 fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
     let mut roots = Vec::new();
     for (index, omega) in undamped.iter().enumerate() {
@@ -142,8 +144,8 @@ fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
     roots
 }
 
-/// Finds as many zeros of `direct` + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) as there are guesses. The first `known` roots stay
-/// fixed.
+/// Finds zeros of the sum `direct` + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) over the modes, starting from the estimates in
+/// `roots`. The first `known` entries of `roots` stay fixed.
 pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], known: usize) {
     fn steps<S: Float>(
         modes: &[Driven],
@@ -163,22 +165,22 @@ pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], 
     steps::<Dd>(modes, direct, roots, known, LAST_STEPS);
 }
 
-/// Upper bounds on the number of corrections, and the relative correction at which they end: first in double precision,
-/// then in double-double.
+/// Upper bound on the number of iteration steps, and the relative correction at which the iteration ends. The iteration
+/// begins in double precision with these values, and ends in double-double with `LAST_STEPS`.
 const FIRST_STEPS: (usize, f64) = (100, 1e-14);
 const LAST_STEPS: (usize, f64) = (60, 1e-29);
 
-/// Largest imaginary part of a real root, relative to its modulus. Iterated real roots have imaginary parts from
-/// rounding.
+/// Largest imaginary part of a root that counts as real, relative to the modulus of the root. Rounding gives such an
+/// imaginary part to a real root.
 const REAL: f64 = 1e-13;
 
-/// Converts a double-double to another scalar.
+/// Converts a double-double to another number type.
 pub(crate) fn to<S: Float>(value: Dd) -> S {
     S::constant(value.hi) + S::constant(value.lo)
 }
 
-/// Improves estimates of all roots of a polynomial P together (Aberth and Ehrlich). Each step is a Newton step for one
-/// root, from P′/P, with the other roots divided out. The first `known` roots stay as they are.
+/// Improves the estimates of all roots of a polynomial P at once (Aberth and Ehrlich). Each step is a Newton step for
+/// one root, from P′/P, with the other roots divided out. The first `known` roots stay as they are.
 pub(crate) fn iterate<S: Float>(
     roots: &mut [Complex<Dd>],
     known: usize,
@@ -224,7 +226,7 @@ pub(crate) fn iterate<S: Float>(
     }
 }
 
-/// Returns P′/P of the polynomial P = (direct + Σ c_i/d_i) Π d_i, with d = s² + 2ζσs + σ².
+/// Returns P′/P at s, for the polynomial P = (direct + Σ c_i/d_i) Π d_i with d = s² + 2ζσs + σ².
 fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> Complex<S> {
     let zero = complex::real(S::constant(0.0));
     let (mut value, mut slope, mut others) = (complex::real(direct), zero, zero);
@@ -247,9 +249,9 @@ fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> 
     Complex::new(others.re - own.re, others.im - own.im)
 }
 
-/// Joins conjugate roots into pairs, and real roots into pairs by size. Two real roots that started as a pair stay
-/// together. Otherwise a pair could join real roots of two different modes, and its two contributions would be nearly
-/// dependent.
+/// Joins two conjugate roots into a pair, and joins real roots into pairs by size. Two real roots that started as a
+/// pair stay together. Otherwise a pair could join real roots of two different modes, and the contributions of both
+/// roots would be nearly dependent.
 fn paired(started: Vec<Complex<Dd>>) -> Vec<Pair> {
     let is_real = |root: &Complex<Dd>| {
         let size = complex::modulus(*root, true);

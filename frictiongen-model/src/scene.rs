@@ -1,24 +1,25 @@
-//! A scene as described, in its own units, before any computation.
+//! A scene as its description gives it, in the units of the description, before any computation.
 
-/// An end of a spring, or a side of a contact.
+/// One end of a spring, or one side of a contact: a mass, the base or the wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Node {
-    /// A mass, by its zero-based index in [`Scene::masses`].
+    /// A mass, given by its zero-based index in [`Scene::masses`].
     Mass(usize),
-    /// The support that moves if the excitation is a base motion.
+    /// The base, a support that moves if the excitation is a base motion.
     Base,
-    /// A support that never moves.
+    /// The wall, a support that never moves.
     Wall,
 }
 
-/// A point mass.
+/// A point mass of the chain, with its name and value.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mass {
     /// The name of the mass, a Rust identifier.
     pub name: String,
-    /// The value of the mass, in the scene's own units (kg in SI). The first mass is the reference m₁.
+    /// The value of the mass, in the scene's own units (kg in SI). The first mass is m₁, the reference of all mass
+    /// ratios.
     pub value: f64,
 }
 
@@ -26,55 +27,56 @@ pub struct Mass {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spring {
-    /// The node of the spring that is written first.
+    /// The end of the spring that the description writes first.
     pub from: Node,
-    /// The node of the spring that is written second.
+    /// The end of the spring that the description writes second.
     pub to: Node,
-    /// The stiffness of the spring, in the scene's own units (N/m in SI). The first spring is the reference k₁.
+    /// The stiffness of the spring, in the scene's own units (N/m in SI). The first spring is k₁, the reference of all
+    /// stiffness ratios.
     pub stiffness: f64,
 }
 
-/// The single Coulomb contact.
+/// The two sides of the single Coulomb contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contact {
-    /// The side of the contact that is written first.
+    /// The side of the contact that the description writes first.
     pub from: Node,
-    /// The side of the contact that is written second.
+    /// The side of the contact that the description writes second.
     pub to: Node,
 }
 
-/// The harmonic excitation.
+/// The harmonic excitation: a force on a mass, or a motion of the base.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Excitation {
-    /// A force P cos ωt on a mass.
+    /// A force P cos ωt on the mass with this index.
     Force(usize),
     /// A motion Y cos ωt of the base.
     Base,
 }
 
-/// The viscous damping of a scene.
+/// The viscous damping of a scene, in addition to the friction.
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Damping {
-    /// No damping.
+    /// No viscous damping.
     #[default]
     None,
-    /// One modal damping ratio for all modes.
+    /// One modal damping ratio ζ for all modes.
     Uniform(f64),
-    /// A modal damping ratio for each mode, in ascending order of natural frequency.
+    /// One modal damping ratio ζ for each mode, in ascending order of natural frequency.
     Modal(Vec<f64>),
-    /// Rayleigh damping C = aM + bK, in the scene's own units.
+    /// Rayleigh damping C = aM + bK, with a and b in the scene's own units.
     Rayleigh {
-        /// The factor a of the mass matrix.
+        /// The factor a of the mass matrix M.
         mass: f64,
-        /// The factor b of the stiffness matrix.
+        /// The factor b of the stiffness matrix K.
         stiffness: f64,
     },
 }
 
-/// The floating-point type of the emitted code.
+/// The floating-point type that the emitted code computes with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Precision {
@@ -85,69 +87,71 @@ pub enum Precision {
     F32,
 }
 
-/// An item to emit.
+/// A group of methods that the generator emits for a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Provide {
-    /// Both limits and the regime at a frequency ratio.
+    /// Both limits and the regime at any frequency ratio.
     Limits,
-    /// The continuous motion of the contact, and of every mass (`None`) or of the named masses.
+    /// The exact continuous motion of the contact and of masses. `None` stands for every mass, a list for the masses
+    /// with these indices.
     Motion(Option<Vec<usize>>),
     /// The response while the contact is stuck.
     Stuck,
-    /// The steady state in any regime.
+    /// The steady state in any regime: continuous, stick-slip or stuck.
     Orbit,
-    /// The exact motion in time.
+    /// The exact motion in time, from a given state.
     Simulation,
-    /// The stepper: a fixed step in physical time, under any force.
+    /// The stepper, which advances the motion by a fixed step in physical time, under any force.
     Stepper,
 }
 
-/// The accuracy of the emitted code.
+/// The accuracy that the description demands of the emitted code.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Accuracy {
     /// Exact formulas, without tables.
     #[default]
     Exact,
-    /// The largest relative error, over the scene's `range`.
+    /// Largest relative error that tables may have, over the scene's `range`.
     Relative(f64),
 }
 
-/// The side of the exact limits on which approximate limits may lie.
+/// Side of the exact limits on which the limits from tables may lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
-    /// Either side of the exact limits.
+    /// The limits from tables may lie on either side of the exact limits.
     #[default]
     Near,
-    /// β_lim is never above the exact one, and β*_lim is never below the exact one.
+    /// The limits from tables err to the safe side: β_lim is never above its exact value, and β*_lim is never below its
+    /// exact value.
     Safe,
 }
 
-/// The behaviour outside the range of a declared accuracy.
+/// Behaviour of the emitted code outside the range of a declared accuracy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Beyond {
-    /// The emitted code returns an error.
+    /// The emitted code returns an error outside the range.
     #[default]
     Error,
-    /// The exact formulas are used.
+    /// The emitted code uses the exact formulas outside the range.
     Exact,
 }
 
-/// Time that the macro may spend on a proof of the tables.
+/// Time that the macro may spend on a proof that the tables have the declared accuracy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Proving {
-    /// About a second. Tables that need longer are checked but not proven.
+    /// About a second. Tables whose proof needs longer are checked but not proven.
     #[default]
     Quick,
-    /// The time that the command line takes for a proof: some seconds in code without optimisation.
+    /// The time that the command line takes for the whole proof: some seconds in code without optimisation.
     Whole,
 }
 
-/// The range of r and β for a declared accuracy.
+/// The range of r and β over which a declared accuracy is valid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Range {
@@ -157,27 +161,29 @@ pub struct Range {
     pub beta: (f64, f64),
 }
 
-/// The declared accuracy of the emitted code, and its range.
+/// The accuracy that the description declares for the emitted code, and the range of r and β in which the code must
+/// meet it.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Declared {
     /// The accuracy of the emitted limits, motions and responses.
     pub accuracy: Accuracy,
-    /// The range of r and β for the accuracy; `None` if the scene is exact.
+    /// The range of r and β in which the accuracy is valid. `None` if the scene uses the exact formulas.
     pub range: Option<Range>,
-    /// The side of the exact limits on which the emitted limits may lie.
+    /// The side of the exact limits on which limits from tables may lie.
     pub side: Side,
-    /// Number of bytes for the tables, in place of an accuracy. The best accuracy that fits is chosen.
+    /// Largest size of the tables in bytes, in place of an accuracy. The generator then chooses the best accuracy that
+    /// fits.
     pub budget: Option<f64>,
-    /// The behaviour outside the range.
+    /// Behaviour of the emitted code outside the range.
     pub beyond: Beyond,
-    /// Time that the macro may spend on a proof.
+    /// Time that the macro may spend on a proof that the tables have the declared accuracy.
     #[cfg_attr(feature = "serde", serde(default))]
     pub proof: Proving,
 }
 
 impl Declared {
-    /// Returns whether the scene declares tables.
+    /// Returns true if the scene declares an accuracy or a size for tables, instead of the exact formulas.
     #[must_use]
     pub fn is_tabled(&self) -> bool {
         self.accuracy != Accuracy::Exact || self.budget.is_some()
@@ -188,16 +194,17 @@ impl Declared {
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FrictionLaw {
-    /// Coulomb's law: a static level, and a kinetic level that does not depend on the speed.
+    /// Coulomb's law: a static friction force, and a kinetic friction force that does not depend on the speed.
     #[default]
     Coulomb,
-    /// Piecewise linear kinetic level. Each point has a speed, in the scene's own units, and a level over F. The level
-    /// is 1 at rest, and constant beyond the last point.
+    /// Kinetic friction that is piecewise linear in the sliding speed. Each point has a speed, in the scene's own
+    /// units, and a level, which is the friction force over F. The level is 1 at rest, and constant beyond the last
+    /// point.
     Stribeck(Vec<[f64; 2]>),
 }
 
 impl FrictionLaw {
-    /// Returns the points (speed, level). Coulomb's law has none.
+    /// Returns the points (speed, level) of the friction law. The list is empty for Coulomb's law.
     #[must_use]
     pub fn points(&self) -> &[[f64; 2]] {
         match self {
@@ -207,63 +214,65 @@ impl FrictionLaw {
     }
 }
 
-/// The stepper's input between samples.
+/// Course of the stepper's input between two samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum StepInput {
-    /// The input keeps the value of the sample over the step.
+    /// The input keeps the value of the sample over the whole step.
     Hold,
-    /// The input changes linearly, and reaches the sample at the end of the step.
+    /// The input changes linearly over the step, and reaches the sample at the end of the step.
     #[default]
     Linear,
 }
 
-/// The stepper settings of a scene.
+/// Settings of the stepper: the step, the input and the loads.
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stepping {
-    /// The step, if it is known, in the scene's unit of time (s in SI). Its tables are then constants.
+    /// The fixed step in the scene's unit of time (s in SI). `None` if the step is known only at run time. If it is
+    /// known, the data for the step are constants of the emitted code.
     pub step: Option<f64>,
-    /// The behaviour of the input between samples.
+    /// Course of the input between two samples.
     pub input: StepInput,
-    /// The masses that may be loaded in addition to the excitation.
+    /// The indices of the masses that a force may load in addition to the excitation.
     pub forces: Vec<usize>,
 }
 
-/// A whole scene.
+/// A whole scene: chain, contact, excitation, damping, and what the generator emits for it.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Scene {
     /// The name of the emitted type.
     pub name: String,
-    /// The masses. The first is the reference.
+    /// The masses of the chain. The first mass is m₁, the reference of all mass ratios.
     pub masses: Vec<Mass>,
-    /// The springs. The first is the reference.
+    /// The springs of the chain. The first spring is k₁, the reference of all stiffness ratios.
     pub springs: Vec<Spring>,
-    /// The contact of the scene.
+    /// The single Coulomb contact of the scene.
     pub contact: Contact,
-    /// The excitation of the scene.
+    /// The harmonic excitation of the scene.
     pub excitation: Excitation,
-    /// The damping of the scene.
+    /// The viscous damping of the scene.
     pub damping: Damping,
-    /// μ, static over kinetic friction force, at least 1.
+    /// μ, the ratio of static to kinetic friction force, at least 1.
     pub stiction: f64,
-    /// The floating-point type of the emitted code.
+    /// The floating-point type that the emitted code computes with.
     pub precision: Precision,
-    /// The items to emit.
+    /// The groups of methods that the generator emits for the scene.
     pub provide: Vec<Provide>,
-    /// The declared accuracy, with its range.
+    /// The declared accuracy, with the range in which it is valid.
     pub declared: Declared,
-    /// The law of the kinetic friction force.
+    /// Dependence of the kinetic friction force on the sliding speed.
     #[cfg_attr(feature = "serde", serde(default))]
     pub friction: FrictionLaw,
-    /// The stepper's step, input and loads.
+    /// The settings of the stepper.
     #[cfg_attr(feature = "serde", serde(default))]
     pub stepping: Stepping,
 }
 
 impl Scene {
-    /// Returns whether the scene provides an item, for any masses that the item names.
+    /// Returns true if the generator emits this group of methods for the scene. Two motions count as the same group,
+    /// whichever masses they name.
     #[must_use]
     pub fn provides(&self, item: &Provide) -> bool {
         let kind = core::mem::discriminant(item);
@@ -271,8 +280,8 @@ impl Scene {
         items.any(|item| core::mem::discriminant(item) == kind)
     }
 
-    /// Returns whether any provided item is evaluated at a frequency. The stepper is not, nor is the simulation if the
-    /// kinetic level depends on the speed.
+    /// Returns true if any emitted method is evaluated at a frequency of excitation. The stepper is not evaluated at a
+    /// frequency. The simulation is not either, if the kinetic friction depends on the speed.
     #[must_use]
     pub fn needs_frequency(&self) -> bool {
         let constant = self.friction == FrictionLaw::Coulomb;
@@ -284,14 +293,14 @@ impl Scene {
         })
     }
 
-    /// Returns whether any provided item follows the motion in time.
+    /// Returns true if any emitted method follows the motion in time.
     #[must_use]
     pub fn moves_in_time(&self) -> bool {
         let in_time = [Provide::Simulation, Provide::Orbit, Provide::Stepper];
         self.provide.iter().any(|item| in_time.contains(item))
     }
 
-    /// Returns the name of a node in the description, or `?` for a mass that does not exist.
+    /// Returns the name of a node in the description. Returns `?` for a mass that does not exist.
     #[must_use]
     pub fn node_name(&self, node: Node) -> &str {
         match node {
@@ -306,8 +315,8 @@ impl Scene {
 }
 
 impl Scene {
-    /// Returns whether masses beyond the contact can act as an absorber. While the contact is stuck, only the contact
-    /// joins such masses to the load, so that they resonate by themselves.
+    /// Returns true if masses beyond the contact can act as an absorber. While the contact is stuck, only the contact
+    /// joins these masses to the load, so that they resonate by themselves.
     #[must_use]
     pub fn has_absorber(&self) -> bool {
         let sides = [self.contact.from, self.contact.to];
@@ -319,7 +328,7 @@ impl Scene {
                 ends.contains(&Node::Base) && ends.contains(&Node::Mass(mass))
             }),
         };
-        // Marks the masses that the load reaches through free masses.
+        // Marks the masses that the load reaches by a path that avoids the masses of the contact.
         let mut reached: Vec<bool> = (0..self.masses.len())
             .map(|mass| !held(Node::Mass(mass)) && loaded(mass))
             .collect();

@@ -1,4 +1,5 @@
-//! Derivatives of the modal data with respect to a scene, by first-order perturbation of the modes, in double-double.
+//! Derivatives of the modal data with respect to the quantities of a scene. They follow from first-order perturbation
+//! of the modes, in double-double.
 //!
 //! The modes are the eigenvectors of GᵀG. With v = √Γφ, the change of GᵀG between modes i and j is vᵢᵀ(dGᵀG)vⱼ = Σ_e
 //! (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. Here δ are the elongations of the springs.
@@ -12,32 +13,32 @@ use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// A quantity on which the answers of a scene depend.
+/// A quantity of a scene with respect to which results have a derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
-    /// A mass, by its index in the description.
+    /// The value of a mass, given by its index in the description.
     Mass(usize),
-    /// The stiffness of a spring, by its index in the description.
+    /// The stiffness of a spring, given by its index in the description.
     Stiffness(usize),
-    /// The factor a of C = aM + bK.
+    /// The factor a of the mass matrix in Rayleigh damping C = aM + bK.
     MassDamping,
-    /// The factor b of C = aM + bK.
+    /// The factor b of the stiffness matrix in Rayleigh damping C = aM + bK.
     StiffnessDamping,
-    /// μ, static over kinetic friction force.
+    /// μ, the ratio of static to kinetic friction force.
     Stiction,
-    /// √λ of a mode, as a frequency ratio. All other modal data stay fixed.
+    /// √λ, the resonance of the mode with this index, as a frequency ratio. All other modal data stay fixed.
     Resonance(usize),
-    /// ζ, the modal damping ratio of a mode.
+    /// ζ, the modal damping ratio of the mode with this index.
     DampingRatio(usize),
-    /// φᵀp, the modal load of a mode.
+    /// φᵀp, the load on the mode with this index.
     Load(usize),
-    /// φᵀw, the component of the contact direction in a mode.
+    /// φᵀw, the relative displacement of the contact in the mode with this index.
     Contact(usize),
-    /// The component of a mode shape at a mass.
+    /// The component of a mass in a mode shape.
     Shape {
-        /// The index of the mode, ascending.
+        /// The index of the mode, in ascending order of resonance.
         mode: usize,
-        /// The mass, by its index in the description.
+        /// The index of the mass in the description.
         mass: usize,
     },
 }
@@ -55,7 +56,7 @@ fn fixed(values: &[Dd]) -> Vec<Dual<Dd>> {
 }
 
 impl Modal {
-    /// Returns the modal data with derivatives of 0.
+    /// Returns the modal data as numbers with a derivative, where every derivative is 0.
     #[must_use]
     pub fn fixed(&self) -> Modal<Dual<Dd>> {
         Modal {
@@ -76,8 +77,8 @@ impl Modal {
         }
     }
 
-    /// Returns the modal data with their derivatives with respect to one quantity, in its own unit. `scene` must be the
-    /// scene of this analysis. Returns `None` if the scene has no such quantity.
+    /// Returns the modal data with derivatives with respect to one quantity of the scene. `scene` must be the scene
+    /// from which this modal analysis was made. Returns `None` if the scene has no such quantity.
     #[must_use]
     pub fn along(&self, scene: &Scene, quantity: Quantity) -> Option<Modal<Dual<Dd>>> {
         let mut along = self.fixed();
@@ -121,7 +122,7 @@ impl Modal {
 }
 
 impl Modal<Dual<Dd>> {
-    /// Sets ζ of every mode, for C = aM + bK.
+    /// Sets the damping ratio ζ of every mode, with its derivative, for Rayleigh damping C = aM + bK.
     fn damp(&mut self, a: Dual<Dd>, b: Dual<Dd>) {
         for (zeta, resonance) in self.damping_ratios.iter_mut().zip(&self.resonances) {
             *zeta = rayleigh(a, b, *resonance * self.reference);
@@ -129,7 +130,7 @@ impl Modal<Dual<Dd>> {
     }
 }
 
-/// Returns a and b of Rayleigh damping, one of which may be the variable.
+/// Returns the factors a and b of Rayleigh damping. One of them may be the variable of the derivative.
 fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>)> {
     let Damping::Rayleigh { mass, stiffness } = scene.damping else {
         return None;
@@ -147,7 +148,8 @@ fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>
     ))
 }
 
-/// dγ/γ of each mass and dκ/κ of each spring. A change of the first mass or spring, the references, changes all others.
+/// Relative changes dγ/γ of each mass ratio and dκ/κ of each stiffness ratio. The first mass and the first spring are
+/// the references, so a change of either changes all other ratios.
 struct Change {
     masses: Vec<Dd>,
     springs: Vec<Dd>,
@@ -244,7 +246,7 @@ impl Change {
         }
     }
 
-    /// Returns vᵢᵀ(dGᵀG)vⱼ for all i and j.
+    /// Returns vᵢᵀ(dGᵀG)vⱼ, the change of GᵀG between modes i and j, for all i and j.
     fn between(
         &self,
         shapes: &[Vec<Dd>],
@@ -288,7 +290,7 @@ impl Change {
             .collect()
     }
 
-    /// Sets the derivatives of φᵀp, φᵀw and all values that follow from them.
+    /// Sets the derivatives of φᵀp and φᵀw, and of all modal data that follow from them.
     fn project(
         &self,
         modal: &Modal,
@@ -334,8 +336,8 @@ impl Change {
                 let products = shape.iter().zip(on);
                 let product = products.fold(zero, |sum, (a, b)| sum + *a * *b);
                 projection.slope = product.slope;
-                // Values stay those of the analysis, which has set noise to zero. A rotated mode is a different mode,
-                // so it takes its new value.
+                // A mode keeps its values from the analysis, which has set noise to zero. A rotated mode is a different
+                // mode, so it takes its new values.
                 if *turned {
                     projection.value = product.value;
                 }

@@ -1,12 +1,12 @@
-//! Special values in closed form (section 6 of `docs/derivation.md`): thresholds, quasi-static
-//! starts, peaks.
+//! Special values in closed form (section 6 of `docs/derivation.md`): friction thresholds at resonances, amplitudes for
+//! r → 0, and estimates of resonant peaks.
 
 use crate::modal::Modal;
 use frictiongen_kernel::Float;
 
 impl<T: Float> Modal<T> {
-    /// Returns β_n,i, the friction ratio below which the motion at an undamped resonance is
-    /// unbounded (6.2, 6.26). The entry is `None` for a mode that the contact does not drive.
+    /// Returns β_n,i, the friction threshold of each mode. Below this friction ratio, the motion at the undamped
+    /// resonance of the mode is unbounded (6.2, 6.26). The entry is `None` for a mode that the contact does not drive.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<T>> {
         self.loads
@@ -19,8 +19,8 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// Returns x̄ of every mass for r → 0 at the friction ratio β (6.5): the static displacement
-    /// with the friction force against it. Returns `None` if the contact is stuck at r = 0.
+    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5). It is the static displacement
+    /// under the load, with the friction force against it. Returns `None` if the contact is stuck at r = 0.
     #[must_use]
     pub fn quasi_static_start(&self, beta: T) -> Option<Vec<T>> {
         if self.ends().sliding_at_rest <= beta {
@@ -46,8 +46,8 @@ impl<T: Float> Modal<T> {
         Some((0..masses).map(start).collect())
     }
 
-    /// Returns an estimate of the peak of mass k at the i-th damped resonance, for small ζ (7.60),
-    /// with sinh x/(cosh x − 1) = coth(x/2). Returns `None` for a mode without damping.
+    /// Returns an estimate of the peak amplitude of a mass at a damped resonance, for small ζ (7.60). The formula uses
+    /// sinh x/(cosh x − 1) = coth(x/2). Returns `None` for a mode without damping.
     #[must_use]
     pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: T) -> Option<T> {
         let zeta = *self.damping_ratios.get(mode)?;

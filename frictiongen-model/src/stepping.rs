@@ -1,4 +1,4 @@
-//! Data that a stepper needs in addition to the motion in time: units, loads and the friction law.
+//! Data of a stepper: units, loads and the friction law. The stepper also needs the data for the motion in time.
 
 use crate::modal::Modal;
 use crate::scene::{Excitation, FrictionLaw, Node, Precision, Scene, StepInput};
@@ -11,27 +11,28 @@ use frictiongen_kernel::stepper::{
 };
 use frictiongen_kernel::{Float, Scalar};
 
-/// The stepper settings of a scene, in a scalar.
+/// Settings of the stepper of a scene, in a solver's number type.
 #[derive(Clone, Debug)]
 pub struct Steps<S> {
-    /// Factors from non-dimensional groups to the scene's units.
+    /// Factors that turn non-dimensional groups into the scene's units.
     pub units: Units<S>,
-    /// True if the base moves.
+    /// True if the excitation is a motion of the base.
     pub on_base: bool,
-    /// The masses on which a force acts: the excited mass, those of `force`, and those that the caller adds.
+    /// Indices of the masses on which a force may act: the excited mass, the masses that the description lists, and the
+    /// masses that the caller adds.
     pub forces: Vec<usize>,
-    /// The behaviour of the input between samples.
+    /// Course of the input between two samples.
     pub input: Input,
-    /// The points of the friction law; empty for Coulomb's law.
+    /// Points (speed, level) of the friction law. The list is empty for Coulomb's law.
     pub law: Vec<[S; 2]>,
-    /// The velocity at which dz̄/dτ is 1 for r = 1 and a load of amplitude 1. It is √(k₁/m₁), divided by k₁ if the load
-    /// is a force.
+    /// Velocity that corresponds to dz̄/dτ = 1 at r = 1 under a load of amplitude 1, in the scene's units. It is
+    /// √(k₁/m₁), divided by k₁ if the load is a force.
     pub speed: S,
 }
 
 impl<S: Scalar> Steps<S> {
-    /// Builds the settings of a scene. `to` rounds each number once from double-double. `more` lists masses that may be
-    /// loaded in addition to those that the scene names.
+    /// Builds the settings of a scene. `to` rounds each number once from double-double. `more` lists masses that a
+    /// force may load in addition to those that the scene names.
     #[must_use]
     pub fn of(
         scene: &Scene,
@@ -84,7 +85,7 @@ impl<S: Scalar> Steps<S> {
         }
     }
 
-    /// Returns the number of coefficients that describe an input over a step.
+    /// Returns the number of coefficients that describe the course of one input over a step.
     #[must_use]
     pub fn coefficients(&self) -> usize {
         match (self.on_base, self.input) {
@@ -94,7 +95,7 @@ impl<S: Scalar> Steps<S> {
         }
     }
 
-    /// Returns the number of inputs: the motion of the base, and a force for each loaded mass.
+    /// Returns the number of inputs: the motion of the base if it moves, and a force for each loaded mass.
     #[must_use]
     pub fn inputs(&self) -> usize {
         usize::from(self.on_base) + self.forces.len()
@@ -102,13 +103,13 @@ impl<S: Scalar> Steps<S> {
 }
 
 impl<S: Float> Steps<S> {
-    /// Returns the friction law of a run in time at r, under a load of this amplitude.
+    /// Returns the friction law for a simulation at the frequency ratio r, under a load of this amplitude.
     #[must_use]
     pub fn lines(&self, r: S, amplitude: S) -> Lines<'_, S> {
         Lines::under(&self.law, r, amplitude, self.speed)
     }
 
-    /// Returns the scene as the kernel reads it.
+    /// Returns the scene as a [`StepScene`], the form in which the kernel crate takes it.
     #[must_use]
     pub fn scene<'a>(&'a self, dynamics: Dynamics<'a, S>) -> StepScene<'a, S> {
         StepScene {
@@ -122,7 +123,7 @@ impl<S: Float> Steps<S> {
     }
 }
 
-/// Returns how the kernel divides a step of a scene.
+/// Returns the number and length of the sub-intervals into which the kernel divides a step of a scene.
 ///
 /// # Errors
 /// [`OutOfDomain`] for a step that the kernel refuses.
@@ -144,8 +145,8 @@ pub fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutO
     )
 }
 
-/// Returns the angle in rad by which the fastest oscillator turns in the scene's step, and the range of angles that a
-/// stepper accepts. Returns `None` if the stepper accepts the step.
+/// Returns why a stepper refuses the step of a scene: the angle in rad by which the fastest oscillator turns in one
+/// step, and the range of angles that a stepper accepts. Returns `None` if the stepper accepts the step.
 #[must_use]
 pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<(f64, [f64; 2])> {
     let step = scene.stepping.step?;

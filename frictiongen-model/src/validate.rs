@@ -1,8 +1,8 @@
-//! Checks that a scene makes physical sense. All errors are reported at once, each with the item
-//! that causes it.
+//! Checks that a scene makes physical sense. All errors are reported at once, each with the item of the scene that
+//! causes the error.
 //!
-//! A description read from text and a scene built at run time pass the same checks. The text parser
-//! maps each [`Path`] back to the written words.
+//! A description read from text and a scene built at run time pass the same checks. The text parser maps each [`Path`]
+//! back to the written words.
 
 mod checks;
 mod error;
@@ -31,10 +31,10 @@ pub fn validate(scene: &Scene) -> Result<(), Vec<SceneError>> {
     validate_known(scene, &Checks::default())
 }
 
-/// Checks the known items of a scene.
+/// Checks only those items of a scene that could be read from its description.
 ///
 /// # Errors
-/// Returns every error of those items, in the order of the fields.
+/// Returns every error of the known items, in the order of the fields.
 pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneError>> {
     let mut errors = Vec::new();
     masses::check(scene, checks, &mut errors);

@@ -1,15 +1,15 @@
 //! Names of local variables in emitted code.
 //!
 //! A Rust pattern such as `let r` refers to a constant `r` if one is in scope. A user may have a constant with the name
-//! of a local variable. Emitted code therefore imports the functions of this module. They hide the user's constants,
-//! and a pattern may in turn hide a function.
+//! of a local variable. Emitted code therefore imports the functions of this module. The functions hide the user's
+//! constants, and a pattern may in turn hide a function.
 
 macro_rules! locals {
     ($($name:ident)*) => {
         $(#[doc(hidden)] pub fn $name() {})*
 
-        /// Names of the functions in this module. For any other name that a scene needs, the generator emits a function
-        /// together with the scene.
+        /// Names of the functions in this module, which are names of local variables in emitted code. For any other
+        /// name that a scene needs, the generator emits a function together with the scene.
         #[doc(hidden)]
         pub const NAMES: &[&str] = &[$(stringify!($name)),*];
     };

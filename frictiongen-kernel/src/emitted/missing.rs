@@ -1,95 +1,104 @@
-//! Compiler messages for a method that a scene does not provide.
+//! Traits whose compiler messages tell a user what to add to a scene, if the scene does not provide the method that the
+//! user calls.
 //!
-//! Emitted code has a method of that name all the same, which requires one of the traits below. No type implements
-//! them. The compiler message therefore names what to add, and the field to add it to.
+//! Emitted code has each such method all the same, but the method requires a trait of this module. No type implements
+//! the trait, so a call does not compile. The compiler message names what to add, and the field of the scene to add it
+//! to.
 
-/// The methods that need `limits` require this trait, if the scene provides only its motion in time.
+/// Trait that no type implements. The methods of a scene that need `limits` require it, if the scene provides only its
+/// motion in time. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `limits`",
     label = "add `limits` to the scene's `provide: [...]`"
 )]
 pub trait AddLimitsToProvide {
-    /// Never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
-/// The method `motion` requires this trait, if the scene does not list `motion` under `provide`.
+/// Trait that no type implements. The method `motion` requires it, if the scene does not list `motion` under `provide`.
+/// A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `motion`",
     label = "add `motion` to the scene's `provide: [...]`"
 )]
 pub trait AddMotionToProvide {
-    /// Never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
-/// The orbit methods require this trait, if the scene does not list `orbit` under `provide`.
+/// Trait that no type implements. The orbit methods require it, if the scene does not list `orbit` under `provide`. A
+/// call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `orbit`",
     label = "add `orbit` to the scene's `provide: [...]`"
 )]
 pub trait AddOrbitToProvide {
-    /// Never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
-/// The simulation methods require this trait, if the scene does not list `simulation` under `provide`.
+/// Trait that no type implements. The simulation methods require it, if the scene does not list `simulation` under
+/// `provide`. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `simulation`",
     label = "add `simulation` to the scene's `provide: [...]`"
 )]
 pub trait AddSimulationToProvide {
-    /// Never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
-/// The stepper methods require this trait, if the scene does not list `stepper` under `provide`.
+/// Trait that no type implements. The stepper methods require it, if the scene does not list `stepper` under `provide`.
+/// A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `stepper`",
     label = "add `stepper` to the scene's `provide: [...]`"
 )]
 pub trait AddStepperToProvide {
-    /// Never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
-/// The method `stuck` requires this trait, if the scene does not list `stuck` under `provide`.
+/// Trait that no type implements. The method `stuck` requires it, if the scene does not list `stuck` under `provide`. A
+/// call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `stuck`",
     label = "add `stuck` to the scene's `provide: [...]`"
 )]
 pub trait AddStuckToProvide {
-    /// Never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
-/// The method for the motion of a mass requires this trait, if the scene's `motion(…)` leaves out this mass.
+/// Trait that no type implements. The method for the motion of a mass requires it, if the scene's `motion(…)` leaves
+/// out this mass. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide the motion of this mass",
     label = "add the mass to `motion(...)` in the scene's `provide: [...]`"
 )]
 pub trait AddMassToMotion {
-    /// Never used.
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Never called.
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
     fn answer() -> Self::Answer;
 }
 
-/// Writes methods of an emitted type that fail to compile when called. A method with a number as its argument requires
-/// the trait of that number type, and the compiler then prints the trait's message. For the other methods the compiler
-/// prints the trait's name.
+/// Writes a placeholder for each method that a scene does not provide. A call to a placeholder does not compile. If the
+/// method takes a number as its argument, it requires the trait of the number's type, and the compiler prints the
+/// trait's message. For the other methods the compiler prints only the trait's name.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! not_provided {
@@ -173,7 +182,8 @@ macro_rules! not_provided {
     };
 }
 
-/// Writes methods of an emitted motion for the masses that its scene leaves out. They fail to compile when called.
+/// Writes a placeholder for the method of each mass whose motion the scene leaves out. A call to a placeholder does not
+/// compile, and the compiler message says what to add to the scene.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! left_out {

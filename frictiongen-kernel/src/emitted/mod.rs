@@ -1,4 +1,4 @@
-//! Items that emitted code imports, and items that are the same in all scenes.
+//! Items that emitted code imports, and items that are the same in every emitted scene.
 
 pub mod locals;
 pub mod missing;
@@ -38,7 +38,8 @@ pub use core::result::Result::{self, Err, Ok};
 pub use locals::*;
 pub use shapes::transposed;
 
-/// Wraps one of the kernel's types in an emitted type, which reaches the kernel type's methods by `Deref`.
+/// Implements `Clone`, `Debug`, `From` and `Deref` for an emitted type that wraps a type of this crate. By `Deref`, the
+/// emitted type has all methods of the wrapped type.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! wraps {

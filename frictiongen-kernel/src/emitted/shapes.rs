@@ -1,6 +1,6 @@
-//! Mode shapes ordered by mass, from mode shapes ordered by mode.
+//! Reorders the mode shapes of emitted code at compile time, from one row per mode to one row per mass.
 
-/// Transposes a table at compile time.
+/// Transposes a matrix at compile time: it turns rows into columns.
 #[doc(hidden)]
 #[must_use]
 #[allow(clippy::indexing_slicing, reason = "at compile time")]

@@ -1,4 +1,4 @@
-//! A scene at one frequency ratio, with its limits, its regime, and the entry to its motions.
+//! Response of a scene at one frequency ratio r: both limits, the regime, and the methods that return motions.
 
 use super::scene::Scene;
 use crate::contact::regime::{self, Limits};
@@ -8,7 +8,8 @@ use crate::modal_sum::search::{self, Effort, Peak, Weight};
 use crate::modal_sum::wave::fastest;
 use crate::number::scalar::Scalar;
 
-/// A scene at one frequency ratio, with the sums that both limits and every motion share.
+/// A scene at one frequency ratio r. The struct stores the sums over the modes from which both limits and every motion
+/// follow.
 #[derive(Clone, Debug)]
 pub struct At<T: Scene> {
     pub(super) scene: T,
@@ -20,40 +21,41 @@ pub struct At<T: Scene> {
 
 impl<T: Scene + Copy> Copy for At<T> where T::Modes: Copy {}
 
-/// Upper bounds on evaluations of the modal sum in one search. A grid of up to 32 instants counts as two.
+/// Upper bounds on the number of times that one search evaluates the sum over the modes. A grid of up to 32 instants
+/// counts as two evaluations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct MostEvaluations {
-    /// Bound of a search for β_lim. `continuous_limit`, `limits`, `regime` and `margin` run one such search, `motion`
-    /// one or two. The bound is 0 where β_lim needs no search.
+    /// Upper bound for one search for β_lim, the limit of continuous motion. `continuous_limit`, `limits`, `regime` and
+    /// `margin` run one such search, `motion` one or two. The bound is 0 where β_lim needs no search.
     pub limit: u32,
-    /// Bound of a search for the amplitude and phase of a mass.
+    /// Upper bound for one search for the amplitude and phase of a mass.
     pub amplitude: u32,
 }
 
-/// Checks r and returns it with 1/r, clamped so that its square stays finite.
+/// Checks the frequency ratio r, and returns r and 1/r. The value of 1/r is clamped so that 1/r² stays finite.
 #[inline]
 fn ratios<T: Scene>(scene: &T, r: T::Scalar) -> Result<(T::Scalar, T::Scalar), OutOfDomain> {
     let r = regime::check_ratio(r)?;
     Ok((r, inverse_ratio(scene, r)))
 }
 
-/// Returns 1/r, clamped so that its square stays finite.
+/// Returns 1/r, the inverse of the frequency ratio, clamped so that 1/r² stays finite.
 #[inline]
 pub(super) fn inverse_ratio<T: Scene>(scene: &T, r: T::Scalar) -> T::Scalar {
     let (low, high) = scene.inverse_ratio_range();
     Scalar::min(Scalar::max(T::Scalar::constant(1.0) / r, low), high)
 }
 
-/// Returns β_lim, with its values at r = 0 and r = ∞.
+/// Returns β_lim, the limit of continuous motion: the computed `limit`, or at r = 0 and r = ∞ the known limiting value.
 #[inline]
 fn continuous_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
     let at_infinity = scene.numbers().ends.continuous_at_infinity;
     regime::with_ends(r, limit, T::Scalar::constant(0.0), at_infinity)
 }
 
-/// Returns β*_lim, with its values at r = 0 and r = ∞.
+/// Returns β*_lim, the limit of sliding: the computed `limit`, or at r = 0 and r = ∞ the known limiting value.
 #[inline]
 fn sliding_with_ends<T: Scene>(scene: &T, r: T::Scalar, limit: T::Scalar) -> T::Scalar {
     let ends = scene.numbers().ends;
@@ -70,7 +72,7 @@ impl<T: Scene> At<T> {
         Ok(Self::known(scene, regime::check_ratio(r)?))
     }
 
-    /// Evaluates the scene at an r that is known to be neither NaN nor negative.
+    /// Evaluates the scene at the frequency ratio r. The caller has checked that r is neither NaN nor negative.
     #[inline]
     pub(crate) fn known(scene: T, r: T::Scalar) -> Self {
         let inverse_r = inverse_ratio(&scene, r);
@@ -84,7 +86,7 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// Copies the frequency stage, so that a motion can own it.
+    /// Copies the scene with the functions of the modes at r, so that a motion can own the copy.
     #[inline]
     pub(super) fn kept(&self) -> Self {
         Self {
@@ -94,8 +96,8 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// Returns both limits without a search, faster than through [`new`](Self::new), since it stores nothing for a
-    /// motion. The results are bit for bit those of
+    /// Returns both limits without a search. β_lim is then an upper bound. The call is faster than [`new`](Self::new),
+    /// since it stores nothing for a motion. The results are bit for bit those of
     /// [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
     /// [`sliding_limit`](Self::sliding_limit).
     ///
@@ -119,42 +121,46 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Returns the scene.
+    /// Returns the scene, as it was passed to [`new`](Self::new).
     #[inline]
     #[must_use]
     pub fn scene(&self) -> &T {
         &self.scene
     }
 
-    /// Returns the frequency ratio r.
+    /// Returns the frequency ratio r = ω√(m₁/k₁).
     #[inline]
     #[must_use]
     pub fn frequency_ratio(&self) -> T::Scalar {
         self.r
     }
 
-    /// Returns 1/r as the formulas use it, clamped so that its square stays finite.
+    /// Returns 1/r, the inverse of the frequency ratio, clamped so that 1/r² stays finite. All formulas use this value.
     #[inline]
     #[must_use]
     pub fn inverse_ratio(&self) -> T::Scalar {
         self.inverse_r
     }
 
-    /// Returns V, U, G, H and H_c of the contact, each multiplied by r²E.
+    /// Returns the sums over the modes for the contact: V (response to the load), H (receptance), U, G and H_c
+    /// (response to a square wave of friction). Each sum is multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     #[must_use]
     pub fn contact_sums(&self) -> &ContactAt<T::Scalar> {
         &self.contact
     }
 
-    /// Returns the functions of the modes that the load or the contact drives, at this r.
+    /// Returns the frequency functions of each mode at this r. The list has the modes that the load or the contact
+    /// drives.
     #[inline]
     #[must_use]
     pub fn modes(&self) -> &T::Modes {
         &self.modes
     }
 
-    /// Searches for r²E·max(S, H_c + μm*/r²), the velocity constraint (5.54, 7.36).
+    /// Searches for the velocity constraint max(S, H_c + μm*/r²), which decides β_lim (5.54, 7.36). S is a maximum over
+    /// the half period, the other term is the condition for break-away at a reversal. The result is multiplied by r²
+    /// and by the scale E of [`ContactAt`].
     #[must_use]
     pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
         let numbers = self.scene.numbers();
@@ -165,11 +171,13 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Returns upper bounds on the evaluations of one search at this r. The bounds are also valid at every larger r.
+    /// Returns upper bounds on the number of evaluations in one search at this r. The bounds are also valid at every
+    /// larger r.
     ///
-    /// A sweep is therefore bounded by the values at its smallest r. The bound is 256 evaluations for β_lim and 1024
-    /// for an amplitude. Both grow by max √λ(1 + 2ζ)/16r, a sixteenth of the fastest mode's half turns in a half
-    /// period. Neither exceeds [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
+    /// The bounds at the smallest r of a sweep are therefore valid for the whole sweep. The bound is 256 evaluations
+    /// for β_lim and 1024 for an amplitude. Both grow by max √λ(1 + 2ζ)/16r, a sixteenth of the number of half turns
+    /// that the fastest mode makes in a half period. Neither bound exceeds
+    /// [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
     ///
     /// A search counts its evaluations. It stops where it would exceed its bound, and then reports
     /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2. Searches usually take far
@@ -195,27 +203,29 @@ impl<T: Scene> At<T> {
         continuous_with_ends(&self.scene, self.r, limit)
     }
 
-    /// Returns the exact β_lim, the boundary of continuous motion (5.65, 5.80, 5.96, 7.49). A search with a guarantee
-    /// finds S over the half period. Without damping the search is needed only where some R < 1/2.
+    /// Returns the exact β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49). A search with a guarantee
+    /// finds the velocity constraint S, a maximum over the half period. Without damping, the search is needed only
+    /// where the excitation is slower than half the natural frequency of some mode.
     ///
-    /// [`most_evaluations`](Self::most_evaluations) bounds the evaluations of the modal sum.
-    /// [`limits_searched`](Self::limits_searched) reports how many the search took, and whether it was completed.
+    /// [`most_evaluations`](Self::most_evaluations) bounds the number of evaluations of the modal sum.
+    /// [`limits_searched`](Self::limits_searched) reports how many evaluations the search took, and whether the search
+    /// was completed.
     #[must_use]
     pub fn continuous_limit(&self) -> T::Scalar {
         self.limited(self.velocity_constraint().value)
     }
 
-    /// Returns both limits, from one search. Regime and margin at any β follow from these limits without another
-    /// search.
+    /// Returns both limits, from one search. The regime and the margin at any β follow from these limits without
+    /// another search.
     ///
-    /// [`most_evaluations`](Self::most_evaluations) bounds the search at this r and at every larger one.
-    /// [`limits_searched`](Self::limits_searched) reports what the search took.
+    /// [`most_evaluations`](Self::most_evaluations) bounds the search at this r and at every larger r.
+    /// [`limits_searched`](Self::limits_searched) also reports how many evaluations the search took.
     #[must_use]
     pub fn limits(&self) -> Limits<T::Scalar> {
         self.limits_searched().0
     }
 
-    /// Returns both limits, and how many evaluations the search took.
+    /// Returns both limits, and the number of evaluations that the search for β_lim took.
     #[must_use]
     pub fn limits_searched(&self) -> (Limits<T::Scalar>, Effort) {
         let peak = self.velocity_constraint();
@@ -226,16 +236,18 @@ impl<T: Scene> At<T> {
         (limits, peak.effort())
     }
 
-    /// Returns β_lim with S replaced by its limit for τ → 0 (5.64). It is an upper bound on β_lim, and exact wherever
-    /// the maximum lies at the start of the half period.
+    /// Returns an upper bound on β_lim without a search. The formula replaces the velocity constraint S by its limit
+    /// for τ → 0 (5.64). The bound equals β_lim wherever the maximum that defines S lies at the start of the half
+    /// period.
     #[inline]
     #[must_use]
     pub fn continuous_limit_without_search(&self) -> T::Scalar {
         self.limited(self.scene.break_away(&self.contact))
     }
 
-    /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). The formula replaces S, the maximum of a
-    /// sum over the modes, by the sum of each mode's own maximum. The call makes one search per mode.
+    /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). The velocity constraint S is the maximum
+    /// of a sum over the modes. The printed formula replaces S by the sum of each mode's own maximum. The call makes
+    /// one search per mode.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
         let numbers = self.scene.numbers();
@@ -246,8 +258,9 @@ impl<T: Scene> At<T> {
         ))
     }
 
-    /// Returns β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33). With μ > 1, motion from rest
-    /// may continue to slide above it.
+    /// Returns β*_lim, the limit of sliding, which is the smallest β at which a stuck state exists (6.11, 6.27, 6.33).
+    /// The formula is |V|/(μ|H|), with V the response of the contact to the load and H its receptance. With μ > 1,
+    /// motion from rest may continue to slide at a larger β.
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {
@@ -259,8 +272,8 @@ impl<T: Scene> At<T> {
         sliding_with_ends(&self.scene, self.r, limit)
     }
 
-    /// Returns the force that keeps a stuck contact from sliding, where masses beyond the contact act as an absorber;
-    /// `None` elsewhere.
+    /// Returns the force that keeps a stuck contact from sliding, if masses beyond the contact act as an absorber.
+    /// Returns `None` if they do not.
     #[inline]
     pub(super) fn absorbed_force(&self) -> Option<T::Scalar> {
         let numbers = self.scene.numbers();
@@ -283,9 +296,9 @@ impl<T: Scene> At<T> {
         Ok(regime::regime(beta, continuous, sliding))
     }
 
-    /// Returns β/min(β_lim, β*_lim) − 1, which is negative below both limits, where the closed form exists. With μ = 1
-    /// the closed form is the only steady state there. With μ > 1 a stick-slip state may coexist. Each call searches
-    /// for β_lim, as [`regime`](Self::regime) does.
+    /// Returns β/min(β_lim, β*_lim) − 1. This margin is negative where β is below both limits, so that the closed form
+    /// exists. With μ = 1 the closed form is then the only steady state. With μ > 1 a stick-slip state may coexist.
+    /// Each call searches for β_lim, as [`regime`](Self::regime) does.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.

@@ -1,9 +1,10 @@
 //! Coefficients of the exact continuous motion at one friction ratio (section 4 of `docs/derivation.md`).
 //!
-//! The response of mode i has a term with V and a term with friction. Both have a pole where the mode resonates, and
-//! the poles cancel partly. The formulas therefore use ν = p v/V and κ = (p v U − w u V)/V. They take U and V without
-//! mode i wherever the mode's own terms would cancel. Then nothing is left to cancel: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ
-//! e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).
+//! The response of mode i has a term with V, the response to the load, and a term with friction. Both terms have a pole
+//! where the mode resonates, and the poles cancel partly. The formulas therefore use ν = p v/V and κ = (p v U − w u
+//! V)/V. They take U and V without mode i wherever the terms of mode i would cancel. Then nothing is left to cancel:
+//! x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|²
+//! − β²U²).
 //!
 //! Close to a damped resonance g d and Qρ are large and nearly proportional to cos τ. The code therefore moves −g cos τ
 //! into the fundamental component, and keeps g (cos τ − d), which is small.
@@ -16,34 +17,35 @@ use crate::number::phase::wrapped;
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// Quantities of the contact's motion that depend on the friction ratio.
+/// Amplitude and phase of the contact's relative motion at one friction ratio, with intermediate results.
 #[derive(Clone, Copy, Debug)]
 pub struct Friction<S> {
-    /// Friction ratio β.
+    /// Friction ratio β = F/P.
     pub beta: S,
-    /// In-phase term Q = √(|V|² − (βU)²), times r²E.
+    /// In-phase term Q = √(|V|² − (βU)²) of the contact's relative motion. V is the response of the contact to the
+    /// load, and βU its velocity term from friction. Q is multiplied by r² and by the scale E of [`ContactAt`].
     pub root: S,
-    /// Z, the amplitude of the contact's relative motion.
+    /// Amplitude Z of the contact's relative motion, in units of P/k₁ (for base motion Y).
     pub amplitude: S,
-    /// φ, the lag of the contact's relative motion behind the excitation, in (−π, π].
+    /// Lag φ of the contact's relative motion behind the excitation, rad, in (−π, π].
     pub phase: S,
-    /// 1/(r²E), the factor that turns sums into displacements.
+    /// Factor 1/(r²E) that turns sums over the modes into displacements. E is the scale of [`ContactAt`].
     pub unscale: S,
 }
 
-/// Coefficients of a motion that all modes share.
+/// Fundamental component of a motion, which has the frequency of the excitation: its coefficients.
 #[derive(Clone, Copy, Debug)]
 pub struct Fundamental<S> {
-    /// Coefficient of cos τ.
+    /// Coefficient of cos τ in the displacement.
     pub cosine: S,
-    /// Coefficient of sin τ.
+    /// Coefficient of sin τ in the displacement.
     pub sine: S,
-    /// V_k, the complex response to the load without friction.
+    /// Complex response V_k of the mass to the load, without friction.
     pub response: Complex<S>,
 }
 
 impl<S: Scalar> Fundamental<S> {
-    /// Returns the coefficients of a mass that does not move.
+    /// Returns zero coefficients, for a mass that does not move.
     #[inline]
     #[must_use]
     pub fn at_rest() -> Self {
@@ -56,24 +58,29 @@ impl<S: Scalar> Fundamental<S> {
     }
 }
 
-/// Coefficients of one mode in a motion.
+/// Coefficients of one mode's functions of τ in a motion. The functions are d and q̃, the free vibration of the mode
+/// after a unit displacement and after a unit velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct ModalCoefficients<S> {
-    /// Coefficient of (1 − d)/x², the mode's response to a constant force from rest.
+    /// Coefficient of (1 − d)/x², the mode's response from rest to a constant force. Here x = 1/R is the natural
+    /// frequency of the mode divided by the frequency of the excitation.
     pub rise: S,
-    /// Coefficient of cos τ − d, by which the mode's static displacement lags behind the excitation. The fundamental
-    /// component contains the cos τ. The coefficient is 0 without damping.
+    /// Coefficient of cos τ − d, by which the mode's static displacement lags behind the excitation. The cos τ that
+    /// this term adds is subtracted from the fundamental component. The coefficient is 0 without damping.
     pub fall: S,
-    /// Coefficient of sin τ − R q̃, by which the mode lags behind the excitation.
+    /// Coefficient of sin τ − R q̃, by which the mode lags behind the excitation. R is the frequency of the excitation
+    /// divided by the natural frequency of the mode.
     pub forced: S,
-    /// φ_k(φᵀw)/r², the residue contact → mass, which the harmonics need.
+    /// φ_k(φᵀw)/r², the residue of the mode in the response of mass k to a force in the contact. Only the harmonics
+    /// need it.
     pub residue: S,
 }
 
-/// The factor 2^24, by which the smallest `f32` becomes a number with a finite reciprocal.
+/// Factor 2^24, which turns the smallest positive `f32` into a number with a finite reciprocal.
 const INTO_RANGE: f64 = (1_u32 << 24) as f64;
 
-/// Names the real and the imaginary part of a complex value. Emitted code binds each part to its name.
+/// Gives names to the real and the imaginary part of a complex value. Emitted code binds each part to a variable of
+/// that name.
 #[inline(always)]
 fn named<S: Scalar>(
     value: Complex<S>,
@@ -85,12 +92,12 @@ fn named<S: Scalar>(
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Returns amplitude and phase of the contact's relative motion (2.21, 5.35, 5.38, 7.20, 7.21).
+    /// Returns the amplitude Z and the phase φ of the contact's relative motion at β (2.21, 5.35, 5.38, 7.20, 7.21).
     #[inline]
     pub fn friction(&self, contact: &ContactAt<S>, inverse_r: S, beta: S) -> Friction<S> {
         let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
         let velocity_part = (beta * contact.u).named("friction_quadrature", None);
-        // The root is taken of a product. Close to a limit the difference of the squares would lose its digits.
+        // The formula takes the root of a product. Close to a limit, a difference of squares would lose its digits.
         let zero = S::constant(0.0);
         let less = (modulus_v - velocity_part).max(zero);
         let more = (modulus_v + velocity_part).max(zero);
@@ -123,7 +130,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the coefficients of the contact itself. Its fundamental component reduces to the amplitude at τ = 0.
+    /// Returns the fundamental component of the contact's own motion. At τ = 0 the contact is at its maximum, so only
+    /// the cosine with the contact's amplitude remains.
     #[inline]
     pub fn contact_fundamental(
         &self,
@@ -137,7 +145,7 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns a mode's coefficients in a motion. `residue` is φ_k(φᵀw), or (φᵀw)² for the contact.
+    /// Returns the coefficients of one mode in a motion. `residue` is φ_k(φᵀw) for mass k, or (φᵀw)² for the contact.
     #[inline]
     pub fn modal_coefficients(
         &self,
@@ -163,9 +171,10 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns a mode's coefficients in the motion of a mass. The response of a mass-controlled mode is kept whole, so
-    /// that no cancelling terms are added (see `modal_sum::mass_controlled`). The wave is
-    /// [`mass_wave`](crate::response::motion::mass_wave).
+    /// Returns the coefficients of one mode in the motion of a mass, for
+    /// [`mass_wave`](crate::response::motion::mass_wave). If the mode is mass-controlled (resonance far below the
+    /// excitation), its response is kept as one function, so that no cancelling terms are added (see
+    /// `modal_sum::mass_controlled`).
     #[inline]
     #[allow(clippy::too_many_arguments, reason = "a mode, and all it rests on")]
     pub fn mass_coefficients(
@@ -182,8 +191,8 @@ impl<S: Scalar> Chain<S> {
         self.modal_coefficients(&at, residue, contact, friction, inverse_r, index)
     }
 
-    /// Returns a mode's functions without u and g if the mode is mass-controlled. Such a mode has its whole response in
-    /// its wave, so that lag and static displacement must not be added again.
+    /// Returns the functions u and g of a mode, with both set to 0 for a mass-controlled mode (resonance far below the
+    /// excitation). Such a mode has its whole response in one function, so u and g must not add to the response again.
     fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
         let (slow, zero) = (
             is_mass_controlled(mode.kind, mode.zeta, at.x),
@@ -201,7 +210,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the fundamental component of mass k, whose mode shape components are `shape`.
+    /// Returns the fundamental component of the motion of mass k. `shape` has the component of mass k in each mode
+    /// shape.
     pub fn fundamental(
         &self,
         shape: &[S],
@@ -218,8 +228,8 @@ impl<S: Scalar> Chain<S> {
         self.fundamental_of(parts, &sums, contact, friction)
     }
 
-    /// Returns the fundamental component of the motion that the given modes make. Each entry of `parts` is a mode's
-    /// index, component, constants and functions.
+    /// Returns the fundamental component of a mass's motion, summed over the given modes. Each entry of `parts` is the
+    /// index of a mode, the component of the mass in the mode shape, the constants of the mode, and its functions at r.
     pub(crate) fn fundamental_of<'a>(
         &self,
         parts: impl Iterator<Item = (usize, S, &'a Mode<S>, ModeAt<S>)>,
@@ -246,7 +256,7 @@ impl<S: Scalar> Chain<S> {
             }
         }
         let ratio = self.plus(driven.own, driven.others);
-        // On a moving base V grows as r², and products with V may overflow or underflow.
+        // On a moving base V grows as r², and products with V could overflow or underflow.
         let on_base = self.on_moving_base.is_some();
         let one = S::constant(1.0);
         let (lower, raise_back) = if on_base {
@@ -254,8 +264,8 @@ impl<S: Scalar> Chain<S> {
         } else {
             (one, one)
         };
-        // Sums are multiplied instead of ratios. A mass far from the contact moves by V_k U − U_k V, and the factors
-        // common to both terms must stay exactly equal.
+        // The code multiplies sums instead of ratios. A mass far from the contact moves by V_k U − U_k V, and the
+        // factors common to both terms must stay exactly equal.
         let part = |driven, u: S, rubbed: Complex<S>, v| {
             let (u, rubbed) = ((u * lower).named("u_in_range", None), rubbed.re * lower);
             self.plus(complex::scale(driven, u), complex::scale(v, rubbed))
@@ -312,7 +322,9 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck.
+    /// Returns x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck (P/k₁; for base motion
+    /// Y). V/H is the force that keeps the contact stuck, and H_k the response of mass k to a unit force in the
+    /// contact.
     pub fn stuck(
         &self,
         shape: &[S],

@@ -1,4 +1,4 @@
-//! Exact continuous motion at one friction ratio.
+//! Exact continuous motion (the contact slides all the time) at one frequency ratio and one friction ratio.
 
 use super::at::At;
 use super::scene::Scene;
@@ -6,17 +6,17 @@ use crate::errors::NotContinuous;
 use crate::response::coefficients::{Friction, Fundamental};
 use crate::response::motion::Motion;
 
-/// Motion of the contact of a scene, or of one of its masses.
+/// Motion type of a scene, for the relative motion of its contact or for the motion of one mass.
 pub type MotionOf<T> = Motion<<T as Scene>::Scalar, <T as Scene>::Decay, <T as Scene>::Waves>;
 
-/// A scene that provides `motion`.
+/// A scene that provides `motion`, the exact continuous motion.
 ///
-/// The default bodies are valid for every chain. A generator writes its own where that is faster.
+/// The default bodies are valid for every chain. A generator writes its own bodies where these are faster.
 pub trait ProvidesMotion: Scene {
-    /// Motion type with one method per mass.
+    /// Type that `motion` returns. In emitted code this type has one method for each mass.
     type Motion: From<Continuous<Self>>;
 
-    /// Returns the relative motion of the contact.
+    /// Returns the relative motion of the contact at the friction ratio in `friction`.
     #[inline]
     fn contact_motion(at: &At<Self>, friction: &Friction<Self::Scalar>) -> MotionOf<Self> {
         let numbers = at.scene.numbers();
@@ -30,7 +30,8 @@ pub trait ProvidesMotion: Scene {
         Motion::of_contact(*friction, fundamental, waves)
     }
 
-    /// Returns the motion of a mass that does not move as the contact does; `None` if the scene has no such mass.
+    /// Returns the motion of a mass that does not move as the contact does. Returns `None` if the scene has no such
+    /// mass.
     #[inline]
     fn mass_motion(
         at: &At<Self>,
@@ -53,7 +54,7 @@ pub trait ProvidesMotion: Scene {
 
 impl<T: ProvidesMotion> At<T> {
     /// Returns the exact continuous motion at the friction ratio β = F/P. One or two searches decide whether β is below
-    /// β_lim.
+    /// β_lim, the limit of continuous motion.
     ///
     /// # Errors
     /// [`NotContinuous`] names the regime if the motion is not continuous. It also reports an undamped resonance that
@@ -63,7 +64,7 @@ impl<T: ProvidesMotion> At<T> {
         Ok(self.kept().closed_form(beta).into())
     }
 
-    /// Returns β if the motion at β is continuous and bounded.
+    /// Checks that the motion at the friction ratio β is continuous and bounded, and returns β.
     ///
     /// # Errors
     /// Same errors as [`motion`](Self::motion).
@@ -85,8 +86,9 @@ impl<T: ProvidesMotion> At<T> {
         })
     }
 
-    /// Returns the closed form of the continuous motion at any β with 0 ≤ β < |V|/|U|. It is a steady state only where
-    /// [`motion`](Self::motion) returns it.
+    /// Returns the closed form of the continuous motion without a check of the regime, at any β with 0 ≤ β < |V|/|U|.
+    /// At larger β the formula has no real value. The closed form is a steady state only where [`motion`](Self::motion)
+    /// returns it.
     #[inline]
     #[must_use]
     pub fn closed_form(self, beta: T::Scalar) -> Continuous<T> {
@@ -106,30 +108,32 @@ pub struct Continuous<T: Scene> {
 impl<T: Scene + Copy> Copy for Continuous<T> where T::Modes: Copy {}
 
 impl<T: ProvidesMotion> Continuous<T> {
-    /// Returns the scene at the frequency of this motion.
+    /// Returns the scene at the frequency ratio of this motion.
     #[inline]
     #[must_use]
     pub fn at(&self) -> &At<T> {
         &self.at
     }
 
-    /// Returns the quantities of the contact's motion that depend on the friction ratio.
+    /// Returns the amplitude Z and the phase φ of the contact's relative motion at this friction ratio, with
+    /// intermediate results.
     #[inline]
     #[must_use]
     pub fn friction(&self) -> &Friction<T::Scalar> {
         &self.friction
     }
 
-    /// Returns the relative motion of the contact. It is x̄ of the mass, x̄ of the mass relative to the base, or x̄ of
-    /// the later mass relative to the earlier.
+    /// Returns the relative motion of the contact. For a mass on a wall this is x̄ of the mass. For a mass on a base,
+    /// this is x̄ of the mass minus the motion of the base. For two masses, this is x̄ of the later mass minus x̄ of
+    /// the earlier mass.
     #[inline]
     #[must_use]
     pub fn contact(&self) -> MotionOf<T> {
         T::contact_motion(&self.at, &self.friction)
     }
 
-    /// Returns the motion of a mass as [`mass_at`](Self::mass_at) does, but a motion at rest if the scene has no such
-    /// mass.
+    /// Returns the motion of a mass, given by its index in the description, as [`mass_at`](Self::mass_at) does. Returns
+    /// a motion at rest if the scene has no such mass.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
@@ -140,7 +144,7 @@ impl<T: ProvidesMotion> Continuous<T> {
     }
 
     /// Returns the motion of a mass, given by its index in the description (5.50 and its exact form, 7.29). Returns
-    /// `None` if the scene has no such mass or does not provide its motion.
+    /// `None` if the scene has no such mass or does not provide the motion of this mass.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<MotionOf<T>> {

@@ -1,5 +1,5 @@
 //! Steady continuous motion, with its exact amplitude, its displacement at any time, and its harmonics. Run-time
-//! systems and emitted solvers share it.
+//! systems and emitted solvers share this module.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
@@ -12,13 +12,13 @@ use crate::oscillator::decay::{Decay, Instant};
 use crate::oscillator::mode::Mode;
 use crate::response::coefficients::{Friction, Fundamental, ModalCoefficients};
 
-/// Number of roundings of a radian within which two lags count as equal in size. Positions of maxima and the contact's
-/// phase have a few roundings each.
+/// Tolerance for comparing the sizes of two lags, in roundings of a radian. The phase of the contact and the position
+/// of a maximum each have errors of a few roundings.
 const ALIKE: f64 = 64.0;
 
-/// Steady motion of one mass, or of the contact, in the continuous regime.
+/// Steady motion of one mass, or relative motion of the contact, while the contact slides all the time.
 ///
-/// `W` stores the waves, in an array in emitted code and in a vector at run time.
+/// `W` stores the term of each mode: an array in emitted code, a vector at run time.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion<S, D, W> {
     friction: Friction<S>,
@@ -28,19 +28,20 @@ pub struct Motion<S, D, W> {
     decay: core::marker::PhantomData<D>,
 }
 
-/// Largest displacement of a motion.
+/// Largest displacement of a motion, with its phase and the number of evaluations that the search took.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Largest<S> {
-    /// Exact maximum of |x̄|.
+    /// Exact maximum of |x̄| over the period, in units of P/k₁ (for base motion Y).
     pub amplitude: S,
-    /// Lag of the maximum behind the excitation's maximum, rad, in (−π, π].
+    /// Lag of the motion's maximum behind the maximum of the excitation, rad, in (−π, π].
     pub phase: S,
-    /// Number of evaluations that the search took.
+    /// Number of evaluations of the modal sum that the search took.
     pub effort: Effort,
 }
 
-/// Returns the [`Wave`] of a mode, its term in a motion.
+/// Returns a mode's term in the modal sum of a motion, as a [`Wave`]. `x` is the natural frequency of the mode divided
+/// by the frequency of the excitation.
 pub fn motion_wave<S: Float, D: Decay<S>>(
     x: S,
     decay: D,
@@ -56,7 +57,8 @@ pub fn motion_wave<S: Float, D: Decay<S>>(
     wave
 }
 
-/// Returns a mode's wave in the motion of a mass, from the coefficients of [`Chain::mass_coefficients`].
+/// Returns a mode's term in the modal sum for the motion of a mass. `x` is the natural frequency of the mode divided by
+/// the frequency of the excitation. The coefficients come from [`Chain::mass_coefficients`].
 pub fn mass_wave<S: Float, D: Decay<S>>(
     x: S,
     decay: D,
@@ -69,7 +71,7 @@ pub fn mass_wave<S: Float, D: Decay<S>>(
 }
 
 impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
-    /// Creates the relative motion of the contact.
+    /// Creates the relative motion of the contact, from one term per mode in `waves`.
     pub fn of_contact(friction: Friction<S>, fundamental: Fundamental<S>, waves: W) -> Self {
         Self {
             friction,
@@ -80,7 +82,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Creates the motion of a mass.
+    /// Creates the motion of a mass, from one term per mode in `waves`.
     pub fn of_mass(friction: Friction<S>, fundamental: Fundamental<S>, waves: W) -> Self {
         Self {
             friction,
@@ -99,10 +101,10 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Returns amplitude and phase by one search, with the number of its evaluations.
+    /// Returns the amplitude and the phase by one search, with the number of evaluations that the search took.
     ///
-    /// [`At::most_evaluations`](crate::response::At::most_evaluations) bounds the evaluations of the motion. The
-    /// contact's motion needs none.
+    /// [`At::most_evaluations`](crate::response::At::most_evaluations) bounds the number of evaluations. The motion of
+    /// the contact needs no search.
     pub fn largest(&self) -> Largest<S> {
         if self.is_contact {
             return Largest {
@@ -114,10 +116,10 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         self.largest_of(&self.peak())
     }
 
-    /// Returns amplitude and phase as [`largest`](Self::largest) does, in a sweep of r or β. The search begins at the
-    /// position that the previous searches predict. The closer the steps of the sweep, the fewer evaluations it takes.
-    /// As in any search, no larger value remains. The amplitude may differ from that of [`largest`](Self::largest) by
-    /// four roundings of the motion's modal terms.
+    /// Returns the amplitude and the phase by a search that begins at the maximum that the previous searches of a sweep
+    /// predict. It serves sweeps of r or β. The closer the steps of the sweep, the fewer evaluations the search takes.
+    /// The result is still the largest value over the whole period. The amplitude may differ from that of
+    /// [`largest`](Self::largest) by four roundings of the motion's modal terms.
     pub fn largest_near(&self, neighbour: &mut Neighbour<S>) -> Largest<S> {
         if self.is_contact {
             return self.largest();
@@ -137,7 +139,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Returns the exact maximum of |x̄| over the period (P/k₁; for base motion Y). Each call searches anew.
+    /// Returns the exact maximum of |x̄| over the period (P/k₁; for base motion Y). Each call runs a new search.
     /// [`largest`](Self::largest) also reports whether the search was completed.
     pub fn amplitude(&self) -> S {
         if self.is_contact {
@@ -147,7 +149,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Returns √(x̄₀² + x̄₀′²), the estimate (5.50), (7.33) from the start of the half period.
+    /// Returns √(x̄₀² + x̄₀′²), the monoharmonic estimate of the amplitude (5.50), (7.33). x̄₀ and x̄₀′ are the
+    /// displacement and the velocity at the start of the half period.
     pub fn amplitude_monoharmonic(&self) -> S {
         if self.is_contact {
             return self.friction.amplitude;
@@ -161,7 +164,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         large * (S::constant(1.0) + ratio * ratio).sqrt()
     }
 
-    /// Searches for the exact maximum of |x̄|.
+    /// Searches for the exact maximum of |x̄| over the period.
     pub fn peak(&self) -> Peak<S> {
         search::largest(self.sum(), Self::problem())
     }
@@ -178,9 +181,9 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Returns the lag of the motion's maximum behind the excitation's maximum, rad, in (−π, π]. Of equal maxima the
-    /// one with the smallest |lag| counts, then the positive one. Each call searches anew, as
-    /// [`largest`](Self::largest) does.
+    /// Returns the lag of the motion's maximum behind the maximum of the excitation, rad, in (−π, π]. If several maxima
+    /// are equal, the one with the smallest |lag| counts. Of two lags ±φ, the positive one counts. Each call runs a new
+    /// search, as [`largest`](Self::largest) does.
     pub fn phase(&self) -> S {
         if self.is_contact {
             return self.friction.phase;
@@ -197,7 +200,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
                 S::constant(0.0)
             };
             let lag = wrapped(self.friction.phase + place.tau + shift);
-            // Rounding must not decide between two lags that differ in sign alone.
+            // Rounding errors must not decide between two lags that differ only in sign.
             let near = S::constant(ALIKE * S::RESOLUTION);
             best = Some(match best {
                 Some(known) if known.abs() + near < lag.abs() => known,
@@ -208,23 +211,23 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         best.unwrap_or(self.friction.phase)
     }
 
-    /// Returns x̄ at τ, counted from a maximum of the contact's relative motion.
+    /// Returns the displacement x̄ at the phase τ, counted from a maximum of the contact's relative motion.
     pub fn displacement(&self, tau: S) -> S {
         let (at, negative) = instant(tau);
         let value = self.sum().value(&at);
         if negative { -value } else { value }
     }
 
-    /// Returns dx̄/dτ at τ, counted from a maximum of the contact's relative motion.
+    /// Returns the velocity dx̄/dτ at the phase τ, counted from a maximum of the contact's relative motion.
     pub fn velocity(&self, tau: S) -> S {
         let (at, negative) = instant(tau);
         let value = self.sum().slope(&at);
         if negative { -value } else { value }
     }
 
-    /// Returns X_n, with x̄ = Re Σ X_n e^{inτ_e} and τ_e counted from a maximum of the excitation (section 5 of
-    /// `docs/derivation.md`). For even n, and n = 0, X_n is 0, since the motion repeats with the opposite sign after
-    /// half a period.
+    /// Returns X_n, the complex amplitude of harmonic n. It is defined by x̄ = Re Σ X_n e^{inτ_e}, where the phase τ_e
+    /// is counted from a maximum of the excitation (section 5 of `docs/derivation.md`). X_n is 0 for n = 0 and for even
+    /// n, since the motion repeats with the opposite sign after half a period.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         let zero = S::constant(0.0);
         if n.is_multiple_of(2) {
@@ -261,7 +264,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 }
 
-/// Returns τ as an instant of the half period, and true if the motion has the opposite sign there.
+/// Returns the instant of the half period 0 to π that corresponds to τ. The flag is true if τ lies in the other half
+/// period, where the motion has the opposite sign.
 fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
     let half_turns = tau * S::inverse_pi();
     let whole = half_turns.floor();
@@ -270,7 +274,7 @@ fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns a mode's wave in the contact's motion.
+    /// Returns a mode's term in the modal sum for the contact's relative motion.
     pub fn contact_wave<D: Decay<S>>(
         &self,
         mode: &Mode<S>,
@@ -288,7 +292,8 @@ impl<S: Float> Chain<S> {
         motion_wave(at.x, decay, coefficients)
     }
 
-    /// Returns a mode's wave in the motion of a mass. `component` is the component of the mass in the mode shape.
+    /// Returns a mode's term in the modal sum for the motion of a mass. `component` is the component of the mass in the
+    /// mode shape.
     pub fn mass_wave<D: Decay<S>>(
         &self,
         mode: &Mode<S>,

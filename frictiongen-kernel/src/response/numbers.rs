@@ -1,18 +1,18 @@
-//! Constants of a scene, which depend neither on r nor on β.
+//! Constants of a scene that depend neither on the frequency ratio r nor on the friction ratio β.
 
 use crate::contact::sums::Chain;
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
-/// Values of the limits at r = 0 and r = ∞ (6.4, 6.28 and the high-frequency limits of section 6 of
+/// Limiting values of β_lim and β*_lim at r = 0 and r → ∞ (6.4, 6.28 and the high-frequency limits of section 6 of
 /// `docs/derivation.md`).
 #[derive(Clone, Copy, Debug)]
 pub struct Ends<S> {
-    /// β*_lim at r = 0. β_lim is 0 there.
+    /// Limit of sliding β*_lim at r = 0. The limit of continuous motion β_lim is 0 at r = 0.
     pub sliding_at_rest: S,
-    /// β_∞, the continuous limit for r → ∞.
+    /// Limit of continuous motion β_lim for r → ∞, named β_∞.
     pub continuous_at_infinity: S,
-    /// β*_∞, the sliding limit for r → ∞.
+    /// Limit of sliding β*_lim for r → ∞, named β*_∞.
     pub sliding_at_infinity: S,
 }
 
@@ -21,30 +21,32 @@ pub struct Ends<S> {
 pub struct Numbers<'a, S> {
     /// Modes that the load or the contact drives, in ascending order of resonance.
     pub modes: &'a [Mode<S>],
-    /// Constants of the scene that do not belong to one mode.
+    /// Constants of the whole chain, which belong to no single mode.
     pub chain: Chain<S>,
-    /// Values of the limits at r = 0 and r = ∞.
+    /// Limiting values of β_lim and β*_lim at r = 0 and r → ∞.
     pub ends: Ends<S>,
-    /// Mass that slides on a support; `None` where two masses slide on each other.
+    /// Index of the mass that slides on a wall or base. `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
-    /// True if masses beyond the contact may act as an absorber. V and H may then have common zeros.
+    /// True if the masses beyond a stuck contact may act as an absorber. V and H, the responses of the contact to the
+    /// load and to a contact force, may then have common zeros.
     pub absorbs: bool,
-    /// Frequency ratios of the undamped resonances that the load drives.
+    /// Frequency ratios of the undamped resonances that the load drives. The response at these resonances may be
+    /// unbounded.
     pub unbounded: &'a [S],
-    /// Frequency ratios among `unbounded` whose modes the contact does not drive.
+    /// Those frequency ratios of `unbounded` at which friction in the contact does not act on the resonant mode.
     pub invisible: &'a [S],
 }
 
 impl<S: Float> Numbers<'_, S> {
-    /// Returns true if this mass moves as the contact does. This is so for the mass that slides on a support at rest.
+    /// Returns true if this mass moves as the contact does. Only a mass that slides on a support at rest moves so.
     #[inline]
     #[must_use]
     pub fn moves_as_contact(&self, mass: usize) -> bool {
         self.chain.on_moving_base.is_none() && self.rubbing == Some(mass)
     }
 
-    /// Returns the amplitude of a mass that a stuck contact fixes to its support. It is 0 on a wall and 1 on a moving
-    /// base. Returns `None` for the other masses.
+    /// Returns the amplitude of a mass that the stuck contact fixes to its support: 0 on a wall, 1 on a moving base.
+    /// Returns `None` for every other mass.
     #[inline]
     #[must_use]
     pub fn tied(&self, mass: usize) -> Option<S> {

@@ -1,4 +1,4 @@
-//! Interface that a scene implements for its steady response.
+//! Trait that a scene implements so that this crate can compute its steady response.
 
 use super::numbers::Numbers;
 use crate::contact::regime::{self, Limits};
@@ -7,79 +7,85 @@ use crate::modal_sum::wave::Wave;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// A scene, with its constants and the formulas that may be specialised for it.
+/// Constants of a scene for its steady response, and the formulas that a generator may specialise.
 ///
-/// The default bodies are valid for every chain. A generator writes its own where constants save work. The results have
-/// the same bits.
+/// The default bodies are valid for every chain. A generator writes its own bodies where constants save work. The
+/// results of both have the same bits.
 pub trait Scene: Clone {
     /// Number type: `f64`, `f32`, or a wider scalar.
     type Scalar: Float;
-    /// Kind of decay of the modes. A scene without damping evaluates no exponentials.
+    /// Kind of decay of the modes. A scene without damping evaluates no exponential functions.
     type Decay: Decay<Self::Scalar>;
-    /// Storage for each mode's functions at one frequency.
+    /// Storage for the frequency functions of each mode at one frequency ratio.
     type Modes: AsRef<[ModeAt<Self::Scalar>]> + Clone + core::fmt::Debug;
-    /// Storage for the [`Wave`] of each mode, its term in a sum over the modes.
+    /// Storage for one [`Wave`] per mode. A wave is the term of one mode in a sum over the modes.
     type Waves: AsRef<[Wave<Self::Scalar, Self::Decay>]>
         + AsMut<[Wave<Self::Scalar, Self::Decay>]>
         + Clone;
 
-    /// Returns the constants of the scene.
+    /// Returns all constants that the steady response depends on.
     fn numbers(&self) -> Numbers<'_, Self::Scalar>;
 
-    /// Returns the components of a mass in the mode shapes. Returns `None` if the scene has no such mass, or provides
-    /// nothing for it.
+    /// Returns the component of a mass in each mode shape. Returns `None` if the scene has no such mass, or provides
+    /// nothing for this mass.
     fn shape(&self, mass: usize) -> Option<&[Self::Scalar]>;
 
-    /// Returns true if the scene provides the motion of a mass, as long as `shape` has the mass.
+    /// Returns true if the scene provides the motion of a mass. The result counts only for a mass that `shape` knows.
     #[inline]
     fn moves(&self, mass: usize) -> bool {
         let _ = mass;
         true
     }
 
-    /// Returns the smallest and the largest 1/r at which the formulas are evaluated.
+    /// Returns the smallest and the largest 1/r for which the formulas are evaluated. Any other 1/r is clamped to this
+    /// range.
     #[inline]
     fn inverse_ratio_range(&self) -> (Self::Scalar, Self::Scalar) {
         let modes = self.numbers().modes.iter();
         regime::inverse_ratio_range(modes.map(|mode| mode.resonance))
     }
 
-    /// Returns the sums over all modes at 1/r, and each mode's functions.
+    /// Returns the contact's sums over all modes at 1/r, and the frequency functions of each mode.
     fn frequency_stage(&self, inverse_r: Self::Scalar) -> (ContactAt<Self::Scalar>, Self::Modes);
 
-    /// Returns the same sums as [`frequency_stage`](Self::frequency_stage) without the modes and without G, which the
-    /// limits do not need.
+    /// Returns the contact's sums as [`frequency_stage`](Self::frequency_stage) does, without the functions of the
+    /// modes. The sum G, the contact's displacement from friction at a reversal, is left out, since the limits do not
+    /// need it.
     #[inline]
     fn contact_without_g(&self, inverse_r: Self::Scalar) -> ContactAt<Self::Scalar> {
         self.frequency_stage(inverse_r).0
     }
 
-    /// Returns one [`Wave`] for each mode, with all coefficients 0, as working space for the searches. A wave is the
-    /// term of one mode in a sum over the modes.
+    /// Returns working space for a search: one [`Wave`] per mode, with all coefficients 0. A wave is the term of one
+    /// mode in a sum over the modes.
     fn idle(&self) -> Self::Waves;
 
-    /// Copies the modes' functions, so that a motion can own them. A generator writes a plain copy. Optimised for size,
-    /// the compiler turns `clone` into a loop over the modes, which costs time in a stuck response.
+    /// Copies the functions of the modes, so that a motion can own the copy. A generator writes a plain copy. When
+    /// optimising for size, the compiler turns `clone` into a loop over the modes, which costs time in a stuck
+    /// response.
     #[inline]
     fn kept(modes: &Self::Modes) -> Self::Modes {
         modes.clone()
     }
 
-    /// Runs a search with one [`Wave`] for each mode as working space. All coefficients of the waves are 0 at the
-    /// start. The call drops the waves afterwards.
+    /// Runs a search with one [`Wave`] per mode as working space. All coefficients of the waves are 0 at the start. The
+    /// waves are dropped after the search.
     #[inline]
     fn with_idle<R>(&self, search: impl FnOnce(&mut [Wave<Self::Scalar, Self::Decay>]) -> R) -> R {
         search(self.idle().as_mut())
     }
 
-    /// Returns r²E(H_c + μm*/r²), the contact force needed for break-away at a reversal (5.63, 7.47).
+    /// Returns H_c + μm*/r², which decides whether the contact breaks away at a reversal (5.63, 7.47). The result is
+    /// multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     fn break_away(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.break_away(contact)
     }
 
-    /// Returns β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²). The argument `constraint` is r²E times that maximum (5.65,
-    /// 5.80, 5.96, 7.49).
+    /// Returns β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²), the limit of continuous motion (5.65, 5.80, 5.96, 7.49). V is
+    /// the response of the contact to the load, U its velocity from friction at a reversal, and S the velocity
+    /// constraint. The argument `constraint` is max(S, H_c + μm*/r²), multiplied by r² and by the scale E of
+    /// [`ContactAt`].
     #[inline]
     fn continuous_limit(
         &self,
@@ -89,15 +95,17 @@ pub trait Scene: Clone {
         self.numbers().chain.continuous_limit(contact, constraint)
     }
 
-    /// Returns β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+    /// Returns β*_lim = |V|/(μ|H|), the limit of sliding (6.11, 6.27, 6.33), without regard to an absorber. V is the
+    /// response of the contact to the load, H its receptance.
     #[inline]
     fn sliding_limit(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.sliding_limit(contact)
     }
 
-    /// Returns β_lim without search and β*_lim at 1/r, for an r that is neither 0 nor infinite, and without regard to
-    /// an absorber. It also returns the real part of H, multiplied by r² and by the scale E of [`ContactAt`]. The
-    /// caller decides from this number whether masses may act as an absorber.
+    /// Returns both limits without a search: an upper bound on β_lim, and β*_lim without regard to an absorber. The
+    /// value of r must be neither 0 nor infinite. The second result is the real part of H, the receptance of the
+    /// contact, multiplied by r² and by the scale E of [`ContactAt`]. The caller decides from this number whether
+    /// masses may act as an absorber.
     #[inline]
     fn limits_without_search(
         &self,
@@ -107,7 +115,7 @@ pub trait Scene: Clone {
     }
 }
 
-/// Computes [`Scene::limits_without_search`] from the contact's sums.
+/// Computes [`Scene::limits_without_search`] from the contact's sums over the modes.
 #[inline(always)]
 pub fn limits_of_sums<T: Scene>(scene: &T, inverse_r: T::Scalar) -> (Limits<T::Scalar>, T::Scalar) {
     let contact = scene.contact_without_g(inverse_r);

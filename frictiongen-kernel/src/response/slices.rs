@@ -1,4 +1,4 @@
-//! Limits over slices of frequency ratios.
+//! Both limits at every frequency ratio of a slice.
 
 use super::at::{At, inverse_ratio};
 use super::scene::Scene;
@@ -9,11 +9,12 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::Kind;
 
 impl<T: Scene> At<T> {
-    /// Computes both limits over a slice of frequency ratios, into slices of the same length.
+    /// Computes both limits at every frequency ratio of a slice, and writes the limits into two slices of the same
+    /// length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged, and at the first NaN or
-    /// negative r. The values before that r are filled in.
+    /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
+    /// also at the first NaN or negative r, after writing the limits at the preceding frequency ratios.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -25,13 +26,14 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Computes both limits [without search](Self::limits_without_search) over a slice of frequency ratios, into slices
-    /// of the same length. The bits are the same as for single frequencies. Where all modes are undamped or all are
-    /// lightly damped, several frequencies are computed side by side.
+    /// Computes both limits [without search](Self::limits_without_search) at every frequency ratio of a slice, and
+    /// writes the limits into two slices of the same length. Each limit has the same bits as in a call for a single
+    /// frequency ratio. If all modes are undamped or all are lightly damped, the call computes several frequency ratios
+    /// side by side.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged, and at the first NaN or
-    /// negative r. The values before that r are filled in.
+    /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
+    /// also at the first NaN or negative r, after writing the limits at the preceding frequency ratios.
     pub fn limits_without_search_into(
         scene: &T,
         rs: &[T::Scalar],
@@ -74,7 +76,7 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Computes the limits at several r, none of which is 0 or infinite.
+    /// Computes both limits at several frequency ratios at once, none of which is 0 or infinite.
     #[inline(always)]
     fn side_by_side(
         scene: &T,

@@ -1,4 +1,4 @@
-//! Response while the contact is stuck.
+//! Response of the chain while the contact is stuck.
 
 use super::at::At;
 use super::scene::Scene;
@@ -6,13 +6,14 @@ use crate::errors::StuckResonance;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 
-/// A scene that provides `stuck`.
+/// A scene that provides `stuck`, the response while the contact is stuck.
 pub trait ProvidesStuck: Scene {
-    /// Response type with one method per mass.
+    /// Type that `stuck` returns. In emitted code this type has one method for each mass.
     type Stuck: From<Stuck<Self>>;
 
-    /// Returns x̄* = V_k − H_kV/H of a mass that is not fixed to the support by the stuck contact (6.11, 6.27, 6.33). A
-    /// generator may write its own body.
+    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (6.11, 6.27, 6.33). V/H
+    /// is the force that keeps the contact stuck. The mass must not be the one that the stuck contact fixes to its
+    /// support. A generator may write its own body.
     #[inline]
     fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<Self::Scalar>> {
         let numbers = at.scene.numbers();
@@ -23,7 +24,7 @@ pub trait ProvidesStuck: Scene {
 }
 
 impl<T: ProvidesStuck> At<T> {
-    /// Returns the response while the contact is stuck, which exists for β ≥ β*_lim.
+    /// Returns the response while the contact is stuck. This response exists for β ≥ β*_lim, the limit of sliding.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
@@ -36,7 +37,7 @@ impl<T: ProvidesStuck> At<T> {
         Ok(self.kept().stuck_unchecked().into())
     }
 
-    /// Returns the response with the contact stuck, without a check for resonances. On an undamped resonance the
+    /// Returns the response while the contact is stuck, without a check for resonances. On an undamped resonance the
     /// response is infinite.
     #[inline]
     #[must_use]
@@ -44,8 +45,8 @@ impl<T: ProvidesStuck> At<T> {
         Stuck { at: self }
     }
 
-    /// Returns the amplitude of a mass from the contact force, where masses beyond the stuck contact act as an
-    /// absorber; `None` elsewhere.
+    /// Returns the amplitude of a mass, computed from the force in the stuck contact, if masses beyond the contact act
+    /// as an absorber. Returns `None` if they do not.
     #[inline]
     fn absorbed_mass(&self, mass: usize) -> Option<Complex<T::Scalar>> {
         let force = self.absorbed_force()?;
@@ -67,15 +68,15 @@ pub struct Stuck<T: Scene> {
 impl<T: Scene + Copy> Copy for Stuck<T> where T::Modes: Copy {}
 
 impl<T: ProvidesStuck> Stuck<T> {
-    /// Returns the scene at this frequency.
+    /// Returns the scene at the frequency ratio of this response.
     #[inline]
     #[must_use]
     pub fn at(&self) -> &At<T> {
         &self.at
     }
 
-    /// Returns the complex amplitude A = V/H of the force Re(A e^{iτ}), over P, that keeps the contact stuck (6.11,
-    /// 6.27, 6.33). A positive force acts against positive sliding. Its modulus is μβ*_lim.
+    /// Returns V/H, the complex amplitude of the contact force that keeps the contact stuck, divided by P (6.11, 6.27,
+    /// 6.33). A positive force opposes positive sliding. The modulus equals μβ*_lim, with β*_lim the limit of sliding.
     #[must_use]
     pub fn contact_force(&self) -> Complex<T::Scalar> {
         if let Some(force) = self.at.absorbed_force() {
@@ -85,7 +86,8 @@ impl<T: ProvidesStuck> Stuck<T> {
         complex::mul(sums.v, complex::reciprocal(sums.h, true), true)
     }
 
-    /// Returns the amplitude of a mass as [`mass_at`](Self::mass_at) does, but 0 if the scene has no such mass.
+    /// Returns the complex amplitude of a mass as [`mass_at`](Self::mass_at) does. Returns 0 if the scene has no such
+    /// mass.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> Complex<T::Scalar> {
@@ -93,8 +95,8 @@ impl<T: ProvidesStuck> Stuck<T> {
         self.mass_at(mass).unwrap_or(at_rest)
     }
 
-    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of a mass, given by its index in the description (6.11, 6.27,
-    /// 6.33). Returns `None` if the scene has no such mass.
+    /// Returns x̄*, the complex amplitude of a mass while the contact is stuck (6.11, 6.27, 6.33). `mass` is the index
+    /// of the mass in the description. Returns `None` if the scene has no such mass.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<Complex<T::Scalar>> {

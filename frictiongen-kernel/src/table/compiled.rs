@@ -1,33 +1,34 @@
-//! A scene at one frequency ratio, whose limits come from its tables.
+//! A scene at one frequency ratio, whose limits come from tables that approximate β_lim and β*_lim.
 
 use crate::contact::regime::{self, Limits};
 use crate::errors::{OutOfDomain, Ratio, Regime};
 use crate::number::scalar::{Float, Scalar};
 use crate::response::{At, Scene};
 
-/// Range in which the tables of a scene are valid, and the behaviour beyond it.
+/// Range of r and β in which the tables of a scene are valid, and the behaviour beyond this range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain<S> {
-    /// Smallest and largest frequency ratio.
+    /// Smallest and largest frequency ratio r of the tables.
     pub r: (S, S),
-    /// Smallest and largest friction ratio that a caller may ask for.
+    /// Smallest and largest friction ratio β that a caller may pass.
     pub beta: (S, S),
-    /// True if the exact formulas answer beyond this range. If false, nothing answers there.
+    /// True if the exact formulas compute the results beyond this range. If false, a call beyond the range is an error.
     pub exact_beyond: bool,
-    /// True if all these friction ratios are below β_lim at all these frequencies. The closed form is then used without
-    /// a comparison with β_lim.
+    /// True if β_lim exceeds every friction ratio of the range, at every frequency ratio of the range. The closed form
+    /// of the continuous motion is then used without a comparison with β_lim.
     pub always_continuous: bool,
-    /// True if all these friction ratios are below β*_lim, which is then not evaluated.
+    /// True if β*_lim, the limit of sliding, exceeds every friction ratio of the range. β*_lim is then not evaluated.
     pub never_stuck: bool,
 }
 
-/// A scene with tables of its limits.
+/// A scene that has tables of both limits, β_lim and β*_lim.
 pub trait Tabled: Scene {
-    /// Returns the range in which the tables are valid.
+    /// Returns the range of r and β in which the tables are valid.
     fn domain(&self) -> Domain<Self::Scalar>;
-    /// Returns β_lim within the domain.
+    /// Returns β_lim, the limit of continuous motion, from the table. The caller keeps r within the domain.
     fn tabled_limit(&self, r: Self::Scalar) -> Self::Scalar;
-    /// Returns β*_lim within the domain; `None` where only the exact formulas reach the declared accuracy.
+    /// Returns β*_lim, the limit of sliding, from the table. Returns `None` if only the exact formulas reach the
+    /// declared accuracy. The caller keeps r within the domain.
     fn tabled_sliding_limit(&self, r: Self::Scalar) -> Option<Self::Scalar>;
 }
 
@@ -35,17 +36,18 @@ pub trait Tabled: Scene {
 #[derive(Clone, Copy, Debug)]
 pub struct Compiled<T: Scene> {
     scene: T,
-    /// Frequency ratio, neither NaN nor negative.
+    /// Frequency ratio r, neither NaN nor negative.
     r: T::Scalar,
     /// True if the tables are valid at this r.
     within: bool,
 }
 
 impl<T: Tabled> Compiled<T> {
-    /// Creates the scene at the frequency ratio r = ω√(m₁/k₁).
+    /// Creates the scene at the frequency ratio r = ω√(m₁/k₁), and checks whether the tables are valid at r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN, and beyond the tables' range unless the exact formulas answer there.
+    /// [`OutOfDomain`] for NaN and negative r. [`OutOfDomain`] also beyond the range of the tables, unless the domain
+    /// lets the exact formulas answer there.
     #[inline]
     pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
         let Domain {
@@ -53,7 +55,7 @@ impl<T: Tabled> Compiled<T> {
             exact_beyond,
             ..
         } = scene.domain();
-        // A difference of two unequal numbers is never 0, so the sign decides. The lookup needs the same difference.
+        // A difference of two unequal numbers is never 0, so its sign decides. The lookup needs the same difference.
         let within = r - low >= T::Scalar::constant(0.0) && r <= high;
         if !within {
             let allowed = exact_beyond && r >= T::Scalar::constant(0.0);
@@ -65,11 +67,12 @@ impl<T: Tabled> Compiled<T> {
         Ok(Self { scene, r, within })
     }
 
-    /// Computes both limits over a slice of frequency ratios, into slices of the same length.
+    /// Computes both limits at every frequency ratio of a slice, and writes the limits into two slices of the same
+    /// length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged, and at the first r outside
-    /// the domain. The values before that r are filled in.
+    /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
+    /// also at the first r outside the domain, after writing the limits at the preceding frequency ratios.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -81,34 +84,35 @@ impl<T: Tabled> Compiled<T> {
         })
     }
 
-    /// Returns the scene.
+    /// Returns the scene, as it was passed to [`new`](Self::new).
     #[inline]
     #[must_use]
     pub fn scene(&self) -> &T {
         &self.scene
     }
 
-    /// Returns the frequency ratio r.
+    /// Returns the frequency ratio r = ω√(m₁/k₁).
     #[inline]
     #[must_use]
     pub fn frequency_ratio(&self) -> T::Scalar {
         self.r
     }
 
-    /// Returns true if the tables are valid at this r. Beyond them the exact formulas answer.
+    /// Returns true if the tables are valid at this r. If false, the exact formulas compute all results.
     #[inline]
     #[must_use]
     pub fn is_within(&self) -> bool {
         self.within
     }
 
-    /// Returns the scene at this r with the exact formulas.
+    /// Returns the scene at the same frequency ratio, where all results come from the exact formulas instead of the
+    /// tables.
     #[must_use]
     pub fn exact(&self) -> At<T> {
         At::known(self.scene.clone(), self.r)
     }
 
-    /// Returns β_lim, the boundary of continuous motion (5.65, 5.80, 5.96, 7.49), to the declared accuracy.
+    /// Returns β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49), to the declared accuracy.
     #[inline]
     #[must_use]
     pub fn continuous_limit(&self) -> T::Scalar {
@@ -119,7 +123,8 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns β*_lim = |V|/(μ|H|), from which on a stuck state exists (6.11, 6.27, 6.33), to the declared accuracy.
+    /// Returns β*_lim, the limit of sliding, to the declared accuracy. It is the smallest β at which a stuck state
+    /// exists (6.11, 6.27, 6.33).
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {
@@ -134,7 +139,7 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns both limits.
+    /// Returns both limits, β_lim and β*_lim, to the declared accuracy.
     #[inline]
     #[must_use]
     pub fn limits(&self) -> Limits<T::Scalar> {
@@ -144,20 +149,21 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns β_lim with S replaced by its limit for τ → 0 (5.64), from the exact formulas.
+    /// Returns an upper bound on β_lim from the exact formulas, without a search. The bound replaces the velocity
+    /// constraint S by its limit for τ → 0 (5.64).
     #[must_use]
     pub fn continuous_limit_without_search(&self) -> T::Scalar {
         self.exact().continuous_limit_without_search()
     }
 
-    /// Returns a lower bound on β_lim (5.55, 7.37), from the exact formulas. It replaces S, the maximum of a sum over
-    /// the modes, by the sum of each mode's own maximum.
+    /// Returns a lower bound on β_lim (5.55, 7.37), from the exact formulas. The velocity constraint S is the maximum
+    /// of a sum over the modes. The bound replaces S by the sum of each mode's own maximum.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
         self.exact().continuous_limit_per_mode()
     }
 
-    /// Returns β if it is within the domain.
+    /// Checks that the friction ratio β is valid and within the domain, and returns β.
     pub(super) fn checked(&self, beta: T::Scalar) -> Result<T::Scalar, OutOfDomain> {
         let beta = regime::check_beta(beta)?;
         let domain = self.scene.domain();
@@ -169,35 +175,38 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns true if β is within the domain and the motion is continuous, with as few comparisons as this needs.
+    /// Returns true if β is within the domain and the motion is continuous. `limit` is β_lim. The method makes as few
+    /// comparisons as possible.
     #[inline]
     pub(super) fn is_admitted(&self, beta: T::Scalar, limit: T::Scalar) -> bool {
         let domain = self.scene.domain();
         let (low, high) = domain.beta;
-        // A β below β_lim is finite. An infinite upper bound then needs no comparison.
+        // A β below β_lim is finite, so an infinite upper bound needs no comparison.
         let asked = beta >= T::Scalar::constant(0.0)
             && (domain.exact_beyond || (low <= beta && (!high.is_finite() || beta <= high)));
         asked && (domain.always_continuous || beta < limit)
     }
 
-    /// Returns true if β is below β*_lim. The caller has checked that β is within the domain.
+    /// Returns true if β is below β*_lim, the limit of sliding. The caller has checked that β is within the domain.
     #[inline]
     pub(super) fn slides(&self, beta: T::Scalar) -> bool {
         self.scene.domain().never_stuck || beta < self.sliding_limit()
     }
 
-    /// Returns true if an admitted β is below β*_lim as well. With μ ≤ 1 a contact cannot stick while it can slide all
-    /// the time, since the difference of both motions would lose energy for ever. β_lim is then the smaller limit.
+    /// Returns true if β is below β*_lim, for a β that admits continuous motion. With μ ≤ 1 this is always so. The
+    /// contact cannot stick while it can slide all the time, since the difference of both motions would lose energy for
+    /// ever. β_lim is then the smaller limit.
     #[inline]
     fn slides_if_admitted(&self, beta: T::Scalar) -> bool {
         let one = T::Scalar::constant(1.0);
         self.scene.numbers().chain.stiction <= one || self.slides(beta)
     }
 
-    /// Returns the regime at β = F/P. It may be wrong only within the declared accuracy of a limit.
+    /// Returns the regime at the friction ratio β = F/P. It may be the wrong regime only if β is as close to a limit as
+    /// the declared accuracy.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN, negative and infinite β, and beyond the declared range.
+    /// [`OutOfDomain`] for NaN, negative and infinite β, and for β beyond the declared range.
     pub fn regime(&self, beta: T::Scalar) -> Result<Regime, OutOfDomain> {
         let beta = self.checked(beta)?;
         if !self.within {
@@ -213,7 +222,8 @@ impl<T: Tabled> Compiled<T> {
         Ok(regime::regime_of(admitted, slides))
     }
 
-    /// Returns β/min(β_lim, β*_lim) − 1, which is negative below both limits, where the closed form exists.
+    /// Returns β/min(β_lim, β*_lim) − 1. This margin is negative where β is below both limits, so that the closed form
+    /// of the continuous motion exists.
     ///
     /// # Errors
     /// Same errors as [`regime`](Self::regime).

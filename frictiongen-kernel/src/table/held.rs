@@ -1,33 +1,34 @@
-//! Responses while the contact is stuck, as rational functions of s = ir given by their zeros and poles.
+//! Responses of the chain while the contact is stuck, as rational functions of s = ir. Each function is given by its
+//! zeros and poles.
 
 use super::quotient::Quotient;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 
-/// Factor in s = ir, from a zero s = x + iy of a polynomial with real coefficients.
+/// Factor of a polynomial in s = ir with real coefficients, from one real zero or one pair of complex zeros s = x ± iy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Root<S> {
-    /// Factor of the zeros x ± iy: (s − x)² + y² = x² − (r − y)(r + y) − 2ixr. It stores y as a rounded value and a
-    /// rest, so that r − y keeps its digits close to the zero.
+    /// Factor of the pair of zeros x ± iy: (s − x)² + y² = x² − (r − y)(r + y) − 2ixr. It stores y as a rounded value
+    /// and the rounding error, so that r − y keeps its digits close to the zero.
     Pair {
-        /// y, rounded.
+        /// Imaginary part y of the zero, rounded to the number type.
         at: S,
-        /// Rounding error of y: the exact y less the rounded one.
+        /// Rounding error of y: the exact y minus the rounded y.
         rest: S,
         /// x², the square of the real part of the zeros.
         off: S,
-        /// −2x, the factor of r in the imaginary part.
+        /// −2x, the coefficient of r in the imaginary part of the factor.
         rate: S,
     },
     /// Factor s − x of a zero on the real axis of s.
     Real {
-        /// −x, the negative of the zero.
+        /// −x, where x is the real zero of the factor.
         rate: S,
     },
 }
 
 impl<S: Float> Root<S> {
-    /// Returns the factor at r.
+    /// Returns the factor at the frequency ratio r.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> Complex<S> {
@@ -43,19 +44,20 @@ impl<S: Float> Root<S> {
     }
 }
 
-/// Complex rational function gain·Π numerator/Π denominator.
+/// Complex rational function of s = ir. It is the product of the factors in `numerator`, divided by the product of the
+/// factors in `denominator`, times `gain`.
 #[derive(Clone, Copy, Debug)]
 pub struct Transfer<'a, S> {
-    /// Constant factor.
+    /// Constant factor of the rational function.
     pub gain: S,
-    /// Zeros.
+    /// Factors of the numerator, one for each real zero or pair of complex zeros of the function.
     pub numerator: &'a [Root<S>],
-    /// Poles.
+    /// Factors of the denominator, one for each real pole or pair of complex poles of the function.
     pub denominator: &'a [Root<S>],
 }
 
 impl<S: Float> Transfer<'_, S> {
-    /// Returns the quotient at r. On a pole the result is infinite or NaN.
+    /// Returns the rational function at the frequency ratio r. On a pole the result is infinite or NaN.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> Complex<S> {
@@ -70,8 +72,8 @@ impl<S: Float> Transfer<'_, S> {
     }
 }
 
-/// Returns the product of all factors at r; `None` if there are no factors. The first twelve are written out without a
-/// loop, so that constant factors compile to plain arithmetic.
+/// Returns the product of all factors at the frequency ratio r. Returns `None` if there are no factors. The product of
+/// the first twelve factors is written out without a loop, so that constant factors compile to plain arithmetic.
 #[inline(always)]
 fn product<S: Float>(roots: &[Root<S>], r: S) -> Option<Complex<S>> {
     let mut product = roots.first()?.value(r);
@@ -92,7 +94,7 @@ fn product<S: Float>(roots: &[Root<S>], r: S) -> Option<Complex<S>> {
     Some(product)
 }
 
-/// Multiplies a product by the factor at index `place`, if there is one.
+/// Multiplies a product by the factor at index `place`. Returns the product unchanged if there is no such factor.
 #[inline(always)]
 fn times<S: Float>(product: Complex<S>, roots: &[Root<S>], place: usize, r: S) -> Complex<S> {
     match roots.get(place) {
@@ -101,19 +103,20 @@ fn times<S: Float>(product: Complex<S>, roots: &[Root<S>], place: usize, r: S) -
     }
 }
 
-/// Response while the contact is stuck, at any r.
+/// Response of one mass or of the contact force while the contact is stuck, as a function of r.
 #[derive(Clone, Copy, Debug)]
 pub enum HeldResponse<'a, S> {
-    /// Constant response, of a mass that the stuck contact fixes to its support or cuts off from the load.
+    /// Response that does not depend on r. The stuck contact fixes the mass to its support, or cuts the mass off from
+    /// the load.
     Fixed(S),
-    /// Response of an undamped chain, real and with its sign.
+    /// Response of an undamped chain. The response is real, and its sign is kept.
     Undamped(Quotient<'a, S>),
-    /// Response of a damped chain.
+    /// Response of a damped chain, which is complex.
     Damped(Transfer<'a, S>),
 }
 
 impl<S: Float> HeldResponse<'_, S> {
-    /// Returns the response at r.
+    /// Returns the response at the frequency ratio r.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> Complex<S> {

@@ -1,11 +1,13 @@
-//! Answers of a declared accuracy, from piecewise polynomials for the limits of one scene over a range of r.
+//! Results of a declared accuracy for one scene over a range of frequency ratios, from piecewise polynomials.
 //!
-//! For one scene β_lim is a function of r alone. Three further functions of r give the contact's amplitude and phase at
-//! any β. A generator knows all four exactly and writes [`Table`]s of them. β*_lim and |V| are [`Quotient`]s of
-//! products. The responses while the contact is stuck are products too, written as [`HeldResponse`]s.
+//! For one scene the limit of continuous motion β_lim is a function of r alone. Three further functions of r give the
+//! contact's amplitude and phase at any β. A generator knows all four functions exactly and writes [`Table`]s of them.
+//! The limit of sliding β*_lim and |V| are [`Quotient`]s of products. The responses while the contact is stuck are
+//! written as [`HeldResponse`]s.
 //!
-//! [`Compiled`] is a scene at one r that answers from its tables. It calls the exact formulas for everything that the
-//! tables do not contain. This module does not build tables, and does not know how far they are from the exact values.
+//! [`Compiled`] is a scene at one r whose results come from its tables. It calls the exact formulas for everything that
+//! the tables do not contain. This module does not build tables, and does not know how far they are from the exact
+//! values.
 
 mod compiled;
 mod held;

@@ -1,4 +1,5 @@
-//! Motion of the contact from tables, and motions of the masses from the exact formulas.
+//! Continuous motion of a scene with tables. The motion of the contact comes from the tables, the motion of each mass
+//! from the exact formulas.
 
 use super::compiled::{Compiled, Tabled};
 use crate::errors::NotContinuous;
@@ -9,23 +10,26 @@ use crate::number::scalar::Float;
 use crate::response::motion::Largest;
 use crate::response::{Continuous, MotionOf, ProvidesMotion};
 
-/// Values at one r from which amplitude and phase of the contact follow at any β.
+/// Table values of the contact at one frequency ratio. They give the amplitude and the phase of the contact at any β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTable<S> {
-    /// Continuous limit β_lim.
+    /// Limit of continuous motion β_lim.
     pub limit: S,
-    /// a = β_lim·U/|V|, the contribution of the velocity term at the limit.
+    /// a = β_lim·U/|V|: velocity that friction at β_lim gives the contact at a reversal (β_lim·U), divided by |V|, the
+    /// amplitude of the contact without friction.
     pub quadrature: S,
-    /// g = β_lim·G/|V|, the contribution of the displacement term at the limit; 0 without damping.
+    /// g = β_lim·G/|V|: displacement that friction at β_lim gives the contact at a reversal (β_lim·G), divided by |V|,
+    /// the amplitude of the contact without friction. Without damping g is 0.
     pub displacement: S,
-    /// Modulus |V| of the response of the relative motion to the excitation, without friction.
+    /// Modulus |V| of the relative motion that the excitation causes without friction.
     pub excitation: S,
-    /// Argument arg V of the same response, rad.
+    /// Argument arg V of the relative motion that the excitation causes without friction, rad.
     pub direction: S,
 }
 
 impl<S: Float> ContactTable<S> {
-    /// Creates the values of an undamped chain. β_lim and a·sgn V come from a table, and V has its sign.
+    /// Creates the table values of an undamped chain from β_lim, a·sgn V and V, where V is the response of the contact
+    /// without friction. V has a sign here instead of a phase.
     #[inline]
     #[must_use]
     pub fn undamped([limit, quadrature]: [S; 2], excitation: S) -> Self {
@@ -40,15 +44,17 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Creates the values of a damped chain. β_lim, a, g, arg V and |V| come from a table.
+    /// Creates the table values of a damped chain from β_lim, a, g, arg V and |V|, all of which come from a table. V is
+    /// the response of the contact without friction.
     #[inline]
     #[must_use]
     pub fn tabled([limit, quadrature, displacement, direction, excitation]: [S; 5]) -> Self {
         Self::damped([limit, quadrature, displacement, direction], excitation)
     }
 
-    /// Creates the values of a chain with undamped modes among damped ones, where |V| may have poles. β_lim, a, g and
-    /// arg V come from a table.
+    /// Creates the table values of a chain with both undamped and damped modes. β_lim, a, g and arg V come from a
+    /// table. `excitation` is |V|, the amplitude of the contact without friction, which has poles at the undamped
+    /// resonances.
     #[inline]
     #[must_use]
     pub fn damped([limit, quadrature, displacement, direction]: [S; 4], excitation: S) -> Self {
@@ -61,16 +67,19 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Returns √((1 − ρ²) + ρ²(1 − a²)) with ρ = β/β_lim, the in-phase term over |V|.
+    /// Returns √((1 − ρ²) + ρ²(1 − a²)), the in-phase term of the contact's motion divided by |V|, the amplitude
+    /// without friction. `share` is ρ = β/β_lim.
     #[inline]
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);
         let quadrature = share * self.quadrature;
-        // The product is negative only for β within the accuracy of the limit. It is then 0 within that accuracy.
+        // The product is negative only if β exceeds the tabulated β_lim, within its accuracy. The exact product is then
+        // 0 within that accuracy.
         ((one - quadrature) * (one + quadrature)).abs().sqrt()
     }
 
-    /// Returns Z, the amplitude of the contact's relative motion (2.21, 5.35, 7.20).
+    /// Returns Z, the amplitude of the contact's relative motion at β (2.21, 5.35, 7.20), in units of P/k₁ (for base
+    /// motion Y).
     #[inline]
     #[must_use]
     pub fn amplitude(&self, beta: S) -> S {
@@ -78,7 +87,7 @@ impl<S: Float> ContactTable<S> {
         self.excitation * (self.in_phase(share) - share * self.displacement)
     }
 
-    /// Returns φ, the lag of the contact's relative motion behind the excitation, in (−π, π] (5.38, 7.21).
+    /// Returns φ, the lag of the contact's relative motion behind the excitation, rad, in (−π, π] (5.38, 7.21).
     #[inline]
     #[must_use]
     pub fn phase(&self, beta: S) -> S {
@@ -88,18 +97,18 @@ impl<S: Float> ContactTable<S> {
     }
 }
 
-/// A scene with tables of its contact's motion.
+/// A scene that has a table of the continuous motion of the contact.
 pub trait TabledMotion: Tabled + ProvidesMotion {
-    /// Motion type with one method per mass.
+    /// Type that `motion` returns. In emitted code this type has one method for each mass.
     type Moving: From<Moving<Self>>;
 
-    /// Returns the contact's motion within the domain; `None` where only the exact formulas reach the declared
-    /// accuracy.
+    /// Returns the table values of the contact at r, which must be within the domain. Returns `None` if only the exact
+    /// formulas reach the declared accuracy.
     fn tabled_contact(&self, r: Self::Scalar) -> Option<ContactTable<Self::Scalar>>;
 }
 
 impl<T: TabledMotion> Compiled<T> {
-    /// Returns the continuous motion at the friction ratio β = F/P, where the table's limits admit it.
+    /// Returns the continuous motion at the friction ratio β = F/P, if β is below the limits in the tables.
     ///
     /// # Errors
     /// [`NotContinuous`] names the regime if the motion is not continuous. It also reports an undamped resonance that
@@ -111,7 +120,7 @@ impl<T: TabledMotion> Compiled<T> {
             let beta = self.checked(beta).map_err(|_| NotContinuous::OutOfDomain)?;
             self.exact().admitted(beta)?;
         } else {
-            // One lookup serves the check and the motion.
+            // One lookup serves both the check of β and the motion.
             table = self.scene().tabled_contact(self.frequency_ratio());
             let limit = match table {
                 Some(table) => table.limit,
@@ -127,7 +136,7 @@ impl<T: TabledMotion> Compiled<T> {
         Ok(Moving { at, beta, table }.into())
     }
 
-    /// Returns the reason why there is no continuous motion within the tables' range.
+    /// Returns the reason why the scene has no continuous motion at this β, for r within the range of the tables.
     #[cold]
     fn refused(&self, beta: T::Scalar, limit: T::Scalar) -> NotContinuous {
         if self.checked(beta).is_err() {
@@ -147,25 +156,25 @@ impl<T: TabledMotion> Compiled<T> {
 pub struct Moving<T: TabledMotion> {
     at: Compiled<T>,
     beta: T::Scalar,
-    /// Amplitude and phase of the contact at any β; `None` where the exact formulas answer.
+    /// Table values of the contact at this r. `None` if the exact formulas compute the motion.
     table: Option<ContactTable<T::Scalar>>,
 }
 
 impl<T: TabledMotion> Moving<T> {
-    /// Returns the scene at the frequency of this motion.
+    /// Returns the scene at the frequency ratio of this motion.
     #[inline]
     #[must_use]
     pub fn at(&self) -> &Compiled<T> {
         &self.at
     }
 
-    /// Returns the same motion from the exact formulas.
+    /// Returns the continuous motion from the exact formulas, at the same frequency ratio and friction ratio.
     #[must_use]
     pub fn exact(&self) -> Continuous<T> {
         self.at.exact().closed_form(self.beta)
     }
 
-    /// Returns the relative motion of the contact, from the tables.
+    /// Returns the relative motion of the contact, whose amplitude and phase come from the tables.
     #[inline]
     #[must_use]
     pub fn contact(&self) -> SteadyContact<T> {
@@ -181,28 +190,29 @@ impl<T: TabledMotion> Moving<T> {
         self.exact().mass(mass)
     }
 
-    /// Returns the motion of a mass as [`mass`](Self::mass) does, but `None` if the scene has no such mass or does not
-    /// provide its motion.
+    /// Returns the motion of a mass as [`mass`](Self::mass) does. Returns `None` if the scene has no such mass or does
+    /// not provide the motion of this mass.
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<MotionOf<T>> {
         self.exact().mass_at(mass)
     }
 }
 
-/// Relative motion of the contact, with amplitude and phase from tables and all other results from the exact formulas.
+/// Relative motion of the contact. Its amplitude and phase come from tables, all other results from the exact formulas.
 #[derive(Clone, Copy, Debug)]
 pub struct SteadyContact<T: TabledMotion> {
     moving: Moving<T>,
 }
 
 impl<T: TabledMotion> SteadyContact<T> {
-    /// Returns the same motion from the exact formulas.
+    /// Returns the relative motion of the contact from the exact formulas, at the same frequency ratio and friction
+    /// ratio.
     #[must_use]
     pub fn exact(&self) -> MotionOf<T> {
         self.moving.exact().contact()
     }
 
-    /// Returns amplitude and phase, from the tables without a search.
+    /// Returns the amplitude and the phase of the contact, from the tables without a search.
     #[must_use]
     pub fn largest(&self) -> Largest<T::Scalar> {
         let beta = self.moving.beta;
@@ -226,14 +236,15 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// Returns the monoharmonic estimate (5.50), (7.33). For the contact it equals the amplitude.
+    /// Returns the monoharmonic estimate of the amplitude (5.50), (7.33). For the contact the estimate equals the
+    /// amplitude.
     #[inline]
     #[must_use]
     pub fn amplitude_monoharmonic(&self) -> T::Scalar {
         self.amplitude()
     }
 
-    /// Returns the lag of the motion's maximum behind the excitation's maximum, rad, in (−π, π].
+    /// Returns the lag of the contact's relative motion behind the excitation, rad, in (−π, π].
     #[inline]
     #[must_use]
     pub fn phase(&self) -> T::Scalar {
@@ -243,19 +254,20 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// Returns z̄ at τ, counted from a maximum of the contact's relative motion.
+    /// Returns the relative displacement z̄ at the phase τ, counted from a maximum of z̄.
     #[must_use]
     pub fn displacement(&self, tau: T::Scalar) -> T::Scalar {
         self.exact().displacement(tau)
     }
 
-    /// Returns dz̄/dτ at τ, counted from a maximum of the contact's relative motion.
+    /// Returns the relative velocity dz̄/dτ at the phase τ, counted from a maximum of z̄.
     #[must_use]
     pub fn velocity(&self, tau: T::Scalar) -> T::Scalar {
         self.exact().velocity(tau)
     }
 
-    /// Returns Z_n, with z̄ = Re Σ Z_n e^{inτ_e} and τ_e counted from a maximum of the excitation.
+    /// Returns Z_n, the complex amplitude of harmonic n. It is defined by z̄ = Re Σ Z_n e^{inτ_e}, where the phase τ_e
+    /// is counted from a maximum of the excitation.
     #[must_use]
     pub fn harmonic(&self, n: u32) -> Complex<T::Scalar> {
         self.exact().harmonic(n)

@@ -1,41 +1,42 @@
-//! Piecewise polynomials. A bucket and a few halvings find the piece that contains r.
+//! Tables of piecewise polynomials in r. Each table divides its range into buckets of equal width. The bucket of r and
+//! a few halvings find the polynomial that is valid at r.
 
 use crate::number::scalar::Float;
 
-/// One piece, with `F` functions as polynomials of degree `C` − 1 in r − origin.
+/// One interval of r, on which `F` functions are polynomials of degree `C` − 1 in r − `origin`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece<S, const F: usize, const C: usize> {
-    /// Smallest r of the piece. The piece ends where the next one begins.
+    /// Smallest r of the interval. The interval ends where the next one begins.
     pub from: S,
-    /// Origin from which r is counted. Near a zero of a function it is the zero, so that the relative accuracy is kept
-    /// up to the zero.
+    /// Origin from which the polynomials count r. Near a zero of a function, the origin is that zero of the function.
+    /// The relative accuracy is then kept up to the zero.
     pub origin: S,
-    /// Coefficients of each function, from the constant term upwards.
+    /// Polynomial coefficients of each function, from the constant term upwards.
     pub coefficients: [[S; C]; F],
 }
 
-/// Functions of r over a range, in pieces.
+/// Table of `F` functions of r over a range, as piecewise polynomials.
 ///
-/// A lookup has no branch that depends on r. A bucket names a first piece, and `halvings` comparisons find the right
-/// one.
+/// A lookup has no branch that depends on r. The bucket of r gives the index of a first piece, and `halvings`
+/// comparisons find the piece that contains r.
 #[derive(Clone, Copy, Debug)]
 pub struct Table<'a, S, B, const F: usize, const C: usize> {
-    /// Start of the first bucket.
+    /// Smallest r of the table, where the first bucket starts.
     pub low: S,
-    /// Number of buckets per unit of r.
+    /// Number of buckets per unit of r. All buckets have the same width.
     pub density: S,
-    /// Number of comparisons that find a piece among those of a bucket. At most 2^halvings − 1 pieces begin within one
+    /// Number of comparisons that find a polynomial piece within a bucket. At most 2^halvings − 1 pieces begin in a
     /// bucket.
     pub halvings: u32,
-    /// Index of the piece in which each bucket begins. The number of buckets is a power of two.
+    /// Index of the polynomial piece that contains the start of each bucket. The number of buckets is a power of two.
     pub buckets: &'a [B],
-    /// Pieces in ascending order.
+    /// Polynomial pieces in ascending order of r.
     pub pieces: &'a [Piece<S, F, C>],
 }
 
 impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, S, B, F, C> {
-    /// Returns the piece that contains r. Outside the range it is an arbitrary piece. Returns `None` if there are no
-    /// pieces.
+    /// Returns the polynomial piece that contains r. For r outside the range, the result is an arbitrary piece. Returns
+    /// `None` if the table has no pieces.
     #[inline(always)]
     #[must_use]
     pub fn piece(&self, r: S) -> Option<&Piece<S, F, C>> {
@@ -54,7 +55,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// Returns the piece that contains r, among the `W` pieces from `first` on, or among the last `W` if fewer follow.
+    /// Returns the polynomial piece that contains r, by looking at `W` pieces from index `first` on. If fewer pieces
+    /// follow, it looks at the last `W` pieces.
     #[inline(always)]
     fn among<const W: usize>(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let first = first.min(self.pieces.len().saturating_sub(W));
@@ -66,7 +68,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// Returns the piece that contains r, from `first` on, with `halvings` halvings in a loop.
+    /// Returns the polynomial piece that contains r, from index `first` on. It halves the interval `halvings` times in
+    /// a loop.
     fn onwards(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let mut index = first;
         let mut halving = self.halvings;
@@ -82,13 +85,14 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         self.pieces.get(index)
     }
 
-    /// Returns all functions at r; NaN if there are no pieces.
+    /// Returns the values of all functions at r. All values are NaN if the table has no pieces.
     #[inline(always)]
     #[must_use]
     pub fn values(&self, r: S) -> [S; F] {
         let mut values = [S::constant(f64::NAN); F];
         if let Some(piece) = self.piece(r) {
-            // Written out instead of a loop, so that the compiler removes a function whose value is not used.
+            // The calls are written out instead of a loop, so that the compiler removes a function whose value is not
+            // used.
             let t = r - piece.origin;
             put(&mut values, piece, 0, t);
             put(&mut values, piece, 1, t);
@@ -102,7 +106,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         values
     }
 
-    /// Returns the first function at r; NaN if there are no pieces.
+    /// Returns the value at r of the first function in the table. The value is NaN if the table has no pieces.
     #[inline(always)]
     #[must_use]
     pub fn first(&self, r: S) -> S {
@@ -115,7 +119,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
     }
 }
 
-/// Returns the piece of a window that contains r, by halving. This takes the fewest instructions.
+/// Returns the polynomial piece that contains r, among `W` consecutive pieces, by halving. Halving takes the fewest
+/// instructions.
 #[inline(always)]
 fn halved<S: Float, const F: usize, const C: usize, const W: usize>(
     window: &[Piece<S, F, C>; W],
@@ -137,7 +142,7 @@ fn halved<S: Float, const F: usize, const C: usize, const W: usize>(
     half(pieces, r).first()
 }
 
-/// Returns the half of the given pieces that contains r.
+/// Returns the first or the second half of the given polynomial pieces, whichever contains r.
 #[inline(always)]
 fn half<S: Float, const F: usize, const C: usize>(
     pieces: &[Piece<S, F, C>],
@@ -152,11 +157,11 @@ fn half<S: Float, const F: usize, const C: usize>(
     }
 }
 
-/// Returns the index in a window of the piece that contains r, by counting in quarters the pieces that begin at or
-/// below r.
+/// Returns the index of the polynomial piece that contains r in a window of `W` pieces. It counts the pieces that begin
+/// at or below r, first in coarse and then in fine steps.
 ///
-/// A compiler turns halving into branches. A large processor cannot predict such branches for an arbitrary r, and each
-/// waits for the one before. The comparisons of a count do not wait for one another.
+/// A compiler turns halving into branches. A large processor cannot predict these branches for an arbitrary r, and each
+/// branch waits for the previous one. The comparisons of a count do not wait for one another.
 #[inline(always)]
 fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
     window: &[Piece<S, F, C>; W],
@@ -188,7 +193,8 @@ fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
     }
 }
 
-/// Evaluates one function of the piece, if it has a function with this index.
+/// Evaluates one function of a polynomial piece, and writes the value into `values` at the index `function`. Does
+/// nothing if there is no such function.
 #[inline(always)]
 fn put<S: Float, const F: usize, const C: usize>(
     values: &mut [S; F],
@@ -201,9 +207,10 @@ fn put<S: Float, const F: usize, const C: usize>(
     }
 }
 
-/// Returns Σ c_k t^k. It forms the pairs c_2k + c_2k+1·t, and multiplies by t² from the highest pair downwards.
+/// Returns the polynomial Σ c_k t^k. It forms the pairs c_2k + c_2k+1·t, and multiplies by t² from the highest pair
+/// downwards.
 ///
-/// Up to degree 9 it is written out without a loop, so that code compiled for size has no loop.
+/// Up to degree 9 the sum is written out, so that code compiled for size has no loop.
 #[inline(always)]
 #[must_use]
 pub fn polynomial<S: Float>(coefficients: &[S], t: S) -> S {
@@ -222,7 +229,8 @@ pub fn polynomial<S: Float>(coefficients: &[S], t: S) -> S {
     sum.unwrap_or(S::constant(0.0))
 }
 
-/// Returns the pair that begins at the coefficient `first`, plus t² times the sum of the higher pairs.
+/// Returns one step of the evaluation of a polynomial: the pair c_k + c_k+1·t with k = `first`, plus t² times the sum
+/// of the higher pairs. Returns `higher` unchanged if there is no coefficient `first`.
 #[inline(always)]
 fn below<S: Float>(
     coefficients: &[S],

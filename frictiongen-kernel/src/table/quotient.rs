@@ -1,38 +1,40 @@
-//! Quotients of products. They give a rational function of r by its zeros and poles, each of which keeps its digits.
+//! Real rational functions of r as quotients of products over zeros and poles. Close to a zero or pole, each factor
+//! keeps its digits.
 
 use crate::number::scalar::Float;
 
-/// Factor in r², from a zero s = x + iy of the polynomial in s = ir, or from its square for an undamped chain.
+/// Real factor of a rational function of r², for one zero or pole or for a pair of them. In a damped chain the factor
+/// belongs to the squared modulus. A zero is written s = x + iy, with s = ir.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor<S> {
-    /// Factor (r − y)(r + y). It stores y as a rounded value and a rest, so that r − y keeps its digits close to the
-    /// zero.
+    /// Factor (r − y)(r + y) of a zero on the imaginary axis. It stores y as a rounded value and the rounding error, so
+    /// that r − y keeps its digits close to the zero.
     Zero {
-        /// Imaginary part y of the zero, rounded to the scalar.
+        /// Imaginary part y of the zero, rounded to the number type.
         at: S,
         /// Rounding error of y: the exact y minus the rounded y.
         rest: S,
     },
     /// Factor ((r − y)(r + y) + x²)² + 4x²y² of a pair of zeros off the imaginary axis.
     Pair {
-        /// Imaginary part y of the zero, rounded to the scalar.
+        /// Imaginary part y of the zero, rounded to the number type.
         at: S,
         /// Rounding error of y: the exact y minus the rounded y.
         rest: S,
         /// x², the square of the real part of the zeros.
         off: S,
-        /// 4x²y², the constant term.
+        /// Constant term 4x²y² of the factor.
         least: S,
     },
     /// Factor r² + x² of a zero on the real axis of s.
     Real {
-        /// x², the square of the zero.
+        /// x², the square of the real zero.
         off: S,
     },
 }
 
 impl<S: Float> Factor<S> {
-    /// Returns the factor at r.
+    /// Returns the factor at the frequency ratio r.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> S {
@@ -52,28 +54,30 @@ impl<S: Float> Factor<S> {
     }
 }
 
-/// Rational function gain·Π numerator/Π denominator, or gain times the root of that quotient if `squared` is set.
+/// Rational function of r: the product of the factors in `numerator`, divided by the product of the factors in
+/// `denominator`, times `gain`. If `squared` is true, the function is `gain` times the square root of that quotient.
 #[derive(Clone, Copy, Debug)]
 pub struct Quotient<'a, S> {
-    /// Constant factor.
+    /// Constant factor of the function.
     pub gain: S,
-    /// True if the factors are those of the square of the wanted function.
+    /// True if the factors belong to the square of the wanted function. The quotient is then replaced by its square
+    /// root.
     pub squared: bool,
-    /// Zeros.
+    /// Factors of the numerator, one for each zero or pair of zeros of the function.
     pub numerator: &'a [Factor<S>],
-    /// Poles.
+    /// Factors of the denominator, one for each pole or pair of poles of the function.
     pub denominator: &'a [Factor<S>],
 }
 
 impl<S: Float> Quotient<'_, S> {
-    /// Returns the modulus of the quotient at r.
+    /// Returns the absolute value of the function at r.
     #[inline(always)]
     #[must_use]
     pub fn size(&self, r: S) -> S {
         self.value(r).abs()
     }
 
-    /// Returns the quotient at r, with its sign unless it is a root; infinite on a pole.
+    /// Returns the function at r, infinite on a pole. The result may be negative, unless the function is a square root.
     #[inline(always)]
     #[must_use]
     pub fn value(&self, r: S) -> S {
@@ -92,8 +96,8 @@ impl<S: Float> Quotient<'_, S> {
     }
 }
 
-/// Returns the product of all factors at r. The first twelve are written out without a loop, so that constant factors
-/// compile to plain arithmetic.
+/// Returns the product of all factors at r. The product of the first twelve factors is written out without a loop, so
+/// that constant factors compile to plain arithmetic.
 #[inline(always)]
 fn product<S: Float>(factors: &[Factor<S>], r: S) -> S {
     let mut product = S::constant(1.0);
@@ -115,7 +119,7 @@ fn product<S: Float>(factors: &[Factor<S>], r: S) -> S {
     product
 }
 
-/// Multiplies a product by the factor at index `place`, if there is one.
+/// Multiplies a product by the factor at index `place`. Returns the product unchanged if there is no such factor.
 #[inline(always)]
 fn times<S: Float>(product: S, factors: &[Factor<S>], place: usize, r: S) -> S {
     match factors.get(place) {

@@ -1,4 +1,4 @@
-//! Response of a [`TabledStuck`] scene while its contact is stuck.
+//! Response of a scene with tables while the contact is stuck.
 
 use super::compiled::{Compiled, Tabled};
 use crate::errors::StuckResonance;
@@ -6,33 +6,35 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::response::{ProvidesStuck, Stuck};
 
-/// A scene with products over zeros and poles for its response while the contact is stuck.
+/// A scene whose response with the contact stuck is written as products over zeros and poles.
 ///
-/// The exact formulas answer unless a scene writes its own bodies for these methods.
+/// The exact formulas compute the response, unless the scene writes its own bodies for these methods.
 pub trait TabledStuck: Tabled + ProvidesStuck {
-    /// Response type with one method per mass.
+    /// Type that `stuck` returns. In emitted code this type has one method for each mass.
     type Sticking: From<Sticking<Self>>;
 
-    /// Returns true if the products answer. If false, only the exact formulas reach the declared accuracy.
+    /// Returns true if the response comes from products over zeros and poles. If false, only the exact formulas reach
+    /// the declared accuracy.
     #[inline]
     fn holds_stuck(&self) -> bool {
         false
     }
 
-    /// Returns the frequency ratios within the domain that equal an undamped resonance of the chain with its contact
-    /// stuck, to the last digit.
+    /// Returns frequency ratios within the domain at which the stuck chain has an undamped resonance. Only resonances
+    /// that are exactly a number of the type are listed.
     #[inline]
     fn stuck_resonances(&self) -> &[Self::Scalar] {
         &[]
     }
 
-    /// Returns x̄* = V_k − H_kV/H of a mass within the domain; `None` if the scene has no such mass.
+    /// Returns x̄*, the complex amplitude of a mass while the contact is stuck, for r within the domain. Returns `None`
+    /// if the scene has no such mass.
     #[inline]
     fn tabled_stuck(&self, _mass: usize, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
         None
     }
 
-    /// Returns V/H within the domain.
+    /// Returns V/H, the complex amplitude of the force that keeps the contact stuck, for r within the domain.
     #[inline]
     fn tabled_holding_force(&self, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
         None
@@ -40,7 +42,8 @@ pub trait TabledStuck: Tabled + ProvidesStuck {
 }
 
 impl<T: TabledStuck> Compiled<T> {
-    /// Returns the response while the contact is stuck, which exists for β ≥ β*_lim, to the declared accuracy.
+    /// Returns the response while the contact is stuck, to the declared accuracy. It exists for β ≥ β*_lim, the limit
+    /// of sliding.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
@@ -48,7 +51,7 @@ impl<T: TabledStuck> Compiled<T> {
     pub fn stuck(&self) -> Result<T::Sticking, StuckResonance> {
         let at = self.clone();
         if !self.holds_stuck() {
-            // The exact formulas make their own check for a resonance.
+            // The exact formulas check for a resonance themselves.
             self.exact().stuck()?;
             return Ok(Sticking { at }.into());
         }
@@ -59,37 +62,37 @@ impl<T: TabledStuck> Compiled<T> {
         Ok(Sticking { at }.into())
     }
 
-    /// Returns true if the products answer at this r.
+    /// Returns true if the response at this r comes from products over zeros and poles.
     #[inline]
     fn holds_stuck(&self) -> bool {
-        // If nothing answers beyond the range, r is within it and needs no check.
+        // If a call beyond the range is an error, r is within the range and needs no check.
         let within = !self.scene().domain().exact_beyond || self.is_within();
         within && self.scene().holds_stuck()
     }
 }
 
-/// Response of a [`TabledStuck`] scene at one frequency ratio, while its contact is stuck.
+/// Response of a [`TabledStuck`] scene at one frequency ratio, while the contact is stuck.
 #[derive(Clone, Copy, Debug)]
 pub struct Sticking<T: TabledStuck> {
     at: Compiled<T>,
 }
 
 impl<T: TabledStuck> Sticking<T> {
-    /// Returns the scene at this frequency.
+    /// Returns the scene at the frequency ratio of this response.
     #[inline]
     #[must_use]
     pub fn at(&self) -> &Compiled<T> {
         &self.at
     }
 
-    /// Returns the same response from the exact formulas.
+    /// Returns the response while the contact is stuck from the exact formulas, at the same frequency ratio.
     #[must_use]
     pub fn exact(&self) -> Stuck<T> {
         self.at.exact().stuck_unchecked()
     }
 
-    /// Returns the complex amplitude A = V/H of the force Re(A e^{iτ}), over P, that keeps the contact stuck (6.11,
-    /// 6.27, 6.33). A positive force acts against positive sliding. Its modulus is μβ*_lim.
+    /// Returns V/H, the complex amplitude of the contact force that keeps the contact stuck, divided by P (6.11, 6.27,
+    /// 6.33). A positive force opposes positive sliding. The modulus equals μβ*_lim, with β*_lim the limit of sliding.
     #[inline]
     #[must_use]
     pub fn contact_force(&self) -> Complex<T::Scalar> {
@@ -105,7 +108,8 @@ impl<T: TabledStuck> Sticking<T> {
         }
     }
 
-    /// Returns the amplitude of a mass as [`mass_at`](Self::mass_at) does, but 0 if the scene has no such mass.
+    /// Returns the complex amplitude of a mass as [`mass_at`](Self::mass_at) does. Returns 0 if the scene has no such
+    /// mass.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> Complex<T::Scalar> {
@@ -113,8 +117,8 @@ impl<T: TabledStuck> Sticking<T> {
         self.mass_at(mass).unwrap_or(at_rest)
     }
 
-    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of a mass, given by its index in the description (6.11, 6.27,
-    /// 6.33). Returns `None` if the scene has no such mass.
+    /// Returns x̄*, the complex amplitude of a mass while the contact is stuck (6.11, 6.27, 6.33). `mass` is the index
+    /// of the mass in the description. Returns `None` if the scene has no such mass.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<Complex<T::Scalar>> {

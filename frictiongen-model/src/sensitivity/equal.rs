@@ -1,23 +1,23 @@
-//! Basis of equal modes, which a change of the scene selects.
+//! Chooses the basis of modes with equal frequencies that follows a change of the scene smoothly.
 
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Largest relative difference in λ of modes that count as equal.
+/// Largest relative difference in λ of two modes that count as equal in frequency.
 const EQUAL: f64 = 1e-24;
 
-/// Upper bound on sweeps of Jacobi rotations in a group of equal modes. Each sweep squares the
-/// remainder.
+/// Upper bound on the number of sweeps of Jacobi rotations in a group of equal modes. Each sweep squares the remaining
+/// coupling.
 const MAX_SWEEPS: usize = 30;
 
 pub(super) fn equal(a: Dd, b: Dd) -> bool {
     (a - b).abs() <= Dd::from(EQUAL) * (a + b)
 }
 
-/// Rotates each group of equal modes to the basis in which the change of the scene does not couple
-/// them. Every basis of such a group is valid, but only this one follows the change smoothly.
+/// Rotates each group of equal modes to the basis in which the change of the scene does not couple them. Every basis of
+/// such a group is valid, but only this basis follows the change smoothly.
 ///
-/// Returns, for each mode, whether it was rotated.
+/// Returns one flag for each mode, which is true if the mode was rotated.
 pub(super) fn adapt_equal_modes(
     matrix: &mut [Vec<Dd>],
     shapes: &mut [Vec<Dd>],
@@ -73,7 +73,7 @@ pub(super) fn adapt_equal_modes(
     which
 }
 
-/// Rotates two rows in their plane.
+/// Rotates two rows in the plane that they span.
 fn turn(rows: &mut [Vec<Dd>], left: usize, right: usize, cosine: Dd, sine: Dd) {
     let (head, tail) = rows.split_at_mut(right);
     if let (Some(a), Some(b)) = (head.get_mut(left), tail.first_mut()) {

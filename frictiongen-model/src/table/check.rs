@@ -1,4 +1,4 @@
-//! Compares tables with the exact values, at points that the fit did not use.
+//! Compares tables with the exact values, at frequency ratios that the fit did not use.
 
 use super::errors::{Comparison, or_infinite};
 use super::fit::Fitted;
@@ -13,14 +13,16 @@ use frictiongen_kernel::Float;
 const POINTS: usize = 64;
 /// Closest distance to a zero at which a piece is compared, in decades: 10^−13 of the length of the piece.
 const DECADES: f64 = 13.0;
-/// Number of points at which a product is compared, in addition to the points of interest.
+/// Number of frequency ratios over the range at which a product over zeros and poles is compared with the exact values.
+/// Further points are near zeros, resonances and sub-harmonics.
 const PRODUCT_POINTS: usize = 256;
-/// Uncertainty of r in an exact value, in roundings.
+/// Number of roundings by which r may be off when an exact value is computed.
 pub(super) const ROUNDINGS: f64 = 8.0;
-/// The golden section. The fractional parts of its multiples spread the points evenly.
+/// The golden section. The fractional parts of its multiples spread points evenly over an interval.
 pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// Returns the largest error of a piece over the allowed error, with its r, and the number of compared points.
+/// Compares a polynomial piece with the exact values. Returns the largest error divided by the allowed error, the r of
+/// this error, and the number of compared points.
 pub(super) fn piece<S: Float>(
     comparison: &mut Comparison<'_, '_, S>,
     piece: &Fitted<S>,
@@ -34,12 +36,14 @@ pub(super) fn piece<S: Float>(
     let spread = (0..POINTS).map(|k| from + (GOLDEN * (k + 1) as f64).fract() * (to - from));
     let mut places: Vec<f64> = spread.collect();
     if let Some(zero) = zero {
-        // Towards a zero the accuracy stays relative, so every decade of the distance gets the same number of points.
+        // The error stays relative towards a zero, so every decade of the distance to the zero gets the same number of
+        // points.
         let length = if zero.at > from { from - to } else { to - from };
         let towards = (0..POINTS).map(|k| (GOLDEN * (k + 1) as f64).fract() * DECADES);
         places.extend(towards.map(|decades| zero.at + length * 10_f64.powf(-decades)));
     }
-    // Kinks within the piece lie between neighbouring points that have different maxima.
+    // A kink of β_lim within the piece lies between two neighbouring points whose velocity constraints have different
+    // maxima.
     places.sort_by(f64::total_cmp);
     let mut kinks = Vec::new();
     for neighbours in places.windows(2) {
@@ -63,7 +67,8 @@ pub(super) fn piece<S: Float>(
     (worst, points)
 }
 
-/// Returns the largest relative error of a product over zeros and poles, with its r, and the number of compared points.
+/// Compares a product over zeros and poles with the exact values. Returns the largest relative error, the r of this
+/// error, and the number of compared points.
 pub(super) fn product<S: Float>(
     product: &Product<S>,
     (low, high): (f64, f64),
@@ -82,12 +87,12 @@ pub(super) fn product<S: Float>(
     for r in spread.chain(landmarks.closely.iter().copied()) {
         let own = S::constant(r);
         let expected = exact(own.to_f64());
-        // On a zero or a pole there is no value to compare.
+        // On a zero or a pole the exact value is 0 or infinite, so there is nothing to compare.
         if !(0.0 < expected && expected.is_finite()) {
             continue;
         }
         let off = (product.quotient().value(own).abs().to_f64() - expected).abs();
-        // Near a zero or a pole the exact value is uncertain by some roundings of r.
+        // Near a zero or a pole the function is steep, so a few roundings of r change the exact value noticeably.
         let moved = own.to_f64() * (1.0 + ROUNDINGS * f64::EPSILON);
         let off = (off - (exact(moved) - expected).abs()).max(0.0);
         points += 1;

@@ -1,4 +1,4 @@
-//! Covers a range with pieces, each as long as the accuracy allows.
+//! Covers a range of r with polynomial pieces, each as long as the accuracy allows.
 
 use super::check;
 use super::digits::to_decimals;
@@ -8,69 +8,73 @@ use super::split::Edge;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// A piece counts as the longest if a piece longer by this factor is too long. More fits would save at most a tenth of
-/// the pieces.
+/// Ratio of lengths at which the search for the longest piece ends. A piece that is longer by this factor is then known
+/// to be too long. More fits would save at most a tenth of the pieces.
 const LONGEST: f64 = 1.1;
-/// Rounding of a piece's end for human readers, as a fraction of the piece's length. It applies where neither a kink
-/// nor a limit sets the end.
+/// Step to which the end of a polynomial piece is rounded for human readers, as a fraction of the length of the piece.
+/// The end is not rounded at a kink of β_lim or at a bound of the range.
 const END: f64 = 0.02;
-/// Error over the allowed error above which a piece that is too long contains a kink, whose position is then located.
-/// Across a kink the error falls only in proportion to the length, and not with a high power of it.
+/// Error divided by the allowed error above which a piece that is too long probably contains a kink. The position of
+/// the kink is then located. Across a kink the error falls only in proportion to the length, not with a high power of
+/// it.
 const KINK: f64 = 30.0;
-/// Ratio of lengths to which a kink is located.
+/// Ratio of lengths at which a kink counts as located: a length that is too long divided by a length that is not.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
-/// Largest number of pieces that are covered again. Each adds a point to check. A cover that exceeds this number would
-/// not end.
+/// Largest number of polynomial pieces that are fitted again after the check. Each repetition adds a point to check.
+/// With more repetitions, the construction would not end.
 const MOST_AGAIN: usize = 1000;
-/// Shortest piece, as a fraction of r: some hundreds of roundings of double precision.
+/// Length of the shortest polynomial piece, as a fraction of r. It is some hundreds of roundings of double precision.
 const SHORTEST: f64 = 1e-13;
-/// First trial length of a piece, over the length of the previous piece. A trial that is too long bounds the length
-/// from above at once.
+/// First trial length of a polynomial piece, as a multiple of the length of the previous piece. It is rather too long
+/// than too short, since a trial that is too long bounds the length from above at once.
 const LONGER: f64 = 1.5;
-/// Largest number of fits for one piece. Halving the whole range down to [`SHORTEST`] takes 44.
+/// Length of the last polynomial piece. The first trial length of the next piece follows from it.
 const MOST_FITS: usize = 200;
-/// Error over the allowed error at which the next length is aimed, after a piece that passed.
+/// Error that the next trial length of a piece aims at, divided by the allowed error, after a fit within the allowed
+/// error.
 const AIM: f64 = 0.8;
-/// Error over the allowed error at which the next length is aimed, after a piece that was too long.
+/// Error that the next trial length of a piece aims at, divided by the allowed error, after a piece that was too long.
 const AIM_AGAIN: f64 = 0.7;
-/// Error over the allowed error below which errors carry no information on the length.
+/// Smallest error of a fit, divided by the allowed error, from which the next trial length is computed. A smaller error
+/// says nothing about the best length.
 const TINY: f64 = 1e-6;
-/// Bounds on the ratio of a guess to the last length, because the error follows a power of the length only
-/// approximately.
+/// Bounds on the factor by which the trial length of a piece grows after a fit within the allowed error. The factor
+/// comes from a power law, which is only approximate.
 const LONGER_BY: [f64; 2] = [1.05, 2.0];
 const SHORTER_BY: [f64; 2] = [0.2, 0.95];
 
-/// Returns the nearest value within two bounds.
+/// Returns a value, limited to the interval between two bounds.
 fn clamped(value: f64, [least, most]: [f64; 2]) -> f64 {
     value.clamp(least, most)
 }
 
-/// A range to be covered.
+/// Approximation of the tabulated functions by polynomial pieces over a range of r: settings and state of the
+/// construction.
 pub(super) struct Cover<'a, 'm, S> {
-    /// The exact values for the comparison.
+    /// Exact values with which each polynomial piece is compared, and the allowed errors of the fit.
     pub comparison: Comparison<'a, 'm, S>,
-    /// Kinks of β_lim, ascending.
+    /// Kinks of β_lim, as frequency ratios in ascending order.
     pub kinks: Vec<f64>,
-    /// Allowed errors of the check: for β_lim, and for amplitude and phase.
+    /// Allowed errors of the check: the first for β_lim, the second for the amplitude and the phase of the contact.
     pub whole: (f64, f64),
-    /// Largest number of pieces.
+    /// Largest number of pieces that the construction may make.
     pub most_pieces: usize,
-    /// Length of the last piece.
+    /// Length of the last polynomial piece. The first trial length of the next piece follows from it.
     pub last: f64,
 }
 
-/// The r at which a cover failed.
+/// Failure to cover a range: no piece that contains the frequency ratio `at` meets the accuracy.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stuck {
     pub at: f64,
 }
 
 impl<S: Float> Cover<'_, '_, S> {
-    /// Returns pieces that cover the range, checked at points that their fits did not use, and the largest error over
-    /// the allowed error.
+    /// Returns polynomial pieces that cover the range, checked at points that the fits did not use. Also returns the
+    /// largest error divided by the allowed error, and the number of compared points.
     ///
-    /// Where the check finds a larger error than allowed, its r becomes a point of interest, and the piece is covered
-    /// again.
+    /// If the check finds a larger error than allowed, later fits are also compared at the r of the error. The interval
+    /// of the piece is then covered again.
     pub fn checked(
         &mut self,
         low: f64,
@@ -97,7 +101,7 @@ impl<S: Float> Cover<'_, '_, S> {
                 if seen.error > worst.error {
                     worst = seen;
                 }
-                // The last one counts of several pieces that round to the same start.
+                // If several pieces round to the same start, only the last piece counts.
                 if pieces
                     .last()
                     .is_some_and(|last: &Fitted<S>| last.from == piece.from)
@@ -123,7 +127,7 @@ impl<S: Float> Cover<'_, '_, S> {
         Ok((pieces, worst, points))
     }
 
-    /// Returns pieces that cover the range.
+    /// Returns polynomial pieces that cover the range, before the check.
     fn range(&mut self, low: f64, high: f64) -> Result<Vec<Fitted<S>>, Stuck> {
         let mut pieces = Vec::new();
         let zeros = self.comparison.landmarks.zeros.clone();
@@ -143,7 +147,7 @@ impl<S: Float> Cover<'_, '_, S> {
         Ok(pieces)
     }
 
-    /// Appends pieces between two zeros, or between a zero and a bound of the range.
+    /// Appends the pieces between two zeros of β_lim, or between a zero and a bound of the range.
     fn between(
         &mut self,
         (low, high): (f64, f64),
@@ -177,7 +181,8 @@ impl<S: Float> Cover<'_, '_, S> {
         Ok(())
     }
 
-    /// Returns the longest piece from `start` towards `limit`, and its end.
+    /// Returns the longest polynomial piece that meets the accuracy, from `start` towards `limit`, and the r at which
+    /// the piece ends.
     fn longest(
         &mut self,
         start: f64,
@@ -186,7 +191,7 @@ impl<S: Float> Cover<'_, '_, S> {
     ) -> Result<(Fitted<S>, f64), Stuck> {
         let most = (limit - start).abs();
         let forwards = start < limit;
-        // A piece should end at one of the kinks ahead.
+        // A piece should end at a kink ahead, because a polynomial cannot follow a kink.
         let ahead = self
             .kinks
             .iter()
@@ -206,7 +211,7 @@ impl<S: Float> Cover<'_, '_, S> {
                     start - length
                 };
                 let rounded = to_decimals(end, END * length);
-                // A kink is not rounded.
+                // An end at a kink is not rounded.
                 let kink = stops.contains(&length);
                 if kink { end } else { rounded }
             }
@@ -219,7 +224,8 @@ impl<S: Float> Cover<'_, '_, S> {
         for _ in 0..MOST_FITS {
             let end = end_of(length);
             let between = if forwards { (start, end) } else { (end, start) };
-            // For a zero farther away than the piece is long, powers of the distance would be nearly equal.
+            // If a zero is farther away than the piece is long, the powers of the distance to the zero would be nearly
+            // equal.
             let zero = zero.filter(|zero| zero.distance(start).abs() <= length);
             let piece = fit(self.comparison.exact, between, zero, self.comparison.form)
                 .ok_or(Stuck { at: start })?;
@@ -230,7 +236,7 @@ impl<S: Float> Cover<'_, '_, S> {
                     break;
                 }
                 if length >= stop {
-                    // A weak kink may lie within a piece.
+                    // The piece has passed beyond a weak kink, which may lie within a piece.
                     stop = next.next().unwrap_or(most);
                 }
                 let guess = length * clamped((AIM / error.max(TINY)).powf(order), LONGER_BY);

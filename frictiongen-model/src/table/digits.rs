@@ -1,17 +1,18 @@
-//! Rounds numbers to the digits that matter, because people read the tables. Also finds the neighbours of a number.
+//! Rounds numbers to the digits that matter, because people read the tables. Also finds the next larger number of a
+//! type.
 
 use frictiongen_kernel::Float;
 
-/// Largest number of decimals. A frequency ratio in double precision has no digits beyond it.
+/// Largest number of decimals. A frequency ratio in double precision has no digits beyond this decimal.
 const MOST_DECIMALS: f64 = 40.0;
 
-/// Returns the smallest number of the scalar above a value, which need not be a number of the scalar.
+/// Returns the smallest number of the type `S` that is larger than a value in double precision.
 pub(super) fn above<S: Float>(value: f64) -> S {
     let next = S::constant(value.next_up());
     if next.to_f64() > value {
         return next;
     }
-    // The next number, or half the distance to it, is half a rounding away.
+    // The distance to the next number of the type is one rounding, or half a rounding, of the value.
     let further = |roundings: f64| S::constant(value + value.abs() * roundings * S::EPSILON);
     let next = further(0.5);
     if next.to_f64() > value {
@@ -21,7 +22,7 @@ pub(super) fn above<S: Float>(value: f64) -> S {
     }
 }
 
-/// Returns the nearest number whose last decimal is no larger than `least`.
+/// Rounds a value to decimals. The last decimal place of the result is at most `least`.
 pub(super) fn to_decimals(value: f64, least: f64) -> f64 {
     let decimals = -least.log10().floor();
     if decimals < 0.0 {

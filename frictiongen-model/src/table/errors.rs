@@ -1,4 +1,4 @@
-//! Errors of a piece relative to the allowed errors.
+//! Errors of a polynomial piece of a table, divided by the errors that the request allows.
 
 use super::digits::above;
 use super::exact::{ANGLE, Exact, SIZE};
@@ -8,32 +8,35 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::table::{ContactTable, Quotient};
 use std::f64::consts::PI;
 
-/// Friction ratios over β_lim at which the motion of the contact is compared.
+/// Ratios β/β_lim at which the amplitude and the phase of the contact are compared with the exact values.
 pub const FRICTION_SHARES: [f64; 7] = [0.05, 0.3, 0.6, 0.8, 0.9, 0.95, 0.98];
-/// Uncertainty of r in an exact value near a zero of β_lim, in roundings.
+/// Number of roundings by which r may be off when an exact value near a zero of β_lim is computed.
 const ROUNDINGS: f64 = 4.0;
 
-/// The exact values for the comparison, and the allowed errors.
+/// Exact values with which polynomial pieces are compared, and the errors that a polynomial piece may have.
 pub(super) struct Comparison<'a, 'm, S> {
     pub exact: &'a mut Exact<'m>,
     pub landmarks: Landmarks,
     pub form: Form,
-    /// Largest allowed deviation of β_lim from side_factor·β_lim, relative to β_lim.
+    /// Largest allowed deviation of a polynomial from `side_factor`·β_lim, relative to β_lim.
     pub limit: f64,
-    /// Largest allowed error of the amplitude (relative) and of the phase (rad).
+    /// Largest allowed error of the contact's amplitude (relative) and phase (rad).
     pub motion: f64,
-    /// |V|, or V with its sign. `None` if the motion is not needed, or if |V| is one of the functions.
+    /// |V|, the amplitude of the contact without friction, as a product over zeros and poles. Without damping, the
+    /// product is V with its sign. `None` if the motion of the contact is not needed, or if |V| is a polynomial of the
+    /// pieces.
     pub excitation: Option<Quotient<'a, S>>,
 }
 
 impl<S: Float> Comparison<'_, '_, S> {
-    /// Returns the zero that is the origin of a piece, if the origin is a zero.
+    /// Returns the zero of β_lim from which the polynomials of a piece count r. Returns `None` if the origin of the
+    /// piece is not a zero.
     pub fn zero_of(&self, piece: &Fitted<S>) -> Option<Edge> {
         let to = |at: f64| S::constant(at).to_f64();
         self.landmarks.zero_at(piece.origin.to_f64(), to)
     }
 
-    /// Returns the largest error of a piece over the allowed error.
+    /// Returns the largest error of a polynomial piece, divided by the allowed error.
     pub fn error(&mut self, piece: &Fitted<S>, (low, high): (f64, f64), zero: Option<Edge>) -> f64 {
         let points = 2 * self.form.terms + 3;
         let step = (high - low) / (points - 1) as f64;
@@ -63,8 +66,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         worst
     }
 
-    /// Returns the error at the number of the scalar nearest to r within the piece. Returns 0 if the piece has no such
-    /// number.
+    /// Returns the error of a polynomial piece near r, divided by the allowed error. The error is computed at the
+    /// nearest number of the type `S` within the piece. Returns 0 if the piece contains no such number.
     fn error_within(
         &mut self,
         piece: &Fitted<S>,
@@ -72,7 +75,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         (low, high): (f64, f64),
         zero: Option<Edge>,
     ) -> f64 {
-        // The nearest number of the scalar may lie outside the piece.
+        // The nearest number of the type may lie outside the piece.
         let rounded = |r: f64| S::constant(r).to_f64();
         let own = match rounded(r) {
             own if own < low => above::<S>(low).to_f64(),
@@ -90,7 +93,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         }
     }
 
-    /// Returns the error of a piece at r over the allowed error. The exact value is uncertain by some roundings of r.
+    /// Returns the error of a polynomial piece at r, divided by the allowed error. A few roundings of r may change the
+    /// exact value, and this change does not count as an error.
     pub fn error_at(&mut self, piece: &Fitted<S>, r: f64) -> f64 {
         let own = S::constant(r);
         let r = own.to_f64();
@@ -102,12 +106,12 @@ impl<S: Float> Comparison<'_, '_, S> {
         of_limit.max(or_infinite(of_motion))
     }
 
-    /// Returns r shifted by some roundings, up and down.
+    /// Returns two frequency ratios: r increased and r decreased by some roundings.
     fn beside(r: f64) -> [f64; 2] {
         [1.0, -1.0].map(|side| r * (1.0 + side * ROUNDINGS * f64::EPSILON))
     }
 
-    /// Returns the error of β_lim over the allowed error.
+    /// Returns the error of β_lim from a polynomial piece, divided by the allowed error.
     fn limit_error(&mut self, piece: &Fitted<S>, own: S) -> f64 {
         let r = own.to_f64();
         let Some(limit) = self.exact.at(r).map(|sample| sample.limit) else {
@@ -118,25 +122,25 @@ impl<S: Float> Comparison<'_, '_, S> {
         if plain <= 1.0 {
             return plain;
         }
-        // On a zero only the effect of these roundings is allowed.
+        // On a zero of β_lim, only the effect of some roundings of r is allowed.
         let allowed = self.limit * limit + self.limit_noise(limit, r);
         if off <= allowed { 0.0 } else { off / allowed }
     }
 
-    /// Returns the change of β_lim within some roundings of r.
+    /// Returns the largest change of β_lim if r changes by some roundings.
     fn limit_noise(&mut self, limit: f64, r: f64) -> f64 {
         let near = Self::beside(r).map(|r| self.exact.at(r).map(|sample| sample.limit));
         let moved = near.into_iter().flatten();
         moved.map(|near| (near - limit).abs()).fold(0.0, f64::max)
     }
 
-    /// Returns the errors of amplitude and phase over the allowed error.
+    /// Returns the largest error of the contact's amplitude and phase from a table, divided by the allowed error.
     fn motion_error(&mut self, answer: &ContactTable<S>, r: f64) -> f64 {
         let Some(sample) = self.exact.at(r) else {
             return f64::INFINITY;
         };
         let exact = self.exact.contact(&sample, r);
-        // On a zero of β_lim and on an undamped resonance the motion has no value to compare.
+        // On a zero of β_lim and on an undamped resonance, the motion has no finite value to compare.
         if !(exact.limit > 0.0 && exact.excitation.is_finite()) {
             return 0.0;
         }
@@ -153,7 +157,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         if plain <= 1.0 {
             return plain;
         }
-        // Where β_lim is uncertain, β/β_lim is uncertain too.
+        // Where β_lim changes by a few roundings of r, the ratio β/β_lim changes by the same relative amount.
         let mut noise = [self.limit_noise(exact.limit, r) / exact.limit; APART];
         for r in Self::beside(r) {
             let Some(moved) = self.exact.at(r) else {
@@ -167,7 +171,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         over(&off, &noise)
     }
 
-    /// Returns the values of a piece at r.
+    /// Returns the values of the contact that a polynomial piece and the product for |V| give at r: β_lim, a, g, arg V
+    /// and |V|.
     fn answer(&self, piece: &Fitted<S>, r: S) -> ContactTable<S> {
         let [limit, quadrature, displacement, direction] =
             [0, 1, 2, ANGLE].map(|function| piece.value(function, r));
@@ -184,22 +189,23 @@ impl<S: Float> Comparison<'_, '_, S> {
     }
 }
 
-/// Replaces NaN by infinity, so that it counts as a large error.
+/// Replaces NaN by infinity, so that NaN counts as a large error.
 pub(super) fn or_infinite(error: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Number of compared values: amplitude and phase at each friction ratio.
+/// Number of compared values: the amplitude and the phase of the contact at each friction ratio in `FRICTION_SHARES`.
 const APART: usize = 2 * FRICTION_SHARES.len();
 
-/// Returns the errors of an answer: relative for amplitudes, in radians for phases.
+/// Returns the errors of the contact's amplitudes (relative) and phases (rad), in this order, at each compared friction
+/// ratio.
 fn apart<T: Float>(answer: &ContactTable<T>, exact: &ContactTable<f64>) -> [f64; APART] {
     let mut apart = [0.0; APART];
     let (amplitudes, phases) = apart.split_at_mut(FRICTION_SHARES.len());
     for ((share, amplitude), phase) in FRICTION_SHARES.iter().zip(amplitudes).zip(phases) {
         let beta = T::constant(share * exact.limit);
         let expected = exact.amplitude(beta.to_f64());
-        // A table answers only up to its own β_lim.
+        // A table gives the motion only up to its own β_lim.
         let own = beta.min(answer.limit);
         *amplitude = (answer.amplitude(own).to_f64() - expected).abs() / expected;
         let turned = answer.phase(own).to_f64() - exact.phase(beta.to_f64());

@@ -1,4 +1,4 @@
-//! Exact values, from which tables are made and with which they are compared.
+//! Exact values of the functions in a table. Tables are fitted to these values and compared with them.
 
 use super::zeros::{ContactMode, contact_modes};
 use crate::modal::Modal;
@@ -17,8 +17,9 @@ pub const SIZE: usize = 4;
 /// Fraction of its terms below which a sum has lost significant digits.
 const CANCELS: f64 = 1e-2;
 
-/// The functions at one r: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. |V| is known separately. For an undamped
-/// chain a is multiplied by sgn V, which makes it smooth across a resonance, and arg V is 0.
+/// Exact functions at one frequency ratio: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. V is the response of the
+/// contact to the load, U and G its velocity and displacement from friction at a reversal. For an undamped chain, a is
+/// multiplied by sgn V, so that the function a is smooth across a resonance, and arg V is 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
     /// β_lim.
@@ -26,7 +27,7 @@ pub struct Sample {
     quadrature: f64,
     displacement: f64,
     direction: f64,
-    /// τ in the half period at which the velocity constraint is largest; `None` where its start decides.
+    /// Phase τ in the half period at which the velocity constraint is largest. `None` if the value for τ → 0 decides.
     pub tau: Option<f64>,
 }
 
@@ -47,7 +48,7 @@ impl<'a> Exact<'a> {
     pub fn new(modal: &'a Modal) -> Self {
         Self {
             modal,
-            // Macros build tables, and macros run without optimisation.
+            // Macros build tables, and macros run without optimisation. Two modes at once would then be slower.
             reduced: Reduced {
                 two_at_once: false,
                 ..modal.reduced(|value| value.to_f64())
@@ -69,18 +70,19 @@ impl<'a> Exact<'a> {
         self.reduced.chain.damped
     }
 
-    /// Returns whether every mode that the contact drives is damped. |V| is then finite at every r.
+    /// Returns true if every mode that the contact drives is damped. The response of the contact then has no pole at a
+    /// real r.
     pub fn all_damped(&self) -> bool {
         let mut contact_modes = self.contact_modes.iter();
         contact_modes.all(|mode| !mode.driven.zeta.is_zero())
     }
 
-    /// Returns the number of evaluated points.
+    /// Returns the number of frequency ratios at which exact values were computed.
     pub fn looked_at(&self) -> usize {
         self.seen.len()
     }
 
-    /// Returns the functions at r, which must be in the domain.
+    /// Returns the exact functions at r. Returns `None` if r is NaN or negative.
     pub fn at(&mut self, r: f64) -> Option<Sample> {
         if let Some(sample) = self.seen.get(&r.to_bits()) {
             return Some(*sample);
@@ -93,7 +95,7 @@ impl<'a> Exact<'a> {
         let mut limit = self.reduced.chain.continuous_limit(contact, constraint);
         let mut negative = contact.v.re < 0.0;
         if self.cancels(&at) {
-            // The sum over the modes has lost digits of V, so V is computed in double-double.
+            // The sum over the modes in double precision has lost digits of V, so V is computed in double-double.
             negative = self.excitation(r) < 0.0;
             let square = at.inverse_ratio() * at.inverse_ratio();
             let own = complex::modulus(contact.v, self.damped());
@@ -117,7 +119,8 @@ impl<'a> Exact<'a> {
         Some(sample)
     }
 
-    /// Returns whether the sum V nearly cancels, as it does near its zeros.
+    /// Returns true if the terms of V, the response of the contact to the load, nearly cancel in the sum over the
+    /// modes. They do so near a zero of V.
     fn cancels(&self, at: &At<&Reduced<f64>>) -> bool {
         let chain = &self.reduced.chain;
         let contact = at.contact_sums();
@@ -140,7 +143,7 @@ impl<'a> Exact<'a> {
         0.0 < left && left < CANCELS * terms
     }
 
-    /// Returns V and H at r in double-double, as sums over the modes.
+    /// Returns the responses of the contact at r in double-double: V to the load, and H to a force in the contact.
     pub fn receptances(&self, r: f64) -> [Complex<Dd>; 2] {
         let (r, two) = (Dd::from(r), Dd::from(2.0));
         let direct = if self.modal.on_moving_base { -1.0 } else { 0.0 };
@@ -156,7 +159,7 @@ impl<'a> Exact<'a> {
         [excitation, receptance]
     }
 
-    /// Returns a function at r by its index in a table.
+    /// Returns one of the tabulated functions at r, computed exactly. `place` is the index of the function in a table.
     pub fn function(&mut self, place: usize, r: f64) -> Option<f64> {
         let sample = self.at(r)?;
         let functions = [
@@ -171,7 +174,8 @@ impl<'a> Exact<'a> {
         functions.get(place).copied()
     }
 
-    /// Returns the stored V of [`excitation`](Self::excitation).
+    /// Returns the response of the contact as [`excitation`](Self::excitation) does, and keeps the result for later
+    /// use.
     fn known_excitation(&mut self, r: f64) -> f64 {
         let known = self.excitations.get(&r.to_bits()).copied();
         let excitation = known.unwrap_or_else(|| self.excitation(r));
@@ -179,7 +183,7 @@ impl<'a> Exact<'a> {
         excitation
     }
 
-    /// Returns the values from which the contact's motion follows, with |V| to the last digits.
+    /// Returns the exact values from which amplitude and phase of the contact follow at any β.
     pub fn contact(&mut self, sample: &Sample, r: f64) -> ContactTable<f64> {
         let excitation = self.known_excitation(r);
         if self.damped() {
@@ -196,14 +200,15 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// Returns β*_lim at r, to the last digits.
+    /// Returns the exact limit of sliding β*_lim at r, to the last digits, without regard to an absorber.
     pub fn sliding_limit(&self, r: f64) -> f64 {
         let [excitation, receptance] = self.receptances(r);
         let ratio = complex::modulus(excitation, true) / complex::modulus(receptance, true);
         (ratio / self.modal.stiction).to_f64()
     }
 
-    /// Returns |V| at r, to the last digits. For an undamped chain, returns V with its sign.
+    /// Returns |V|, the amplitude of the contact without friction, to the last digits. For an undamped chain the result
+    /// is V with its sign.
     pub fn excitation(&self, r: f64) -> f64 {
         let [excitation, _] = self.receptances(r);
         if self.damped() {

@@ -1,4 +1,4 @@
-//! Fits one piece: polynomials through Chebyshev points, rounded to the table's scalar.
+//! Fits polynomials over one interval of r, through Chebyshev points, and rounds them to the number type of the table.
 
 use super::digits::{above, to_decimals};
 use super::exact::{ANGLE, Exact, SIZE};
@@ -7,43 +7,44 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::table::polynomial;
 use std::f64::consts::PI;
 
-/// Rounding of the origin of a piece, as a fraction of half the piece's length.
+/// Step to which the origin of a polynomial piece is rounded, as a fraction of half the length of the piece.
 const ORIGIN: f64 = 0.1;
-/// Accuracies down to which polynomials of four, six and eight coefficients need the fewest
-/// numbers.
+/// Smallest relative error down to which tables of polynomials with four coefficients store the fewest numbers. The
+/// next two constants are the same for six and eight coefficients.
 const FOUR_TERMS: f64 = 3e-3;
 const SIX_TERMS: f64 = 1e-7;
 const EIGHT_TERMS: f64 = 1e-10;
 
-/// A piece with its functions in vectors.
+/// Polynomial piece of a table, with the functions in vectors: one interval of r, on which each function is a
+/// polynomial.
 #[derive(Clone, Debug)]
 pub struct Fitted<S> {
-    /// The smallest r of the piece.
+    /// Smallest r of the polynomial piece.
     pub from: S,
-    /// The origin from which r is counted.
+    /// Origin from which the polynomials of the piece count r.
     pub origin: S,
-    /// Coefficients of each function's polynomial in r − `origin`. The first is the constant coefficient.
+    /// Coefficients of each function's polynomial in r − `origin`, from the constant term upwards.
     pub coefficients: Vec<Vec<S>>,
 }
 
 impl<S: Float> Fitted<S> {
-    /// Returns the number of stored numbers.
+    /// Returns how many numbers the polynomial piece stores.
     pub(super) fn numbers(&self) -> usize {
         2 + self.coefficients.iter().map(Vec::len).sum::<usize>()
     }
 
-    /// Returns a function of the piece at r, in the arithmetic of the table.
+    /// Returns the value of one polynomial at r, in the arithmetic of the table. `function` is the index of the
+    /// function. The value is NaN if the piece has no such function.
     pub fn value(&self, function: usize, r: S) -> S {
         let coefficients = self.coefficients.get(function);
         coefficients.map_or(S::constant(f64::NAN), |of| polynomial(of, r - self.origin))
     }
 }
 
-/// Possible numbers of coefficients of a polynomial.
+/// Numbers of coefficients that a polynomial of a table may have.
 pub(super) const TERMS: [usize; 4] = [4, 6, 8, 10];
 
-/// Returns the number of coefficients with which polynomials need the fewest numbers for an
-/// accuracy.
+/// Returns the number of coefficients per polynomial with which a table of this accuracy stores the fewest numbers.
 pub(super) fn terms(accuracy: f64) -> usize {
     let [four, six, eight, ten] = TERMS;
     if accuracy >= FOUR_TERMS {
@@ -57,21 +58,23 @@ pub(super) fn terms(accuracy: f64) -> usize {
     }
 }
 
-/// Settings of a fit.
+/// Settings for the fit of a polynomial piece: number of functions, number of coefficients and roundings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Form {
-    /// Number of functions that share the pieces.
+    /// Number of functions that are fitted in each piece, one polynomial for each.
     pub functions: usize,
-    /// Number of coefficients of each function.
+    /// Number of coefficients of each function's polynomial.
     pub terms: usize,
-    /// Factor on β_lim, and on a and g, which are proportional to it.
+    /// Factor by which the fitted β_lim differs from the exact β_lim. It also multiplies a and g, which are
+    /// proportional to β_lim.
     pub side_factor: f64,
-    /// Largest change of an answer by the rounding of one coefficient, relative to β_lim.
+    /// Largest change of a function, relative to β_lim, that the rounding of one coefficient to decimals may cause.
     pub rounding: f64,
 }
 
 /// Fits one polynomial to each tabulated function over [low, high], with the settings `form`. If `zero` gives a zero r₀
-/// of β_lim, the quotients β_lim/(r − r₀) and |V|/(r − r₀) are fitted instead. This keeps the errors relative.
+/// of β_lim, the quotients β_lim/(r − r₀) and |V|/(r − r₀) are fitted instead. The relative error then stays small up
+/// to the zero.
 pub(super) fn fit<S: Float>(
     exact: &mut Exact<'_>,
     (low, high): (f64, f64),
@@ -86,7 +89,7 @@ pub(super) fn fit<S: Float>(
         // For β_lim and |V| the relative error counts, also near their common zero.
         let is_relative = function == 0 || function == SIZE;
         let zero = zero.filter(|_| is_relative);
-        // The quotient by the distance has one term fewer than β_lim.
+        // The quotient by r − r₀ has one term fewer than β_lim.
         let terms = form.terms - usize::from(zero.is_some());
         let nodes: Vec<f64> = (0..terms)
             .map(|k| middle - half * (PI * (k as f64 + 0.5) / terms as f64).cos())
@@ -117,14 +120,12 @@ pub(super) fn fit<S: Float>(
             power *= half;
         }
         if let Some(zero) = zero {
-            // The rounded origin differs from the zero, so the factor is the distance from the
-            // zero.
+            // The rounded origin differs from the exact zero, so the factor is the distance from the exact zero.
             through = times_distance(&through, -zero.distance(origin.to_f64()));
         }
         coefficients.push(through.into_iter().map(S::constant).collect());
     }
-    // The previous piece covers everything below `low`. Near a zero this must be exact to the last
-    // digit.
+    // The previous piece covers everything below `low`. Near a zero this must be exact to the last digit.
     let mut from = S::constant(low);
     let below = zero.is_some_and(|zero| zero.at <= low && zero.distance(from.to_f64()) < 0.0);
     if below || from.to_f64() < low {
@@ -137,7 +138,7 @@ pub(super) fn fit<S: Float>(
     })
 }
 
-/// Returns a polynomial in t multiplied by t − rest.
+/// Returns the coefficients of a polynomial in t after multiplication by t − `rest`.
 fn times_distance(coefficients: &[f64], rest: f64) -> Vec<f64> {
     let lower = coefficients.iter().copied().chain([0.0]);
     let higher = [0.0].into_iter().chain(coefficients.iter().copied());
@@ -147,7 +148,7 @@ fn times_distance(coefficients: &[f64], rest: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Shifts angles by whole turns so that neighbours are closest.
+/// Adds whole turns to angles so that neighbouring angles differ as little as possible.
 fn unwrap(angles: &mut [f64]) {
     let mut last: Option<f64> = None;
     for angle in angles {

@@ -1,4 +1,4 @@
-//! Responses while the contact is stuck, as quotients of products.
+//! Responses while the contact is stuck, written as products over their zeros and poles.
 
 use super::product::Product;
 use super::quotients::EXACT_SHARE;
@@ -6,41 +6,42 @@ use super::worst::Worst;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::{HeldResponse, Root, Transfer};
 
-/// A response while the contact is stuck, as a table stores it.
+/// Response of one mass, or the contact force, while the contact is stuck, in the form that a table stores.
 #[derive(Clone, Debug)]
 pub enum HeldForm<S> {
-    /// A constant response.
+    /// Response that does not depend on r.
     Fixed(S),
-    /// A response of an undamped chain, which is real.
+    /// Response of an undamped chain, which is real.
     Undamped(Product<S>),
-    /// A response of a damped chain, which is complex.
+    /// Response of a damped chain, which is complex.
     Damped {
-        /// The constant factor.
+        /// Constant factor of the response.
         gain: S,
-        /// The zeros of the response, as factors.
+        /// Factors of the numerator, one for each real zero or pair of complex zeros.
         numerator: Vec<Root<S>>,
-        /// The poles of the response, as factors.
+        /// Factors of the denominator, one for each real pole or pair of complex poles.
         denominator: Vec<Root<S>>,
     },
 }
 
-/// The responses of a scene while its contact is stuck.
+/// Responses of all masses of a scene, and the contact force, while the contact is stuck.
 #[derive(Clone, Debug)]
 pub struct Held<S> {
-    /// x̄*, the response of each mass, in the order of the masses.
+    /// Response x̄* of each mass, in the order of the masses.
     pub masses: Vec<HeldForm<S>>,
-    /// V/H, the force that holds the contact.
+    /// V/H, the force that keeps the contact stuck. V and H are the responses of the contact to the load and to a
+    /// contact force.
     pub force: HeldForm<S>,
-    /// Numbers of the scalar within the range that equal an undamped resonance to the last digit.
+    /// Frequency ratios within the range that equal an undamped resonance of the stuck chain to the last digit.
     pub resonances: Vec<S>,
-    /// The largest error found, relative to the modulus.
+    /// Largest error that the check has found, relative to the modulus of the response.
     pub worst: Worst,
-    /// Number of compared points.
+    /// Number of frequency ratios at which the check has compared a response with its exact value.
     pub points: usize,
 }
 
 impl<S: Float> HeldForm<S> {
-    /// Returns the response as the kernel reads it.
+    /// Returns the response as a [`HeldResponse`], the form in which the kernel crate takes it.
     #[must_use]
     pub fn response(&self) -> HeldResponse<'_, S> {
         match self {
@@ -58,7 +59,8 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// Returns the number of additions and multiplications, and the number of divisions, of one evaluation.
+    /// Returns the operations of one evaluation: the number of additions and multiplications, and the number of
+    /// divisions.
     #[must_use]
     pub fn operations(&self) -> (usize, usize) {
         match self {
@@ -81,8 +83,8 @@ impl<S: Float> HeldForm<S> {
                     .sum();
                 let products = [numerator, denominator];
                 let joined = products.map(|factors| factors.len().saturating_sub(1));
-                // A complex product takes six operations, and the product with the gain two. The reciprocal of the
-                // poles takes eight operations and two divisions.
+                // A complex product takes six operations, and the product with the gain takes two. The reciprocal of
+                // the product of all poles takes eight operations and two divisions.
                 let joined: usize = 6 * joined.iter().sum::<usize>() + 2;
                 if denominator.is_empty() {
                     (own + joined, 0)
@@ -93,7 +95,7 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// Returns the number of stored numbers of the zeros with the constant factor, and of the poles.
+    /// Returns how many numbers the gain and the zeros store, and how many numbers the poles store.
     fn numbers(&self) -> (usize, usize) {
         let of_roots = |roots: &[Root<S>]| -> usize {
             let numbers = roots.iter().map(|root| match root {
@@ -119,7 +121,7 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// Returns whether two forms have the same poles.
+    /// Returns true if two responses have the same poles.
     #[must_use]
     pub fn shares_poles(&self, other: &Self) -> bool {
         match (self, other) {
@@ -131,12 +133,12 @@ impl<S: Float> HeldForm<S> {
 }
 
 impl<S: Float> Held<S> {
-    /// Returns all forms: those of the masses, then that of the force.
+    /// Returns the responses of all masses, and then the contact force.
     fn forms(&self) -> impl Iterator<Item = &HeldForm<S>> {
         self.masses.iter().chain([&self.force])
     }
 
-    /// Returns one form for each distinct set of poles.
+    /// Returns one response for each distinct set of poles.
     #[must_use]
     pub fn pole_sets(&self) -> Vec<&HeldForm<S>> {
         let mut sets: Vec<&HeldForm<S>> = Vec::new();
@@ -149,13 +151,13 @@ impl<S: Float> Held<S> {
         sets
     }
 
-    /// Returns whether the products are accurate enough to replace the exact responses at an accuracy.
+    /// Returns true if the products are accurate enough to replace the exact responses in a table of this accuracy.
     #[must_use]
     pub fn keeps(&self, accuracy: f64) -> bool {
         self.worst.error <= EXACT_SHARE * accuracy
     }
 
-    /// Returns a sentence on the check of the responses.
+    /// Returns a sentence for the report on how the responses were checked.
     #[must_use]
     pub fn told(&self) -> String {
         format!(
@@ -164,7 +166,8 @@ impl<S: Float> Held<S> {
         )
     }
 
-    /// Returns the number of additions and multiplications, and the number of divisions, of the most expensive mass.
+    /// Returns the most operations that the response of a mass takes: the number of additions and multiplications, and
+    /// the number of divisions.
     #[must_use]
     pub fn most_operations(&self) -> (usize, usize) {
         let operations = self.masses.iter().map(HeldForm::operations);
@@ -173,13 +176,13 @@ impl<S: Float> Held<S> {
         })
     }
 
-    /// Returns the size of the numbers in bytes.
+    /// Returns the size of all stored numbers in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         self.numbers() * core::mem::size_of::<S>()
     }
 
-    /// Returns the number of stored numbers. Shared poles count once.
+    /// Returns the number of stored numbers. Poles that several responses share count once.
     #[must_use]
     pub fn numbers(&self) -> usize {
         let forms: Vec<&HeldForm<S>> = self.forms().collect();

@@ -1,5 +1,5 @@
-//! Builds the responses while the contact is stuck from zeros and poles, and compares them with the sums over the
-//! modes.
+//! Builds the responses while the contact is stuck from their zeros and poles, and compares them with the exact sums
+//! over the modes.
 
 use super::check::{GOLDEN, ROUNDINGS};
 use super::errors::or_infinite;
@@ -14,21 +14,21 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Root;
 use frictiongen_kernel::{Complex, Float};
 
-/// Number of points over the range at which each response is compared, in addition to those close to its zeros and
-/// poles.
+/// Number of frequency ratios over the range at which each response is compared with its exact value. Further points
+/// are close to the zeros and poles of the response.
 const POINTS: usize = 64;
-/// Relative distances from a zero or a pole at which a response is compared.
+/// Relative distances from a zero or a pole at which a response is compared with its exact value.
 const BESIDE: [f64; 7] = [0.0, 1e-15, -1e-13, 1e-10, -1e-7, 1e-4, -1e-2];
-/// Relative distance below which a pole equals a number of the scalar. The iteration leaves the last of its 30 digits
-/// open.
+/// Largest relative difference between a pole and a number of the table's type that count as equal. The iteration
+/// leaves the last of the 30 digits of a pole open.
 const SAME: f64 = 1e-26;
-/// Number of candidates in the search for an r far from all zeros and poles.
+/// Number of candidates in the search for an r far from all zeros and poles. The gain is computed there.
 const PLACES: usize = 33;
 
-/// Rounds a double-double once to a scalar.
+/// Rounds a double-double to another number type with a single rounding.
 pub(super) fn rounded<S: Float>(value: Dd) -> S {
-    // A high part exactly halfway between two numbers of a narrower scalar hides the sign of the low part. The shift by
-    // one double restores the direction of rounding.
+    // A high part exactly halfway between two numbers of a narrower type hides the sign of the low part. Shifting the
+    // high part by one double restores the direction of rounding.
     let moved = if value.lo > 0.0 {
         value.hi.next_up()
     } else if value.lo < 0.0 {
@@ -45,7 +45,7 @@ pub(super) fn rounded<S: Float>(value: Dd) -> S {
 }
 
 impl Zero {
-    /// Returns the factor in s = ir of this zero.
+    /// Returns the factor of this zero in the variable s = ir.
     fn root<S: Float>(&self, to: &impl Fn(Dd) -> S) -> Root<S> {
         if self.y.is_zero() {
             return Root::Real { rate: to(-self.x) };
@@ -61,7 +61,8 @@ impl Zero {
 }
 
 impl<S: Float> Held<S> {
-    /// Builds the responses over a range of frequency ratios. Returns `None` if the zeros cannot be separated.
+    /// Builds the responses while the contact is stuck over a range of frequency ratios. Returns `None` if the zeros
+    /// cannot be separated.
     #[must_use]
     pub fn of(modal: &Modal, range: (f64, f64)) -> Option<Self> {
         let (masses, force) = responses(modal)?;
@@ -95,8 +96,8 @@ impl<S: Float> Held<S> {
         })
     }
 
-    /// Returns the largest error of these responses, computed again. It differs from [`worst`](Self::worst) if the
-    /// responses were changed. Returns `None` if no zeros are known.
+    /// Compares these responses with the exact values again, and returns the largest error. The result differs from
+    /// [`worst`](Self::worst) if the responses were changed. Returns `None` if the zeros cannot be separated.
     #[must_use]
     pub fn verify(&self, modal: &Modal, range: (f64, f64)) -> Option<Worst> {
         let (masses, force) = responses(modal)?;
@@ -110,11 +111,12 @@ impl<S: Float> Held<S> {
     }
 }
 
-/// A number of the scalar, and the exact responses at it.
+/// A frequency ratio r at which responses are compared, with the exact responses at r.
 struct Point {
     r: f64,
     at: HeldAt,
-    /// The exact responses at an r that is larger by `ROUNDINGS` roundings.
+    /// Exact responses at a frequency ratio slightly above r, by `ROUNDINGS` roundings. The difference shows how
+    /// uncertain the exact responses at r are.
     moved: HeldAt,
 }
 
@@ -128,7 +130,7 @@ impl Point {
     }
 }
 
-/// The data from which forms are made and with which they are compared.
+/// Chain and points of comparison from which responses are built, and the largest error so far.
 struct Build<'a> {
     modal: &'a Modal,
     damped: bool,
@@ -140,7 +142,7 @@ struct Build<'a> {
 
 impl<'a> Build<'a> {
     fn new<S: Float>(modal: &'a Modal, (low, high): (f64, f64)) -> Self {
-        // The bounds, rounded to the scalar as the emitted code has them.
+        // The bounds are rounded to the number type, as in the emitted code.
         let (low, high) = (S::constant(low).to_f64(), S::constant(high).to_f64());
         let spread = (0..POINTS).map(|k| {
             let share = (GOLDEN * (k + 1) as f64).fract();
@@ -179,7 +181,7 @@ impl<'a> Build<'a> {
         Some(form)
     }
 
-    /// Returns the r in the range that is farthest from all zeros and poles.
+    /// Returns the r in the range that is farthest from all zeros and poles of a response.
     fn place(&self, rational: &Rational) -> Option<f64> {
         let (low, high) = self.range;
         let away = |r: f64| {
@@ -216,14 +218,15 @@ impl<'a> Build<'a> {
         })
     }
 
-    /// Compares a form over the range, and close to its zeros and poles.
+    /// Compares a response with its exact values over the range, and close to the zeros and poles. Updates the largest
+    /// error.
     fn compare<S: Float>(
         &mut self,
         response: &Response,
         form: &HeldForm<S>,
         exact: impl Fn(&HeldAt) -> Complex<Dd>,
     ) {
-        // A constant response is exact.
+        // A response that does not depend on r is exact.
         let Response::Rational(rational) = response else {
             return;
         };
@@ -237,7 +240,7 @@ impl<'a> Build<'a> {
         for Point { r, at, moved } in self.spread.iter().chain(&close) {
             let expected = exact(at);
             let size = complex::modulus(expected, true).to_f64();
-            // On a zero or a pole there is no value to compare.
+            // On a zero or a pole the exact value is 0 or infinite, so there is nothing to compare.
             if !(at.known && 0.0 < size && size.is_finite()) {
                 continue;
             }
@@ -251,7 +254,7 @@ impl<'a> Build<'a> {
                 Dd::from(own.re.to_f64()),
                 Dd::from(own.im.to_f64()),
             ));
-            // Near a zero or a pole the exact value is uncertain by some roundings of r.
+            // Near a zero or a pole the response is steep, so a few roundings of r change the exact value noticeably.
             let noise = apart(exact(moved));
             let noise = if noise.is_finite() { noise } else { 0.0 };
             let error = or_infinite((off - noise).max(0.0) / size);

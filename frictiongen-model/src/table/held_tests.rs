@@ -1,5 +1,5 @@
-//! Tests the responses while the contact is stuck: the chains that have products, two masses by hand, and the effect of
-//! wrong numbers.
+//! Tests of the responses while the contact is stuck: chains of every kind, two masses solved by hand, and the effect
+//! of wrong numbers.
 
 use super::held::{Held, HeldForm};
 use super::samples::scene;
@@ -9,8 +9,8 @@ use frictiongen_kernel::table::{Factor, Root};
 
 const RANGE: (f64, f64) = (0.2, 2.5);
 
-/// Chains with every contact and damping must have products. They keep 1e-12, and in single precision 1e-5, because
-/// they have up to sixty factors with a few roundings each.
+/// Checks that chains with every contact and damping have responses as products. The products must meet 1e-12, and in
+/// single precision 1e-5. They have up to sixty factors with a few roundings each.
 fn of_chains<S: Float>(finest: f64) {
     for kind in ["Wall", "Base", "Pair"] {
         for count in 1..=16 {
@@ -39,13 +39,13 @@ fn of_single_precision() {
 }
 
 /// The base drives two masses that rub on each other. Stuck together, they are a mass of 2 on a spring of 1, under any
-/// damping that treats their modes alike. The undamped chain keeps the exact formulas.
+/// damping that treats both modes alike. The undamped chain keeps the exact formulas.
 #[test]
 fn driven_by_the_base() {
     let mut modal = scene("Pair", 2, 0.0, 1.0);
     modal.loads = modal.shapes.iter().map(|shape| shape[0]).collect();
     assert!(Held::<f64>::of(&modal, RANGE).is_none());
-    // 2ζ_iσ_i = 0.1σ_i², so each spring has its own damping.
+    // With 2ζ_iσ_i = 0.1σ_i², each spring has its own damper.
     modal.damping_ratios = modal
         .resonances
         .iter()
@@ -64,8 +64,8 @@ fn driven_by_the_base() {
     }
 }
 
-/// With the second of two masses stuck to the wall, the first is on two springs: 1/(2 − r²). The holding force has the
-/// same value.
+/// The second of two masses is stuck to the wall, so the first mass is on two springs: its response is 1/(2 − r²). The
+/// contact force has the same value.
 #[test]
 fn two_masses_by_hand() {
     let held = Held::<f64>::of(&scene("Wall", 2, 0.0, 1.0), RANGE).unwrap();
@@ -78,19 +78,20 @@ fn two_masses_by_hand() {
         ];
         for value in values {
             assert_eq!(value.im, 0.0);
-            // The tolerance covers some roundings, and those of 2 − r² in this test.
+            // The tolerance covers some roundings of the response, and those of 2 − r² in this test.
             let allowed = f64::EPSILON * (4.0 + 4.0 * expected.abs());
             assert!((value.re / expected - 1.0).abs() < allowed, "{r}: {value}");
         }
         assert_eq!(held.masses[1].response().value(r).re, 0.0);
     }
     assert!(held.resonances.is_empty());
-    // This resonance is exactly a number of the scalar.
+    // This resonance of the stuck chain is exactly a number of the type.
     let on = Held::<f64>::of(&scene("Pair", 16, 0.0, 1.0), RANGE).unwrap();
     assert_eq!(on.resonances, [1.0]);
 }
 
-/// Returns the change of y that changes a factor by its own magnitude, somewhere in the range.
+/// Returns the change of y that changes the factor of a zero by about 100 %, somewhere in the range. y is the imaginary
+/// part of the zero.
 fn reach(y: f64) -> f64 {
     let r = y.clamp(RANGE.0, RANGE.1);
     if r == y {
@@ -100,7 +101,8 @@ fn reach(y: f64) -> f64 {
     }
 }
 
-/// Returns the numbers of a factor, each with the change that changes the factor by its own magnitude.
+/// Returns the numbers that a factor stores. Each comes with the change of this number that changes the factor by about
+/// 100 %.
 fn of_root(root: &mut Root<f64>) -> Vec<(&mut f64, f64)> {
     let before = *root;
     let size = |r: f64| {
@@ -117,7 +119,8 @@ fn of_root(root: &mut Root<f64>) -> Vec<(&mut f64, f64)> {
     }
 }
 
-/// Returns every number of a form, each with the change that changes the response by its own magnitude.
+/// Returns every number that a response stores. Each comes with the change of this number that changes the response by
+/// about 100 %.
 fn numbers(form: &mut HeldForm<f64>) -> Vec<(&mut f64, f64)> {
     let of_factor = |factor| match factor {
         &mut Factor::Zero { ref mut at, .. } => {

@@ -1,4 +1,4 @@
-//! Exact values of the responses while the contact is stuck, with their zeros and poles in double-double.
+//! Exact values of the responses while the contact is stuck, and their zeros and poles in double-double.
 
 use super::proportional::Proportional;
 use super::zeros::{EQUAL, NONE, Zero, Zeros, classified, guesses, poles};
@@ -8,32 +8,32 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 
-/// Distance from a resonance of the chain, relative to its stiffness, below which the sums lose half of their 30
-/// digits.
+/// Bound on |s² + 2ζσs + σ²|/σ² of a mode below which the sums over the modes lose half of their 30 digits. The
+/// frequency is then close to the resonance σ.
 const ON_RESONANCE: f64 = 1e-12;
 
-/// Upper bounds on the number of corrections of zeros, and the relative correction at which they end: first in double
-/// precision, then in double-double. Near convergence each correction is about the cube of the previous one, so after
-/// 10⁻²³ only rounding is left.
+/// Upper bound on the number of corrections of a zero, and the relative correction at which the iteration ends. The
+/// iteration begins in double precision with these values, and ends in double-double with `LAST_STEPS`. Near
+/// convergence each correction is about the cube of the previous one, so after 10⁻²³ only rounding is left.
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
 
-/// A rational function, by its zeros and poles, up to a constant factor.
+/// A rational function of s = ir, given by its zeros and poles up to a constant factor.
 #[derive(Clone, Debug)]
 pub(super) struct Rational {
     pub zeros: Vec<Zero>,
     pub poles: Vec<Zero>,
 }
 
-/// A response while the contact is stuck.
+/// Response of a mass, or the contact force, while the contact is stuck.
 #[derive(Clone, Debug)]
 pub(super) enum Response {
-    /// A constant response.
+    /// Response that does not depend on r.
     Fixed(f64),
     Rational(Rational),
 }
 
-/// Returns s² + 2ζσs + σ² of a mode.
+/// Returns s² + 2ζσs + σ², the denominator of one mode's term in a receptance at s.
 fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>> {
     let sigma = *modal.resonances.get(mode)?;
     let rate = Dd::from(2.0) * *modal.damping_ratios.get(mode)? * sigma;
@@ -44,14 +44,14 @@ fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>
     ))
 }
 
-/// A chain at one frequency while its contact is stuck, to the last digits.
+/// Contact force and modal amplitudes at one frequency ratio while the contact is stuck, to the last digits.
 pub(super) struct HeldAt {
-    /// V/H, the force that holds the contact.
+    /// V/H, the force that keeps the contact stuck.
     pub force: Complex<Dd>,
-    /// False on an undamped resonance of the chain itself. There the modal amplitude is a quotient of rounding errors,
-    /// although the responses are regular.
+    /// False if the frequency is on an undamped resonance of the sliding chain. The modal amplitude is then a quotient
+    /// of rounding errors, although the responses are regular.
     pub known: bool,
-    /// Amplitude of each mode.
+    /// Complex amplitude of each mode of the sliding chain.
     modes: Vec<Complex<Dd>>,
 }
 
@@ -65,7 +65,7 @@ impl HeldAt {
         let drives = || modal.loads.iter().zip(&modal.contacts);
         let modes = modal.resonances.iter().zip(&modal.damping_ratios);
         for ((sigma, zeta), (load, contact)) in modes.zip(drives()) {
-            // The two factors keep their digits near the resonance.
+            // Both factors keep their digits near the resonance.
             let re = (*sigma - r) * (*sigma + r);
             let im = two * *zeta * *sigma * r;
             let size = re.abs() + im.abs();
@@ -88,8 +88,8 @@ impl HeldAt {
         }
     }
 
-    /// Returns the complex amplitude of mass k with the contact stuck, x̄*_k = V_k − H_kV/H (section 4 of
-    /// `docs/derivation.md`).
+    /// Returns x̄*_k = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (section 4 of
+    /// `docs/derivation.md`). V/H is the force that keeps the contact stuck.
     pub fn mass(&self, modal: &Modal, mass: usize) -> Complex<Dd> {
         let mut sum = complex::real(Dd::ZERO);
         for (shape, moved) in modal.shapes.iter().zip(&self.modes) {
@@ -101,19 +101,20 @@ impl HeldAt {
     }
 }
 
-/// Returns the coefficient s of the base motion in z̄: 1 if the contact rubs on the moving base, else 0.
+/// Returns s, the coefficient of the base motion in z̄ = wᵀx̄ − s cos τ: 1 if the contact rubs on the moving base, else
+/// 0.
 fn carried(modal: &Modal) -> Dd {
     Dd::from(if modal.on_moving_base { 1.0 } else { 0.0 })
 }
 
-/// A pole of the chain with its contact stuck, with its residue for each mass. A conjugate pair is represented by its
-/// pole with y > 0.
+/// A pole of the responses while the contact is stuck, with a residue for each mass. A conjugate pair is represented by
+/// the pole with y > 0.
 struct Pole {
     zero: Zero,
     residues: Vec<Complex<Dd>>,
 }
 
-/// A sum that becomes 0 if only rounding of its terms is left.
+/// Sum of terms that is set to exactly 0 if it is only the rounding of the terms.
 struct Sum {
     value: Complex<Dd>,
     size: Dd,
@@ -142,7 +143,8 @@ impl Sum {
     }
 }
 
-/// Returns a pole of 1/H, with the residue of −H_kV/H for each mass.
+/// Returns a pole of the stuck chain, which is a zero of the contact's receptance H, with a residue for each mass k. It
+/// is the residue of −H_kV/H, the part of the response that the force in the stuck contact causes.
 fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     let s = Complex::new(zero.x, zero.y);
     let two = Dd::from(2.0);
@@ -177,7 +179,7 @@ fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     })
 }
 
-/// Returns the poles of modes, or of combinations of equal modes, that the contact does not touch.
+/// Returns the poles of modes in which the contact does not move. These include combinations of equal modes.
 fn untouched_poles(modal: &Modal) -> Vec<Pole> {
     let equal = |a: usize, b: usize| {
         let near = |values: &[Dd]| match (values.get(a), values.get(b)) {
@@ -199,7 +201,7 @@ fn untouched_poles(modal: &Modal) -> Vec<Pole> {
     all
 }
 
-/// Returns the poles of a group of equal modes that the contact does not touch.
+/// Returns the poles of a group of equal modes, for those combinations of the modes in which the contact does not move.
 fn untouched(modal: &Modal, modes: std::ops::Range<usize>) -> Vec<Pole> {
     let zero = Dd::ZERO;
     let of = |values: &[Dd], mode: usize| values.get(mode).copied().unwrap_or(zero);
@@ -247,8 +249,8 @@ fn untouched(modal: &Modal, modes: std::ops::Range<usize>) -> Vec<Pole> {
     poles(&mode).into_iter().map(at).collect()
 }
 
-/// Returns the responses of all masses, and the force that holds the contact. Returns `None` if the zeros cannot be
-/// separated.
+/// Returns the responses of all masses, and then the contact force, while the contact is stuck. Returns `None` if the
+/// zeros cannot be separated.
 pub(super) fn responses(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     let known = if modal.is_damped() && !modal.on_moving_base {
         Proportional::of(modal)
@@ -262,8 +264,8 @@ pub(super) fn responses(modal: &Modal) -> Option<(Vec<Response>, Response)> {
         damping_ratios: vec![Dd::ZERO; modal.damping_ratios.len()],
         ..modal.clone()
     };
-    // A zero at s = 0 is a double zero of the undamped chain. It may not be separable, although the zeros of the damped
-    // chain are.
+    // A zero at s = 0 is a double zero of the undamped chain. The double zero may not be separable, although the zeros
+    // of the damped chain are.
     let Some((masses, force)) = found(&undamped) else {
         return found(modal);
     };
@@ -275,11 +277,11 @@ pub(super) fn responses(modal: &Modal) -> Option<(Vec<Response>, Response)> {
         fixed @ Response::Fixed(_) => Some(fixed),
     };
     let masses: Option<Vec<Response>> = masses.into_iter().map(|own| moved(own, 1)).collect();
-    // The force is a quotient of two receptances, so the factors of proportional damping cancel.
+    // The contact force is a quotient of two receptances, so the factors 1 + bs of proportional damping cancel.
     Some((masses?, moved(force, 0)?))
 }
 
-/// Returns the same responses, from the poles of the chain with its contact stuck.
+/// Returns the same results as `responses`, from the poles of the chain with its contact stuck.
 fn found(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     let zeros = Zeros::of(modal)?;
     let held = zeros.receptance.iter();
@@ -303,7 +305,8 @@ fn found(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     Some((masses?, Response::Rational(force)))
 }
 
-/// Returns the response of a mass, from the poles with a residue for that mass.
+/// Returns the response of a mass while the contact is stuck, as zeros and poles. It uses those `poles` that have a
+/// residue for the mass.
 fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     let own = poles.iter().filter_map(|pole| {
         let residue = *pole.residues.get(mass)?;
@@ -314,7 +317,7 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     if own.is_empty() {
         return Some(Response::Fixed(0.0));
     }
-    // Both poles of a pair are listed separately.
+    // The list `simple` has both poles of each conjugate pair.
     let mut simple: Vec<[Complex<Dd>; 2]> = Vec::new();
     for (zero, residue) in &own {
         let place = Complex::new(zero.x, zero.y);
@@ -334,7 +337,7 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     let mut roots = guesses(sizes(), degree);
     correct::<f64>(&simple, &mut roots, FIRST_STEPS);
     correct::<Dd>(&simple, &mut roots, LAST_STEPS);
-    // A mass that only dampers drive does not move at r = 0, so one zero is at s = 0.
+    // A mass that only dampers drive does not move at r = 0, so the response has one zero at s = 0.
     let least = sizes().fold(f64::INFINITY, f64::min);
     let rests =
         |root: &Complex<Dd>| complex::modulus(*root, true) <= Dd::from(least) * Dd::from(NONE);
@@ -348,8 +351,8 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     }))
 }
 
-/// Returns the number of zeros of Σ R/(s − z). It follows from the first power of 1/s at infinity whose coefficient
-/// exceeds rounding.
+/// Returns the number of zeros of Σ R/(s − z) over the poles z with residues R. The number follows from the first power
+/// of 1/s at infinity whose coefficient exceeds rounding.
 fn degree(simple: &[[Complex<Dd>; 2]]) -> Option<usize> {
     let mut powers: Vec<Complex<Dd>> = simple.iter().map(|[_, residue]| *residue).collect();
     for lost in 1..=simple.len() {
@@ -366,8 +369,8 @@ fn degree(simple: &[[Complex<Dd>; 2]]) -> Option<usize> {
     None
 }
 
-/// Improves `roots`, estimates of the zeros of Σ R/(s − z), in the arithmetic of `S`. `simple` lists the pairs z and R.
-/// `most` has the largest number of steps, and the relative step at which the iteration ends.
+/// Improves `roots`, the estimates of the zeros of Σ R/(s − z), in the arithmetic of `S`. `simple` lists the pairs z
+/// and R. `most` has the largest number of steps, and the relative step at which the iteration ends.
 fn correct<S: Float>(simple: &[[Complex<Dd>; 2]], roots: &mut [Complex<Dd>], most: (usize, f64)) {
     let wide = |value: &Complex<Dd>| Complex::new(to::<S>(value.re), to::<S>(value.im));
     let simple = simple.iter();

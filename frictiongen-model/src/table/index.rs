@@ -1,33 +1,36 @@
-//! Buckets for the search of a piece.
+//! Buckets of equal width, by which a lookup finds the polynomial piece that contains r.
 
 use super::fit::Fitted;
 use frictiongen_kernel::Float;
 
-/// Smallest number of buckets, which is never too many.
+/// Smallest number of buckets. So few buckets are never too many for a table.
 const FEWEST: usize = 8;
-/// Numbers of buckets that `Index::of` tries, one after the other. With a power of two a lookup finds its bucket
-/// without a comparison.
+/// Numbers of buckets that `Index::of` tries, one after the other. If the number is a power of two, a lookup finds its
+/// bucket without a comparison.
 const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
-/// Largest number of buckets for each number in the pieces. More buckets would need more memory than they are worth.
+/// Largest ratio of the number of buckets to the number of numbers that the polynomial pieces store. More buckets would
+/// need more memory than they are worth.
 const CROWDED: usize = 1;
-/// Number of halvings that is cheap enough. More buckets would not pay off.
+/// Number of comparisons per lookup that is small enough. To save even more comparisons, more buckets would not pay
+/// off.
 const FEW: u32 = 2;
 
-/// Buckets that divide a range evenly.
+/// Buckets that divide a range of r into equal parts, by which a lookup finds the polynomial piece that contains r.
 #[derive(Clone, Debug)]
 pub struct Index<S> {
     /// The r at which the first bucket begins.
     pub low: S,
     /// Number of buckets per unit of r.
     pub density: S,
-    /// Number of comparisons that find a piece among those of a bucket.
+    /// Number of comparisons by which a lookup finds the polynomial piece within a bucket.
     pub halvings: u32,
-    /// Index of the piece in which each bucket begins.
+    /// Index of the polynomial piece that contains the start of each bucket.
     pub buckets: Vec<usize>,
 }
 
 impl<S: Float> Index<S> {
-    /// Returns the smallest index with at most `FEW` halvings, or else the index with the fewest halvings.
+    /// Returns the smallest number of buckets that needs at most `FEW` comparisons. If there is none, returns the
+    /// buckets that need the fewest comparisons.
     pub(super) fn of(pieces: &[Fitted<S>], (low, high): (S, S)) -> Self {
         let mut best: Option<Self> = None;
         let numbers: usize = pieces.iter().map(Fitted::numbers).sum();
@@ -51,8 +54,8 @@ impl<S: Float> Index<S> {
 
     fn with(pieces: &[Fitted<S>], (low, high): (S, S), count: usize) -> Self {
         let mut density = S::constant(count as f64 / (high - low).to_f64());
-        // The bucket is computed as in a lookup. It rises with r despite rounding, and the upper bound must fall into
-        // the last bucket.
+        // The bucket is computed as in a lookup. The bucket number does not fall with rising r despite rounding, and
+        // the upper bound of the range must fall into the last bucket.
         while ((high - low) * density).to_index() >= count {
             density = S::constant(density.to_f64() * (1.0 - S::EPSILON));
         }

@@ -1,17 +1,19 @@
-//! Kinks of β_lim. β_lim bends where the maximum of the velocity constraint jumps to another τ in the half period.
+//! Kinks of β_lim. β_lim bends where the maximum of the velocity constraint jumps to another phase τ in the half
+//! period.
 
 use super::exact::Exact;
 
-/// Step of the search, in √λ/r of the fastest mode.
+/// Step of the search for kinks of β_lim, in units of √λ/r, the natural frequency of the fastest mode over the
+/// excitation frequency.
 const STEP: f64 = 0.005;
-/// Distance in τ above which two maxima are different.
+/// Distance in τ, in rad, above which two maxima of the velocity constraint count as different.
 const JUMP: f64 = 0.1;
-/// Smallest number of steps.
+/// Smallest number of steps in the search for kinks of β_lim over the range of r.
 const FEWEST: usize = 64;
-/// Largest number of steps.
+/// Largest number of steps in the search for kinks of β_lim over the range of r.
 const MOST: usize = 20_000;
 
-/// Returns the kinks of β_lim within a range, ascending, to the last digits.
+/// Returns the frequency ratios within a range at which β_lim has a kink, in ascending order, to the last digits.
 pub(super) fn kinks(exact: &mut Exact<'_>, (low, high): (f64, f64)) -> Vec<f64> {
     let fastest = exact
         .modal
@@ -35,7 +37,8 @@ pub(super) fn kinks(exact: &mut Exact<'_>, (low, high): (f64, f64)) -> Vec<f64> 
     kinks
 }
 
-/// Returns whether two maxima are different, and not one maximum that has shifted.
+/// Returns true if `a` and `b` are the phases τ of two different maxima of the velocity constraint. Returns false if
+/// one maximum has only shifted.
 fn differ(a: Option<f64>, b: Option<f64>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => (a - b).abs() > JUMP,
@@ -44,7 +47,8 @@ fn differ(a: Option<f64>, b: Option<f64>) -> bool {
     }
 }
 
-/// Appends the kink between two r, if there is one, by bisection.
+/// Finds the kink of β_lim between two frequency ratios by bisection, and appends it to `kinks`. Does nothing if there
+/// is none.
 pub(super) fn between(exact: &mut Exact<'_>, mut low: f64, mut high: f64, kinks: &mut Vec<f64>) {
     loop {
         let (Some(at_low), Some(at_high)) = (exact.at(low), exact.at(high)) else {

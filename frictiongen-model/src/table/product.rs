@@ -1,23 +1,24 @@
-//! A product over zeros and poles, as a table stores it.
+//! Rational function as a product over its zeros and poles, in the form that a table stores.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::{Factor, Quotient};
 
-/// The kernel's [`Quotient`], with owned vectors.
+/// Rational function of r as a product over its zeros and poles, in owned vectors. The kernel reads it as a
+/// [`Quotient`].
 #[derive(Clone, Debug)]
 pub struct Product<S> {
-    /// The constant factor of the product.
+    /// Constant factor of the function.
     pub gain: S,
-    /// True if the factors describe the square of the function.
+    /// True if the factors belong to the square of the function. The function is then a square root.
     pub squared: bool,
-    /// The zeros of the product, as factors.
+    /// Factors of the numerator, one for each zero or pair of zeros.
     pub numerator: Vec<Factor<S>>,
-    /// The poles of the product, as factors.
+    /// Factors of the denominator, one for each pole or pair of poles.
     pub denominator: Vec<Factor<S>>,
 }
 
 impl<S: Float> Product<S> {
-    /// Returns the product as the kernel reads it.
+    /// Returns the function as a [`Quotient`], the form in which the kernel crate takes it.
     #[must_use]
     pub fn quotient(&self) -> Quotient<'_, S> {
         Quotient {
@@ -28,12 +29,12 @@ impl<S: Float> Product<S> {
         }
     }
 
-    /// Returns the numbers of additions and multiplications, of divisions, and of roots in one
-    /// evaluation.
+    /// Returns the operations of one evaluation: the number of additions and multiplications, of divisions, and of
+    /// square roots.
     #[must_use]
     pub fn operations(&self) -> (usize, usize, usize) {
         let factors = self.numerator.iter().chain(&self.denominator);
-        // Each count includes the operations of the factor and the product with the others.
+        // Each count includes the operations of the factor itself and its multiplication with the other factors.
         let plain = factors.map(|factor| match factor {
             Factor::Zero { .. } => 5,
             Factor::Pair { .. } => 8,
@@ -47,7 +48,7 @@ impl<S: Float> Product<S> {
         )
     }
 
-    /// Returns the number of stored numbers.
+    /// Returns the number of numbers that the product stores.
     #[must_use]
     pub fn numbers(&self) -> usize {
         let factors = self.numerator.iter().chain(&self.denominator);

@@ -1,9 +1,9 @@
-//! Chains with Rayleigh damping: the sum of a mass-proportional and a stiffness-proportional term.
+//! Chains with Rayleigh damping: the damping is the sum of a mass-proportional and a stiffness-proportional term.
 //!
 //! Here 2ζ_i√λ_i = a + bλ_i, and s² + 2ζ_i√λ_i s + λ_i = (1 + bs)(λ_i + q) with q = (s² + as)/(1 + bs). So every
 //! receptance is that of the undamped chain at −s² = q, divided by 1 + bs. Its zeros and poles follow from those of the
-//! undamped chain. The force of a spring carries the factor 1 + bs. So s = −1/b is a zero of an order equal to the
-//! number of springs passed, which no iteration finds to its last digits.
+//! undamped chain. The force of a spring carries the factor 1 + bs. So s = −1/b is a zero whose order is the number of
+//! springs that the force passes. No iteration finds such a zero to its last digits.
 
 use super::held_zeros::Rational;
 use super::zeros::{EQUAL, Zero};
@@ -11,7 +11,7 @@ use crate::modal::Modal;
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 
-/// The factors a and b.
+/// Factors a and b of Rayleigh damping, non-dimensional: 2ζ_i√λ_i = a + bλ_i for every mode.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Proportional {
     mass: Dd,
@@ -19,7 +19,7 @@ pub(super) struct Proportional {
 }
 
 impl Proportional {
-    /// Returns the factors, or `None` if the damping of some mode does not follow them.
+    /// Returns the factors a and b of a chain. Returns `None` if the damping of some mode is not a + bλ.
     pub fn of(modal: &Modal) -> Option<Self> {
         let rates = modal.resonances.iter().zip(&modal.damping_ratios);
         let rates = rates.map(|(sigma, zeta)| (*sigma * *sigma, Dd::from(2.0) * *zeta * *sigma));
@@ -44,8 +44,8 @@ impl Proportional {
         rates.iter().all(fits).then_some(own)
     }
 
-    /// Returns a response of the damped chain from that of the undamped chain. `over` is the number of further factors
-    /// 1 + bs in its denominator.
+    /// Returns the response of the damped chain that corresponds to a response of the undamped chain. `over` is the
+    /// number of additional factors 1 + bs in the denominator of the damped response.
     pub fn of_undamped(&self, undamped: &Rational, over: usize) -> Option<Rational> {
         let (mut zeros, mut poles) = (Vec::new(), Vec::new());
         let mut left = 0_isize;
@@ -67,8 +67,8 @@ impl Proportional {
         Some(Rational { zeros, poles })
     }
 
-    /// Appends the zeros of the damped chain that follow from a zero of the undamped chain. Returns the number of
-    /// values of q.
+    /// Appends the zeros of the damped chain that follow from one zero of the undamped chain. Returns the number of
+    /// different values of q = −s² at the undamped zero.
     fn moved(&self, zero: &Zero, into: &mut Vec<Zero>) -> isize {
         let half = Dd::from(0.5);
         if zero.x.is_zero() || zero.y.is_zero() {
@@ -93,7 +93,8 @@ impl Proportional {
             }
             return 1;
         }
-        // The four zeros ±x ± iy have −s² = y² − x² ∓ 2ixy. One of the two values gives the conjugates of the other.
+        // The four zeros ±x ± iy of the undamped chain have −s² = y² − x² ∓ 2ixy. One of both values gives the
+        // conjugates of the other.
         let square = (
             (zero.y - zero.x) * (zero.y + zero.x),
             -(Dd::from(2.0) * zero.x * zero.y),
@@ -107,7 +108,7 @@ impl Proportional {
             Dd::from(2.0) * rate.0 * rate.1 - square.1,
         );
         let size = rest.0.hypot(rest.1);
-        // The larger of the root's real and imaginary parts is computed first, to avoid cancellation.
+        // The larger one of the root's real and imaginary parts is computed first, to avoid cancellation.
         let (re, im) = if rest.0 > Dd::ZERO {
             let re = ((size + rest.0) * half).sqrt();
             (re, rest.1 / (re + re))

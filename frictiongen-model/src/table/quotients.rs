@@ -1,4 +1,4 @@
-//! β*_lim and |V| as quotients of products, compared with the sums over the modes.
+//! β*_lim and |V| as products over their zeros and poles, compared with the exact sums over the modes.
 
 use super::bounds::Receptances;
 use super::check;
@@ -14,14 +14,15 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 
-/// Share of the accuracy that β*_lim, |V| and the responses while the contact is stuck may use.
+/// Fraction of the declared accuracy that the errors of β*_lim, |V| and the responses with the contact stuck may use.
 pub(super) const EXACT_SHARE: f64 = 0.5;
-/// Candidates for the excess of β*_lim with `side: safe`, in roundings. The smallest one is used that is proven to
-/// exceed the errors of the factors and of the zeros.
+/// Amounts, in roundings, by which β*_lim may be enlarged to lie on the safe side. The amount must exceed the errors of
+/// the factors and of the zeros. The amount with the best proof is used, and of equal amounts the smallest.
 const SAFE_ROUNDINGS: [f64; 5] = [64.0, 512.0, 4096.0, 65_536.0, 1_048_576.0];
 
-/// Returns a product over zeros and poles. Its gain makes it equal to `value` in double-double where r is farthest from
-/// its zeros and poles within the range.
+/// Returns a rational function as a product over its zeros and poles. The gain is chosen such that the product equals
+/// `value` at one r of the range. That r is the farthest from all zeros and poles. The gain is computed in
+/// double-double.
 fn product<S: Float>(
     squared: bool,
     numerator: [&[Zero]; 2],
@@ -73,7 +74,7 @@ fn product<S: Float>(
     })
 }
 
-/// Returns β*_lim, times `side_factor`.
+/// Returns β*_lim as a product over its zeros and poles, multiplied by `side_factor`.
 fn sliding<S: Float>(
     exact: &Exact<'_>,
     zeros: &Zeros,
@@ -94,7 +95,8 @@ fn sliding<S: Float>(
     Some(product)
 }
 
-/// Returns |V|, or V with its sign for an undamped chain.
+/// Returns |V|, the amplitude of the contact without friction, as a product over its zeros and poles. For an undamped
+/// chain, the result is V with its sign.
 fn excitation<S: Float>(
     exact: &Exact<'_>,
     zeros: &Zeros,
@@ -112,21 +114,21 @@ fn excitation<S: Float>(
     )
 }
 
-/// Rounds a double-double once to a scalar.
+/// Rounds a double-double to another number type with a single rounding.
 fn rounded<S: Float>(value: Dd) -> S {
     S::constant(value.to_f64())
 }
 
-/// β*_lim and |V| as products. Each is `None` if it is less accurate than the tables, and the exact formulas are then
-/// used.
+/// Limit of sliding β*_lim, and |V|, the amplitude of the contact without friction, as products over their zeros and
+/// poles. A product that is not accurate enough is `None`, and the exact formulas are then used.
 pub(super) struct Products<S> {
     pub sliding: Option<Product<S>>,
     pub excitation: Option<Product<S>>,
-    /// The largest error of β*_lim.
+    /// Largest relative error of β*_lim that the check has found.
     pub worst: Worst,
-    /// Number of compared points.
+    /// Number of frequency ratios at which the products were compared with exact values.
     pub points: usize,
-    /// The proof of β*_lim and the proof of |V|.
+    /// Proof that the product for β*_lim is accurate enough, and the same proof for |V|.
     pub proofs: [Proof; 2],
 }
 
@@ -155,7 +157,7 @@ impl<S: Float> Products<S> {
                 let side_factors =
                     side_factors.map(|excess| 1.0 + excess.min(0.5 * request.accuracy));
                 let built = side_factors.into_iter().filter_map(of_sliding);
-                // The first of the products with the shortest open length.
+                // Of the products whose proofs leave the shortest length of r open, the first is used.
                 built.min_by(|a, b| a.2.open_length().total_cmp(&b.2.open_length()))
             }
         };

@@ -1,4 +1,4 @@
-//! Regimes that the permitted friction ratios can reach, according to the tables.
+//! Regimes that can occur at the permitted friction ratios, as computed from the tables.
 
 use super::bounds::unit;
 use super::product::Product;
@@ -9,26 +9,26 @@ use crate::scene::{Beyond, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
 
-/// Number of halvings after which an interval of r counts as undecided.
+/// Number of halvings of an interval of r after which the proof that a limit exceeds a friction ratio gives up.
 const HALVINGS: u32 = 12;
-/// Number of intervals of r at the start.
+/// Number of equal intervals of r with which the proof that a limit exceeds a friction ratio begins.
 const PARTS: usize = 64;
 
-/// Regimes that friction ratios up to a largest one can reach over the range of the tables.
+/// Regimes that friction ratios up to a largest one exclude, over the range of the tables.
 ///
-/// A `true` is valid for every number of the scalar, in the emitted arithmetic. A `false` means that either is
-/// possible.
+/// A flag is true only if that is proven for every number of the type in the range, in the emitted arithmetic. If a
+/// flag is false, nothing is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
-    /// Every friction ratio is below β_lim, so that the closed form answers.
+    /// True if every friction ratio is below β_lim, so that the closed form of the continuous motion is always used.
     pub always_continuous: bool,
-    /// Every friction ratio is below β*_lim, so that no stuck state exists.
+    /// True if every friction ratio is below β*_lim, so that no stuck state exists.
     pub never_stuck: bool,
 }
 
 impl<S: Float> Tables<S> {
-    /// Returns the regimes that the declared friction ratios can reach. Returns the default if exact formulas are used
-    /// beyond the declared range.
+    /// Returns which regimes the declared friction ratios exclude. Both flags are false if the scene uses the exact
+    /// formulas beyond the declared range.
     #[must_use]
     pub fn declared_reach(&self, scene: &Scene) -> Reach {
         let declared = &scene.declared;
@@ -38,7 +38,7 @@ impl<S: Float> Tables<S> {
         }
     }
 
-    /// Returns the regimes that friction ratios from 0 to `most` (included) can reach. `stiction` is μ.
+    /// Returns which regimes friction ratios from 0 to `most` exclude. `most` is included. `stiction` is μ.
     #[must_use]
     pub fn reach(&self, stiction: f64, most: f64) -> Reach {
         let most = S::constant(most).to_f64();
@@ -47,7 +47,7 @@ impl<S: Float> Tables<S> {
         }
         let always_continuous = self.limit_is_above(most);
         let sliding = self.sliding.as_ref();
-        // As in the kernel, with μ ≤ 1 the contact cannot stick below β_lim.
+        // As in the kernel, the contact cannot stick below β_lim if μ ≤ 1.
         let decides = always_continuous && stiction <= 1.0;
         Reach {
             always_continuous,
@@ -55,13 +55,13 @@ impl<S: Float> Tables<S> {
         }
     }
 
-    /// Returns both bounds of the range, rounded as in a lookup.
+    /// Returns both bounds of the range of r, rounded to the number type as in a lookup.
     fn ends(&self) -> (f64, f64) {
         let (low, high) = self.request.r;
         (S::constant(low).to_f64(), S::constant(high).to_f64())
     }
 
-    /// Returns whether the emitted β_lim exceeds a number everywhere.
+    /// Returns true if the emitted β_lim is proven to exceed `most` over the whole range.
     fn limit_is_above(&self, most: f64) -> bool {
         let (low, high) = self.ends();
         let mut above = !self.pieces.is_empty();
@@ -86,7 +86,7 @@ impl<S: Float> Tables<S> {
         above
     }
 
-    /// Returns whether an emitted product exceeds a number everywhere.
+    /// Returns true if an emitted product over zeros and poles is proven to exceed `most` over the whole range.
     fn is_above(&self, product: &Product<S>, most: f64) -> bool {
         let (low, high) = self.ends();
         let least = |r: Interval| size::<S>(product, r).low;
@@ -110,7 +110,7 @@ fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f
         return true;
     }
     let middle = r.middle();
-    // If a single r fails, further halving is useless.
+    // If the lower bound fails at a single r, further halving is useless.
     if halvings == 0 || !(most < least(Interval::point(middle))) {
         return false;
     }
@@ -119,13 +119,14 @@ fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f
     halves.all(|half| exceeds(half, halvings - 1, least, most))
 }
 
-/// Returns the possible results of a rounded operation on numbers of the scalar.
+/// Widens the interval of the exact results of an operation by the rounding error of the number type `S`.
 fn rounded<S: Float>(exact: Interval) -> Interval {
     let (unit, smallest) = unit::<S>();
     exact * (Interval::ONE + Interval::within(2.0 * unit)) + Interval::within(smallest)
 }
 
-/// Returns the magnitude of a product over an interval, with the roundings of every operation.
+/// Returns an interval that contains the modulus of a product over an interval of r, with the rounding errors of every
+/// operation.
 fn size<S: Float>(product: &Product<S>, r: Interval) -> Interval {
     let of = |factors: &[Factor<S>]| {
         factors.iter().fold(Interval::ONE, |all, factor| {
@@ -139,11 +140,11 @@ fn size<S: Float>(product: &Product<S>, r: Interval) -> Interval {
         quotient
     };
     let value = rounded::<S>(Interval::point(product.gain.to_f64()) * root);
-    // The result is |value|.
+    // The result is the absolute value.
     if value.high < 0.0 { -value } else { value }
 }
 
-/// Returns a factor over an interval.
+/// Returns an interval that contains a factor of the product over an interval of r, with rounding errors.
 fn value<S: Float>(factor: &Factor<S>, r: Interval) -> Interval {
     let point = |value: S| Interval::point(value.to_f64());
     let beside = |at: S, rest: S| {
@@ -172,7 +173,7 @@ mod tests {
     use crate::scene::Side;
     use frictiongen_kernel::Float;
 
-    /// Returns the smallest emitted limits among many numbers of the scalar.
+    /// Returns the smallest emitted β_lim and the smallest emitted β*_lim at many random frequency ratios.
     fn least<S: Float>(tables: &Tables<S>) -> [f64; 2] {
         let (low, high) = tables.request.r;
         let mut state = 3;
@@ -198,14 +199,14 @@ mod tests {
         let [limit, sliding] = least(&tables);
         let name = format!("{kind}{count}, {zeta}, {stiction}: {limit} and {sliding}");
         let reach = |most| tables.reach(stiction, most);
-        // Closer to the limit, the bound on the roundings may not decide.
+        // At friction ratios closer to the limit, the bound on the rounding errors may not decide.
         for (share, is_below) in [(0.5, true), (0.99, true), (1.001, false), (2.0, false)] {
             assert_eq!(reach(share * limit).always_continuous, is_below, "{name}");
             assert_eq!(reach(share * sliding).never_stuck, is_below, "{name}");
         }
         assert_eq!(reach(f64::INFINITY), Reach::default());
-        // The largest friction ratio that is reported as continuous must be below every emitted limit, in the scalar
-        // and with roundings.
+        // The largest friction ratio that is reported as continuous must be below every emitted limit. This must be so
+        // in the number type of the table, with its rounding errors.
         let (mut said, mut unsaid) = (0.99 * limit, 1.001 * limit);
         for _ in 0..40 {
             let middle = 0.5 * (said + unsaid);
@@ -232,7 +233,7 @@ mod tests {
         }
     }
 
-    /// Every piece must be examined up to its end. The last one ends at the end of the range, where β_lim is smallest
+    /// Every piece must be examined up to its end. The last piece ends at the end of the range, where β_lim is smallest
     /// in this test.
     #[test]
     fn up_to_the_end_of_the_range() {
@@ -249,8 +250,8 @@ mod tests {
         assert!(!tables.reach(1.0, 0.6).always_continuous);
     }
 
-    /// With μ = 2, β*_lim is 1/2 and the smaller limit near the resonance. A stuck state then exists in addition to the
-    /// closed form.
+    /// With μ = 2, β*_lim is 1/2 near the resonance and smaller than β_lim. A stuck state then exists in addition to
+    /// the closed form.
     #[test]
     fn a_stuck_state_beside_the_closed_form() {
         let modal = scene("Wall", 1, 0.05, 2.0);
@@ -266,7 +267,7 @@ mod tests {
         }
     }
 
-    /// A zero of β_lim within the range must leave every regime open.
+    /// If β_lim has a zero within the range, no regime may be excluded.
     #[test]
     fn beside_a_zero() {
         let modal = scene("Wall", 1, 0.0, 1.0);

@@ -1,31 +1,30 @@
-//! Requests for tables, and the errors of requests that cannot be met.
+//! Requests for tables, and errors for requests that no table can meet.
 
 use crate::scene::Side;
 use core::fmt;
 use frictiongen_kernel::Float;
 
-/// The coarsest accuracy that is useful.
+/// Largest relative error that a request may allow. A coarser table would not be useful.
 pub const COARSEST: f64 = 0.1;
-/// The finest accuracy of a table in double precision, relative.
+/// Smallest relative error that a request may allow in double precision.
 pub const FINEST: f64 = 1e-12;
-/// The finest accuracy for which a proof of β_lim is attempted. Finer tables are checked only.
+/// Smallest relative error for which a proof of β_lim is attempted. More accurate tables are only checked.
 pub const FINEST_PROVEN: f64 = 1e-6;
-/// The finest accuracy of a table in single precision, relative. It is some roundings of that
-/// precision.
+/// Smallest relative error that a request may allow in single precision. It is some roundings of single precision.
 pub const FINEST_SINGLE: f64 = 2e-6;
 
-/// A request for tables.
+/// A request for tables of one scene: their range, their accuracy and their content.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
-    /// Smallest and largest frequency ratio r of the table.
+    /// Smallest and largest frequency ratio r of the tables.
     pub r: (f64, f64),
-    /// The largest relative error of an answer, or for a phase the largest error in radians.
+    /// Largest error that a result may have. It is relative, except for a phase, where it is in radians.
     pub accuracy: f64,
-    /// The side of the exact limits on which the table's limits may lie.
+    /// Side of the exact limits on which the limits from the tables may lie.
     pub side: Side,
-    /// True if the table contains the motion of the contact in addition to the limits.
+    /// True if the tables contain the motion of the contact in addition to the limits.
     pub motion: bool,
-    /// True if the table contains the responses with the contact stuck.
+    /// True if the tables contain the responses while the contact is stuck.
     pub stuck: bool,
 }
 
@@ -37,25 +36,26 @@ pub enum TableError {
     Range(f64, f64),
     /// The accuracy is outside the possible range.
     Accuracy {
-        /// The requested accuracy.
+        /// The requested accuracy, a relative error.
         value: f64,
-        /// The finest accuracy of the scalar.
+        /// The finest accuracy that the number type allows, a relative error.
         finest: f64,
     },
     /// No table that was tried meets the accuracy.
     NotMet {
-        /// The requested accuracy.
+        /// The requested accuracy, a relative error.
         accuracy: f64,
-        /// The finest of the accuracies 10, 100, … times as coarse that can be met.
+        /// The finest accuracy that a table can meet. The generator tries accuracies that are 10, 100, … times as
+        /// coarse as the request. `None` if it can meet none.
         reached: Option<f64>,
-        /// The r at which it fails.
+        /// The frequency ratio r at which no table meets the accuracy.
         at: f64,
     },
     /// Even the coarsest accuracy does not fit into the allowed bytes.
     TooFewBytes {
-        /// The allowed bytes.
+        /// The allowed number of bytes.
         bytes: usize,
-        /// The bytes of the coarsest table.
+        /// The number of bytes of the most coarse table.
         least: usize,
     },
 }
@@ -96,7 +96,7 @@ impl fmt::Display for TableError {
 impl core::error::Error for TableError {}
 
 impl Request {
-    /// Checks that the request is possible in a scalar.
+    /// Checks that the range and the accuracy of the request are possible in the number type `S`.
     ///
     /// # Errors
     /// [`TableError::Range`] and [`TableError::Accuracy`].
@@ -117,15 +117,15 @@ impl Request {
     }
 }
 
-/// A number between the roundings of single and of double precision.
+/// Bound that separates the relative rounding errors of single and of double precision.
 const BETWEEN_PRECISIONS: f64 = 1e-10;
 
-/// Returns whether a scalar has single precision.
+/// Returns true if a number type has single precision.
 pub(super) fn is_single<S: Float>() -> bool {
     S::EPSILON > BETWEEN_PRECISIONS
 }
 
-/// Returns the finest accuracy of a table in a scalar.
+/// Returns the finest accuracy of a table in a number type, as a relative error.
 pub fn finest<S: Float>() -> f64 {
     if is_single::<S>() {
         FINEST_SINGLE

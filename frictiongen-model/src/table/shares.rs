@@ -1,4 +1,4 @@
-//! Shares of an accuracy for the fit, the check and the rounding.
+//! Fractions of the requested accuracy that the fit, the check and the rounding may use.
 
 use super::cover::Cover;
 use super::errors::Comparison;
@@ -11,19 +11,21 @@ use crate::scene::Side;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Quotient;
 
-/// Share of the accuracy for the fit. The rest is for r between the points of the fit.
+/// Fraction of the accuracy that the fit of a polynomial may use. The rest is for frequency ratios between the points
+/// of the fit.
 const SHARE: f64 = 0.75;
-/// Share of the accuracy that the check allows. Between its points an error may be larger.
+/// Fraction of the accuracy that the check of a table allows. Between the points of the check an error may be larger.
 const CHECKED: f64 = 0.9;
-/// Share of the accuracy for the fit with `side: safe`. The table then lies half the accuracy away from the exact
-/// limit.
+/// Fraction of the accuracy that the fit may use with `side: safe`. The table then lies half the accuracy away from the
+/// exact limit.
 const SAFE_SHARE: f64 = 0.4;
-/// Share of the accuracy for the rounding of a coefficient to decimals.
+/// Fraction of the accuracy that the rounding of a coefficient to decimals may use.
 const ROUNDING: f64 = 1e-3;
-/// Largest number of pieces of a table.
+/// Largest number of polynomial pieces in a table.
 const MOST_PIECES: usize = 20_000;
 
-/// Returns a cover without pieces.
+/// Returns the settings for fitting polynomial pieces to a request: allowed errors, and the number of functions and
+/// terms. No piece is fitted yet.
 pub(super) fn cover<'a, 'm, S: Float>(
     exact: &'a mut Exact<'m>,
     landmarks: Landmarks,
@@ -32,7 +34,7 @@ pub(super) fn cover<'a, 'm, S: Float>(
     excitation: Option<Quotient<'a, S>>,
 ) -> Cover<'a, 'm, S> {
     let accuracy = request.accuracy;
-    // With the safe side, the fit aims half the accuracy below β_lim.
+    // With `side: safe`, the fit aims half the accuracy below β_lim.
     let (side_factor, share, whole) = match request.side {
         Side::Near => (1.0, SHARE, CHECKED * accuracy),
         Side::Safe => (1.0 - 0.5 * accuracy, SAFE_SHARE, 0.5 * CHECKED * accuracy),
@@ -58,7 +60,7 @@ pub(super) fn cover<'a, 'm, S: Float>(
     }
 }
 
-/// Converts an error over the error that the check allows into a relative error.
+/// Converts an error, divided by the error that the check allows, into a relative error.
 pub(super) fn relative(worst: Worst, request: &Request) -> Worst {
     let error = match request.side {
         Side::Near => worst.error * CHECKED * request.accuracy,

@@ -1,10 +1,11 @@
-//! The r at which a table must be divided, and the r near zeros and resonances at which its error must be computed.
+//! Frequency ratios at which a table must be divided, and frequency ratios near zeros and resonances at which its error
+//! must be computed.
 
 use super::zeros::{Zeros, contact_modes};
 use crate::modal::Modal;
 use frictiongen_kernel::number::dd::Dd;
 
-/// A zero of β_lim, as a double and its remainder.
+/// A zero r₀ of β_lim, as a double and the remainder of r₀.
 #[derive(Clone, Copy, Debug)]
 pub struct Edge {
     /// The zero as a double.
@@ -20,44 +21,46 @@ impl Edge {
         Self { at: high, rest }
     }
 
-    /// Returns the distance of r above the zero.
+    /// Returns r − r₀, the signed distance of r from the zero r₀ of β_lim.
     pub fn distance(&self, r: f64) -> f64 {
         (r - self.at) - self.rest
     }
 }
 
-/// Relative distances from an r of interest at which a table is checked.
+/// Relative distances from a zero of β_lim, a resonance or a sub-harmonic at which the error of a table is computed.
 const BESIDE: [f64; 13] = [
     0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2,
 ];
-/// Largest relative distance of a zero of β_lim outside the range at which it still counts.
+/// Largest relative distance of a zero of β_lim from the range of r at which the zero still influences the table.
 const OUTSIDE: f64 = 1e-2;
-/// Damping ratio times the order of a sub-harmonic above which a mode leaves no narrow trace in
-/// β_lim. For a zero, the same bound applies to |x|/y.
+/// Bound above which a mode is too damped for a narrow feature in β_lim. It is compared with the damping ratio times
+/// the order of a sub-harmonic, and for a zero x + iy with |x|/y.
 const BROAD: f64 = 0.5;
-/// Largest number of sub-harmonics for each mode.
+/// Largest number of sub-harmonics that are considered for each mode.
 const MOST: usize = 10_000;
 
-/// Properties of β_lim over a range that are known before any fit.
+/// Frequency ratios that are known before any fit: zeros of β_lim, jumps in the phase of the contact's response, and
+/// narrow features of β_lim.
 #[derive(Clone, Debug)]
 pub struct Landmarks {
     /// The zeros of β_lim within the range and just outside, ascending.
     pub zeros: Vec<Edge>,
-    /// The resonances of undamped modes within the range, at which arg V jumps.
+    /// Resonances of undamped modes within the range of r. The phase of the contact's response jumps there.
     pub jumps: Vec<f64>,
-    /// Further r at which the error of a table is computed, ascending. They are at and near zeros, resonances and
-    /// sub-harmonics.
+    /// Frequency ratios at which the error of a table is also computed, in ascending order. They are at and near zeros
+    /// of β_lim, resonances and sub-harmonics.
     pub closely: Vec<f64>,
 }
 
 impl Landmarks {
-    /// Returns the zero that is the origin of a piece, if the origin is a zero.
+    /// Returns the zero of β_lim from which a polynomial piece counts r. `to` rounds a zero to the number type of the
+    /// table. Returns `None` if the origin of the piece is not a zero.
     pub fn zero_at(&self, origin: f64, to: impl Fn(f64) -> f64) -> Option<Edge> {
         let mut zeros = self.zeros.iter().copied();
         zeros.find(|zero| to(zero.at) == origin)
     }
 
-    /// Adds an r at which the error of a table is computed.
+    /// Adds a frequency ratio at which the error of a table is computed.
     pub fn look_at(&mut self, r: f64) {
         let place = self.closely.partition_point(|known| *known < r);
         self.closely.insert(place, r);
@@ -79,7 +82,7 @@ impl Landmarks {
                 if zeta.to_f64() * order > BROAD {
                     break;
                 }
-                // U of an undamped mode is infinite there, for any damping of the other modes.
+                // At this r the U of an undamped mode is infinite, for any damping of the other modes. β_lim is then 0.
                 if zeta.is_zero() && (k > 0 || mode.residue.is_zero()) {
                     edges.push(Edge::new(place));
                 }
@@ -100,7 +103,7 @@ impl Landmarks {
                 centres.push(zero.y.to_f64());
             }
         }
-        // A zero just outside the range matters as much as one at its bound.
+        // A zero just outside the range matters as much as a zero at a bound of the range.
         let beside =
             |edge: &Edge| low * (1.0 - OUTSIDE) <= edge.at && edge.at <= high * (1.0 + OUTSIDE);
         edges.retain(beside);

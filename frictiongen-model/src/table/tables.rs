@@ -1,4 +1,4 @@
-//! Builds the tables of a scene, from the request to the report.
+//! Builds all tables of a scene, from the request to the report on their errors.
 
 use super::cover::Stuck;
 use super::evidence::Proof;
@@ -19,73 +19,78 @@ use crate::modal::Modal;
 use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 
-/// Largest share of a budget of bytes for the responses while the contact is stuck: one over this number.
+/// Bound on the responses with the contact stuck: they may use the allowed bytes divided by this number.
 const STUCK_PART: usize = 4;
-/// The range over the length of the first trial piece.
+/// Length of the range of r, divided by the length of the first piece that the fit tries.
 const FIRST: f64 = 16.0;
 /// Largest number of pieces whose indices fit in one byte.
 const IN_A_BYTE: usize = 1 << u8::BITS;
 
-/// Size of the tables, and their errors in the check.
+/// Size of the tables of a scene, and the errors that the check has found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report {
-    /// The largest relative error of β_lim in the check. With a motion, it includes amplitude and phase.
+    /// Largest relative error of β_lim that the check has found. If the tables contain the motion of the contact, its
+    /// amplitude and phase are included.
     pub worst: Worst,
-    /// The largest relative error of β*_lim in the check.
+    /// Largest relative error of β*_lim that the check has found.
     pub sliding: Worst,
-    /// Number of points of the check.
+    /// Number of frequency ratios at which the check has compared the tables with exact values.
     pub points: usize,
-    /// Number of exact values computed for the tables.
+    /// Number of frequency ratios at which the exact values were computed.
     pub evaluations: usize,
-    /// Size of all stored numbers, in bytes.
+    /// Size of all numbers that the tables store, in bytes.
     pub bytes: usize,
 }
 
-/// Tables of a scene in the scalar `S`.
+/// Tables of the limits, the contact's motion and the stuck responses of a scene, with their proofs. The numbers have
+/// the type `S`.
 #[derive(Clone, Debug)]
 pub struct Tables<S> {
     /// The request for which the tables were built.
     pub request: Request,
-    /// Number of functions that share the pieces. These are β_lim, with a motion a, with damping g and arg V, and if
-    /// every mode is damped |V|.
+    /// Number of functions that are polynomials in each piece: 1 for β_lim alone, and up to 5 with the motion of the
+    /// contact. The order is β_lim, a, g, arg V and |V|, with V the response of the contact without friction.
     pub functions: usize,
     /// Number of coefficients of each polynomial.
     pub terms: usize,
-    /// The pieces of β_lim and of the other functions, ascending in r.
+    /// Polynomial pieces of β_lim and of the other functions, in ascending order of r.
     pub pieces: Vec<Fitted<S>>,
-    /// The index by which a piece is found.
+    /// Buckets of r, by which a lookup finds the polynomial piece that contains r.
     pub index: Index<S>,
-    /// β*_lim; `None` if only the sums over the modes keep the accuracy.
+    /// Table of β*_lim as a product over zeros and poles. `None` if only the exact sums over the modes are accurate
+    /// enough.
     pub sliding: Option<Product<S>>,
-    /// |V| for a motion; `None` if it is one of the functions.
+    /// |V|, the amplitude of the contact without friction, as a product over zeros and poles. `None` if |V| is a
+    /// polynomial of the pieces, or if the tables have no motion.
     pub excitation: Option<Product<S>>,
-    /// The responses while the contact is stuck, if they were requested; `None` if only the exact formulas keep the
-    /// accuracy. They are compared with the exact values, not proven.
+    /// Responses while the contact is stuck, if they were requested. `None` if only the exact formulas are accurate
+    /// enough. The responses are compared with the exact values, but not proven.
     pub held: Option<Held<S>>,
-    /// Size and errors of the tables.
+    /// Size of the tables, and the errors that the check has found.
     pub report: Report,
-    /// The proof of β_lim.
+    /// Proof, complete or partial, that β_lim from the table has the requested accuracy over the range of r.
     pub proof: Proof,
-    /// The proof of amplitude and phase of the contact, up to the last of the friction shares.
+    /// Proof that amplitude and phase of the contact have the requested accuracy. It covers β/β_lim up to the largest
+    /// ratio in `FRICTION_SHARES`.
     pub motion_proof: Proof,
-    /// The proof of β*_lim. It is made with the tables, because it takes little work.
+    /// Proof that the table of β*_lim has the requested accuracy. It takes little work, so it is made with the tables.
     pub sliding_proof: Proof,
-    /// The proof of |V|, if it is a product.
+    /// Proof that |V|, the amplitude of the contact without friction, has the requested accuracy, if it is a product.
     pub excitation_proof: Proof,
-    /// The undamped resonances in the range that the load drives, as numbers of the scalar. The amplitude of a
-    /// continuous motion is infinite at them.
+    /// Undamped resonances within the range that the load drives, rounded to the number type. The amplitude of a
+    /// continuous motion is infinite there.
     pub unbounded: Vec<S>,
-    /// The kinks of β_lim, ascending.
+    /// Frequency ratios at which β_lim has a kink, in ascending order.
     pub(super) kinks: Vec<f64>,
 }
 
-/// Rounds a number to one digit, as people write accuracies.
+/// Rounds a number to one significant digit, as people write accuracies.
 fn one_digit(value: f64) -> f64 {
     format!("{value:.0e}").parse().unwrap_or(value)
 }
 
 impl<S: Float> Tables<S> {
-    /// Builds the tables of a scene.
+    /// Builds the tables of a scene for a request.
     ///
     /// # Errors
     /// Returns every [`TableError`] except `TooFewBytes`.
@@ -115,16 +120,17 @@ impl<S: Float> Tables<S> {
         self.functions > 1
     }
 
-    /// Returns the number of additions and multiplications of one polynomial and its lookup.
+    /// Returns the number of additions and multiplications that one lookup and one polynomial take.
     #[must_use]
     pub fn additions_and_multiplications(&self) -> usize {
-        // The count includes r − low and its product with the density, r − origin and its square. It has two operations
-        // for each pair, and two to join each pair but one.
+        // The count includes r − low and its product with the density, and r − origin and its square. Each pair of
+        // terms takes two operations, and joining two pairs takes two more.
         let pairs = self.terms.div_ceil(2);
         2 + 2 + 2 * pairs + 2 * (pairs - 1)
     }
 
-    /// Builds the tables that a scene declares. Returns `None` for an exact scene.
+    /// Builds the tables that a scene declares. Returns `None` for a scene that declares none and uses the exact
+    /// formulas.
     ///
     /// # Errors
     /// Returns every [`TableError`].
@@ -158,7 +164,7 @@ impl<S: Float> Tables<S> {
         tables.map(Some)
     }
 
-    /// Builds the finest tables that fit into a number of bytes.
+    /// Builds the most accurate tables that fit into a number of bytes.
     ///
     /// # Errors
     /// [`TableError::TooFewBytes`], and the errors of [`build`](Self::build).
@@ -166,7 +172,8 @@ impl<S: Float> Tables<S> {
         Self::within_to(modal, request, bytes, FINEST)
     }
 
-    /// Builds the finest tables that fit into a number of bytes, but none finer than an accuracy.
+    /// Builds the most accurate tables that fit into a number of bytes. It does not try an accuracy finer than
+    /// `finest`.
     fn within_to(
         modal: &Modal,
         request: Request,
@@ -179,7 +186,7 @@ impl<S: Float> Tables<S> {
         };
         coarsest.check::<S>()?;
         let mut exact = Exact::new(modal);
-        // The stuck responses get a limited share, because their exact formulas need no search.
+        // The responses with the contact stuck get a limited share, because their exact formulas need no search.
         let held = Self::held_of(modal, &request);
         let held = held.filter(|held| held.bytes() <= bytes / STUCK_PART);
         let mut within = |finer: Request| {
@@ -192,7 +199,7 @@ impl<S: Float> Tables<S> {
         if least > bytes {
             return Err(TableError::TooFewBytes { bytes, least });
         }
-        // The accuracies are 5, 2, 1 times 10^−k. The first that does not fit ends the search.
+        // The loop tries the accuracies 5, 2 and 1 times 10^−k. The first accuracy that does not fit ends the search.
         for step in 0_u32.. {
             let unit = [5.0, 2.0, 1.0]
                 .get((step % 3) as usize)
@@ -214,8 +221,8 @@ impl<S: Float> Tables<S> {
         Ok(best)
     }
 
-    /// Returns the size of the tables of the limits and of the contact's motion, which are included in
-    /// [`Report::bytes`].
+    /// Returns the size in bytes of the tables of the limits and of the contact's motion. [`Report::bytes`] also
+    /// includes the responses with the contact stuck.
     #[must_use]
     pub fn bytes_without_stuck(&self) -> usize {
         self.report.bytes - self.held.as_ref().map_or(0, Held::bytes)
@@ -225,7 +232,7 @@ impl<S: Float> Tables<S> {
         request.stuck.then(|| Held::of(modal, request.r)).flatten()
     }
 
-    /// Adds the responses while the contact is stuck, if they keep the accuracy.
+    /// Adds the responses while the contact is stuck to the tables, if they are accurate enough.
     fn with(mut self, held: Option<&Held<S>>) -> Self {
         let accuracy = self.request.accuracy;
         self.held = held.filter(|held| held.keeps(accuracy)).cloned();
@@ -233,7 +240,8 @@ impl<S: Float> Tables<S> {
         self
     }
 
-    /// Returns the finest accuracy of those 10, 100, … times as coarse that can be met.
+    /// Returns the finest accuracy that a table can meet. The method tries accuracies that are 10, 100, … times as
+    /// coarse as the request. Returns `None` if it can meet none.
     fn reached(exact: &mut Exact<'_>, request: Request) -> Option<f64> {
         let mut accuracy = request.accuracy;
         while accuracy < COARSEST {
@@ -253,9 +261,9 @@ impl<S: Float> Tables<S> {
         Self::built_within(exact, request, usize::MAX)
     }
 
-    /// Builds the tables, if necessary with polynomials of a higher degree. A mode may change
-    /// a function only over a range of r that is some hundred roundings of r wide. The usual degree cannot follow such
-    /// a change.
+    /// Builds the tables of the limits and of the contact's motion. If the usual degree of the polynomials does not
+    /// suffice, higher degrees are tried: a mode may change a function over a range of r that is only some hundred
+    /// roundings of r wide.
     fn built_within(
         exact: &mut Exact<'_>,
         request: Request,
@@ -271,8 +279,9 @@ impl<S: Float> Tables<S> {
         found.ok_or(not_met)
     }
 
-    /// Builds the tables with |V| as one of the functions, if that is possible and fits. A product needs fewer bytes,
-    /// but costs a root and operations for every zero and pole.
+    /// Builds the tables with |V| as a polynomial of the pieces, if every mode is damped and the tables fit. |V| is the
+    /// amplitude of the contact without friction. Otherwise |V| becomes a product over zeros and poles. A product needs
+    /// fewer bytes, but costs a square root and some operations for every zero and pole.
     fn of_terms(
         exact: &mut Exact<'_>,
         request: Request,
@@ -297,7 +306,7 @@ impl<S: Float> Tables<S> {
         with_size: bool,
     ) -> Result<Self, TableError> {
         let modal = exact.modal;
-        // The bounds, rounded as in a lookup.
+        // The bounds of the range are rounded as in a lookup.
         let ends = (S::constant(request.r.0), S::constant(request.r.1));
         let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
         let zeros = Zeros::of(modal);
@@ -317,8 +326,8 @@ impl<S: Float> Tables<S> {
             (low, high),
         );
         let functions = match (&excitation, exact.damped()) {
-            // If the zeros could not be separated, |V| may have a zero on the axis, and is then not one of the
-            // functions.
+            // If the zeros could not be separated, |V| may have a zero on the axis of real r. |V| is then not a
+            // function of the pieces.
             _ if with_size && zeros.is_some() => 5,
             (None, _) => 1,
             (Some(_), false) => 2,
@@ -326,7 +335,7 @@ impl<S: Float> Tables<S> {
         };
         let mut kinks = kinks::kinks(exact, (low, high));
         if exact.damped() {
-            // At the resonance of an undamped mode among damped ones, arg V jumps.
+            // At the resonance of an undamped mode among damped modes, arg V jumps.
             kinks.extend(landmarks.jumps.iter().copied());
         }
         let quotient = excitation.as_ref().map(Product::quotient);

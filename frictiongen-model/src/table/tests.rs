@@ -1,4 +1,4 @@
-//! Tests zeros, lookups and digits separately. `generated-tests` compares whole tables.
+//! Tests of zeros, lookups and digits. The crate `generated-tests` compares whole tables.
 
 use super::digits::{above, to_decimals};
 use super::zeros::Zeros;
@@ -50,7 +50,7 @@ fn request(r: (f64, f64), accuracy: f64) -> Request {
     }
 }
 
-/// x̄₂ = 2x̄₁ + … for equal masses. The first two move alike at r² = 1, for any further masses.
+/// Equal masses: x̄₂ = 2x̄₁ + …. The first two masses move alike at r² = 1, whatever masses follow.
 #[test]
 fn zeros_of_equal_masses() {
     for count in [2, 3, 5, 9] {
@@ -62,7 +62,7 @@ fn zeros_of_equal_masses() {
             .collect();
         assert_eq!(places.len(), 1, "{count} masses: {places:?}");
         assert!((places[0] - 1.0).abs() < 1e-28, "{places:?}");
-        // The receptance has one zero between each pair of resonances.
+        // H, the receptance of the contact, has one zero between each pair of resonances.
         assert_eq!(zeros.receptance.len() + zeros.common.len(), count - 1);
         assert_eq!(zeros.loaded.len() + zeros.unloaded.len(), count);
     }
@@ -76,7 +76,7 @@ fn damped_zeros_lie_beside_the_axis() {
     assert!(zeros.loaded.iter().all(beside));
 }
 
-/// Returns a piece in arrays, for limits alone to 1e-4.
+/// Returns a fitted piece in arrays, as emitted code has it, for a table of β_lim to an accuracy of 1e-4.
 fn piece(fitted: &Fitted<f64>) -> Piece<f64, 1, 6> {
     let of = fitted.coefficients[0].as_slice();
     Piece {
@@ -86,7 +86,8 @@ fn piece(fitted: &Fitted<f64>) -> Piece<f64, 1, 6> {
     }
 }
 
-/// Every r must find the piece whose range contains it, including bounds, boundaries and their neighbours.
+/// A lookup must find the piece that contains r, for every r. The test includes bounds of the range, boundaries of
+/// pieces and their neighbouring numbers.
 #[test]
 fn every_r_finds_its_piece() {
     for count in [2, 5] {
@@ -158,7 +159,7 @@ fn what_cannot_be_had() {
     assert!(error.contains("no table fits into 64 bytes"), "{error}");
 }
 
-/// More bytes must never give a coarser accuracy.
+/// A larger budget of bytes must never give a coarser accuracy.
 #[test]
 fn a_budget_of_bytes() {
     let modal = Modal::of(&chain(2, Damping::Uniform(0.02)));
@@ -172,7 +173,7 @@ fn a_budget_of_bytes() {
     }
 }
 
-/// If |V| as a polynomial does not fit, its product must be used.
+/// If |V| as a function of the pieces does not fit into the bytes, its product over zeros and poles must be used.
 #[test]
 fn a_budget_below_the_polynomials() {
     let modal = Modal::of(&chain(2, Damping::Uniform(0.02)));

@@ -1,4 +1,4 @@
-//! Compares tables with the exact values again.
+//! Compares finished tables with the exact values again.
 
 use super::check;
 use super::exact::Exact;
@@ -13,14 +13,15 @@ use frictiongen_kernel::Float;
 use std::ops::Range;
 
 impl<S: Float> Tables<S> {
-    /// Returns the largest error of these tables, computed again. It differs from
+    /// Compares these tables with the exact values again, and returns the largest error. The result differs from
     /// [`Report::worst`](super::Report::worst) if the tables were changed.
     #[must_use]
     pub fn verify(&self, modal: &Modal) -> Worst {
         self.verified(modal, 0..self.pieces.len())
     }
 
-    /// Returns the largest error of one piece, computed again.
+    /// Compares one polynomial piece with the exact values again, and returns its largest error. `place` is the index
+    /// of the piece.
     #[must_use]
     pub fn verify_piece(&self, modal: &Modal, place: usize) -> Worst {
         self.verified(modal, place..place + 1)

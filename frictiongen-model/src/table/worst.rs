@@ -1,10 +1,10 @@
-//! The largest error of a table.
+//! The largest error that a check has found, and where.
 
-/// An error and its frequency ratio.
+/// The largest error that a check has found, with the frequency ratio at which it occurs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Worst {
     /// The error, in the unit that the containing field or function states.
     pub error: f64,
-    /// The frequency ratio r of the error.
+    /// The frequency ratio r at which the error occurs.
     pub at: f64,
 }

@@ -1,4 +1,4 @@
-//! V and H as quotients of products, with zeros and poles in double-double.
+//! V and H of the contact as rational functions: their zeros and poles in double-double.
 
 use crate::modal::Modal;
 use crate::roots::{Driven, converge, pairs};
@@ -7,26 +7,30 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use frictiongen_kernel::{Complex, Float};
 
-/// Relative bound below which the real part of a zero or pole, or a coefficient, counts as zero. It is far above the
-/// roundings of a double-double sum, 10⁻³², and far below the precision of a scene in doubles.
+/// Relative size below which the real or imaginary part of a zero or pole, or a coefficient, counts as zero. It is far
+/// above the roundings of a double-double sum, 10⁻³², and far below the precision of a scene in doubles.
 pub(super) const NONE: f64 = 1e-20;
-/// Largest relative difference of the constants of modes that count as equal. In double-double such modes differ by
-/// rounding alone.
+/// Largest relative difference between the constants of two modes (resonance or damping ratio) that count as equal. In
+/// double-double such modes differ only by rounding.
 pub(super) const EQUAL: f64 = 1e-24;
-/// Largest relative distance of zeros of V and H that count as one. A scene in doubles cannot separate them.
+/// Largest relative distance between two zeros that count as one common zero of V and H, the responses of the contact
+/// to the load and to a contact force. A scene in doubles cannot separate them.
 const COMMON: f64 = 1e-13;
-/// Smallest first guess of a zero, relative to the lowest resonance.
+/// Smallest modulus from which the search for a zero starts, relative to the lowest resonance.
 const BELOW: f64 = 0.6;
-/// Largest first guess of a zero, relative to the highest resonance. Zeros lie between resonances or slightly beyond.
+/// Largest modulus from which the search for a zero starts, relative to the highest resonance. Zeros lie between
+/// resonances or slightly beyond.
 const ABOVE: f64 = 1.4;
-/// Smallest angle of a first guess to the imaginary axis, in radians. From a guess on an axis the iteration would stay
-/// on it.
+/// Smallest angle between the imaginary axis and a point from which the search for a zero starts, in rad. From a point
+/// on an axis, the iteration would stay on that axis.
 const LEAST_ANGLE: f64 = 0.1;
-/// Range of the angles above that, in steps of elevenths. Each next guess is seven steps further, so that neighbours
-/// are far apart.
+/// Range of the angles from which the search for zeros starts, in rad beyond `LEAST_ANGLE`. It is divided into
+/// elevenths. Each next angle is seven elevenths further, so that neighbouring starting points have very different
+/// angles.
 const ANGLES: f64 = 0.7;
 
-/// A zero s = x + iy, in double-double. A conjugate pair is represented by its zero with y > 0.
+/// A zero or pole s = x + iy of a function of s = ir, in double-double. A conjugate pair is represented by its zero
+/// with y > 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Zero {
     /// Real part.
@@ -36,12 +40,13 @@ pub struct Zero {
 }
 
 impl Zero {
-    /// Returns whether the zero lies on the imaginary axis, where r is real.
+    /// Returns true if the zero lies on the imaginary axis, so that the function is zero at a real r.
     pub fn is_on_axis(&self) -> bool {
         self.x.is_zero()
     }
 
-    /// Returns the factor in r of the zero, for a product of squares or a plain product.
+    /// Returns the factor that this zero contributes to a function of r. If `squared` is true, the function is a
+    /// squared modulus.
     pub fn factor<S: Float>(&self, squared: bool, to: &impl Fn(Dd) -> S) -> Factor<S> {
         if self.y.is_zero() {
             return Factor::Real {
@@ -63,7 +68,7 @@ impl Zero {
         }
     }
 
-    /// Returns whether two zeros are equal up to their last digits.
+    /// Returns true if two zeros are so close that they count as one zero.
     pub fn is_near(&self, other: &Self) -> bool {
         let apart = Complex::new(self.x.abs() - other.x.abs(), self.y - other.y);
         let size = complex::modulus(Complex::new(self.x, self.y), true);
@@ -71,20 +76,21 @@ impl Zero {
     }
 }
 
-/// Zeros of V and H of the contact, and their poles.
+/// Zeros and poles of V and H, the responses of the contact to the load and to a force in the contact.
 #[derive(Clone, Debug)]
 pub struct Zeros {
     /// True if any mode is damped.
     pub damped: bool,
-    /// Zeros of V that are not zeros of H.
+    /// Zeros of V that are not zeros of H. V and H are the responses of the contact to the load and to a contact force.
     pub excitation: Vec<Zero>,
-    /// Zeros of H that are not zeros of V.
+    /// Zeros of H that are not zeros of V. V and H are the responses of the contact to the load and to a contact force.
     pub receptance: Vec<Zero>,
-    /// Common zeros of V and H.
+    /// Common zeros of V and H, the responses of the contact to the load and to a contact force.
     pub common: Vec<Zero>,
-    /// Poles of V: the modes that both the load and the contact drive.
+    /// Poles of V, the response of the contact to the load. They come from the modes that both the load and the contact
+    /// drive.
     pub loaded: Vec<Zero>,
-    /// Poles of H that are not poles of V.
+    /// Poles of H, the response of the contact to a contact force, that are not poles of the response to the load.
     pub unloaded: Vec<Zero>,
 }
 
@@ -106,7 +112,7 @@ pub fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
             continue;
         }
         let (inverse_mass, residue) = (*contact * *contact, *load * *contact);
-        // Equal modes count as one in both sums.
+        // Equal modes count as one mode in both sums V and H.
         if let Some(last) = contact_modes.last_mut()
             && (*sigma - last.driven.sigma).abs() <= *sigma * Dd::from(EQUAL)
             && (*zeta - last.driven.zeta).abs() <= *zeta * Dd::from(EQUAL)
@@ -128,7 +134,8 @@ pub fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
 }
 
 impl Zeros {
-    /// Returns the zeros, or `None` if they cannot be separated. The sums over the modes are then used.
+    /// Returns the zeros and poles of the contact's responses to the load and to a contact force. Returns `None` if the
+    /// zeros cannot be separated. The exact sums over the modes are then used.
     pub fn of(modal: &Modal) -> Option<Self> {
         let contact_modes = contact_modes(modal);
         let damped = modal.is_damped();
@@ -160,7 +167,7 @@ impl Zeros {
                 ..mode.driven
             })
             .collect();
-        // At r = 0 a base may carry the contact along without relative motion. This gives a zero at s = 0, which is
+        // At r = 0 a base may carry the contact along without relative motion. V then has a zero at s = 0, which is
         // double without damping.
         let at_rest = modal.on_moving_base && modal.static_motion.is_zero();
         let known = match (at_rest, damped) {
@@ -188,7 +195,7 @@ impl Zeros {
     }
 }
 
-/// Returns the poles of a mode.
+/// Returns the poles of a mode: one pole that represents a conjugate pair, or two real poles of an overdamped mode.
 pub(super) fn poles(mode: &Driven) -> Vec<Zero> {
     let (one, zero) = (Dd::ONE, Dd::ZERO);
     let q = ((one - mode.zeta) * (one + mode.zeta)).abs().sqrt();
@@ -208,8 +215,8 @@ pub(super) fn poles(mode: &Driven) -> Vec<Zero> {
         .to_vec()
 }
 
-/// Returns the zeros of direct + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i), one of each conjugate pair. The first `known` roots are
-/// at 0.
+/// Returns the zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. A conjugate pair
+/// is listed once. The first `known` zeros are at s = 0.
 fn zeros(modes: &[Driven], direct: Dd, damped: bool, known: usize) -> Option<Vec<Zero>> {
     let degree = degree(modes, direct)?;
     let mut roots = vec![complex::real(Dd::ZERO); known];
@@ -219,8 +226,8 @@ fn zeros(modes: &[Driven], direct: Dd, damped: bool, known: usize) -> Option<Vec
     classified(roots, known, damped)
 }
 
-/// Converts roots to zeros, one of each conjugate pair. Returns `None` if the roots do not form pairs, or if one is not
-/// a number.
+/// Converts roots to zeros, one of each conjugate pair. Returns `None` if the roots do not form pairs, or if a root is
+/// not a number.
 pub(super) fn classified(roots: Vec<Complex<Dd>>, known: usize, damped: bool) -> Option<Vec<Zero>> {
     let degree = roots.len();
     let tiny = Dd::from(NONE);
@@ -256,7 +263,8 @@ pub(super) fn classified(roots: Vec<Complex<Dd>>, known: usize, damped: bool) ->
     (found == degree).then_some(zeros)
 }
 
-/// Returns the number of zeros. It follows from the first power of 1/s at infinity whose coefficient exceeds rounding.
+/// Returns the number of zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. It
+/// follows from the first power of 1/s at infinity whose coefficient exceeds rounding.
 fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
     let most = 2 * modes.len();
     if !direct.is_zero() {
@@ -281,7 +289,8 @@ fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
     None
 }
 
-/// Returns uneven first guesses near the imaginary axis, over the range of the resonances and slightly beyond.
+/// Returns `count` starting points for the search of zeros, unevenly spread near the imaginary axis. Their moduli span
+/// the range of the resonances, and slightly more.
 pub(super) fn guesses(sigmas: impl Iterator<Item = f64>, count: usize) -> Vec<Complex<Dd>> {
     let ends = (f64::INFINITY, 0.0_f64);
     let (low, high) = sigmas.fold(ends, |(low, high), sigma| (low.min(sigma), high.max(sigma)));

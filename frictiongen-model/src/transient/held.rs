@@ -1,9 +1,9 @@
-//! Held modes, which are the modes of the chain with its contact stuck, and the participation of the free modes in
-//! them.
+//! Held modes, which are the modes of the chain with its contact stuck, and the participation of the modes of the
+//! sliding chain in each held mode.
 //!
 //! A pair of roots s² + 2αs + ω² is one oscillator (y, u), with u = ẏ/ω in the time t√(k₁/m₁). While only this
-//! oscillator moves, mode i has η_i = g_i y + h_i u. Here w_i/(s² + 2ζ_iσ_i s + λ_i) = g_i + (h_i/ω)s modulo the
-//! polynomial of the pair. All numbers are real, also at a double root.
+//! oscillator moves, mode i of the sliding chain has the modal coordinate η_i = g_i y + h_i u. Here w_i/(s² + 2ζ_iσ_i s
+//! + λ_i) = g_i + (h_i/ω)s modulo the polynomial of the pair. All numbers are real, also at a double root.
 
 use super::plain::Plain;
 use crate::reduced::kind;
@@ -13,11 +13,12 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::{Float, Scalar};
 
-/// Relative difference of two squared frequencies below which the difference is rounding. It is a thousand roundings of
-/// double-double.
+/// Relative difference of two squared frequencies below which the difference is only rounding. It is a thousand
+/// roundings of double-double.
 const ROUNDING: f64 = 1e-29;
 
-/// Returns the held modes, and the participations (g, h) of every mode in each.
+/// Returns the held modes, which are the modes of the chain with its contact stuck. The second result has the
+/// participations (g, h) of every mode of the sliding chain in each held mode.
 pub(super) fn held<T: Float, S: Scalar>(
     modes: &[&Plain<T>],
     inverse_mass: T,
@@ -28,17 +29,19 @@ pub(super) fn held<T: Float, S: Scalar>(
     let (mut held, mut participations) = (Vec::new(), Vec::new());
     for (omega, zeta) in pairs.iter().copied() {
         let mut own = vec![[zero; 2]; modes.len()];
-        // Finds the mode with the largest term in Σ w_i/(s² + 2ζ_iσ_i s + λ_i) = 0. Its own denominator may be only
-        // rounding, so its participation must balance the others.
+        // Finds the mode with the largest term in Σ w_i/(s² + 2ζ_iσ_i s + λ_i) = 0. The denominator of that mode may be
+        // only rounding, so its participation must balance the participations of the other modes.
         let (mut nearest, mut part) = (0, zero);
         for (index, (mode, participation)) in modes.iter().zip(&mut own).enumerate() {
-            // d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial. Its inverse is (b − 2αa − as)/R.
+            // The denominator d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial of the pair. Its inverse is (b −
+            // 2αa − as)/R.
             let a = (mode.zeta * mode.resonance - zeta * omega) * two;
             let b = (mode.resonance - omega) * (mode.resonance + omega);
             let resultant = b * b - two * zeta * omega * a * b + omega * omega * a * a;
             let weight = mode.contact / resultant;
-            // The square of the term of w_i. If the contact hardly touches a mode, the mode is so near that its
-            // denominator is only rounding. Its term is then meaningless, but it is still the nearest mode.
+            // The square of this mode's term in the sum over w_i. If the contact hardly drives a mode, the root is so
+            // close to the mode that the denominator is only rounding. The term is then meaningless, but the mode is
+            // still the nearest mode.
             let own_part = (mode.contact * mode.contact * mode.contact * weight).abs();
             let rounding = T::constant(ROUNDING) * omega * omega;
             if resultant < rounding * rounding {
@@ -63,7 +66,7 @@ pub(super) fn held<T: Float, S: Scalar>(
         for participation in own.iter_mut().flatten() {
             *participation = *participation / largest;
         }
-        // Different pairs are orthogonal in B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ.
+        // Two different pairs are orthogonal in the bilinear form B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ.
         let (mut first, mut mixed, mut second) = (zero, zero, zero);
         let mut force = zero;
         for (mode, [g, h]) in modes.iter().zip(&own) {
@@ -94,8 +97,9 @@ pub(super) fn held<T: Float, S: Scalar>(
     (held, participations)
 }
 
-/// Returns ω and ζ of the held modes with derivatives. One Newton step starts from their values. Its equation is that
-/// the remainder of Σ c_i/(s² + 2ζ_iσ_i s + λ_i) modulo s² + ps + q vanishes.
+/// Returns ω and ζ of the modes of the chain with its contact stuck (held modes), with derivatives. One Newton step
+/// starts from the known ω and ζ. Its equation is that the remainder of Σ c_i/(s² + 2ζ_iσ_i s + λ_i) modulo s² + ps + q
+/// vanishes.
 pub(super) fn moving(
     driven: &[Driven],
     modes: &[&Plain<Dual<Dd>>],
@@ -151,7 +155,8 @@ pub(super) fn moving(
     pairs(driven).into_iter().map(root).collect()
 }
 
-/// Returns the constant and the linear term of Σ c_i/(s² + l_i s + λ_i) modulo s² + ps + q. `constants` are l, λ and c.
+/// Returns the constant and the linear term of Σ c_i/(s² + l_i s + λ_i) modulo s² + ps + q. Each entry of `constants`
+/// is l, λ and c of one mode.
 fn remainder<T: Float>(constants: &[[T; 3]], p: T, q: T) -> [T; 2] {
     let zero = T::constant(0.0);
     constants

@@ -1,5 +1,5 @@
-//! Data for the motion in time in addition to the modal analysis: every mode, and the *held modes*. Held modes are
-//! those of the chain with its contact stuck. The data do not depend on the frequency.
+//! Data for the motion in time in addition to the modal analysis: every mode of the sliding chain, and the *held
+//! modes*. Held modes are the modes of the chain with its contact stuck. The data do not depend on the frequency.
 
 mod held;
 mod plain;
@@ -16,12 +16,13 @@ use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_kernel::{Float, Scalar};
 use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned};
 
-/// Damping ratio below which held modes are as far apart as free ones. Up to 64 masses then lose only some roundings.
+/// Modal damping ratio above which the modes of the stuck chain (held modes) may be close to one another. Below it, up
+/// to 64 masses lose only some roundings.
 const NEAR_CRITICAL: f64 = 0.9;
 
-/// Returns the largest relative change of a motion of the scene if the contact sticks and is released at once
-/// ([`Transient::excess_loss`]). Returns `None` if this change is at most √ε of the scene's scalar, so that half of the
-/// digits remain.
+/// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is released at once
+/// ([`Transient::excess_loss`]). Returns `None` if the error is at most √ε of the scene's number type, so that half of
+/// the digits remain.
 #[must_use]
 pub fn excess_loss(scene: &Scene) -> Option<f64> {
     let near_critical = |ratio: f64| NEAR_CRITICAL <= ratio;
@@ -48,23 +49,24 @@ pub fn excess_loss(scene: &Scene) -> Option<f64> {
     }
 }
 
-/// The modes of a scene for its motion in time, and those of the chain with its contact stuck.
+/// Modes of a scene for the motion in time: the modes with the contact sliding, and the modes with the contact stuck.
 #[derive(Clone, Debug)]
 pub struct Transient<S> {
-    /// All modes, ascending, with those that the contact drives first. The contact drives only one of several equal
-    /// modes.
+    /// All modes of the sliding chain. The modes that the contact drives come first, and both groups are in ascending
+    /// order of resonance. The contact drives only one of several equal modes.
     pub modes: Vec<Mode<S>>,
-    /// φ for each mass, one component a mode, mass after mass.
+    /// Mode shapes φ: for each mass in turn, the mass's component in each mode.
     pub shapes: Vec<S>,
-    /// φᵀΓ for each mode, one component a mass, mode after mode.
+    /// Weights φᵀΓ of the masses, for each mode in turn. They turn displacements of the masses into modal coordinates.
     pub weights: Vec<S>,
-    /// The held modes, which are those of the chain with its contact stuck.
+    /// Held modes, which are the modes of the chain with its contact stuck.
     pub held: Vec<HeldMode<S>>,
-    /// Participation of each mode in each held mode, held mode after held mode.
+    /// Participations (g, h) of the sliding chain's modes in the held modes (contact stuck): for each held mode in
+    /// turn, one pair per mode.
     pub participations: Vec<[S; 2]>,
-    /// Properties of the scene that are not modal.
+    /// Constants of the whole chain, which belong to no single mode.
     pub chain: Chain<S>,
-    /// The mass that rubs on a support; `None` if two masses rub on each other.
+    /// Index of the mass that rubs on a support. `None` if two masses rub on each other.
     pub rubbing: Option<usize>,
 }
 
@@ -119,10 +121,10 @@ impl<S: Scalar> Transient<S> {
         }
     }
 
-    /// Returns the largest relative change of a motion if the contact sticks and is released at once
-    /// ([`held_loss`](Dynamics::held_loss)). Returns `None` if this change is at most √ε of the scalar, so that half of
-    /// the digits remain. A larger change makes all results in the time domain useless. Only modes near critical
-    /// damping or above cause a larger change.
+    /// Returns the largest relative rounding error in a motion if the contact sticks and is released at once
+    /// ([`held_loss`](Dynamics::held_loss)). Returns `None` if the error is at most √ε of the number type, so that half
+    /// of the digits remain. A larger error makes all results in the time domain useless. Only modes near critical
+    /// damping or above cause a larger error.
     #[must_use]
     pub fn excess_loss(&self) -> Option<S>
     where
@@ -137,12 +139,12 @@ impl<S: Scalar> Transient<S> {
         let zero = S::constant(0.0);
         let (mut states, mut held) = (vec![[zero; 2]; driven], vec![[zero; 2]; self.held.len()]);
         let loss = dynamics.held_loss(&mut states, &mut held);
-        // NaN counts as a loss.
+        // With this comparison, NaN counts as a loss.
         let kept = loss * loss <= S::constant(S::EPSILON);
         (!kept).then_some(loss)
     }
 
-    /// Returns the data as the kernel reads them.
+    /// Returns the data as [`Dynamics`], the form in which the kernel crate takes them.
     #[must_use]
     pub fn dynamics(&self) -> Dynamics<'_, S> {
         Dynamics {
@@ -158,11 +160,11 @@ impl<S: Scalar> Transient<S> {
 }
 
 impl Transient<Dual<Dd>> {
-    /// Builds the data from modal data with derivatives, including those of the held modes. The weights get no
-    /// derivatives, because they only give first guesses of a state here.
+    /// Builds the data from modal data with derivatives, including the derivatives of the held modes (contact stuck).
+    /// The weights get no derivatives, because here they only give first guesses of a state.
     ///
-    /// Returns `None` if single modes have no derivative, in three cases. Two equal modes that the contact drives
-    /// separate, two held modes are equal, or the contact begins to touch a mode.
+    /// Returns `None` if single modes have no derivative. There are three such cases. Two equal modes that the contact
+    /// drives separate, two held modes are equal, or the contact begins to drive a mode.
     #[must_use]
     pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {
         let plain = plain_modes(modal);

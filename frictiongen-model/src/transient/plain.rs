@@ -1,18 +1,19 @@
-//! The modes in double-double, with those that the contact drives first.
+//! The modes of the sliding chain in double-double, sorted so that the modes that the contact drives come first.
 
 use crate::modal::Modal;
 use crate::roots::Driven;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Largest relative difference of the constants of modes that count as equal. It is the level of
-/// rounding.
+/// Largest relative difference between the constants of two modes (resonance or damping ratio) that count as equal. It
+/// is the level of rounding.
 pub(super) const EQUAL: f64 = 1e-24;
 
-/// Largest component that counts as rounding noise, relative to its largest possible value.
+/// Largest component of a mode that counts as rounding noise, relative to the largest value that the component can
+/// have.
 const NOISE: f64 = 1e-26;
 
-/// A mode in double-double, with or without derivatives.
+/// Constants of one mode of the sliding chain in double-double, with or without derivatives.
 #[derive(Clone, Debug)]
 pub(super) struct Plain<T> {
     pub resonance: T,
@@ -22,8 +23,7 @@ pub(super) struct Plain<T> {
     pub shape: Vec<T>,
 }
 
-/// Sorts the modes that the contact drives first. The sort is stable, so both groups stay
-/// ascending.
+/// Moves the modes that the contact drives to the front. The sort is stable, so both groups stay in ascending order.
 pub(super) fn sorted<T: Float>(mut modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
     modes.sort_by_key(|mode| mode.contact.is_zero());
     modes
@@ -33,7 +33,7 @@ pub(super) fn in_contact<T: Float>(modes: &[Plain<T>]) -> impl Iterator<Item = &
     modes.iter().filter(|mode| !mode.contact.is_zero())
 }
 
-/// Returns the modes that the contact drives, as the search for the held modes reads them.
+/// Returns the modes that the contact drives, in the form that the search for the modes of the stuck chain takes.
 pub(super) fn driven<T: Float>(modes: &[Plain<T>], value: impl Fn(T) -> Dd) -> Vec<Driven> {
     let driven = in_contact(modes).map(|mode| {
         let contact = value(mode.contact);
@@ -63,13 +63,13 @@ pub(super) fn plain_modes<T: Float>(modal: &Modal<T>) -> Vec<Plain<T>> {
         .collect()
 }
 
-/// Returns whether two constants of modes count as equal.
+/// Returns true if two modal constants (resonance or damping ratio) count as equal.
 pub(super) fn close<T: Float>(a: T, b: T) -> bool {
     (a - b).abs() <= (a.abs() + b.abs()) * T::constant(EQUAL)
 }
 
-/// Rotates equal modes so that the contact drives only one of them. The others then move freely,
-/// whatever the contact does.
+/// Rotates each group of equal modes so that the contact drives only one mode of the group. The other modes of the
+/// group then move freely, whatever the contact does.
 pub(super) fn turned<T: Float>(modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
     let mut out: Vec<Plain<T>> = Vec::with_capacity(modes.len());
     for mut mode in modes {

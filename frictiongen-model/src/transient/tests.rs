@@ -1,7 +1,7 @@
 use super::*;
 use crate::scene::{Contact, Damping, Excitation, Mass, Node, Precision, Spring};
 
-/// Returns a chain base - m1 - m2 - …, with the contact on one mass and the load on the last.
+/// Returns the scene of a chain base - m1 - m2 - …, with the contact on one mass and the load on the last mass.
 fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> Scene {
     let mass = |(i, value): (usize, &f64)| Mass {
         name: format!("m{i}"),
@@ -31,8 +31,9 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
     }
 }
 
-/// Returns the largest motion of the contact in a held mode, relative to the participations of the modes. It should
-/// vanish up to the rounding of double-double and the loss by neighbouring frequencies.
+/// Returns the largest relative displacement of the contact in a held mode (contact stuck), relative to the
+/// participations of the modes. It should vanish up to the rounding of double-double and the loss by neighbouring
+/// frequencies.
 fn worst_slip(scene: &Scene) -> f64 {
     let transient: Transient<Dd> = Transient::of(scene, &Modal::of(scene), |value| value);
     let driven = transient.held.len() + 1;
@@ -76,7 +77,8 @@ fn held_modes_hold_the_contact() {
 
 #[test]
 fn undamped_held_modes_are_those_of_the_cut_chain() {
-    // The middle one of three equal masses is stuck. The first mass swings between two springs, and the last on one.
+    // The middle mass of three equal masses is stuck. The first mass swings between two springs, and the last on one
+    // spring.
     let scene = chain(&[1.0; 3], &[1.0; 3], 1, Damping::None);
     let transient: Transient<f64> = Transient::of(&scene, &Modal::of(&scene), |value| value.hi);
     let frequencies: Vec<f64> = transient.held.iter().map(|mode| mode.frequency).collect();
@@ -89,8 +91,8 @@ fn many_masses_spread_over_twelve_decades() {
     let springs: Vec<f64> = (0..24).map(|i| 10.0_f64.powi((i * 5) % 13 - 6)).collect();
     for damping in [Damping::None, Damping::Uniform(0.02)] {
         let worst = worst_slip(&chain(&masses, &springs, 11, damping));
-        // Participations are at most 1 and contacts at most 1e3 in this test. Frequencies as close as 1e-12 cost half
-        // the digits.
+        // Participations are at most 1 and contact components at most 1e3 in this test. Frequencies as close as 1e-12
+        // cost half of the digits.
         assert!(worst < 1e-12, "{worst:e}");
     }
 }
@@ -115,8 +117,8 @@ fn a_loss_is_seen() {
             assert_eq!(excess(&uneven(n, zeta)), (None, None), "{n} {zeta}");
         }
     }
-    // Two overdamped modes keep half of the digits in f64. Eight of them lose more in f32, and 64 critically damped
-    // ones in both.
+    // Two overdamped modes keep half of the digits in f64. Eight overdamped modes lose more in f32, and 64 critically
+    // damped modes lose more in both types.
     assert_eq!(excess(&uneven(2, 10.0)).0, None);
     let (double, single) = excess(&uneven(8, 1.5));
     assert_eq!(double, None);

@@ -1,36 +1,35 @@
-//! Data for all checks: bounds, and which items of a scene are known.
+//! Bounds that the checks share, and the list of items that could be read from a description.
 
 use super::error::SceneError;
 use super::path::Path;
 use crate::scene::{Node, Scene};
 
-/// Largest number of masses of a scene at run time.
+/// Largest number of masses that a scene built at run time may have.
 pub const MOST_MASSES: usize = 1000;
 
-/// Upper bound on masses, stiffnesses, damping and μ. Products of a few of them must fit in a
-/// double.
+/// Upper bound on masses, stiffnesses, damping and μ. Products of a few such numbers must fit in a double.
 pub const LARGEST: f64 = 1e60;
 
-/// Lower bound on masses and stiffnesses, for the same reason.
+/// Lower bound on masses and stiffnesses. Products of a few such numbers must fit in a double.
 pub const SMALLEST: f64 = 1e-60;
 
-/// Items on which the checks may rely.
+/// Items of a scene that could be read from its description, and on which the checks may rely.
 ///
-/// A text with errors still gives most of a scene. A check that needs an unread item is skipped, so
-/// that one error is not reported as two.
+/// A description with errors still gives most of a scene. A check is skipped if it needs an item that could not be
+/// read. Otherwise one error would be reported as two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Checks {
-    /// The largest number of masses.
+    /// The largest number of masses that the scene may have.
     pub most_masses: usize,
-    /// True if every mass was read.
+    /// True if every mass could be read from the description.
     pub masses: bool,
-    /// True if every spring was read.
+    /// True if every spring could be read from the description.
     pub springs: bool,
-    /// True if the contact was read.
+    /// True if the contact could be read from the description.
     pub contact: bool,
-    /// True if the excitation was read.
+    /// True if the excitation could be read from the description.
     pub excitation: bool,
-    /// True if the list of items to provide was read.
+    /// True if the list `provide` could be read completely from the description.
     pub provide: bool,
 }
 
@@ -47,7 +46,7 @@ impl Default for Checks {
     }
 }
 
-/// Checks that a mass exists. Only a scene built at run time can name one that does not.
+/// Reports an error if a node names a mass that does not exist. Only a scene built at run time can have such a node.
 pub(super) fn check_node(scene: &Scene, node: Node, path: Path, errors: &mut Vec<SceneError>) {
     if let Node::Mass(index) = node
         && index >= scene.masses.len()

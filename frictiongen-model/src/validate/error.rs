@@ -1,4 +1,4 @@
-//! The messages: what is wrong, in the terms of an engineer, and what to write instead.
+//! Messages of invalid scenes. Each message says what is wrong, in the terms of an engineer, and what to write instead.
 
 use super::path::Path;
 use crate::table::FINEST_PROVEN;

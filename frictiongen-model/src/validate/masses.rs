@@ -1,4 +1,4 @@
-//! Checks the masses: their number, names and values.
+//! Checks of the masses: their number, names and values.
 
 use std::collections::HashSet;
 
@@ -8,7 +8,7 @@ use super::names::{is_keyword, is_name, is_reserved};
 use super::path::Path;
 use crate::scene::Scene;
 
-/// Checks the masses.
+/// Reports errors in the number, the names and the values of the masses.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let count = scene.masses.len();
     if count == 0 && checks.masses {

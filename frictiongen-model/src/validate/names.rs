@@ -1,7 +1,7 @@
-//! The names that a mass may have.
+//! Names that a mass may have, and names that are reserved.
 
-/// Reserved words: the words of a description, and all methods of the generated types. The name of
-/// a mass becomes a method of these types. This is the only list of them.
+/// Reserved words, which cannot be the name of a mass: the words of a description, and all methods of the generated
+/// types. The name of a mass becomes a method of the generated types. This is the only list of reserved words.
 pub const RESERVED: &[&str] = &[
     // words of a description
     "base",
@@ -72,7 +72,7 @@ pub const RESERVED: &[&str] = &[
     "try_into",
 ];
 
-/// Rust keywords, including those reserved for later use, and the single underscore.
+/// Rust keywords, including keywords reserved for later use, and the single underscore.
 const KEYWORDS: &[&str] = &[
     "Self", "_", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue",
     "crate", "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if",
@@ -81,25 +81,25 @@ const KEYWORDS: &[&str] = &[
     "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// Returns whether a word is a Rust keyword.
+/// Returns true if a word is a Rust keyword.
 #[must_use]
 pub fn is_keyword(word: &str) -> bool {
     KEYWORDS.contains(&word)
 }
 
-/// Returns whether a word is reserved by a description or by a method of the generated types.
+/// Returns true if a word is reserved by a description or by a method of the generated types.
 #[must_use]
 pub fn is_reserved(word: &str) -> bool {
     RESERVED.contains(&word)
 }
 
-/// Returns whether a mass may have this name.
+/// Returns true if a mass may have this name.
 #[must_use]
 pub fn may_name(word: &str) -> bool {
     is_name(word) && !is_keyword(word) && !is_reserved(word)
 }
 
-/// Returns whether a word has the form of a Rust identifier.
+/// Returns true if a word has the form of a Rust identifier.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
     let mut letters = word.chars();

@@ -1,60 +1,61 @@
-//! The item of a scene that causes an error.
+//! Path of an item in a scene, which tells where an error is.
 
-/// The item of a scene that causes an error.
+/// Item of a scene that causes an error. Indices of masses and springs count from 0 in the order of the description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Path {
     /// The scene as a whole.
     Scene,
     /// The list of masses as a whole.
     Masses,
-    /// The value of a mass.
+    /// The value of the mass with this index.
     Mass(usize),
-    /// The name of a mass.
+    /// The name of the mass with this index.
     MassName(usize),
     /// The list of springs as a whole.
     Springs,
-    /// The stiffness of a spring.
+    /// The stiffness of the spring with this index.
     Spring(usize),
-    /// The first node of a spring.
+    /// The first end of the spring with this index.
     SpringFrom(usize),
-    /// The second node of a spring.
+    /// The second end of the spring with this index.
     SpringTo(usize),
     /// The contact as a whole.
     Contact,
-    /// The first side of the contact.
+    /// The side of the contact that the description writes first.
     ContactFrom,
-    /// The second side of the contact.
+    /// The side of the contact that the description writes second.
     ContactTo,
     /// The excitation of the scene.
     Excitation,
-    /// The damping as a whole, or one of its numbers.
+    /// The damping as a whole (`None`), or the damping number with this index.
     Damping(Option<usize>),
     /// The ratio μ of static to kinetic friction.
     Stiction,
-    /// The list of items to provide, or one of its items.
+    /// The list `provide` as a whole (`None`), or the item with this index.
     Provide(Option<usize>),
-    /// The declared accuracy.
+    /// The accuracy that the scene declares.
     Accuracy,
-    /// The range of the declared accuracy.
+    /// The range of r and β of the declared accuracy, as a whole.
     Range,
-    /// The declared range of the frequency ratio.
+    /// The declared range of the frequency ratio r.
     RangeOfRatio,
-    /// The declared range of the friction ratio.
+    /// The declared range of the friction ratio β.
     RangeOfFriction,
-    /// The declared side of the exact limits.
+    /// The side of the exact limits on which the limits from tables may lie.
     Side,
-    /// The number of bytes in place of an accuracy.
+    /// The largest size of the tables in bytes, in place of an accuracy.
     Budget,
-    /// The behaviour outside the range.
+    /// The behaviour of the emitted code outside the declared range.
     Beyond,
-    /// Time that the macro may spend on a proof.
+    /// Time that the macro may spend on a proof of the tables.
     Proof,
-    /// The friction law as a whole, or one of its numbers: speed and level of each point in turn.
+    /// The friction law as a whole (`None`), or the number with this index. The numbers are the speed and the level of
+    /// each point in turn.
     Friction(Option<usize>),
-    /// The step of the stepper.
+    /// The fixed step of the stepper.
     Step,
-    /// The behaviour of the stepper's input between samples.
+    /// The course of the stepper's input between two samples.
     Input,
-    /// The list of masses that the stepper may load, or one of them.
+    /// The list of masses that a force may load in the stepper, as a whole (`None`), or the entry with this index.
     Force(Option<usize>),
 }

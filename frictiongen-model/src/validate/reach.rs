@@ -1,8 +1,7 @@
-//! Checks on the graph of springs: the support of each mass, and the path of the load to the
-//! contact.
+//! Checks on the graph of springs: each mass needs a support, and the load needs a path to the contact.
 //!
-//! Supports transmit no motion, so the graph divides at them into components. A component is a set
-//! of masses joined by springs without a support between them.
+//! Supports transmit no motion, so the graph divides at the supports into components. A component is a set of masses
+//! joined by springs without a support between them.
 
 use std::collections::{BTreeMap, HashSet};
 
@@ -12,7 +11,7 @@ use super::names::may_name;
 use super::path::Path;
 use crate::scene::{Excitation, Node, Scene};
 
-/// Checks that every mass is supported, and that the contact can slide.
+/// Reports masses without a support, and a contact that can never slide.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     if !checks.springs || scene.springs.is_empty() || scene.masses.is_empty() {
         return;
@@ -24,7 +23,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
 }
 
-/// The component of each mass, as the smallest index of a mass in it.
+/// Component of the spring graph to which each mass belongs. A component is named by the smallest index of its masses.
 struct Parts(Vec<usize>);
 
 impl Parts {
@@ -49,7 +48,7 @@ impl Parts {
     }
 }
 
-/// Returns the smallest mass of the component of `mass`. Path compression keeps long chains cheap.
+/// Returns the smallest mass index in the component of `mass`. Path compression makes this fast for long chains.
 fn root(parent: &mut [usize], mass: usize) -> usize {
     let mut top = mass;
     while let Some(&above) = parent.get(top)
@@ -66,7 +65,7 @@ fn root(parent: &mut [usize], mass: usize) -> usize {
     top
 }
 
-/// Returns the components with a spring to a support of the given kind.
+/// Returns the components that have a spring to a support. `support` chooses the kind of support.
 fn joined(scene: &Scene, parts: &Parts, support: impl Fn(Node) -> bool) -> HashSet<usize> {
     scene
         .springs
@@ -80,7 +79,7 @@ fn joined(scene: &Scene, parts: &Parts, support: impl Fn(Node) -> bool) -> HashS
         .collect()
 }
 
-/// Returns whether contact and excitation are valid. Otherwise "never slides" would only repeat an
+/// Returns true if contact and excitation are valid. If they are not, the error "never slides" would only repeat an
 /// error already reported.
 fn is_sound(scene: &Scene) -> bool {
     let exists = |node| !matches!(node, Node::Mass(index) if index >= scene.masses.len());
@@ -93,8 +92,7 @@ fn is_sound(scene: &Scene) -> bool {
     from != to && (is_mass(from) || is_mass(to)) && [from, to, driven].into_iter().all(exists)
 }
 
-/// Reports every component without a support. Returns true if there is none, and if all names are
-/// valid.
+/// Reports every component without a support. Returns true if no such component exists and all names are valid.
 fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> bool {
     let held = joined(scene, parts, |node| !matches!(node, Node::Mass(_)));
     let mut floating: BTreeMap<usize, Vec<String>> = BTreeMap::new();
@@ -103,7 +101,7 @@ fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> boo
     for (index, mass) in scene.masses.iter().enumerate() {
         let part = parts.of(index);
         if !may_name(&mass.name) || !names.insert(mass.name.as_str()) {
-            // Springs may be unable to name this mass, so the error is its name.
+            // No spring can name a mass whose name is invalid, so the error to report is the name.
             sound = false;
         } else if !held.contains(&part) {
             floating.entry(part).or_default().push(mass.name.clone());

@@ -1,5 +1,4 @@
-//! Checks for scenes whose numbers differ so much, or whose modes are so close, that results would
-//! be meaningless.
+//! Checks for scenes whose numbers differ too much, or whose modes are too close, for meaningful results.
 
 use super::checks::{Checks, LARGEST, SMALLEST};
 use super::error::SceneError;
@@ -7,16 +6,15 @@ use super::path::Path;
 use crate::modal::Modal;
 use crate::scene::{Precision, Scene};
 
-/// Largest number of masses for which the modes are checked. Larger scenes are for run time, in
-/// double precision.
+/// Largest number of masses for which the modes are checked. Larger scenes exist only at run time, in double precision.
 const MOST_ANALYSED: usize = 64;
-/// Smallest relative difference of frequencies that single precision separates, a few of its
-/// roundings.
+/// Smallest relative difference of two frequencies that single precision can separate. It is a few roundings of single
+/// precision.
 const SINGLE_GAP: f64 = 1e-6;
-/// Relative difference below which modes are a single frequency in double-double.
+/// Relative difference below which double-double cannot separate two frequencies.
 const SAME: f64 = 1e-28;
 
-/// Returns the largest ratio of masses, or of stiffnesses.
+/// Returns the largest ratio between two masses, or between two stiffnesses, that a scene may have.
 fn most_span(precision: Precision) -> f64 {
     match precision {
         // The modal analysis has about 31 digits.
@@ -26,7 +24,7 @@ fn most_span(precision: Precision) -> f64 {
     }
 }
 
-/// Checks the ratios of masses and of stiffnesses.
+/// Reports ratios of masses or of stiffnesses that are too large.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let span = |values: &mut dyn Iterator<Item = f64>| {
         let (mut least, mut most) = ((f64::INFINITY, 0), (0.0, 0));
@@ -38,7 +36,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
                 most = (value, index);
             }
         }
-        // A number that is out of scale by itself is already reported.
+        // A number that is too large or too small by itself is already reported.
         let told = most.0 > LARGEST || least.0 < SMALLEST;
         (if told { 1.0 } else { most.0 / least.0 }, most.1)
     };
@@ -65,7 +63,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
 }
 
-/// Checks that single precision can separate the modes. The scene must otherwise be valid.
+/// Reports modes that single precision cannot separate. All other checks must have passed.
 pub(super) fn check_modes(scene: &Scene, errors: &mut Vec<SceneError>) {
     if scene.precision != Precision::F32 || scene.masses.len() > MOST_ANALYSED {
         return;

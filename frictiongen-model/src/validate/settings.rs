@@ -1,4 +1,4 @@
-//! Checks of damping, friction, provided items and accuracy.
+//! Checks of damping, static friction, provided items and declared accuracy.
 
 use std::collections::HashSet;
 
@@ -10,10 +10,10 @@ use crate::scene::{
 };
 use crate::table::{COARSEST, FINEST, FINEST_PROVEN, FINEST_SINGLE};
 
-/// Largest budget in bytes.
+/// Largest size of the tables that a scene may declare, in bytes.
 const MOST_BYTES: f64 = (1_u64 << 40) as f64;
 
-/// Checks all items except masses, springs, contact and excitation.
+/// Reports errors in all items except masses, springs, contact and excitation.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     check_damping(scene, checks, errors);
     check_stiction(scene.stiction, errors);
@@ -28,8 +28,8 @@ fn check_damping(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
         Damping::Modal(ratios) => {
             let masses = scene.masses.len();
             if checks.masses && masses > 0 && ratios.len() != masses {
-                // With too many values the first surplus value is marked, with too few the whole
-                // list.
+                // If there are too many values, the first surplus value is marked. If there are too few, the whole list
+                // is marked.
                 let path = Path::Damping((ratios.len() > masses).then_some(masses));
                 errors.push(SceneError::DampingCount {
                     path,
@@ -172,7 +172,7 @@ fn check_declared(scene: &Scene, errors: &mut Vec<SceneError>) {
 
 fn check_range(range: &Range, precision: Precision, errors: &mut Vec<SceneError>) {
     let (low, high) = range.r;
-    // Beyond the normal range of the scalar, a number becomes 0 or infinite.
+    // Beyond the normal range of the number type, a number becomes 0 or infinite.
     let (least, most) = match precision {
         Precision::F64 => (f64::MIN_POSITIVE, f64::MAX),
         Precision::F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)),

@@ -1,4 +1,4 @@
-//! Checks of each spring: its nodes and its stiffness.
+//! Checks of each spring: its two ends and its stiffness.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -8,7 +8,7 @@ use super::error::SceneError;
 use super::path::Path;
 use crate::scene::{Node, Scene, Spring};
 
-/// Checks the springs.
+/// Reports errors in the ends and the stiffnesses of the springs.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     if scene.springs.is_empty() && checks.springs {
         errors.push(SceneError::NoSprings {
@@ -42,7 +42,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
                     vacant.insert(index);
                 }
                 Entry::Occupied(earlier) => {
-                    // The message omits the sum if one of its stiffnesses could not be read.
+                    // The message omits the total stiffness if one of the stiffnesses could not be read.
                     let total = sums.get(earlier.key()).filter(|total| total.is_finite());
                     errors.push(SceneError::ParallelSprings {
                         path: Path::SpringFrom(index),
@@ -79,7 +79,8 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
 }
 
-/// Returns the total stiffness between each pair of nodes, for the advice to add them up.
+/// Returns the total stiffness of the springs between each pair of nodes. The message about two springs between the
+/// same nodes advises to write one spring with this stiffness.
 fn sums(springs: &[Spring]) -> HashMap<(usize, usize), f64> {
     let mut sums = HashMap::new();
     for spring in springs {
@@ -88,7 +89,7 @@ fn sums(springs: &[Spring]) -> HashMap<(usize, usize), f64> {
     sums
 }
 
-/// Returns the nodes of a spring in a fixed order, so that `a - b` and `b - a` are the same pair.
+/// Returns the two ends of a spring in a fixed order, so that `a - b` and `b - a` are the same pair.
 fn pair(spring: &Spring) -> (usize, usize) {
     let key = |node| match node {
         Node::Mass(index) => index,

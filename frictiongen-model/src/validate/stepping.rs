@@ -8,9 +8,9 @@ use super::path::Path;
 use super::settings::item_name;
 use crate::scene::{Accuracy, Excitation, FrictionLaw, Node, Precision, Provide, Scene, StepInput};
 
-/// Checks the friction law, the step, the input and the loads.
+/// Reports errors in the friction law, the step, the input and the loads of the stepper.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
-    // If `provide` could not be read completely, the stepper may have been intended.
+    // If `provide` could not be read completely, the description may have asked for the stepper.
     let stepper = scene.provides(&Provide::Stepper) || !checks.provide;
     let moves = stepper || scene.provides(&Provide::Simulation);
     if let FrictionLaw::Stribeck(points) = &scene.friction {
@@ -43,7 +43,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     check_forces(scene, checks, errors);
 }
 
-/// Returns a number rounded to the scene's scalar.
+/// Returns a number after rounding to the scene's floating-point type.
 fn stored(value: f64, precision: Precision) -> f64 {
     match precision {
         Precision::F64 => value,
@@ -80,7 +80,7 @@ fn check_points(scene: &Scene, points: &[[f64; 2]], errors: &mut Vec<SceneError>
         if level < 0.0 {
             errors.push(SceneError::StribeckNegative { path, value: level });
         } else if scene.stiction < level && scene.stiction >= 1.0 {
-            // An invalid μ is a separate error.
+            // An invalid μ is reported by another check.
             errors.push(SceneError::StribeckAboveStatic {
                 path,
                 value: level,
@@ -90,7 +90,8 @@ fn check_points(scene: &Scene, points: &[[f64; 2]], errors: &mut Vec<SceneError>
     }
 }
 
-/// Checks that a number is finite and not too large, and returns whether it is.
+/// Returns true if a number is finite and not too large. Otherwise it reports an error, in which `what` names the
+/// number.
 fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>) -> bool {
     let what = what.to_owned();
     if !value.is_finite() {
@@ -103,8 +104,8 @@ fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>
     false
 }
 
-/// Reports provided items that need a constant kinetic level: all except the stepper and the
-/// simulation.
+/// Reports every provided item that needs a friction law that does not depend on the speed. Only the stepper and the
+/// simulation work with other laws.
 fn check_constant_level(scene: &Scene, errors: &mut Vec<SceneError>) {
     for (index, item) in scene.provide.iter().enumerate() {
         if !matches!(item, Provide::Stepper | Provide::Simulation) {
@@ -116,7 +117,8 @@ fn check_constant_level(scene: &Scene, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Reports a declared accuracy or budget of a scene that provides only motion in time, for which no table exists.
+/// Reports a declared accuracy, or a declared size of tables, if the scene provides only motion in time. No table
+/// exists for motion in time.
 fn check_tables(scene: &Scene, errors: &mut Vec<SceneError>) {
     if scene.needs_frequency() || scene.provide.is_empty() {
         return;
@@ -155,7 +157,7 @@ fn check_forces(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     for (index, mass) in scene.stepping.forces.iter().copied().enumerate() {
         let path = Path::Force(Some(index));
         check_node(scene, Node::Mass(mass), path, errors);
-        // The stepper's input has fields with these names.
+        // The input of the stepper has fields with these names.
         if let Some(taken) = scene.masses.get(mass)
             && ["force", "friction"].contains(&taken.name.as_str())
         {

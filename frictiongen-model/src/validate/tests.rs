@@ -1,5 +1,5 @@
-//! Tests errors that only a scene built without a text can have, and the graph of springs. The catalogue of messages
-//! covers the other errors, with line and column.
+//! Tests of the checks that need a scene built without a text, and of the checks on the graph of springs. The catalogue
+//! of messages covers all other errors, with line and column.
 
 use super::*;
 use crate::scene::{
@@ -218,7 +218,7 @@ fn words_of_the_language_and_of_the_results_are_no_names() {
     }
 }
 
-/// A loaded mass becomes a field of the stepper's input, next to `force` and `friction`.
+/// A loaded mass becomes a field of the stepper's input, next to the fields `force` and `friction`.
 #[test]
 fn a_loaded_mass_has_no_name_of_the_input() {
     let mut scene = chain(3);
