@@ -119,14 +119,15 @@ pub fn transmissibility<S: Float>(mass: Complex<S>, base: Complex<S>) -> Option<
     (quotient.re.is_finite() && quotient.im.is_finite()).then_some(quotient)
 }
 
-/// Without stops the fundamental is X = V − (4iβ/π)e^{−iφ}H, so that |X − V| = 4β|H|/π (thesis 4.5, 6.4.2). V is the
+/// Returns the friction ratio β from a mass's measured transmissibility, for a contact that slides all the time.
 ///
 /// Without stops the fundamental is X = V − (4iβ/π)e^{−iφ}H, so that |X − V| = 4β|H|/π (thesis 4.5, 6.4.2). V is the
-/// response without friction, H the receptance of the contact. Friction therefore shifts the fundamental by a distance
-/// proportional to β, and the scene's response at one other β gives the scale. `still` is the scene's fundamental
-/// without friction. `known` is the scene's fundamental at the friction ratio `beta`. Beyond β_lim the contact stops
-/// and the result is too small. `continuous_limit` returns β_lim. Returns `None` where friction does not shift the
-/// fundamental.
+/// fundamental without friction, H the response to a harmonic force in the contact. Friction therefore shifts the
+/// fundamental by a distance proportional to β, and the scene's response at one other β gives the scale.
+///
+/// `measured` is the measured fundamental and `still` the scene's fundamental without friction. `known` is the scene's
+/// fundamental at the friction ratio `beta`. Beyond β_lim the contact stops and the result is too small.
+/// `continuous_limit` returns β_lim. Returns `None` where friction does not shift the fundamental.
 ///
 /// ```
 /// use frictiongen::watch::friction_ratio;

@@ -128,7 +128,7 @@ impl<'s> Amplitude<'s> {
         })
     }
 
-    /// Returns the regime of the response. If there is no response, returns a default regime.
+    /// Returns the regime of the response, or `Regime::Stuck` if there is no response.
     pub(super) fn regime(&self, r: f64, friction: Friction) -> Regime {
         self.response(r, friction)
             .map_or(Regime::Stuck, |response| response.regime())
