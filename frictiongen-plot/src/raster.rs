@@ -1,4 +1,5 @@
-//! Maps of cells. Neighbouring cells of one colour become one rectangle, and all rectangles of a colour one path.
+//! Draws maps of cells. Neighbouring cells of one colour become one rectangle, and all rectangles of a colour one
+//! path.
 
 use crate::axis::Mapping;
 use crate::figure::Sample;
@@ -9,10 +10,10 @@ use crate::legend::Legend;
 use crate::palette::Fill;
 use crate::svg::Canvas;
 
-/// Number of colours of a map of values.
+/// Number of different colours in a map of values.
 const SHADES: f64 = 96.0;
 
-/// Draws a map and returns whether any cell is visible.
+/// Draws a map of cells. Returns true if any cell is visible.
 pub(crate) fn draw(
     canvas: &mut Canvas,
     raster: &Raster,
@@ -53,7 +54,7 @@ pub(crate) fn draw(
     }
 }
 
-/// Returns the rectangles of neighbouring cells that are shown, within the frame.
+/// Joins neighbouring cells that are marked in `shown` to rectangles, clipped to the frame.
 fn runs(raster: &Raster, shown: &[bool], frame: &Frame) -> Vec<Rect> {
     let columns = raster.columns.max(1);
     let rows = shown.len() / columns;
