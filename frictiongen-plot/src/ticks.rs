@@ -73,7 +73,7 @@ pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     }
 }
 
-/// Returns the number of multiples of a step within a range. Rounding may leave out the last multiple.
+/// Returns the number of multiples of a step within a range. A multiple that is outside only by rounding counts.
 fn multiples(low: f64, high: f64, step: f64) -> f64 {
     let (from, to) = bounds(low, high, step);
     to - from + 1.0

@@ -22,7 +22,7 @@ use frictiongen_kernel::simulation::Part;
 ///     }
 /// }
 ///
-/// Returns the amplitude of a mass in the steady state of any system, with stops of the contact or without.
+/// /// Returns the amplitude of a mass in the steady state of any system, with stops of the contact or without.
 /// fn amplitude<F>(system: &F, r: f64, beta: f64, mass: usize) -> Option<f64>
 /// where
 ///     F: FrictionSystem<Scalar = f64>,

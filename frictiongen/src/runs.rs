@@ -21,13 +21,13 @@ use frictiongen_kernel::simulation::{Contact, Level, Moment, Part, Segment, Simu
 ///     }
 /// }
 ///
-/// Returns the displacement of the first mass after a number of steps from rest, for any system.
+/// /// Returns the displacement of the first mass after a number of steps from rest, for any system.
 /// fn after<F: Simulates<Scalar = f64>>(system: &F, steps: u32) -> Result<f64, OutOfDomain> {
 ///     let mut run = system.simulation(0.3, 0.4)?;
 ///     for _ in 0..steps {
 ///         let mut left = 0.01;
 ///         while left > 0.0 {
-/// An event ends a step early.
+///             // An event ends a step early.
 ///             left -= run.advance(left)?.length;
 ///         }
 ///     }

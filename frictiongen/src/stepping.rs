@@ -19,7 +19,7 @@ use frictiongen_kernel::stepper::{ContactNow, MassNow, Stepped, Work};
 ///     }
 /// }
 ///
-/// Returns the largest displacement of the contact under a force on the first mass, for any system.
+/// /// Returns the largest displacement of the contact under a force on the first mass, for any system.
 /// fn largest<F>(system: &F, forces: &[f64]) -> Result<f64, OutOfDomain>
 /// where
 ///     F: Steps<Scalar = f64>,

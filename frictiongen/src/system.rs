@@ -21,7 +21,7 @@ use frictiongen_kernel::contact::regime::{Limits, limits_into};
 ///     }
 /// }
 ///
-/// Returns the smallest β_lim over a sweep of frequency ratios, for any system.
+/// /// Returns the smallest β_lim over a sweep of frequency ratios, for any system.
 /// fn narrowest<F: FrictionSystem<Scalar = f64>>(system: &F, ratios: &[f64]) -> f64 {
 ///     ratios
 ///         .iter()

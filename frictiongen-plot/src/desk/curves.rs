@@ -149,7 +149,7 @@ fn phases(
 
 const FULL: f64 = std::f64::consts::TAU;
 
-/// Returns the lines of one motion of a curve, one for each piece. Only one of them has the name for the legend.
+/// Returns the lines of one motion of a curve, one for each regime. Only one line has the name for the legend.
 #[must_use]
 pub fn lines(
     drawn: &Drawn<'_>,

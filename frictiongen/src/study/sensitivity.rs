@@ -41,7 +41,7 @@ pub type Sensitive = Dual<Dd>;
 /// .parse()?;
 /// let heavier = frame.along(Quantity::Mass(1)).ok_or("no such mass")?;
 /// let limit = heavier.at(Sensitive::fixed(0.9.into()))?.continuous_limit();
-/// One more gram changes the limit by a thousandth of the derivative.
+/// // One more gram changes the limit by a thousandth of the derivative.
 /// let mut scene = frame.scene().clone();
 /// scene.masses[1].value = 3.251;
 /// let moved = System::<f64>::try_from(scene)?.at(0.9)?.continuous_limit();
@@ -98,7 +98,7 @@ impl Varied {
     ///     excitation: block,
     /// }"
     /// .parse()?;
-    /// The contact stops twice a cycle.
+    /// // The contact stops twice a cycle.
     /// let beta = Sensitive::variable(0.4.into());
     /// let varied = block.unvaried();
     /// let orbit = varied.orbit(Sensitive::fixed(0.3.into()), beta)?;

@@ -163,12 +163,12 @@ impl System {
     /// }"
     /// .parse()?;
     /// let features = chain.features(None)?;
-    /// No friction changes the contact's amplitude at these two frequencies.
+    /// // No friction changes the contact's amplitude at these two frequencies.
     /// let points = features.invariant_points(Of::Contact, Measured::Amplitude, [0.55, 3.0])?;
     /// let places: Vec<f64> = points.iter().map(|point| point.r).collect();
     /// assert!((places[0] - 5_f64.sqrt() / 4.0).abs() < 1e-15);
     /// assert!((places[1] - 5_f64.sqrt() / 2.0).abs() < 1e-15);
-    /// With a stuck contact, the chain is one mass on one spring.
+    /// // With a stuck contact, the chain is one mass on one spring.
     /// assert!((features.held_resonances()[0].r - 1.0).abs() < 1e-15);
     /// # Ok(())
     /// # }
