@@ -156,8 +156,8 @@ pub trait LimitsAt {
     /// Returns β_lim with S, the velocity constraint on the friction ratio, replaced by the limit of S for τ → 0
     /// (5.64).
     fn continuous_limit_without_search(&self) -> Self::Scalar;
-    /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). S is the maximum of a sum over the modes.
-    /// The bound replaces S by the sum of each mode's own maximum.
+    /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). The velocity constraint S is the maximum
+    /// over time of a sum over the modes. The bound replaces S by the sum of each mode's own maximum.
     fn continuous_limit_per_mode(&self) -> Self::Scalar;
     /// Returns the limit of sliding β*_lim. A stuck state exists for β ≥ β*_lim (6.11, 6.27, 6.33).
     fn sliding_limit(&self) -> Self::Scalar;
@@ -181,8 +181,8 @@ pub trait LimitsAt {
     fn margin(&self, beta: Self::Scalar) -> Result<Self::Scalar, OutOfDomain>;
 }
 
-/// Implements [`LimitsAt`] for scenes at one frequency ratio, emitted ones and those of a `System`. Both types deref
-/// to the kernel's scene.
+/// Implements [`LimitsAt`] for emitted scenes and for a `System`, at one frequency ratio. Both types deref to the
+/// kernel's scene.
 impl<A: Deref<Target: Limited>> LimitsAt for A {
     type Scalar = <A::Target as Limited>::Scalar;
 

@@ -31,8 +31,8 @@ pub struct Watch<S, const N: usize> {
     full: bool,
     /// Fourier sum Σ x e^{−iωt} of the last N samples, before normalisation.
     sum: Complex<S>,
-    /// Fourier sum of the samples since `place` was last 0. Every N samples `fresh` replaces `sum`, so that older
-    /// rounding errors disappear.
+    /// Fourier sum of the samples since the buffer was last written from its start. Every N samples `fresh` replaces
+    /// `sum`, so that older rounding errors disappear.
     fresh: Complex<S>,
     /// `turn` is the factor e^{−iωt} of the next sample. `step` is the factor by which `turn` changes from sample to
     /// sample.

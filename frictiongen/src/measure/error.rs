@@ -111,7 +111,8 @@ pub enum MeasureError {
     },
     /// No observation concerns the requested quantities.
     NoObservation,
-    /// The measured amplitude differs by a power of 1000 from those the scene can have, so a unit is wrong.
+    /// The measured amplitude is wrong by a power of 1000 compared with every amplitude that the scene can have, so a
+    /// unit is wrong.
     WrongUnit {
         /// The measured amplitude over the nearest amplitude that the scene can have, rounded to a power of 1000.
         factor: f64,

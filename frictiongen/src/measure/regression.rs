@@ -161,7 +161,7 @@ impl Recording {
 
 /// The equation of motion of the axis, integrated over one window.
 struct Window {
-    /// Integrals over the window that multiply M, F_v, F_c and the offset.
+    /// The four integrals over the window by which M, F_v, F_c and the offset are multiplied in the equation.
     columns: [f64; 4],
     force: f64,
     /// Smallest distance between the mean positions of two neighbouring quarters of the window. It is 0 if the axis

@@ -179,9 +179,9 @@ impl<S: Float> System<S> {
 
     /// Returns the system evaluated at the frequency ratio r.
     ///
-    /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the result contains limit values. [`OutOfDomain`]
-    /// also for `friction: stribeck`, because the exact continuous response needs a constant kinetic level.
+    /// # Errors [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the result contains limit values.
+    /// [`OutOfDomain`] also for `friction: stribeck`, because the exact continuous response needs a kinetic friction
+    /// force that is constant in speed.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
         self.constant_level()?;
         At::new(self, r).map(SystemAt::from)

@@ -28,7 +28,7 @@ enum Pieces<S> {
 
 /// A system with tables of its limits and of its contact's motion, to a declared accuracy over a range of r.
 ///
-/// Within the range a `CompiledSystem` gives the same kinds of answers as the system. The exact formulas give
+/// Within the range a `CompiledSystem` gives the same kinds of results as the system. The exact formulas give
 /// everything that the tables do not contain, such as the motions of masses while the contact slides.
 ///
 /// ```

@@ -215,9 +215,9 @@ impl<S: Float> System<S> {
     /// on β_lim replaces the velocity constraint S by the limit of S for τ → 0 (5.64). This is the fastest call where
     /// r needs no other result.
     ///
-    /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values. [`OutOfDomain`]
-    /// also for `friction: stribeck`, because the exact continuous response needs a constant kinetic level.
+    /// # Errors [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values.
+    /// [`OutOfDomain`] also for `friction: stribeck`, because the exact continuous response needs a kinetic friction
+    /// force that is constant in speed.
     pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
         self.constant_level()?;
         At::limits_without_search(&self, r)

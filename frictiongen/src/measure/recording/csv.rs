@@ -27,7 +27,7 @@ pub struct Column {
     pub unit: Option<Unit>,
 }
 
-/// A table of numbers with names, as the file contains it.
+/// A table of numbers as a file contains it, with a name for each column.
 #[derive(Debug)]
 pub(crate) struct Table {
     pub(crate) names: Vec<String>,

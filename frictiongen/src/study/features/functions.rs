@@ -75,21 +75,22 @@ impl<T> Numbers<T> {
 /// The function of frequency whose zeros are wanted.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Target<T> {
-    /// V_k, the motion without friction.
+    /// V_k, the motion of mass k without friction.
     Free,
-    /// V of the contact.
+    /// V, the motion of the contact without friction.
     FreeContact,
-    /// H_k, the response to a harmonic force in the contact.
+    /// H_k, the response of mass k to a harmonic force in the contact.
     Receptance,
-    /// U_k (6.9).
+    /// U_k, the slope at the reversal of mass k's response to a square wave of friction (6.9).
     Quadrature,
-    /// V U_k − 2 V_k U (6.10).
+    /// V U_k − 2 V_k U, which is zero where friction does not change the estimated amplitude (6.10).
     Estimate,
-    /// V_k U + (2/π) H_k V. For the contact, U + (2/π) H.
+    /// V_k U + (2/π) H_k V, for the contact U + (2/π) H. It is zero where friction does not change the fundamental's
+    /// amplitude.
     Fundamental,
-    /// V − βμH. With damping |V|² − (βμ)²|H|² (6.13).
+    /// V − βμH, with damping |V|² − (βμ)²|H|² (6.13). It is zero where β*_lim equals β.
     Sliding(T),
-    /// V² − β²(U² + (μm*/r²)²), without damping. Its zeros are those of β_lim without search minus β.
+    /// V² − β²(U² + (μm*/r²)²) of an undamped chain. This function is zero where β_lim without search equals β.
     Continuous(T),
 }
 

@@ -15,7 +15,8 @@ use frictiongen_model::modal::Modal;
 /// Largest number of poles in a range. The search keeps at most twenty times as many intervals.
 pub(super) const MOST_POLES: usize = 20_000;
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
-/// Relative distance below which a zero cancels with a pole. Neither the zero nor the pole then shows in the function.
+/// Relative distance between a zero and a pole of the function below which the two cancel. The search then finds
+/// neither.
 const CANCELLED: f64 = 1e-13;
 /// Distance within which two zeros count as one zero at which the function touches 0. The distance is relative to y,
 /// or to the distance from a pole.

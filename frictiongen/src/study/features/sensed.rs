@@ -120,8 +120,8 @@ impl Variations {
         })
     }
 
-    /// Returns a number with its derivatives, which `of` computes from each varied scene. A parameter without a finite
-    /// derivative is left out.
+    /// Returns the number `value` with its derivative with respect to each parameter. `of` computes the derivative
+    /// from the scene varied by that parameter. A parameter without a finite derivative is left out.
     pub fn sensed(
         &self,
         value: f64,
@@ -208,7 +208,8 @@ impl Variations {
         })
     }
 
-    /// Returns the frequency at which a function f of r and β is 0, with derivatives that follow from those of f.
+    /// Returns the frequency at which a function f of r and β is 0, with its derivatives. They follow from the
+    /// derivatives of f.
     pub fn of_place(
         &self,
         r: f64,

@@ -50,8 +50,8 @@ pub enum OptimumEnd {
     /// The search converged to a minimum. The friction ratio is exact to rounding where two peaks cross. It has half
     /// of the digits where one peak is at its minimum.
     Converged,
-    /// The search ended at a jump. On one side of the bracket the motion reaches another steady state with a larger
-    /// amplitude.
+    /// The search ended where the amplitude jumps with friction. On one side of the jump the motion reaches another
+    /// steady state, which has a larger amplitude.
     Jump,
     /// The search met its bound on work. The result is the best friction found before.
     WorkSpent,

@@ -8,7 +8,8 @@ use super::places::limits;
 const HALVINGS: usize = 36;
 
 impl Band<'_> {
-    /// Returns two frequency ratios, just below and just above, for every one at which β_lim or β*_lim equals β.
+    /// Returns the frequency ratios of the band next to those where β_lim or β*_lim equals β: one just below and one
+    /// just above each crossing.
     pub(super) fn bounds(&self, beta: f64) -> Vec<f64> {
         let system = self.amplitude.system;
         let mut bounds = Vec::new();

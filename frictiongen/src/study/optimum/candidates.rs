@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 const WORTH: f64 = 1.05;
 /// Largest number of intervals that are searched. Those with the smallest expected amplitude come first.
 const MOST_LOOKED_INTO: usize = 6;
-/// No minimum is expected below this share of the amplitudes at both ends of an interval.
+/// Fraction of the smaller amplitude at the ends of an interval. No minimum in the interval is expected to be lower.
 const SHARE: f64 = 0.7;
 /// Relative rise of the amplitude above which a closer evaluation of the band has found a higher peak.
 pub(super) const HOLDS: f64 = 1e-9;

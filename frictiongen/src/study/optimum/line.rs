@@ -1,6 +1,6 @@
 //! Finds the largest value of a function of one variable in an interval.
 
-/// The smaller share of a golden section.
+/// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// Largest number of steps. A golden section keeps at most 0.62 of the interval.
 const STEPS: usize = 90;

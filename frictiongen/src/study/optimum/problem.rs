@@ -20,7 +20,7 @@ const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
 /// Relative difference within which a peak counts as equal to the largest peak.
 const EQUAL: f64 = 1e-9;
 
-/// A request of an optimum after all checks, with the system and the band.
+/// A request for the best friction after all checks, with the system and the band of frequencies.
 pub(super) struct Problem<'s> {
     pub system: &'s System,
     of: Of,

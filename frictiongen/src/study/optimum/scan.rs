@@ -22,8 +22,7 @@ const LONGER: usize = 12;
 /// A scan without an upper bound stops when each of its last four amplitudes rises with friction or exceeds the best
 /// amplitude by this factor.
 const FAR_ABOVE: f64 = 2.0;
-/// Additional friction ratios above the friction that bounds all resonances. Each is higher by this share of that
-/// friction.
+/// Additional friction ratios above the friction that bounds all resonances. Each one is higher by this fraction.
 const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
 /// Largest plausible relative change of the amplitude, in units of the relative change of friction. A larger change is
 /// a jump.

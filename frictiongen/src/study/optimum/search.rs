@@ -25,7 +25,7 @@ const CHECKS: usize = 6;
 /// Largest number of golden-section steps, down to the relative width `NARROW` of a bracket.
 const SECTIONS: usize = 40;
 const NARROW: f64 = 1e-7;
-/// The smaller share of a golden section.
+/// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// A peak counts as stationary in friction if its relative change is below this multiple of the relative change of
 /// friction.

@@ -184,7 +184,8 @@ impl System {
         })
     }
 
-    /// Returns the same scene with another value of one number. Each damping ratio stays with the order of its mode.
+    /// Returns the same scene with another value of one number. Damping ratios belong to the modes in ascending order
+    /// of frequency, before and after the change.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

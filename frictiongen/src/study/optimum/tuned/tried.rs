@@ -21,7 +21,7 @@ const DIFFERENCE: f64 = 1e-5;
 /// Smallest relative margin of the searched friction interval beyond the best frictions of both neighbours.
 const MARGIN: f64 = 1e-3;
 
-/// A checked request of a tuned optimum.
+/// A request, after all checks, for the best friction together with one number of the description.
 pub(super) struct Search<'s> {
     pub(super) described: &'s System,
     request: &'s OptimumRequest,
