@@ -142,8 +142,8 @@ pub trait Stepping {
     fn set_stiction(&mut self, mu: Self::Scalar) -> Result<(), OutOfDomain>;
 }
 
-/// Implements [`Steps`] for an emitted scene and [`Stepping`] for its stepper. The macro passes only the masses that
-/// carry a load. The kernel knows everything else.
+/// Implements [`Steps`] for an emitted scene and [`Stepping`] for its stepper. The macro passes only the masses on
+/// which the stepper accepts a force. The kernel knows everything else.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! emitted_stepper {

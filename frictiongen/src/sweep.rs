@@ -39,7 +39,7 @@ use frictiongen_kernel::contact::regime;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LimitsPoint<S> {
-    /// Frequency ratio r.
+    /// Frequency ratio r of this point.
     pub r: S,
     /// The limit of continuous motion β_lim, exact.
     pub continuous: S,
@@ -55,7 +55,7 @@ pub enum SweepError {
     OutOfDomain(OutOfDomain),
     /// The slice for the results does not have one entry for each point.
     Length {
-        /// Number of points.
+        /// Number of points, for each of which there is one result.
         points: usize,
         /// Number of results that the slice can take.
         room: usize,

@@ -20,12 +20,12 @@ pub enum MeasureError {
     Format {
         /// Number of the line in the file, from 1.
         line: usize,
-        /// Description of the mistake.
+        /// Description of the mistake, as text for the message.
         what: String,
     },
     /// A channel has no unit.
     NoUnit(String),
-    /// A unit is unknown.
+    /// The unit with this name is unknown.
     UnknownUnit(String),
     /// Two channels have the same name.
     Twice(String),
@@ -104,7 +104,7 @@ pub enum MeasureError {
     NotSteady(String),
     /// The sampling rate is too low for the driving frequency: a cycle has too few samples.
     TooSlow {
-        /// Samples per second.
+        /// Sampling rate, samples per second.
         rate: f64,
         /// The driving frequency, Hz.
         hertz: f64,
@@ -141,7 +141,7 @@ pub enum MeasureError {
     TooFewData {
         /// Number of measured values.
         data: usize,
-        /// Number of unknowns.
+        /// Number of unknowns that the fit has to find.
         unknowns: usize,
     },
     /// The fit does not converge.
@@ -156,7 +156,7 @@ pub enum MeasureError {
     Sweep {
         /// Number of the line in the file, from 1.
         line: usize,
-        /// Description of the mistake.
+        /// Description of the mistake, as text for the message.
         what: String,
     },
     /// The fitted numbers do not form a valid scene.

@@ -26,7 +26,7 @@ const FEWEST_BINS: usize = 12;
 /// Mean and harmonics of a channel at one frequency: x = mean + Re Σ X_n e^{inωt}. t = 0 is the middle of the samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tone {
-    /// Mean of the samples.
+    /// Mean of the samples, the component at zero frequency.
     pub mean: f64,
     /// Complex amplitudes X_1, X_2, … of the harmonics.
     pub harmonics: Vec<Complex<f64>>,

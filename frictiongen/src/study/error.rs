@@ -8,7 +8,7 @@ use frictiongen_model::validate::SceneError;
 /// The error that the scene has no mass with the requested name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownMass {
-    /// The requested name.
+    /// The requested name, which no mass has.
     pub name: String,
     /// The names of all masses of the scene.
     pub known: Vec<String>,

@@ -5,11 +5,11 @@
 #[derive(Clone, Debug)]
 #[allow(clippy::large_enum_variant, reason = "room in place is what it is for")]
 pub enum Few<T> {
-    /// The entry of one mode.
+    /// The list has one entry, for a single mode.
     One([T; 1]),
-    /// The entries of two modes.
+    /// The list has two entries, for two modes.
     Two([T; 2]),
-    /// The entries of any number of modes.
+    /// The list has any number of entries, one for each mode.
     Many(Vec<T>),
 }
 

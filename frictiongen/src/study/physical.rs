@@ -20,7 +20,7 @@ use frictiongen_model::sensitivity::Quantity;
 /// The derivatives of a response with respect to one parameter p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterSensitivity {
-    /// The parameter p.
+    /// The parameter p with respect to which the derivatives are taken.
     pub parameter: Parameter,
     /// The value of the parameter p, in its own unit.
     pub value: f64,

@@ -38,11 +38,11 @@ pub enum Condition {
 /// A frequency at which a motion is independent of the friction force, as long as the contact slides all the time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvariantPoint {
-    /// Frequency ratio r.
+    /// Frequency ratio r of the invariant point.
     pub r: f64,
-    /// Frequency, in Hz under a load.
+    /// Frequency of the invariant point, in Hz under a load.
     pub frequency: Sensed,
-    /// Equation that the point satisfies.
+    /// Equation that the invariant point satisfies.
     pub condition: Condition,
     /// True if the phase is independent of friction too. The phase of the contact's motion at U = 0 is 0 or π.
     pub phase_too: bool,
@@ -72,13 +72,13 @@ pub enum Edge {
 /// A range of frequencies in which more friction enlarges a motion, as long as the contact slides all the time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inversion {
-    /// Lower bound, as frequency ratio r.
+    /// Lower bound of the range, as frequency ratio r.
     pub from: f64,
-    /// Reason for the lower bound.
+    /// Reason why the range begins at its lower bound.
     pub from_edge: Edge,
-    /// Upper bound, as frequency ratio r.
+    /// Upper bound of the range, as frequency ratio r.
     pub to: f64,
-    /// Reason for the upper bound.
+    /// Reason why the range ends at its upper bound.
     pub to_edge: Edge,
 }
 
@@ -86,9 +86,9 @@ pub struct Inversion {
 /// the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Antiresonance {
-    /// Frequency ratio r.
+    /// Frequency ratio r at which the motion vanishes.
     pub r: f64,
-    /// Frequency, in Hz under a load.
+    /// Frequency at which the motion vanishes, in Hz under a load.
     pub frequency: Sensed,
 }
 

@@ -47,7 +47,7 @@ pub(super) struct Function<'m> {
 /// A zero of a function of y = 1/r.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Zero {
-    /// Position y = 1/r.
+    /// Position of the zero, as y = 1/r.
     pub y: Dd,
     /// Slope df/dy at the zero.
     pub slope: Dd,

@@ -108,11 +108,11 @@ pub struct Features<'s> {
 /// A resonance of the chain, with its frequency, its damping and the friction below which it is unbounded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resonance {
-    /// Frequency ratio √λ_i.
+    /// Frequency ratio r = √λ_i of the resonance.
     pub r: f64,
     /// Frequency of the resonance, in Hz under a load.
     pub frequency: Sensed,
-    /// Modal damping ratio ζ_i.
+    /// Modal damping ratio ζ_i of the mode at the resonance.
     pub damping_ratio: f64,
     /// Threshold β_n,i (6.2, 6.26) of the chain without its damping. `None` for a mode that the contact does not drive.
     pub threshold: Option<Sensed>,

@@ -14,7 +14,7 @@ use frictiongen_kernel::number::dual::Dual;
 /// The largest amplitude of a motion near a resonance, over all regimes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TruePeak {
-    /// Frequency ratio r.
+    /// Frequency ratio r of the peak.
     pub r: f64,
     /// Frequency of the peak, in Hz under a load. The frequency has derivatives where the peak is smooth.
     pub frequency: Sensed,
@@ -45,7 +45,7 @@ pub struct ResonantPeak {
 /// A frequency at which the exact amplitudes of two frictions are equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossing {
-    /// Frequency ratio r.
+    /// Frequency ratio r of the crossing.
     pub r: f64,
     /// Frequency of the crossing, in Hz under a load. Its derivative with respect to friction keeps the ratio of the
     /// two frictions constant.

@@ -11,7 +11,7 @@ use crate::Regime;
 /// The reason why a range of one regime ends at its upper bound.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RegimeEnd {
-    /// The requested range ends.
+    /// The requested range of frequencies ends here.
     Range,
     /// The limit of continuous motion equals the friction, β_lim = β, at this frequency, in Hz under a load.
     Continuous(Sensed),
@@ -22,20 +22,20 @@ pub enum RegimeEnd {
 /// A range of the frequency ratio r in which the regime is the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegimeRange {
-    /// Lower bound, as frequency ratio r.
+    /// Lower bound of the range, as frequency ratio r.
     pub from: f64,
-    /// Upper bound, as frequency ratio r.
+    /// Upper bound of the range, as frequency ratio r.
     pub to: f64,
     /// Regime in the range.
     pub regime: Regime,
-    /// Reason for the upper bound.
+    /// Reason why the range ends at its upper bound.
     pub end: RegimeEnd,
 }
 
 /// Number of samples over each interval in which β_lim may exceed β. The equal steps of the whole range are added to
 /// the samples.
 const SAMPLES: usize = 128;
-/// Largest number of odd sub-harmonics of a resonance near which samples are close together.
+/// Number of odd sub-harmonics of each resonance, at most, near which the samples are closer together.
 const SUBHARMONICS: usize = 12;
 
 impl Features<'_> {

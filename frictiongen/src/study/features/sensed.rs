@@ -15,20 +15,20 @@ use frictiongen_model::sensitivity::Quantity;
 /// The derivative of a number X with respect to one parameter p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterSlope {
-    /// The parameter p.
+    /// The parameter p with respect to which the derivative is taken.
     pub parameter: Parameter,
-    /// The value of p, in its own unit.
+    /// The value of the parameter p, in its own unit.
     pub value: f64,
-    /// The derivative dX/dp.
+    /// The derivative dX/dp of the number X with respect to this parameter p.
     pub derivative: f64,
 }
 
 /// A number X with its derivatives dX/dp, one for each parameter p with respect to which X has a derivative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensed {
-    /// The number X.
+    /// The number X whose derivatives `slopes` contains.
     pub value: f64,
-    /// The derivatives dX/dp.
+    /// The derivatives dX/dp of this number X, one for each parameter p.
     pub slopes: Vec<ParameterSlope>,
 }
 

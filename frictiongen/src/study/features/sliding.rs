@@ -26,11 +26,11 @@ pub struct HeldResonance {
 /// A range of r in which the contact slides with a given friction, and with every smaller friction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlidingRange {
-    /// Lower bound, as frequency ratio r.
+    /// Lower bound of the range, as frequency ratio r.
     pub from: f64,
     /// Frequency of the lower bound, in Hz under a load. `None` at a bound of the requested range.
     pub from_frequency: Option<Sensed>,
-    /// Upper bound, as frequency ratio r.
+    /// Upper bound of the range, as frequency ratio r.
     pub to: f64,
     /// Frequency of the upper bound, in Hz under a load. `None` at a bound of the requested range.
     pub to_frequency: Option<Sensed>,

@@ -12,7 +12,7 @@ use std::cell::Cell;
 /// The amount of friction: a friction ratio, or so much that the contact never slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) enum Friction {
-    /// Friction ratio β.
+    /// A given friction ratio β.
     Ratio(f64),
     /// Enough friction that the contact never slides.
     Locked,

@@ -19,11 +19,11 @@ pub enum OptimumKind {
 /// A frequency at which the amplitude reaches its maximum over the band.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OptimumPeak {
-    /// Frequency ratio r.
+    /// Frequency ratio r of the peak.
     pub r: f64,
     /// Amplitude at this frequency, in units of P/k₁, for base motion of Y.
     pub amplitude: f64,
-    /// Regime at this frequency.
+    /// Regime at the frequency of the peak.
     pub regime: Regime,
     /// True if the frequency is a bound of the band.
     pub at_end: bool,
@@ -38,7 +38,7 @@ pub struct OptimumPeak {
 pub struct Tolerance {
     /// Largest excess of the amplitude over the best amplitude, as a fraction of the best amplitude.
     pub excess: f64,
-    /// Lower bound of β.
+    /// Lower bound of the interval, as friction ratio β.
     pub from: f64,
     /// Upper bound of β. It is infinite if the amplitude stays below the allowed one for any larger friction.
     pub to: f64,

@@ -188,7 +188,7 @@ impl<'s> Problem<'s> {
     }
 }
 
-/// Returns the value of a parameter, and a peak's amplitude with its derivative with respect to that parameter.
+/// Returns two things: the value of `parameter`, and a peak's amplitude with its derivative by that parameter.
 pub(super) fn slope(of: &ResponseSensitivities, parameter: Parameter) -> Option<(f64, Slope)> {
     let mut found = of.parameters.iter();
     let found = found.find(|of| of.parameter == parameter)?;

@@ -19,7 +19,7 @@ pub enum Tunable {
 /// The error that no variable number of the description has the requested name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownTunable {
-    /// The requested name.
+    /// The requested name, which no number of the description has.
     pub name: String,
     /// The names of all numbers that can vary.
     pub known: Vec<String>,
