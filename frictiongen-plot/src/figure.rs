@@ -175,7 +175,7 @@ pub enum Sample {
 }
 
 impl Key {
-    /// Creates a legend entry that explains a stroke, independent of colour.
+    /// Creates a legend entry that explains a stroke, such as dashed. The sample is black.
     #[must_use]
     pub fn stroke(name: impl Into<Label>, stroke: Stroke) -> Self {
         let sample = Sample::Line(Colour::Black, stroke);
@@ -185,7 +185,7 @@ impl Key {
         }
     }
 
-    /// Creates a legend entry that explains a marker, independent of colour.
+    /// Creates a legend entry that explains the shape of a marker. The sample is black.
     #[must_use]
     pub fn marker(name: impl Into<Label>, marker: Marker) -> Self {
         let sample = Sample::Marker(Colour::Black, marker);

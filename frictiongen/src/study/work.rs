@@ -11,7 +11,7 @@ use crate::{Error, NoOrbit};
 /// Work of a motion from rest that was followed to its last cycle without settling. The number is multiplied by the
 /// number of masses plus two.
 const UNSETTLED: usize = 400;
-/// Additional work of a response whose motion from rest did not settle, if another steady state was found.
+/// Work of a response whose motion from rest did not settle, if another steady state was found instead.
 const ANOTHER: usize = 1000;
 /// Number of vibrations of the fastest mode in a cycle at which the work of the cycle doubles.
 const VIBRATIONS: f64 = 10.0;

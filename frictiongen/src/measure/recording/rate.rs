@@ -2,8 +2,8 @@
 
 use crate::measure::MeasureError;
 
-/// Largest difference between two time steps, over the mean step, of evenly spaced samples. A clock of six digits
-/// rounds that much.
+/// Largest difference between two time steps, over the mean step, of evenly spaced samples. A clock with six digits
+/// causes such differences by rounding.
 const EVEN: f64 = 1e-2;
 
 /// Returns the sampling rate of times in s. Fails if the times are not evenly spaced. `place` names a sample in the

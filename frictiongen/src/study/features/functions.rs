@@ -88,7 +88,8 @@ pub(super) enum Target<T> {
     /// V_k U + (2/π) H_k V, for the contact U + (2/π) H. It is zero where friction does not change the fundamental's
     /// amplitude.
     Fundamental,
-    /// V − βμH, with damping |V|² − (βμ)²|H|² (6.13). It is zero where β*_lim equals β.
+    /// V − βμH, with damping |V|² − (βμ)²|H|² (6.13), for the contact's motion V without friction and its receptance
+    /// H. It is zero where β*_lim equals β.
     Sliding(T),
     /// V² − β²(U² + (μm*/r²)²) of an undamped chain. This function is zero where β_lim without search equals β.
     Continuous(T),

@@ -35,7 +35,7 @@ pub struct RegimeRange {
 /// Number of samples over each interval in which β_lim may exceed β. The equal steps of the whole range are added to
 /// the samples.
 const SAMPLES: usize = 128;
-/// Number of odd sub-harmonics of each resonance, at most, near which the samples are closer together.
+/// Largest number of odd sub-harmonics of a resonance that get additional samples near them.
 const SUBHARMONICS: usize = 12;
 
 impl Features<'_> {

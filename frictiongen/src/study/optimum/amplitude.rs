@@ -30,7 +30,7 @@ pub(in crate::study) struct Amplitude<'s> {
     work: Cell<usize>,
     /// Bound on the work of all evaluations, in units of about 10 µs.
     most: Cell<usize>,
-    /// Number of evaluations without a result, because no steady motion was found.
+    /// Number of evaluations for which the solvers found no amplitude.
     pub silent: Cell<usize>,
 }
 

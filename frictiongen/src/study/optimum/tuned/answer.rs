@@ -9,9 +9,9 @@ use crate::study::system::System;
 pub struct Tuning {
     /// The number that is optimised.
     pub of: Tunable,
-    /// The smallest value, in the number's own unit.
+    /// Lower bound of the interval, in the own unit of the optimised number.
     pub from: f64,
-    /// The largest value, in the number's own unit.
+    /// Upper bound of the interval, in the own unit of the optimised number.
     pub to: f64,
 }
 
