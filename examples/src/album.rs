@@ -1,11 +1,11 @@
-//! Folder and progress of the figures that a program writes.
+//! The figures that a program writes: their folder and the progress of the work.
 
 use crate::gallery::{self, Entry};
 use std::error::Error;
 use std::io::{IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 
-/// Figures of one program, with the folder that they are written to.
+/// The figures of one program, with the folder to which they are written.
 #[derive(Debug)]
 pub struct Album {
     folder: PathBuf,
@@ -53,7 +53,7 @@ impl Album {
         self.entries.push(entry);
     }
 
-    /// Writes `figure-<name>.png`.
+    /// Writes a picture to the file `figure-<name>.png`.
     ///
     /// # Errors
     /// Fails if the file cannot be written.
@@ -65,7 +65,7 @@ impl Album {
         )?)
     }
 
-    /// Writes `figure-<number>.svg` and `.csv`.
+    /// Writes a figure to `figure-<number>.svg`, and its data to `figure-<number>.csv`.
     ///
     /// # Errors
     /// Fails if a file cannot be written.
@@ -75,7 +75,7 @@ impl Album {
         self.add_picture(number, svg)
     }
 
-    /// Writes `narrow/figure-<number>.svg`, for telephones.
+    /// Writes a figure for telephones to `narrow/figure-<number>.svg`.
     ///
     /// # Errors
     /// Fails if the folder or the file cannot be written.
@@ -98,7 +98,7 @@ impl Album {
         Ok(())
     }
 
-    /// Ends the album, and writes the page of its chapter if the album has one.
+    /// Ends the album. If it is the album of a chapter, this also writes the chapter's page of the gallery.
     ///
     /// # Errors
     /// Fails if the number of figures is not the announced one, or if the chapter's page cannot be written.

@@ -96,7 +96,7 @@ fn laws() -> Result<Figure, Box<dyn Error>> {
     ))
 }
 
-/// Panel with the friction force over the displacement, in a motion with two stops.
+/// Returns a panel with the friction force over the displacement, in a motion with two stops.
 fn loop_of_work() -> Result<Panel, Box<dyn Error>> {
     let system = wall();
     let mut run = system.simulation(0.6, 0.6)?;
@@ -112,7 +112,7 @@ fn loop_of_work() -> Result<Panel, Box<dyn Error>> {
             let segment = run.advance(left)?;
             left -= segment.length;
             if 1e-12 < left {
-                // At an event the force jumps, so both of its values are drawn.
+                // At an event the force jumps, so the values before and after the jump are drawn.
                 points.push((run.run().mass(0).displacement(), -run.friction()));
             }
         }
@@ -123,7 +123,7 @@ fn loop_of_work() -> Result<Panel, Box<dyn Error>> {
     Ok(Panel::new("(d) over a cycle with two stops", x, y).with(line))
 }
 
-/// Figure 2.3a: the system.
+/// Figure 2.3a: sketch of a loaded block on a spring, which rubs on a fixed wall.
 fn loaded() -> Figure {
     Figure::new("2.3a", "A block on a spring against a fixed wall", 1, Vec::new())
         .with_sketch(drawn(&wall()))
@@ -152,7 +152,7 @@ fn half_periods() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Figure 2.4: responses in continuous motion.
+/// Figure 2.4: amplitude and phase over the frequency ratio in continuous motion.
 fn amplitudes() -> Result<Figure, Box<dyn Error>> {
     let system = wall();
     let betas = [0.0, 0.2, 0.4, 0.6, 0.8];
@@ -173,7 +173,7 @@ fn amplitudes() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Figure 2.5: regimes.
+/// Figure 2.5: regimes over frequency ratio and friction ratio.
 fn map() -> Result<Figure, Box<dyn Error>> {
     let system = wall();
     let lines = system.limit_lines(0.0, 2.5, 1e-4)?;
@@ -186,7 +186,7 @@ fn map() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Figure 2.6: a motion with two stops.
+/// Figure 2.6: displacement over a cycle with two stops.
 fn two_stops() -> Result<Figure, Box<dyn Error>> {
     let system = wall();
     let times = Times {
@@ -205,7 +205,7 @@ fn two_stops() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Figure 2.7: responses with a dashpot.
+/// Figure 2.7: amplitude and phase over the frequency ratio, with a dashpot.
 fn dashpot() -> Result<Figure, Box<dyn Error>> {
     let system = damped();
     let betas = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
@@ -225,7 +225,7 @@ fn dashpot() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Figures 2.8a to 2.8c: the systems of the next chapters.
+/// Figures 2.8a to 2.8c: sketches of the systems of the next chapters.
 fn systems() -> [Figure; 3] {
     [
         ("2.8a", "Base motion, fixed wall", block("wall", "base", ""),

@@ -37,7 +37,7 @@ fn between() -> System {
     )
 }
 
-/// Five equal masses with a given contact and excitation.
+/// Returns a chain of five equal masses with a given contact and excitation.
 fn five(contact: &str, excitation: &str) -> System {
     system(&format!(
         "struct Five {{
@@ -65,7 +65,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     album.close()
 }
 
-/// Figures 5.1 and 5.3: the three kinds of contact.
+/// Figures 5.1 and 5.3: sketches of the three kinds of contact.
 fn systems() -> [Figure; 3] {
     [
         (
@@ -95,7 +95,7 @@ fn systems() -> [Figure; 3] {
     })
 }
 
-/// Figure 5.2: motion between two maxima of the mass in contact.
+/// Figure 5.2: motion between two maxima of the mass that is in contact.
 fn maxima() -> Result<Figure, Box<dyn Error>> {
     let system = wall();
     let parts = [
@@ -117,7 +117,7 @@ fn maxima() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Ratio of the approximate limits of continuous motion to the exact limit.
+/// Figure of the ratio of approximate limits of continuous motion to the exact limit.
 fn limits() -> Figure {
     let (two, chain) = (wall(), five("m1 - wall", "m1"));
     let panel = |title: &str, system: &System| {
@@ -157,7 +157,7 @@ fn limits() -> Figure {
     )
 }
 
-/// Ratio of the monoharmonic estimate of an amplitude to the exact amplitude.
+/// Figure of the ratio of the monoharmonic estimate of an amplitude to the exact amplitude.
 fn amplitudes() -> Figure {
     let panel = |title: &str, system: &System, (low, high): (f64, f64)| {
         let x = Axis::new("frequency ratio *r*_1", 0.0, TO);

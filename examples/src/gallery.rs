@@ -1,16 +1,16 @@
-//! Pages of the gallery: the figures of each chapter with their captions.
+//! Pages of the gallery, which show the figures of each chapter with their captions.
 
 use frictiongen_plot::{Face, Label, Level};
 use std::fmt::Write as _;
 
-/// Entry of a figure in the gallery.
+/// A figure in the gallery, with its number, title and caption.
 #[derive(Clone, Debug)]
 pub struct Entry {
     /// Number of the figure.
     pub number: String,
     /// Title of the figure.
     pub title: Label,
-    /// Description of the figure, with its parameters.
+    /// Caption of the figure, with its parameters.
     pub caption: Label,
 }
 
@@ -47,7 +47,7 @@ fn escaped(text: &str) -> String {
     text.replace('"', "&quot;")
 }
 
-/// Converts a label to Markdown.
+/// Converts a label of a figure to Markdown text.
 #[must_use]
 pub fn markdown(label: &Label) -> String {
     let mut text = String::new();

@@ -8,7 +8,7 @@ use std::error::Error as StdError;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Passes the same text to the macro, the run-time system and the printed description.
+/// Passes the same description to the macro and to the run-time system, and keeps it as text to print.
 macro_rules! both {
     ($(#[doc = $doc:literal])* pub struct $name:ident $fields:tt) => {
         friction_system! { $(#[doc = $doc])* pub struct $name $fields }
@@ -104,7 +104,7 @@ fn responses() -> Result<(), Error> {
     Ok(())
 }
 
-/// Prints an excerpt of the emitted Rust, and compares with the run-time system of the same text.
+/// Prints an excerpt of the emitted Rust, and compares results of the emitted code with those of the run-time system.
 fn emitted() -> Result<(), Box<dyn StdError>> {
     let limits = frictiongen_codegen::Limits::MACRO;
     let source = frictiongen_codegen::pretty(&frictiongen_codegen::parse_text(TEXT, &limits)?)?;
@@ -126,7 +126,7 @@ fn emitted() -> Result<(), Box<dyn StdError>> {
     Ok(())
 }
 
-/// Compares with plain time integration of the same frame, and prints the time of both.
+/// Compares the closed form with plain time integration of the same frame, and prints the time that both take.
 fn check() -> Result<(), Box<dyn StdError>> {
     let (r, beta) = (0.9, 0.3);
     let clock = Instant::now();

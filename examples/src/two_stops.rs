@@ -10,22 +10,22 @@ use frictiongen::kernel::Scalar;
 use frictiongen::kernel::oscillator::decay::{Decay, Instant, Undamped};
 use std::f64::consts::{FRAC_1_PI, PI};
 
-/// Finest division of the half period in the search for τ₀.
+/// Largest number of steps into which the half period is divided in the search for the sliding time τ₀.
 const MOST_SAMPLES: u32 = 4096;
 
-/// Den Hartog's two-stop motion. From τ = 0 the mass slides from X to −X within τ₀, sticks until τ = π, and returns in
-/// the same way.
+/// Den Hartog's motion with two stops a cycle. From τ = 0 the mass slides from X to −X within τ₀, sticks until τ = π,
+/// and returns in the same way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoStops {
     r: f64,
     x: f64,
     amplitude: f64,
-    /// (cos φ, sin φ).
+    /// cos φ and sin φ of the phase φ of the load.
     phase: (f64, f64),
     slide: f64,
 }
 
-/// Returns D, E and cos(τ/r) at τ.
+/// Returns D, E and cos(τ/r) at τ, as defined at the top of this file.
 fn sides(r: f64, x: f64, tau: f64) -> (f64, f64, f64) {
     let at = Instant::new(tau * FRAC_1_PI);
     let basis = Undamped.basis(x, &at);
@@ -39,7 +39,7 @@ fn sides(r: f64, x: f64, tau: f64) -> (f64, f64, f64) {
     (d, basis.forced_slope / detuning, basis.slope)
 }
 
-/// Returns ±2β for a sliding time, and √(D² + E²).
+/// Returns ±2β for a sliding time τ₀, and √(D² + E²).
 fn friction(r: f64, x: f64, tau: f64) -> (f64, f64) {
     let (d, e, slope) = sides(r, x, tau);
     let size = (d * d + e * e).sqrt();
@@ -47,7 +47,7 @@ fn friction(r: f64, x: f64, tau: f64) -> (f64, f64) {
 }
 
 impl TwoStops {
-    /// Returns the motion at r and β. The result is `None` if the mass does not move in this way, or if r is not
+    /// Finds the motion with two stops at r and β. `None` if the mass does not move in this way, or if r is not
     /// positive and finite. Below r = 1/100 the search may miss the motion.
     ///
     /// ```
@@ -99,7 +99,7 @@ impl TwoStops {
         }
     }
 
-    /// Returns `true` if the mass slides in one direction until τ₀ and sticks from then on.
+    /// Returns true if the mass slides in one direction until τ₀ and sticks from then on.
     fn holds(&self, beta: f64) -> bool {
         let samples = 256;
         let slides = (1..samples).all(|index| {
@@ -151,7 +151,7 @@ impl TwoStops {
     }
 }
 
-/// Finds the zero of a function between two arguments at which its signs differ.
+/// Finds the zero of a function by bisection between two arguments at which the function has different signs.
 fn halved(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let below = function(low) < 0.0;
     for _ in 0..128 {

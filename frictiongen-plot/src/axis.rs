@@ -2,32 +2,32 @@
 
 use crate::label::Label;
 
-/// Spacing of the values along an axis.
+/// The scale of an axis: linear or logarithmic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scale {
-    /// Linear.
+    /// Linear scale.
     #[default]
     Linear,
-    /// Logarithmic. Values that are not positive are not drawn.
+    /// Logarithmic scale. Values that are not positive are not drawn.
     Log,
 }
 
-/// The unit whose multiples are the ticks of a linear axis.
+/// The unit at whose multiples a linear axis has its ticks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unit {
-    /// 1, 2 and 5 times powers of ten.
+    /// Plain numbers: ticks at 1, 2 and 5 times powers of ten.
     #[default]
     Plain,
-    /// Fractions of a circle in degrees: 0, 90, 180, 270.
+    /// Fractions of a circle in degrees: ticks at 0, 90, 180, 270.
     Degrees,
-    /// Fractions of a circle in radians: 0, π/2, π.
+    /// Fractions of a circle in radians: ticks at 0, π/2, π.
     Pi,
 }
 
-/// An axis.
+/// An axis of a panel: its label, range and scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// Text along the axis.
+    /// Text along the axis, with the quantity and its unit.
     pub label: Label,
     /// Value at the lower end.
     pub low: f64,
@@ -35,12 +35,12 @@ pub struct Axis {
     pub high: f64,
     /// Linear or logarithmic spacing.
     pub scale: Scale,
-    /// The unit whose multiples are the ticks.
+    /// The unit at whose multiples the axis has its ticks.
     pub unit: Unit,
 }
 
 impl Axis {
-    /// Makes a linear axis.
+    /// Creates a linear axis from `low` to `high`.
     #[must_use]
     pub fn new(label: impl Into<Label>, low: f64, high: f64) -> Self {
         Self {
@@ -52,7 +52,7 @@ impl Axis {
         }
     }
 
-    /// Makes a logarithmic axis.
+    /// Creates a logarithmic axis from `low` to `high`.
     #[must_use]
     pub fn log(label: impl Into<Label>, low: f64, high: f64) -> Self {
         Self {
@@ -61,8 +61,8 @@ impl Axis {
         }
     }
 
-    /// Makes an axis that shows all finite values with a margin. It begins at zero if no value is negative and the
-    /// least is near zero.
+    /// Creates a linear axis that shows all finite values with a margin. The axis begins at zero if no value is
+    /// negative and the least value is near zero.
     #[must_use]
     pub fn fitted(label: impl Into<Label>, values: impl IntoIterator<Item = f64>) -> Self {
         let Some((low, high)) = ends(values, f64::MIN) else {
@@ -75,7 +75,7 @@ impl Axis {
         Self::new(label, from.max(f64::MIN), to.min(f64::MAX))
     }
 
-    /// Makes a logarithmic axis that shows all positive finite values.
+    /// Creates a logarithmic axis that shows all positive finite values.
     #[must_use]
     pub fn fitted_log(label: impl Into<Label>, values: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) = ends(values, f64::MIN_POSITIVE).unwrap_or((1.0, 10.0));
@@ -87,7 +87,7 @@ impl Axis {
         )
     }
 
-    /// Returns the axis with ticks in degrees.
+    /// Returns the same axis with ticks in degrees.
     #[must_use]
     pub fn degrees(self) -> Self {
         Self {
@@ -96,7 +96,7 @@ impl Axis {
         }
     }
 
-    /// Returns the axis with ticks in multiples of π.
+    /// Returns the same axis with ticks in multiples of π.
     #[must_use]
     pub fn in_pi(self) -> Self {
         Self {
@@ -105,7 +105,8 @@ impl Axis {
         }
     }
 
-    /// Returns a range that can be drawn: finite, ascending, wider than rounding, and positive on a logarithmic axis.
+    /// Returns the range of the axis, changed so that it can be drawn: finite, ascending, wider than rounding, and
+    /// positive on a logarithmic axis.
     pub(crate) fn range(&self) -> (f64, f64) {
         if !self.low.is_finite() || !self.high.is_finite() {
             return if self.scale == Scale::Log {
@@ -147,10 +148,12 @@ impl Axis {
     }
 }
 
-/// Least width of a linear axis. A narrower one loses digits, because its steps are below every normal number.
+/// Least width of a linear axis. With a narrower axis, the steps between ticks would be below every normal number and
+/// lose digits.
 const SMALLEST: f64 = 1e-304;
 
-/// Returns the least and the largest of the finite values that are at least `least`.
+/// Returns the smallest and the largest of the finite values, leaving out values below `least`. `None` if there are
+/// none.
 fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)> {
     values
         .into_iter()
@@ -161,23 +164,24 @@ fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)>
         })
 }
 
-/// Mapping from values to positions on paper.
+/// Conversion from values on an axis to positions on paper.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mapping {
     scale: Scale,
-    /// End points of the range, halved so that their difference is finite, or their logarithms.
+    /// Lower end of the range (`low`) and its width (`span`). On a linear axis both are halved, so that the width
+    /// stays finite. On a logarithmic axis they are logarithms.
     low: f64,
     span: f64,
     from: f64,
     to: f64,
 }
 
-/// Largest distance of a position, in pixels. Beyond it the position does not matter, because the paper has a few
-/// thousand pixels.
+/// Largest distance of a position from the paper's origin, in pixels. Farther positions are moved to this distance,
+/// because the paper has a few thousand pixels.
 const FAR: f64 = 1e7;
 
 impl Mapping {
-    /// Makes the mapping of an axis's range to the interval between two positions.
+    /// Creates the conversion from an axis's range to the interval between two positions on paper.
     pub(crate) fn new(axis: &Axis, from: f64, to: f64) -> Self {
         let (low, high) = axis.range();
         let scale = axis.scale;
@@ -198,7 +202,7 @@ impl Mapping {
         }
     }
 
-    /// Returns the position of a value, if the value can be drawn.
+    /// Returns the position of a value on paper. `None` if the value cannot be drawn.
     pub(crate) fn at(&self, value: f64) -> Option<f64> {
         if !value.is_finite() || (self.scale == Scale::Log && value <= 0.0) {
             return None;

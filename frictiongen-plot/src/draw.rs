@@ -12,22 +12,22 @@ use crate::svg::Canvas;
 use crate::text::Style;
 
 const MARGIN: f64 = 14.0;
-/// Distance between panels.
+/// Distance between neighbouring panels, in pixels.
 const GAP: f64 = 22.0;
 const TITLE: f64 = 16.0;
 const CAPTION: f64 = 13.0;
-/// Distance between lines of text, over the text size.
+/// Distance between lines of text, as a multiple of the text size.
 const LEADING: f64 = 1.3;
 
 impl Figure {
-    /// Returns the picture as SVG. The same figure gives the same bytes everywhere.
+    /// Returns the figure as an SVG document. The same figure gives the same bytes on every machine.
     #[must_use]
     pub fn svg(&self) -> String {
         figure(self).0
     }
 
-    /// Returns the picture as SVG, with the position of each panel's frame. A page needs these to let values be read
-    /// off.
+    /// Returns the figure as an SVG document, with the position of each panel's frame. A web page uses the positions
+    /// to show the values under the pointer.
     ///
     /// ```
     /// use frictiongen_plot::{Axis, Figure, Panel};
@@ -51,8 +51,8 @@ impl Figure {
         (svg, frames.collect())
     }
 
-    /// Returns the picture as PNG, with `scale` pixels for each pixel of the SVG. The same figure gives the same bytes
-    /// everywhere.
+    /// Returns the figure as a PNG picture, with `scale` pixels for each pixel of the SVG. The same figure gives the
+    /// same bytes on every machine.
     ///
     /// # Errors
     /// Fails if the scale is not positive, or if the picture would be larger than 16384 pixels.
@@ -62,7 +62,7 @@ impl Figure {
     }
 }
 
-/// Returns the whole figure as SVG, with the frames of its panels.
+/// Returns the whole figure as an SVG document, with the rectangles of its panels' frames.
 fn figure(figure: &Figure) -> (String, Vec<Rect>) {
     let most = if figure.page == Page::Narrow { 1 } else { 2 };
     let columns = figure
@@ -74,7 +74,7 @@ fn figure(figure: &Figure) -> (String, Vec<Rect>) {
         (Page::Wide, 1) => 640.0,
         (Page::Wide, _) => 900.0,
     };
-    // A chain that is too wide even when shrunk makes a narrow page wider.
+    // A chain that is too wide even after shrinking makes a narrow page wider.
     let room = width - 2.0 * MARGIN;
     let chain = figure.sketch.as_ref().and_then(|sketch| sketch.size(room));
     let width = f64::max(width, chain.map_or(0.0, |size| size.0 + 2.0 * MARGIN));
@@ -115,10 +115,10 @@ fn figure(figure: &Figure) -> (String, Vec<Rect>) {
     (document, frames)
 }
 
-/// Returns the frames of all panels, and advances `y` below them.
+/// Returns the rectangles of all panels' frames in rows, and advances `y` below them.
 fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
     let cell = (room - GAP * (columns - 1) as f64) / columns as f64;
-    // The frames of a column are aligned, so that all have the largest margins of the column.
+    // The frames of a column are aligned. Every frame therefore has the largest margins of its column.
     let margins: Vec<(f64, f64)> = (0..columns)
         .map(|column| {
             let panels = figure.panels.iter().skip(column).step_by(columns);
@@ -131,7 +131,7 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
     for row in figure.panels.chunks(columns) {
         let above = row.iter().map(Frame::above).fold(0.0, f64::max);
         let under = row.iter().map(Frame::under).fold(0.0, f64::max);
-        // On a narrow page a colour bar takes room from its own panel only.
+        // On a narrow page a colour bar takes space from its own panel only.
         let narrow = figure.page == Page::Narrow;
         let own = |panel: &Panel, right: f64| if narrow { Frame::sides(panel).1 } else { right };
         let widths: Vec<f64> = row
@@ -164,7 +164,7 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
     frames
 }
 
-/// Draws sketch and legend, side by side if there is room. Returns the position below both.
+/// Draws sketch and legend, side by side if the width is enough. Returns the position below both.
 fn below(canvas: &mut Canvas, figure: &Figure, legend: &Legend, room: f64, top: f64) -> f64 {
     let sketch = figure.sketch.as_ref();
     let size = sketch.and_then(|sketch| Some((sketch, sketch.size(room)?)));
@@ -198,7 +198,7 @@ fn heading(figure: &Figure) -> Label {
     }
 }
 
-/// Draws wrapped text and returns its height.
+/// Draws a label in wrapped lines and returns its height.
 fn text(canvas: &mut Canvas, label: &Label, top: f64, room: f64, style: Style) -> f64 {
     let lines = label.wrapped(style.size, room / 1.03);
     for (index, line) in lines.iter().enumerate() {
@@ -208,7 +208,7 @@ fn text(canvas: &mut Canvas, label: &Label, top: f64, room: f64, style: Style) -
     LEADING * style.size * lines.len() as f64
 }
 
-/// Returns a description of the figure for readers who cannot see it.
+/// Returns a description of the figure in words, for readers who cannot see the figure.
 fn description(figure: &Figure, legend: &Legend) -> String {
     let mut sentences: Vec<String> = figure
         .panels

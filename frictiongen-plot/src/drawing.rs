@@ -9,19 +9,19 @@ use crate::plan::{Above, HATCH, HEIGHT, PAD, Plan, WIDTH};
 use crate::sketch::{Contact, End, Excitation, Sketch};
 use crate::svg::Canvas;
 
-/// Horizontal distance of a raised spring's end from the middle of its mass.
+/// Horizontal distance between the end of a raised spring and the middle of its mass, in pixels.
 const RISER: f64 = 11.0;
 const MASS: Rgb = Rgb(0xe9, 0xee, 0xf4);
 const FRICTION: Rgb = Rgb(0xb3, 0x3a, 0x1e);
 const FORCE: Rgb = Rgb(0x00, 0x5f, 0xad);
 
-/// Margin around a sketch alone.
+/// Margin around a sketch that is not part of a figure.
 const MARGIN: f64 = 8.0;
-/// Room for a sketch alone.
+/// Width available to a sketch that is not part of a figure.
 pub(crate) const ALONE: f64 = 1000.0;
 
 impl Sketch {
-    /// Returns the sketch alone as SVG, or `None` if there are no masses or too many.
+    /// Returns the sketch as an SVG document of its own. `None` if there are no masses or too many.
     #[must_use]
     pub fn svg(&self) -> Option<String> {
         let (width, height) = self.size(ALONE)?;
@@ -32,12 +32,12 @@ impl Sketch {
         Some(canvas.document((width + 2.0 * MARGIN, height + 2.0 * MARGIN), &title, ""))
     }
 
-    /// Returns width and height within this room, or `None` if the sketch is not drawn.
+    /// Returns width and height of the sketch within the width `room`. `None` if the sketch is not drawn.
     pub(crate) fn size(&self, room: f64) -> Option<(f64, f64)> {
         Plan::new(self, room).map(|plan| plan.size())
     }
 
-    /// Draws the sketch with its upper left corner at `corner`.
+    /// Draws the sketch with its upper left corner at `corner`, within the width `room`.
     pub(crate) fn draw(&self, canvas: &mut Canvas, corner: (f64, f64), room: f64) {
         if let Some(plan) = Plan::new(self, room) {
             plan.draw(canvas, corner);
@@ -82,7 +82,7 @@ impl Plan<'_> {
         self.excitation(&mut pen, row);
     }
 
-    /// Draws the base and the wall.
+    /// Draws the base and the wall of the sketch.
     fn ground(&self, pen: &mut Pen<'_>, row: f64) {
         let lowest = row + HEIGHT + PAD;
         let highest = |station: usize| {
@@ -124,7 +124,7 @@ impl Plan<'_> {
                 pen.line(&[(x, row), (x, y)], INK, 1.2);
             }
         }
-        // The zigzag is over a gap between masses, where nothing rises.
+        // The zigzag is above a gap between masses, where no spring rises.
         let (low, high) = (low as f64, high as f64);
         let gap = (0.5 * (low + high) - 0.5).floor().max(low) as usize;
         let middle = 0.5 * (self.sides(gap).1 + self.sides(gap + 1).0);

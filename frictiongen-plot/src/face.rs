@@ -1,31 +1,31 @@
-//! Style and level of a run of text.
+//! Typeface and vertical level of a piece of text.
 
-/// Style of a run of text.
+/// The typeface of a piece of text: regular, italic or bold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Face {
-    /// Upright.
+    /// Upright letters.
     #[default]
     Regular,
-    /// Italic, for symbols.
+    /// Italic letters, for symbols.
     Italic,
-    /// Bold, for headings.
+    /// Bold letters, for headings.
     Bold,
 }
 
-/// Vertical level of a run of text.
+/// The vertical level of a piece of text: normal, subscript or superscript.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Level {
-    /// On the base line.
+    /// Normal text, on the base line.
     #[default]
     Base,
-    /// Subscript: smaller, below the base line.
+    /// Subscript: smaller letters below the base line.
     Sub,
-    /// Superscript: smaller, above the base line.
+    /// Superscript: smaller letters above the base line.
     Sup,
 }
 
 impl Level {
-    /// Returns the size of the letters relative to those on the base line.
+    /// Returns the size of the letters at this level, relative to letters on the base line.
     pub(crate) const fn size(self) -> f64 {
         match self {
             Self::Base => 1.0,
@@ -33,7 +33,7 @@ impl Level {
         }
     }
 
-    /// Returns the distance below the base line, relative to the size of its letters.
+    /// Returns the distance of the letters below the base line, relative to the size of letters on the base line.
     pub(crate) const fn drop(self) -> f64 {
         match self {
             Self::Base => 0.0,

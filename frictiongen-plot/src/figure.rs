@@ -7,20 +7,20 @@ use crate::palette::{Colour, Fill};
 use crate::sketch::Sketch;
 use crate::stroke::{Marker, Stroke};
 
-/// The width for which a figure is laid out.
+/// The page width for which a figure is laid out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Page {
-    /// 900 pixels for two columns, 640 for one.
+    /// A wide page: 900 pixels for two columns, 640 pixels for one.
     #[default]
     Wide,
-    /// 400 pixels and one column, for a telephone.
+    /// A narrow page of 400 pixels with one column, for a telephone.
     Narrow,
 }
 
-/// A picture: panels in rows, a legend, a sketch of the system.
+/// A picture with panels in rows, a legend, and a sketch of the system.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
-    /// Number of the figure, such as 3.14; may be empty.
+    /// Number of the figure, such as 3.14. It may be empty.
     pub number: String,
     /// Title of the figure.
     pub title: Label,
@@ -30,16 +30,16 @@ pub struct Figure {
     pub columns: usize,
     /// The panels, row after row.
     pub panels: Vec<Panel>,
-    /// Sketch of the system.
+    /// Sketch of the mechanical system. `None` for a figure without a sketch.
     pub sketch: Option<Sketch>,
-    /// Legend entries that no layer has, such as the meaning of strokes.
+    /// Additional legend entries that no layer of a panel has, such as the meaning of strokes.
     pub keys: Vec<Key>,
-    /// The width for which the figure is laid out.
+    /// The page width for which the figure is laid out.
     pub page: Page,
 }
 
 impl Figure {
-    /// Makes a figure without caption, sketch and keys.
+    /// Creates a figure for a wide page, without caption, sketch and additional legend entries.
     #[must_use]
     pub fn new(number: &str, title: impl Into<Label>, columns: usize, panels: Vec<Panel>) -> Self {
         Self {
@@ -51,28 +51,28 @@ impl Figure {
         }
     }
 
-    /// Returns the figure with a caption.
+    /// Returns the same figure with a caption.
     #[must_use]
     pub fn with_caption(mut self, caption: impl Into<Label>) -> Self {
         self.caption = caption.into();
         self
     }
 
-    /// Returns the figure with a sketch of the system.
+    /// Returns the same figure with a sketch of the system.
     #[must_use]
     pub fn with_sketch(mut self, sketch: Sketch) -> Self {
         self.sketch = Some(sketch);
         self
     }
 
-    /// Returns the figure with more entries in the legend.
+    /// Returns the same figure with additional entries in the legend.
     #[must_use]
     pub fn with_keys(mut self, keys: impl IntoIterator<Item = Key>) -> Self {
         self.keys.extend(keys);
         self
     }
 
-    /// Returns the figure in one narrow column, for a telephone.
+    /// Returns the same figure for a narrow page, in one column.
     #[must_use]
     pub fn narrow(mut self) -> Self {
         self.page = Page::Narrow;
@@ -80,7 +80,7 @@ impl Figure {
     }
 }
 
-/// Position of a panel's frame in a picture, in the units of its `viewBox`, and the values at its sides.
+/// Position of a panel's frame in a picture, in the units of the SVG's `viewBox`, and the values at the frame's sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PanelFrame {
     /// Left edge of the frame.
@@ -91,13 +91,13 @@ pub struct PanelFrame {
     pub width: f64,
     /// Height of the frame.
     pub height: f64,
-    /// Values at the left and right edges. [`Axis::scale`] gives the spacing between them.
+    /// Values at the left and right edges. [`Axis::scale`] of the panel's axis gives the scale between them.
     pub x: (f64, f64),
-    /// Values at the lower and upper edges.
+    /// Values at the lower and upper edges of the frame.
     pub y: (f64, f64),
 }
 
-/// A pair of axes with the layers that are drawn over them.
+/// A pair of axes with the layers that are drawn in them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
     /// Title above the panel.
@@ -106,16 +106,16 @@ pub struct Panel {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Layers, the first at the bottom. Regions and maps are under the grid.
+    /// Layers, from the bottom to the top. Regions and maps are under the grid.
     pub layers: Vec<Layer>,
-    /// Smaller panels inside this one.
+    /// Smaller panels inside this panel.
     pub insets: Vec<Inset>,
-    /// Height of the frame in pixels. A row is as high as its highest panel.
+    /// Height of the frame in pixels. `None` gives the usual height. A row is as high as its highest panel.
     pub height: Option<f64>,
 }
 
 impl Panel {
-    /// Makes an empty panel.
+    /// Creates an empty panel from its title and its axes.
     #[must_use]
     pub fn new(title: impl Into<Label>, x: Axis, y: Axis) -> Self {
         Self {
@@ -128,14 +128,14 @@ impl Panel {
         }
     }
 
-    /// Returns the panel with a layer on top.
+    /// Returns the same panel with another layer on top.
     #[must_use]
     pub fn with(mut self, layer: impl Into<Layer>) -> Self {
         self.layers.push(layer.into());
         self
     }
 
-    /// Returns the panel with a smaller panel inside.
+    /// Returns the same panel with a smaller panel inside.
     #[must_use]
     pub fn with_inset(mut self, inset: Inset) -> Self {
         self.insets.push(inset);
@@ -143,27 +143,27 @@ impl Panel {
     }
 }
 
-/// A smaller panel inside another.
+/// A smaller panel inside another panel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inset {
-    /// Left edge, upper edge, width and height of the inset's frame, as fractions of the outer frame.
+    /// Left edge, upper edge, width and height of the inset's frame, as fractions of the outer panel's frame.
     pub place: (f64, f64, f64, f64),
-    /// True if the outer panel marks the area that the inset shows.
+    /// True if a rectangle in the outer panel marks the area that the inset shows.
     pub marked: bool,
     /// Contents of the inset.
     pub panel: Panel,
 }
 
-/// A legend entry that no layer has.
+/// A legend entry that belongs to no layer of a panel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Key {
     /// Text of the entry.
     pub name: Label,
-    /// Sample before the text.
+    /// Sample that is drawn before the text.
     pub sample: Sample,
 }
 
-/// The sample before a legend entry.
+/// The sample that is drawn before the text of a legend entry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sample {
     /// A short line.
@@ -175,7 +175,7 @@ pub enum Sample {
 }
 
 impl Key {
-    /// Makes an entry for the meaning of a stroke, whatever its colour.
+    /// Creates a legend entry that explains a stroke, such as dashed. The sample is black.
     #[must_use]
     pub fn stroke(name: impl Into<Label>, stroke: Stroke) -> Self {
         let sample = Sample::Line(Colour::Black, stroke);
@@ -185,7 +185,7 @@ impl Key {
         }
     }
 
-    /// Makes an entry for the meaning of a marker, whatever its colour.
+    /// Creates a legend entry that explains the shape of a marker. The sample is black.
     #[must_use]
     pub fn marker(name: impl Into<Label>, marker: Marker) -> Self {
         let sample = Sample::Marker(Colour::Black, marker);
@@ -195,7 +195,7 @@ impl Key {
         }
     }
 
-    /// Makes an entry for the meaning of a filled patch.
+    /// Creates a legend entry that explains the colour of an area.
     #[must_use]
     pub fn fill(name: impl Into<Label>, fill: Fill) -> Self {
         let sample = Sample::Fill(fill);

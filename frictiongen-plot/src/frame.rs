@@ -1,4 +1,4 @@
-//! The frame of a panel: axes with ticks and grid, and the room that they need.
+//! The frame of a panel: axes with ticks and grid, and the space that they need.
 
 use crate::axis::{Axis, Mapping};
 use crate::figure::Panel;
@@ -14,11 +14,11 @@ const LABEL: f64 = 15.0;
 const TICK: f64 = 13.0;
 /// Size of the tick labels of an inset.
 const SMALL: f64 = 12.0;
-/// Distance from the frame to its tick labels.
+/// Distance from the frame to the tick labels, in pixels.
 const OFF: f64 = 6.0;
 const BAR: f64 = 13.0;
 
-/// Position of a panel on the page.
+/// The frame of a panel at its position on the page.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame {
     pub rect: Rect,
@@ -26,9 +26,9 @@ pub(crate) struct Frame {
     pub y: Mapping,
     x_ticks: Vec<Tick>,
     y_ticks: Vec<Tick>,
-    /// Sizes of tick labels and of axis labels.
+    /// Text sizes of the tick labels and of the axis labels.
     sizes: (f64, f64),
-    /// True if text has a light edge, because lines may run under it.
+    /// True if the text has a light outline, because lines may run under the text.
     halo: bool,
 }
 
@@ -50,7 +50,7 @@ impl Frame {
         }
     }
 
-    /// Returns the room that the axes need to the left and to the right of a frame of the usual height.
+    /// Returns the widths that the labels of the axes need to the left and to the right of a frame.
     pub(crate) fn sides(panel: &Panel) -> (f64, f64) {
         let ticks = upright_ticks(&panel.y, panel.height.unwrap_or(260.0), TICK);
         let label = if panel.y.label.is_empty() {
@@ -76,7 +76,7 @@ impl Frame {
         (left, right)
     }
 
-    /// Returns the room that a panel needs above its frame.
+    /// Returns the height that a panel needs above its frame, for its title.
     pub(crate) fn above(panel: &Panel) -> f64 {
         if panel.title.is_empty() {
             10.0
@@ -85,7 +85,7 @@ impl Frame {
         }
     }
 
-    /// Returns the room that a panel needs under its frame.
+    /// Returns the height that a panel needs below its frame, for tick labels and axis label.
     pub(crate) fn under(panel: &Panel) -> f64 {
         let label = if panel.x.label.is_empty() {
             0.0
@@ -95,7 +95,7 @@ impl Frame {
         TICK + OFF + 4.0 + label
     }
 
-    /// Returns the rectangle of the frame with its labels.
+    /// Returns the rectangle that contains the frame and its labels.
     pub(crate) fn whole(&self, panel: &Panel) -> Rect {
         let label = |axis: &Axis| {
             if axis.label.is_empty() {
@@ -120,7 +120,7 @@ impl Frame {
         }
     }
 
-    /// Draws the grid, under curves and over areas.
+    /// Draws the grid, which is under curves and above areas.
     pub(crate) fn grid(&self, canvas: &mut Canvas, over_areas: bool) {
         let Rect { left, top, .. } = self.rect;
         let (right, bottom) = (self.rect.right(), self.rect.bottom());
@@ -137,7 +137,7 @@ impl Frame {
                 .into_iter()
                 .map(|y| vec![(left, y), (right, y)]),
         );
-        // Grid lines are lighter than a shaded area, and darker than paper.
+        // Grid lines are lighter than a shaded area, and darker than white paper.
         let colour = if over_areas {
             crate::palette::PAPER
         } else {
@@ -146,7 +146,7 @@ impl Frame {
         canvas.path(&lines, colour, 0.7, "");
     }
 
-    /// Draws the frame's lines, ticks and labels.
+    /// Draws the frame's lines, the ticks and the labels of the axes.
     pub(crate) fn axes(&self, canvas: &mut Canvas, panel: &Panel) {
         let rect = self.rect;
         let (tick_size, label_size) = self.sizes;
@@ -207,7 +207,7 @@ impl Frame {
         }
     }
 
-    /// Draws the colour bar.
+    /// Draws the colour bar of a map to the right of the frame.
     fn bar(&self, canvas: &mut Canvas, axis: &Axis) {
         let rect = Rect {
             left: self.rect.right() + 12.0,
@@ -253,7 +253,7 @@ impl Frame {
     }
 }
 
-/// Returns the axis of the colour bar, if the panel has a map of values.
+/// Returns the axis of the colour bar. `None` unless the panel has a map of values.
 fn bar_of(panel: &Panel) -> Option<&Axis> {
     panel.layers.iter().find_map(|layer| match layer {
         Layer::Raster(raster) => match &raster.cells {
@@ -271,7 +271,7 @@ fn widest(ticks: &[Tick], size: f64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Returns as many ticks as their labels have room for.
+/// Returns the ticks of a horizontal axis, as many as there is space for their labels.
 fn level_ticks(axis: &Axis, width: f64, size: f64) -> Vec<Tick> {
     let most = ((width / (3.6 * size)) as usize).clamp(3, 8);
     for count in (3..=most).rev() {

@@ -1,4 +1,4 @@
-//! Rectangles, and clipping of lines and areas to them.
+//! Rectangles, and the clipping of lines and areas to rectangles.
 
 /// A point, in data units or on paper.
 pub type Point = (f64, f64);
@@ -25,7 +25,7 @@ impl Rect {
         self.left <= x && x <= self.right() && self.top <= y && y <= self.bottom()
     }
 
-    /// Returns the interval of a segment inside the rectangle, as fractions of the segment.
+    /// Returns the interval of a segment from a to b that lies inside the rectangle, as fractions of the segment.
     fn within(&self, a: Point, b: Point) -> Option<(f64, f64)> {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -48,7 +48,7 @@ impl Rect {
         (from <= to).then_some((from, to))
     }
 
-    /// Returns the pieces of a line inside the rectangle.
+    /// Returns the pieces of a polyline that lie inside the rectangle.
     pub(crate) fn clip(&self, line: &[Point]) -> Vec<Vec<Point>> {
         let mut parts: Vec<Vec<Point>> = Vec::new();
         let mut part: Vec<Point> = Vec::new();
@@ -73,7 +73,7 @@ impl Rect {
         parts
     }
 
-    /// Returns the area of a polygon inside the rectangle.
+    /// Returns the polygon that remains of an area inside the rectangle.
     pub(crate) fn clip_area(&self, outline: &[Point]) -> Vec<Point> {
         let mut kept = outline.to_vec();
         let (left, right, top, bottom) = (self.left, self.right(), self.top, self.bottom());
@@ -84,7 +84,7 @@ impl Rect {
     }
 }
 
-/// Returns the area of a polygon in which a linear function is not negative.
+/// Returns the polygon that remains of an area where the linear function `side` is not negative.
 fn cut(outline: &[Point], side: impl Fn(Point) -> f64) -> Vec<Point> {
     let mut kept = Vec::with_capacity(outline.len() + 4);
     let before = outline.iter().cycle().skip(outline.len().saturating_sub(1));
@@ -101,8 +101,8 @@ fn cut(outline: &[Point], side: impl Fn(Point) -> f64) -> Vec<Point> {
     kept
 }
 
-/// Thins a line: removes points that are nearer than `tolerance` to the line through the kept points (Douglas and
-/// Peucker).
+/// Thins a polyline: removes points that are nearer than `tolerance` to the line through the points that are kept
+/// (Douglas and Peucker).
 pub(crate) fn thin(line: &[Point], tolerance: f64) -> Vec<Point> {
     let mut keep = vec![false; line.len()];
     let mut open = vec![(0, line.len().saturating_sub(1))];
@@ -133,7 +133,7 @@ pub(crate) fn thin(line: &[Point], tolerance: f64) -> Vec<Point> {
         .collect()
 }
 
-/// Returns the distance from a point to the segment between two others.
+/// Returns the distance from a point to the segment between two other points.
 fn distance(point: Point, a: Point, b: Point) -> f64 {
     let along = (b.0 - a.0, b.1 - a.1);
     let from = (point.0 - a.0, point.1 - a.1);

@@ -3,18 +3,18 @@
 use crate::face::{Face, Level};
 use crate::metrics::advance;
 
-/// A run of text with one style and one level.
+/// A piece of text with one typeface and one vertical level.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Span {
-    /// The text.
+    /// The characters of the piece.
     pub text: String,
-    /// Style of the letters.
+    /// Typeface of the letters.
     pub face: Face,
-    /// Vertical level.
+    /// Vertical level of the letters: normal, subscript or superscript.
     pub level: Level,
 }
 
-/// A line of text, read from simple markup.
+/// A line of text with subscripts, superscripts and italic symbols, read from simple markup.
 ///
 /// | markup | means |
 /// |---|---|
@@ -37,7 +37,7 @@ pub struct Label {
 }
 
 impl Label {
-    /// Makes a label from plain text without markup.
+    /// Creates a label from plain text, in which markup characters have no special meaning.
     #[must_use]
     pub fn verbatim(text: &str) -> Self {
         let mut label = Self::default();
@@ -45,25 +45,25 @@ impl Label {
         label
     }
 
-    /// Returns the runs of the label.
+    /// Returns the pieces of text of the label, from left to right.
     #[must_use]
     pub fn spans(&self) -> &[Span] {
         &self.spans
     }
 
-    /// Returns whether the label is empty.
+    /// Returns true if the label has no text.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.spans.is_empty()
     }
 
-    /// Returns the text without markup.
+    /// Returns the text of the label without markup.
     #[must_use]
     pub fn plain(&self) -> String {
         self.spans.iter().map(|span| span.text.as_str()).collect()
     }
 
-    /// Returns this label followed by another.
+    /// Returns a label with the text of this label followed by that of another.
     #[must_use]
     pub fn then(mut self, other: &Self) -> Self {
         for span in &other.spans {
@@ -72,7 +72,7 @@ impl Label {
         self
     }
 
-    /// Returns the width at a size, in the embedded fonts.
+    /// Returns the width of the label at a text size, in the embedded fonts.
     pub(crate) fn width(&self, size: f64) -> f64 {
         self.spans
             .iter()
@@ -83,7 +83,7 @@ impl Label {
             .sum()
     }
 
-    /// Returns lines that are no wider than `width`, unless a single word is.
+    /// Splits the label into lines that are no wider than `width`. A single word may be wider.
     pub(crate) fn wrapped(&self, size: f64, width: f64) -> Vec<Self> {
         let mut lines = Vec::new();
         let mut line = Self::default();
@@ -101,7 +101,7 @@ impl Label {
         lines
     }
 
-    /// Returns the words, each with the space after it. "*r* = 1" counts as one word.
+    /// Splits the label into words, each with the space after it. "*r* = 1" counts as one word.
     fn words(&self) -> Vec<Self> {
         let mut words = Vec::new();
         let mut word = Self::default();

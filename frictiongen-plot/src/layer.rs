@@ -1,4 +1,4 @@
-//! Layers of a panel.
+//! Layers of a panel: curves, markers, areas, maps, texts and straight lines.
 
 use crate::axis::Axis;
 use crate::geometry::Point;
@@ -6,38 +6,38 @@ use crate::label::Label;
 use crate::palette::{Colour, Fill};
 use crate::stroke::{Marker, Stroke};
 
-/// One layer of a panel.
+/// One layer of a panel, drawn over the layers before it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Layer {
-    /// A curve.
+    /// A curve, drawn as a line.
     Line(Line),
-    /// Separate points.
+    /// Separate points, drawn as markers.
     Markers(Markers),
     /// A shaded area.
     Region(Region),
-    /// A map of cells.
+    /// A map of coloured cells.
     Raster(Raster),
-    /// A text.
+    /// A text inside the panel.
     Note(Note),
     /// A straight line across the panel.
     Guide(Guide),
 }
 
-/// A curve in pieces, which are never joined. A value that is not finite ends a piece.
+/// A curve of one or more pieces, which are never joined. A value that is not finite ends a piece.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// Name in the legend.
+    /// Name of the curve in the legend. `None` leaves the curve out.
     pub name: Option<Label>,
     /// Colour of the curve.
     pub colour: Colour,
-    /// Stroke of the curve.
+    /// Stroke of the curve, such as solid or dashed.
     pub stroke: Stroke,
-    /// Pieces of the curve.
+    /// Pieces of the curve, each a list of points.
     pub pieces: Vec<Vec<Point>>,
 }
 
 impl Line {
-    /// Makes a curve that the legend names.
+    /// Creates a curve with a name in the legend.
     #[must_use]
     pub fn new(
         name: impl Into<Label>,
@@ -54,7 +54,7 @@ impl Line {
         }
     }
 
-    /// Makes a curve that the legend leaves out.
+    /// Creates a curve without an entry in the legend.
     #[must_use]
     pub const fn unnamed(colour: Colour, stroke: Stroke, pieces: Vec<Vec<Point>>) -> Self {
         Self {
@@ -66,10 +66,10 @@ impl Line {
     }
 }
 
-/// Separate points.
+/// Separate points, drawn as markers of one shape and colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Markers {
-    /// Name in the legend.
+    /// Name of the points in the legend. `None` leaves the points out.
     pub name: Option<Label>,
     /// Colour of the markers.
     pub colour: Colour,
@@ -80,7 +80,7 @@ pub struct Markers {
 }
 
 impl Markers {
-    /// Makes points that the legend names.
+    /// Creates points with a name in the legend.
     #[must_use]
     pub fn new(name: impl Into<Label>, colour: Colour, marker: Marker, points: Vec<Point>) -> Self {
         let name = Some(name.into());
@@ -92,7 +92,7 @@ impl Markers {
         }
     }
 
-    /// Makes points that the legend leaves out.
+    /// Creates points without an entry in the legend.
     #[must_use]
     pub const fn unnamed(colour: Colour, marker: Marker, points: Vec<Point>) -> Self {
         Self {
@@ -104,21 +104,21 @@ impl Markers {
     }
 }
 
-/// A shaded area, named inside the panel or in the legend.
+/// A shaded area with a name, inside the panel or in the legend.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
     /// Name of the area.
     pub name: Label,
-    /// Position of the name; `None` puts it in the legend.
+    /// Position of the name inside the panel. `None` puts the name in the legend.
     pub at: Option<Point>,
     /// Colour of the area.
     pub fill: Fill,
-    /// Outlines of the area. Where two overlap there is a hole.
+    /// Outlines of the area. Where two outlines overlap there is a hole.
     pub outlines: Vec<Vec<Point>>,
 }
 
 impl Region {
-    /// Makes an area that the legend names.
+    /// Creates an area with a name in the legend.
     #[must_use]
     pub fn new(name: impl Into<Label>, fill: Fill, outlines: Vec<Vec<Point>>) -> Self {
         Self {
@@ -129,7 +129,7 @@ impl Region {
         }
     }
 
-    /// Makes the area between two curves from points (x, lower, upper).
+    /// Creates the area between two curves. Each point gives x, the lower y and the upper y.
     #[must_use]
     pub fn between(name: impl Into<Label>, fill: Fill, places: &[(f64, f64, f64)]) -> Self {
         let finite = |place: &&(f64, f64, f64)| {
@@ -146,7 +146,7 @@ impl Region {
         Self::new(name, fill, vec![lower.chain(upper).collect()])
     }
 
-    /// Returns the area with its name at a position inside the panel.
+    /// Returns the same area with its name at a position inside the panel.
     #[must_use]
     pub const fn named_at(mut self, at: Point) -> Self {
         self.at = Some(at);
@@ -154,16 +154,17 @@ impl Region {
     }
 }
 
-/// Cells over a rectangle, all of one size on paper. Rows go from low to high y, and cells of a row from low to high x.
+/// A map of cells over a rectangle, all of one size on paper. Rows go from low to high y, and cells of a row from low
+/// to high x.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Raster {
-    /// Range of x.
+    /// Range of x that the cells cover.
     pub x: (f64, f64),
-    /// Range of y.
+    /// Range of y that the cells cover.
     pub y: (f64, f64),
     /// Number of cells in a row.
     pub columns: usize,
-    /// Contents of the cells.
+    /// Contents of the cells: classes or values.
     pub cells: Cells,
 }
 
@@ -181,23 +182,23 @@ impl Raster {
 /// Contents of the cells of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cells {
-    /// A class in each cell, or none.
+    /// Each cell belongs to a class, or to none and stays empty.
     Classes {
         /// The classes with their names in the legend.
         classes: Vec<(Label, Fill)>,
-        /// Index of each cell's class.
+        /// Index of each cell's class in `classes`. `None` for an empty cell.
         cells: Vec<Option<usize>>,
     },
-    /// A value in each cell. A cell without a finite value stays empty.
+    /// Each cell has a value. A cell without a finite value stays empty.
     Values {
         /// The axis of the colour bar.
         bar: Axis,
-        /// The values.
+        /// The value of each cell.
         cells: Vec<f64>,
     },
 }
 
-/// Alignment of a text relative to its position.
+/// Horizontal alignment of a text relative to its position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Anchor {
     /// The text begins at the position.
@@ -209,21 +210,21 @@ pub enum Anchor {
     End,
 }
 
-/// A text in a panel.
+/// A text inside a panel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Note {
     /// Position of the text.
     pub at: Point,
     /// The text.
     pub text: Label,
-    /// Alignment relative to the position.
+    /// Horizontal alignment relative to the position.
     pub anchor: Anchor,
     /// Colour of the text.
     pub colour: Colour,
 }
 
 impl Note {
-    /// Makes a black text.
+    /// Creates a black text at a position.
     #[must_use]
     pub fn new(text: impl Into<Label>, at: Point, anchor: Anchor) -> Self {
         Self {
@@ -235,21 +236,21 @@ impl Note {
     }
 }
 
-/// Position of a straight line across a panel.
+/// Direction and position of a straight line across a panel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Across {
-    /// A vertical line at this x.
+    /// A vertical line at this value of x.
     X(f64),
-    /// A horizontal line at this y.
+    /// A horizontal line at this value of y.
     Y(f64),
 }
 
 /// A straight line across a panel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guide {
-    /// Name in the legend.
+    /// Name of the line in the legend. `None` leaves the line out.
     pub name: Option<Label>,
-    /// Position of the line.
+    /// Direction and position of the line.
     pub across: Across,
     /// Colour of the line.
     pub colour: Colour,
@@ -258,7 +259,7 @@ pub struct Guide {
 }
 
 impl Guide {
-    /// Makes a thin grey line that the legend leaves out.
+    /// Creates a thin grey line without an entry in the legend.
     #[must_use]
     pub const fn new(across: Across) -> Self {
         Self {

@@ -11,12 +11,12 @@ use crate::text::Style;
 
 const SIZE: f64 = 14.0;
 const ROW: f64 = 21.0;
-/// Length of a sample.
+/// Length of the sample before an entry's text, in pixels.
 const SAMPLE: f64 = 34.0;
 const SPACE: f64 = 8.0;
 const GAP: f64 = 24.0;
 
-/// A legend entry. Curves and markers of one name share it.
+/// A legend entry. Curves and markers of the same name share one entry.
 #[derive(Debug)]
 struct Entry {
     name: Label,
@@ -25,14 +25,14 @@ struct Entry {
     fill: Option<Fill>,
 }
 
-/// Legend entries of everything drawn.
+/// The legend of a figure: one entry for each name in any panel.
 #[derive(Debug, Default)]
 pub(crate) struct Legend {
     entries: Vec<Entry>,
 }
 
 impl Legend {
-    /// Adds a sample to a name. Earlier samples of the name stay.
+    /// Adds a sample to the entry of a name. Earlier samples of that entry are kept.
     pub(crate) fn add(&mut self, name: &Label, sample: Sample) {
         if name.is_empty() {
             return;
@@ -61,7 +61,7 @@ impl Legend {
         self.entries.is_empty()
     }
 
-    /// Returns all names, for readers who cannot see the figure.
+    /// Returns the names of all entries, for readers who cannot see the figure.
     pub(crate) fn names(&self) -> Vec<String> {
         self.entries
             .iter()
@@ -69,12 +69,12 @@ impl Legend {
             .collect()
     }
 
-    /// Returns the least width of the legend.
+    /// Returns the least width that the legend needs, with one column.
     pub(crate) fn least(&self) -> f64 {
         self.widths(1).iter().sum()
     }
 
-    /// Draws the legend within a width and returns its height. Without a canvas it only measures.
+    /// Draws the legend within a width and returns its height. Without a canvas it only computes the height.
     pub(crate) fn draw(
         &self,
         canvas: Option<&mut Canvas>,
@@ -113,7 +113,7 @@ impl Legend {
         y - top
     }
 
-    /// Returns the widths of the columns, each with the gap after it.
+    /// Returns the widths of the columns, each with the gap after the column.
     fn widths(&self, columns: usize) -> Vec<f64> {
         let mut widths = vec![0.0_f64; columns];
         for row in self.entries.chunks(columns) {

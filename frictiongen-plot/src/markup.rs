@@ -1,10 +1,10 @@
-//! Parser for the markup of labels.
+//! Parses the markup of labels.
 
 use crate::face::{Face, Level};
 use crate::label::Label;
 
 impl Label {
-    /// Makes a label from markup.
+    /// Creates a label from text with markup: stars for italic and bold, `_` and `^` for subscripts and superscripts.
     #[must_use]
     pub fn new(markup: &str) -> Self {
         let mut label = Self::default();
@@ -14,7 +14,7 @@ impl Label {
     }
 }
 
-/// Parses markup and appends its runs to a label.
+/// Parses markup and appends the pieces of text to a label.
 fn read(label: &mut Label, markup: &[char], face: Face, level: Level) {
     let mut rest = markup;
     while let [first, after @ ..] = rest {
@@ -37,7 +37,7 @@ fn read(label: &mut Label, markup: &[char], face: Face, level: Level) {
     }
 }
 
-/// Parses the text after a star: emphasised text, or plain text after a star that is printed.
+/// Parses the text after a star: emphasised text, or plain text if the star has no closing star.
 fn starred<'a>(label: &mut Label, after: &'a [char], face: Face, level: Level) -> &'a [char] {
     let (marks, inner) = match after {
         ['*', inner @ ..] => (2, inner),
@@ -60,7 +60,7 @@ fn starred<'a>(label: &mut Label, after: &'a [char], face: Face, level: Level) -
     }
 }
 
-/// Parses the text after `_` or `^`.
+/// Parses the subscript after `_` or the superscript after `^`.
 fn shifted<'a>(label: &mut Label, after: &'a [char], face: Face, level: Level) -> &'a [char] {
     if let ['{', inner @ ..] = after
         && let Some(end) = inner.iter().position(|c| *c == '}')
@@ -79,7 +79,7 @@ fn shifted<'a>(label: &mut Label, after: &'a [char], face: Face, level: Level) -
     rest
 }
 
-/// Letters with a bar, and the letters without it.
+/// Characters for a letter with a bar, each with the letter without its bar.
 const BARRED: [(char, char); 12] = [
     ('Ā', 'A'),
     ('ā', 'a'),
@@ -95,7 +95,7 @@ const BARRED: [(char, char); 12] = [
     ('ȳ', 'y'),
 ];
 
-/// Appends one character. The Unicode subscript digits, which few fonts have, become real subscripts.
+/// Appends one character to a label. Unicode subscript digits, which few fonts have, become real subscripts.
 fn letter(label: &mut Label, character: char, face: Face, level: Level) {
     let code = character as u32;
     let digit = (0x2080..=0x2089)
@@ -118,7 +118,7 @@ fn letter(label: &mut Label, character: char, face: Face, level: Level) {
     }
 }
 
-/// Returns the text before the closing stars, and the text after them.
+/// Returns the text before the closing stars, and the text after the closing stars.
 fn closed(markup: &[char], marks: usize) -> Option<(&[char], &[char])> {
     let mut at = 0;
     while let Some(rest) = markup.get(at..) {
@@ -142,7 +142,7 @@ mod tests {
     use crate::face::{Face, Level};
     use crate::label::{Label, Span};
 
-    /// Writes runs in short form as `face level text`.
+    /// Writes the pieces of a label in short form as `face level text`.
     fn read(markup: &str) -> Vec<String> {
         let name = |span: &Span| {
             let face = match span.face {

@@ -1,11 +1,12 @@
-//! Width of text: the advances of the embedded fonts, in thousandths of the text size.
+//! Width of text. The table lists the advance of each character of the embedded fonts, in thousandths of the text
+//! size.
 
 use crate::face::Face;
 
-/// Advance assumed for a character that is not listed.
+/// Advance of a character that the table does not list.
 const OTHER: u16 = 600;
 
-/// Returns the advance of a character.
+/// Returns the advance of a character, its width in thousandths of the text size.
 #[must_use]
 pub(crate) fn advance(face: Face, character: char) -> u16 {
     let code = character as usize;

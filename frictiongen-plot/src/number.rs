@@ -2,26 +2,26 @@
 
 use crate::label::Label;
 
-/// Returns the power of ten of a positive number's first digit.
+/// Returns the power of ten of the first digit of a positive number.
 pub(crate) fn exponent(value: f64) -> i32 {
     let text = format!("{value:e}");
     let after = text.split_once('e').map(|(_, after)| after.parse());
     after.and_then(Result::ok).unwrap_or(0)
 }
 
-/// Returns the number nearest to `digits` times a power of ten.
+/// Returns the floating-point number nearest to `digits` times a power of ten.
 pub(crate) fn decimal(digits: i64, power: i32) -> f64 {
     format!("{digits}e{power}").parse().unwrap_or(0.0)
 }
 
-/// Formats `digits` times a power of ten, without trailing zeros.
+/// Formats `digits` times a power of ten as a label, without trailing zeros.
 pub(crate) fn number(digits: i64, power: i32) -> Label {
     let (digits, power) = shortest(digits, power);
     let length = digits.unsigned_abs().to_string().len() as i32;
     if digits == 0 {
         return Label::verbatim("0");
     }
-    // The conditions bound the positions of the first and of the last digit.
+    // The two conditions limit the number of digits before and after the decimal point.
     if 5 < power + length || power < -6 {
         return scientific(digits, power);
     }
@@ -37,7 +37,7 @@ pub(crate) fn number(digits: i64, power: i32) -> Label {
     Label::verbatim(&format!("{}{text}", if digits < 0 { "−" } else { "" }))
 }
 
-/// Formats a number with a power of ten. A factor of 1 before the power is left out.
+/// Formats `digits` times a power of ten in scientific notation. A factor of 1 before the power is left out.
 pub(crate) fn scientific(digits: i64, power: i32) -> Label {
     let (digits, power) = shortest(digits, power);
     let sign = if digits < 0 { "−" } else { "" };
@@ -65,7 +65,7 @@ fn shortest(mut digits: i64, mut power: i32) -> (i64, i32) {
     (digits, power)
 }
 
-/// Formats a fraction of π.
+/// Formats the fraction up/down of π.
 pub(crate) fn of_pi(up: i64, down: i64) -> Label {
     let shared = greatest_divisor(up.unsigned_abs(), down.unsigned_abs()).max(1) as i64;
     let (up, down) = (up / shared, down / shared);

@@ -1,15 +1,15 @@
-//! Colours: strong ones for series, pale ones for classes, a map for values.
+//! Colours: strong colours for series, pale colours for classes, and a colour map for values.
 
 use std::fmt;
 
-/// The colour of a line or a marker.
+/// The colour of a line, marker or text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Colour {
     /// Black, for limits and everything that is not a series.
     Black,
     /// Grey, for comparison.
     Grey,
-    /// Colour of a series. The colours repeat after [`Colour::SERIES`].
+    /// Colour of the series with this index. The colours repeat after [`Colour::SERIES`] series.
     Series(usize),
     /// Any other colour, as red, green and blue.
     Rgb(u8, u8, u8),
@@ -18,7 +18,8 @@ pub enum Colour {
 /// The colour of an area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fill {
-    /// Pale colour of a class. The colours repeat after [`Fill::CLASSES`]. The first three are blue, orange and grey.
+    /// Pale colour of the class with this index. The colours repeat after [`Fill::CLASSES`] classes. The first three
+    /// are blue, orange and grey.
     Class(usize),
     /// A pale tint of a line's colour.
     Tint(Colour),
@@ -64,7 +65,8 @@ const CLASSES: [Rgb; 8] = [
     Rgb(0xc5, 0xf3, 0xe5),
 ];
 
-/// Colour map from dark blue over green to yellow, even to the eye and in grey. It looks like viridis.
+/// Colour map from dark blue over green to yellow. Its lightness rises evenly, also in greyscale. It looks like
+/// viridis.
 const MAP: [Rgb; 9] = [
     Rgb(0x44, 0x01, 0x54),
     Rgb(0x47, 0x2d, 0x7b),
@@ -77,7 +79,7 @@ const MAP: [Rgb; 9] = [
     Rgb(0xfd, 0xe7, 0x25),
 ];
 
-/// Writes the colour in the form of a web page, `#0064bd`.
+/// Writes a colour in the notation of web pages, such as `#0064bd`.
 impl fmt::Display for Colour {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.rgb().fmt(f)
@@ -85,7 +87,7 @@ impl fmt::Display for Colour {
 }
 
 impl Colour {
-    /// Number of series with a colour of their own.
+    /// Number of series before their colours repeat.
     pub const SERIES: usize = SERIES.len();
 
     pub(crate) fn rgb(self) -> Rgb {
@@ -99,7 +101,7 @@ impl Colour {
 }
 
 impl Fill {
-    /// Number of classes with a colour of their own.
+    /// Number of classes before their colours repeat.
     pub const CLASSES: usize = CLASSES.len();
 
     pub(crate) fn rgb(self) -> Rgb {
@@ -141,7 +143,7 @@ fn between(from: Rgb, to: Rgb, share: f64) -> Rgb {
 mod tests {
     use super::{CLASSES, Colour, Fill, MAP, Rgb, SERIES};
 
-    /// Converts a colour to linear light.
+    /// Converts a colour to linear light, red, green and blue from 0 to 1.
     fn light(colour: Rgb) -> [f64; 3] {
         [colour.0, colour.1, colour.2].map(|part| {
             let part = f64::from(part) / 255.0;
@@ -169,7 +171,8 @@ mod tests {
         [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
     }
 
-    /// Returns a colour as seen with all cones, without the long ones, and without the middle ones (Machado 2009).
+    /// Returns a colour as seen with normal sight, without the long-wavelength cones, and without the middle ones
+    /// (Machado 2009).
     fn seen(colour: Rgb) -> [[f64; 3]; 3] {
         let all = light(colour);
         let by = |m: [[f64; 3]; 3]| {

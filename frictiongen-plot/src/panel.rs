@@ -10,11 +10,11 @@ use crate::raster;
 use crate::svg::Canvas;
 use crate::text::Style;
 
-/// Largest distance of a curve from its drawn line, in pixels.
+/// Largest distance between a curve and its thinned line on paper, in pixels.
 const TOLERANCE: f64 = 0.05;
 const NOTE: f64 = 13.5;
 
-/// Draws a panel, and adds the visible layers to the legend.
+/// Draws a panel, and adds its visible layers to the legend.
 pub(crate) fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, legend: &mut Legend) {
     let mut areas = false;
     for layer in &panel.layers {
@@ -50,7 +50,7 @@ pub(crate) fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, lege
     }
 }
 
-/// Returns the runs of a line that can be drawn, in paper coordinates.
+/// Converts a line to positions on paper, split where points cannot be drawn.
 fn placed(points: &[Point], frame: &Frame) -> Vec<Vec<Point>> {
     let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
     for (x, y) in points {

@@ -7,10 +7,10 @@ use crate::palette::{INK, Rgb, SOFT};
 use crate::svg::Canvas;
 use crate::text::Style;
 
-/// Size of text.
+/// Size of the text in a sketch.
 pub(crate) const TEXT: f64 = 14.0;
 
-/// A pen for a sketch, with coordinates from a corner.
+/// A pen that draws the elements of a sketch, with coordinates relative to the sketch's corner.
 #[derive(Debug)]
 pub(crate) struct Pen<'c> {
     canvas: &'c mut Canvas,
@@ -53,7 +53,7 @@ impl<'c> Pen<'c> {
             .text(label, (x + self.left, y + self.top), style);
     }
 
-    /// Draws a spring: a zigzag from left to right with straight ends.
+    /// Draws a spring from left to right: a zigzag with straight ends.
     pub(crate) fn spring(&mut self, from: f64, to: f64, y: f64) {
         let turns = 8;
         let lead = f64::min(9.0, 0.15 * (to - from));

@@ -1,4 +1,4 @@
-//! Positions of the elements of a sketch.
+//! Computes the positions of the elements of a sketch.
 
 use crate::geometry::Point;
 use crate::label::Label;
@@ -8,45 +8,45 @@ use crate::sketch::{Contact, End, Excitation, Sketch, Spring};
 pub(crate) const WIDTH: f64 = 46.0;
 pub(crate) const HEIGHT: f64 = 44.0;
 pub(crate) const GAP: f64 = 58.0;
-/// Smallest scale of a mass and a gap when they shrink.
+/// Smallest factor by which masses and gaps shrink to fit into the available width.
 pub(crate) const LEAST: f64 = 0.48;
-/// Height of a raised spring with its label.
+/// Height that a spring above the row of masses needs, with its label.
 pub(crate) const LANE: f64 = 34.0;
 pub(crate) const HATCH: f64 = 7.0;
 /// Height of the pad between a mass and the surface on which it rubs.
 pub(crate) const PAD: f64 = 7.0;
 
-/// A spring or a dashpot above the row of masses.
+/// A spring or a dashpot that is drawn above the row of masses.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Above<'a> {
-    /// Station at its left end.
+    /// Index of the element at its left end: base, masses or wall, from left to right.
     pub low: usize,
-    /// Station at its right end.
+    /// Index of the element at its right end: base, masses or wall, from left to right.
     pub high: usize,
-    /// Level above the row of masses.
+    /// Level above the row of masses, counted from 0.
     pub lane: usize,
     pub label: &'a Label,
     pub dashpot: bool,
 }
 
-/// Positions of the elements of a sketch, from its upper left corner.
+/// Positions of the elements of a sketch, relative to its upper left corner.
 #[derive(Debug)]
 pub(crate) struct Plan<'a> {
     pub sketch: &'a Sketch,
-    /// Springs in the row, each with the gap that it fills.
+    /// Springs between neighbouring elements of the row, each with the index of its gap.
     pub direct: Vec<(usize, &'a Spring)>,
-    /// Springs and dashpots above the row.
+    /// Springs and dashpots above the row of masses.
     pub above: Vec<Above<'a>>,
     pub contact: Option<&'a Contact>,
     pub base: bool,
     pub wall: bool,
     pub lanes: usize,
-    /// Widths of a mass and of a gap.
+    /// Width of a mass, and width of a gap between masses.
     pub pitch: (f64, f64),
 }
 
 impl<'a> Plan<'a> {
-    /// Plans a sketch. Masses and gaps shrink if there is less room than they need.
+    /// Computes the positions for a sketch in the width `room`. Masses and gaps shrink if the width is too small.
     pub(crate) fn new(sketch: &'a Sketch, room: f64) -> Option<Self> {
         let count = sketch.masses.len();
         let valued = !sketch.values.is_empty();
@@ -108,7 +108,7 @@ impl<'a> Plan<'a> {
         }
         far.sort_by_key(|(low, high, ..)| (high - low, *low));
         for (low, high, label, dashpot) in far {
-            // Longer springs are placed higher, so that springs rarely cross each other's risers.
+            // Longer springs are placed at a higher level, so that springs rarely cross each other's vertical ends.
             let taken = plan
                 .above
                 .iter()
@@ -127,7 +127,7 @@ impl<'a> Plan<'a> {
         let (wide, _) = plan.size();
         let (last, _) = plan.sides(count);
         if room < wide && !valued {
-            // Everything shrinks except the base and the elements to the right of the last mass.
+            // Everything shrinks to fit the width, except the base and the elements to the right of the last mass.
             let share = ((room - (wide - last)) / last).clamp(LEAST, 1.0);
             plan.pitch = (share * WIDTH, share * GAP);
         }
@@ -138,12 +138,12 @@ impl<'a> Plan<'a> {
         self.sketch.masses.len()
     }
 
-    /// Returns the left edge of the first mass.
+    /// Returns the position of the left edge of the first mass.
     pub(crate) fn start(&self) -> f64 {
         if self.base { HATCH + self.pitch.1 } else { 2.0 }
     }
 
-    /// Returns the left and right side of a station.
+    /// Returns the positions of the left and right side of an element of the row.
     pub(crate) fn sides(&self, station: usize) -> (f64, f64) {
         let left = self.start() + (self.pitch.0 + self.pitch.1) * (station as f64 - 1.0);
         match station {
@@ -164,7 +164,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Returns the room needed under the masses.
+    /// Returns the height needed below the masses, for example for the contact.
     pub(crate) fn under(&self) -> f64 {
         let contact = match self.contact {
             Some(_) => PAD + HATCH + TEXT + 6.0,
@@ -196,24 +196,24 @@ impl<'a> Plan<'a> {
         (wall.max(force), self.top() + HEIGHT + self.under())
     }
 
-    /// Returns whether nothing is drawn to the right of a mass.
+    /// Returns true if nothing is drawn to the right of a mass.
     pub(crate) fn is_free(&self, mass: usize) -> bool {
         mass + 1 == self.count() && !self.wall
     }
 
-    /// Returns the room needed for an arrow above the row.
+    /// Returns the height needed for the arrow of a force above the row of masses.
     pub(crate) fn over(&self) -> f64 {
         let over = self.force().is_some_and(|(mass, _)| !self.is_free(mass));
         if over { 10.0 } else { 0.0 }
     }
 
-    /// Returns the height of the springs of a level.
+    /// Returns the vertical position of the springs at a level above the row.
     pub(crate) fn lane(&self, lane: usize) -> f64 {
         self.top() - 14.0 - self.over() - LANE * lane as f64
     }
 }
 
-/// Returns the widths of a mass and of a gap that have room for every label.
+/// Returns the width of a mass and the width of a gap that leave space for every label.
 fn pitch(sketch: &Sketch) -> (f64, f64) {
     let widest = |labels: &mut dyn Iterator<Item = &Label>| {
         labels.map(|label| label.width(TEXT)).fold(0.0, f64::max)

@@ -1,4 +1,4 @@
-//! PNG output: resvg draws the SVG with the fonts embedded here, and with no others.
+//! Writes PNG pictures: resvg draws the SVG with the embedded fonts only.
 
 use resvg::{tiny_skia, usvg};
 use std::sync::Arc;
@@ -12,17 +12,17 @@ const FONTS: [&[u8]; 4] = [
 ];
 const LARGEST: f32 = 16384.0;
 
-/// The reason why a picture cannot be made as PNG.
+/// The reason why no PNG picture can be made.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum PlotError {
     /// The scale is not a positive number.
     #[error("the scale {0} is not a positive number")]
     Scale(f32),
-    /// The picture would have too many pixels.
+    /// The picture would be too large. The numbers are its width and height in pixels.
     #[error("the picture would have {0} by {1} pixels; {LARGEST} is the most")]
     TooLarge(f32, f32),
-    /// The picture cannot be drawn or written.
+    /// The picture cannot be drawn or written, with a message of the library.
     #[error("the picture cannot be drawn: {0}")]
     Drawing(String),
 }
@@ -47,7 +47,7 @@ pub(crate) fn render(svg: &str, scale: f32) -> Result<Vec<u8>, PlotError> {
     pixels.encode_png().map_err(|error| drawing(&error))
 }
 
-/// Returns options with the embedded fonts, whatever family a text asks for.
+/// Returns rendering options in which every font family means the embedded fonts.
 fn options() -> usvg::Options<'static> {
     let mut fonts = usvg::fontdb::Database::new();
     for font in FONTS {
@@ -67,7 +67,7 @@ mod tests {
     use crate::face::Face;
     use crate::metrics::advance;
 
-    /// Returns the width with which the renderer sets one character.
+    /// Returns the width that the renderer gives to one character.
     fn set(character: char, style: &str) -> Option<f64> {
         let text = character
             .to_string()
@@ -116,7 +116,7 @@ mod tests {
                 .sum::<usize>(),
             4
         );
-        // A character without a glyph is set as nothing or as a box of one width.
+        // The renderer draws a character that the fonts lack as nothing or as a box of one width.
         let lost = set('\u{4e00}', "");
         for character in "−×°±≤≥≈≠→←∞√∂∑≪≫≅∼·…–—′‘’“”".chars()
         {

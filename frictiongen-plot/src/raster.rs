@@ -1,4 +1,5 @@
-//! Maps of cells. Neighbouring cells of one colour become one rectangle, and all rectangles of a colour one path.
+//! Draws maps of cells. Neighbouring cells of one colour become one rectangle, and all rectangles of a colour one
+//! path.
 
 use crate::axis::Mapping;
 use crate::figure::Sample;
@@ -14,7 +15,7 @@ const CUT: f64 = 0.01;
 /// Number of colours of a map of values.
 const SHADES: f64 = 96.0;
 
-/// Draws a map and returns whether any cell is visible.
+/// Draws a map of cells. Returns true if any cell is visible.
 pub(crate) fn draw(
     canvas: &mut Canvas,
     raster: &Raster,

@@ -2,10 +2,10 @@
 
 use crate::label::Label;
 
-/// The element at one end of a spring or of a contact.
+/// An element to which a spring or the contact is attached: a mass, the base or the wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum End {
-    /// A mass, counted from zero.
+    /// A mass, by its index from 0.
     Mass(usize),
     /// The base on the left, which may move.
     Base,
@@ -13,7 +13,7 @@ pub enum End {
     Wall,
 }
 
-/// A spring, or a dashpot, between two elements.
+/// A spring or a dashpot between two elements of a sketch.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spring {
     /// The two elements, in any order.
@@ -31,7 +31,7 @@ pub struct Contact {
     pub label: Label,
 }
 
-/// The excitation of the system.
+/// The excitation in a sketch: none, a force on a mass, or the motion of the base.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Excitation {
     /// No excitation.
@@ -39,7 +39,7 @@ pub enum Excitation {
     None,
     /// A force on a mass.
     Force {
-        /// The mass, counted from zero.
+        /// Index of the loaded mass, from 0.
         mass: usize,
         /// Label next to the arrow.
         label: Label,
@@ -51,8 +51,9 @@ pub enum Excitation {
     },
 }
 
-/// A mechanical system as a sketch. It is drawn with up to [`Sketch::MOST`] masses, or [`Sketch::MOST_WITH_VALUES`]
-/// with values, and not at all for a longer chain. A spring to a mass that does not exist is left out.
+/// A mechanical system as a sketch. A chain is drawn with up to [`Sketch::MOST`] masses, or
+/// [`Sketch::MOST_WITH_VALUES`] masses if it has values. A longer chain is not drawn. A spring to a mass that does not
+/// exist is left out.
 ///
 /// ```
 /// use frictiongen_plot::{Contact, End, Excitation, Sketch, Spring};
@@ -73,23 +74,24 @@ pub enum Excitation {
 pub struct Sketch {
     /// The names of the masses, from left to right.
     pub masses: Vec<Label>,
-    /// Texts under the names, such as 3.27 kg; may be empty. A sketch with values is as wide as its texts need.
+    /// Texts under the names of the masses, such as 3.27 kg. The list may be empty. A sketch with values is as wide as
+    /// these texts need.
     pub values: Vec<Label>,
-    /// The springs.
+    /// The springs between masses, base and wall.
     pub springs: Vec<Spring>,
     /// Dashpots parallel to the springs.
     pub dashpots: Vec<Spring>,
-    /// The friction contact.
+    /// The friction contact. `None` for a system without contact.
     pub contact: Option<Contact>,
     /// The excitation.
     pub excitation: Excitation,
 }
 
 impl Sketch {
-    /// Largest number of masses that are drawn.
+    /// Largest number of masses in a sketch without values.
     pub const MOST: usize = 6;
 
-    /// Largest number of masses that are drawn with values.
+    /// Largest number of masses in a sketch with values.
     pub const MOST_WITH_VALUES: usize = 16;
 }
 

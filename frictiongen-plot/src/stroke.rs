@@ -1,18 +1,18 @@
 //! Strokes and markers.
 
-/// The stroke of a line.
+/// The stroke of a line. Each regime has its own stroke.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Stroke {
-    /// Solid; for continuous motion.
+    /// Solid line, for continuous motion.
     #[default]
     Solid,
-    /// Dashes and dots; for stick-slip motion.
+    /// Dashes and dots, for stick-slip motion.
     DashDot,
-    /// Dots; for stuck motion.
+    /// Dotted line, for stuck motion.
     Dotted,
-    /// Dashes; for limits.
+    /// Dashed line, for limits.
     Dashed,
-    /// Solid and thin; for comparison.
+    /// Thin solid line, for comparison.
     Thin,
 }
 
@@ -32,7 +32,7 @@ pub enum Marker {
 }
 
 impl Stroke {
-    /// Returns width and dashes of a stroke.
+    /// Returns the width of a stroke in pixels, and its dash pattern as SVG text.
     pub(crate) fn look(self) -> (f64, &'static str) {
         match self {
             Self::Solid => (1.6, ""),

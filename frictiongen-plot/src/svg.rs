@@ -1,4 +1,4 @@
-//! Writer of SVG: a few elements, numbers with two decimals, text as text.
+//! Writes SVG documents: a few kinds of elements, numbers with two decimals, text as text.
 
 use crate::geometry::{Point, Rect};
 use crate::palette::{PAPER, Rgb};
@@ -6,7 +6,7 @@ use crate::stroke::{Marker, Stroke};
 use crate::xml::{data, escaped, number};
 use std::fmt::Write as _;
 
-/// Font families of similar look and width. For PNG the first one is embedded under another name.
+/// Font families of similar shapes and widths. In a PNG the first family is replaced by the embedded font.
 const FAMILY: &str =
     "'STIX Two Text','Times New Roman',Times,'Liberation Serif','Noto Serif',serif";
 
@@ -34,7 +34,7 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
-    /// Returns the whole document.
+    /// Returns the complete document, with a size, a title and a description.
     pub(crate) fn document(self, (width, height): Point, title: &str, description: &str) -> String {
         let (width, height) = (number(width.ceil()), number(height.ceil()));
         let mut text = format!(
@@ -56,13 +56,13 @@ impl Canvas {
         text
     }
 
-    /// Draws lines of one colour and stroke.
+    /// Draws lines of one colour and one stroke.
     pub(crate) fn lines(&mut self, lines: &[Vec<Point>], colour: Rgb, stroke: Stroke) {
         let (width, dashes) = stroke.look();
         self.path(lines, colour, width, dashes);
     }
 
-    /// Draws lines of any width.
+    /// Draws lines of one colour, with a given width in pixels and a dash pattern.
     pub(crate) fn path(&mut self, lines: &[Vec<Point>], colour: Rgb, width: f64, dashes: &str) {
         let data = data(lines, "");
         if data.is_empty() {
@@ -80,7 +80,7 @@ impl Canvas {
         );
     }
 
-    /// Draws areas. Where two overlap there is a hole.
+    /// Draws areas of one colour. Where two outlines overlap there is a hole.
     pub(crate) fn areas(&mut self, outlines: &[Vec<Point>], fill: Rgb) {
         let data = data(outlines, "Z");
         if !data.is_empty() {
@@ -118,7 +118,7 @@ impl Canvas {
         }
     }
 
-    /// Draws a rectangle. `None` leaves out fill or edge.
+    /// Draws a rectangle. With `None` the fill or the edge is left out.
     pub(crate) fn rect(&mut self, rect: Rect, fill: Option<Rgb>, edge: Option<(Rgb, f64)>) {
         let Rect {
             left,

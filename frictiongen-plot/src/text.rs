@@ -10,7 +10,7 @@ use crate::svg::Canvas;
 use crate::xml::{escaped, number};
 use std::fmt::Write as _;
 
-/// Style of a text.
+/// Size, colour and alignment of a text.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Style {
     pub size: f64,
@@ -39,23 +39,23 @@ impl Style {
     }
 }
 
-/// Size of a bar, relative to its letter. The bar is drawn as an en dash, because few fonts of a browser place a
-/// combining macron well. All have dashes of half an em at a fourth of its height.
+/// Size of the bar over a letter, relative to the letter. The bar is drawn as an en dash, because few browser fonts
+/// place a combining macron well. En dashes of all fonts are half an em long, at a fourth of their height.
 const BAR: f64 = 0.8;
 const DASH: f64 = 0.5 * BAR;
 
-/// A run of text with its offset from the end of the previous run.
+/// A piece of text with its offset from the end of the previous piece.
 struct Piece<'a> {
     text: &'a str,
     face: Face,
     size: f64,
-    /// Offset to the right.
+    /// Offset to the right of the end of the previous piece.
     shift: f64,
     /// Offset below the base line.
     drop: f64,
 }
 
-/// Returns the runs of a label at a size. Bars are separate runs.
+/// Splits a label into pieces of text at a size. Bars over letters are separate pieces.
 fn pieces(label: &Label, size: f64) -> Vec<Piece<'_>> {
     let mut pieces = Vec::new();
     for Span { text, face, level } in label.spans() {
@@ -88,7 +88,7 @@ fn pieces(label: &Label, size: f64) -> Vec<Piece<'_>> {
             drop,
         });
     }
-    // The offset after a bar at the end of a run moves to the next run.
+    // The offset after a bar at the end of a piece moves to the next piece.
     let mut carried = 0.0;
     for piece in &mut pieces {
         piece.shift += carried;
@@ -102,10 +102,10 @@ fn pieces(label: &Label, size: f64) -> Vec<Piece<'_>> {
     pieces
 }
 
-/// Returns the offsets of the bar over a letter, in ems: back to the letter, forward after the bar, and its height.
+/// Returns three offsets for the bar over a letter, in ems: back to the letter, forward after the bar, and the height.
 fn bar(letter: char, face: Face) -> (f64, f64, f64) {
     let tall = letter.is_uppercase() || "bdfhklt".contains(letter);
-    // Slanted letters end to the right of their middle.
+    // The top of a slanted letter is to the right of the letter's middle.
     let slant = match (face, tall) {
         (Face::Italic, true) => 0.1,
         (Face::Italic, false) => 0.04,

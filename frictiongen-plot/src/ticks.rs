@@ -5,15 +5,15 @@ use crate::label::Label;
 use crate::number::{decimal, exponent, number, of_pi, scientific};
 use std::f64::consts::PI;
 
-/// A tick of an axis.
+/// A tick of an axis: its position and its label.
 #[derive(Clone, Debug)]
 pub(crate) struct Tick {
     pub value: f64,
-    /// Label of the tick; empty for a tick between labelled ones.
+    /// Label of the tick. It is empty for a tick between labelled ones.
     pub label: Label,
 }
 
-/// Returns the ticks of an axis, with about `count` labels at most.
+/// Returns the ticks of an axis, of which about `count` at most have labels.
 pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     let (low, high) = axis.range();
     let count = count.max(2);
@@ -73,7 +73,7 @@ pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     }
 }
 
-/// Returns the number of multiples of a step in a range, which may miss its last one by rounding.
+/// Returns the number of multiples of a step within a range. A multiple that is outside only by rounding counts.
 fn multiples(low: f64, high: f64, step: f64) -> f64 {
     let (from, to) = bounds(low, high, step);
     to - from + 1.0
@@ -86,7 +86,7 @@ fn bounds(low: f64, high: f64, step: f64) -> (f64, f64) {
 
 fn whole(low: f64, high: f64, step: f64, label: impl Fn(i64) -> Label) -> Vec<Tick> {
     let (from, to) = bounds(low, high, step);
-    // The number was counted before; the bound ends the loop for a range of any size.
+    // The multiples were counted before. The upper bound ends the loop for a range of any size.
     (0..=64)
         .map(|i| from as i64 + i)
         .take_while(|k| *k as f64 <= to)

@@ -1,15 +1,15 @@
-//! Numbers, paths and text in the form of XML.
+//! Formats numbers, paths and text for XML.
 
 use crate::geometry::Point;
 use std::fmt::Write as _;
 
-/// Returns the data of a path, in steps from point to point: half as long as absolute coordinates.
+/// Returns the path data of lines, as steps from point to point. Steps are half as long as absolute coordinates.
 pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
     let mut data = String::new();
     for line in lines.iter().filter(|line| 1 < line.len()) {
         let mut last = None;
         for (x, y) in line.iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
-            // Steps between rounded points do not collect their roundings.
+            // The steps are between rounded points, so that rounding errors do not add up.
             let (x, y) = (hundredths(*x), hundredths(*y));
             match last {
                 None => {
@@ -32,7 +32,7 @@ pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
     data
 }
 
-/// Appends a number without the zero before its point.
+/// Appends a number to path data, without the zero before the decimal point.
 fn step(data: &mut String, value: f64) {
     let text = number(value);
     match text.split_once("0.") {
@@ -43,7 +43,7 @@ fn step(data: &mut String, value: f64) {
     }
 }
 
-/// Rounds to hundredths of a pixel, as an integer.
+/// Rounds a length to hundredths of a pixel, and returns the number of hundredths.
 fn hundredths(value: f64) -> f64 {
     (value * 100.0).round()
 }
@@ -82,7 +82,7 @@ pub(crate) fn escaped(text: &str) -> String {
 mod tests {
     use super::{data, escaped, number};
 
-    /// The points of a path, added up as a reader of SVG does.
+    /// Returns the points of a path, adding up the steps as a reader of SVG does.
     fn read(path: &str) -> Vec<(f64, f64)> {
         let (start, steps) = path.split_once('l').expect("steps");
         let spaced = steps.replace('-', " -");

@@ -1,7 +1,8 @@
-//! Features of the response, for emitted and run-time systems alike, without allocation.
+//! Features of the response for emitted and run-time systems alike, without allocation: thresholds, limits at r → 0
+//! and r → ∞, and changes of the regime.
 //!
-//! `System::features` (feature `study`) finds the features that need the scene's mode shapes, and lists that are
-//! complete.
+//! `System::features` (feature `study`) finds more: features that need the scene's mode shapes, and complete lists of
+//! features.
 //!
 //! ```
 //! use frictiongen::features::{self, Change};
@@ -39,10 +40,11 @@ use crate::sweep::SweepError;
 use crate::{FrictionSystem, Limits, LimitsAt, OutOfDomain, Regime};
 use frictiongen_kernel::{Float, Scalar};
 
-/// Writes β_lim at every resonance into the caller's slice, in ascending order of the resonances.
+/// Writes the limit of continuous motion β_lim at every resonance into the caller's slice, in ascending order of the
+/// resonances.
 ///
-/// Without damping the value is the threshold β_n,i (6.2, 6.26), below which the resonance is unbounded. With damping
-/// it is the value that (7.62) estimates. For a mode that the contact does not touch, the value bounds nothing.
+/// Without damping, β_lim at resonance i is the threshold β_n,i (6.2, 6.26), below which the resonance is unbounded.
+/// With damping, (7.62) estimates β_lim. For a mode that the contact does not touch, the entry bounds nothing.
 ///
 /// # Errors
 /// [`SweepError::Length`] for a slice whose length is not the number of resonances. The slice stays unchanged.
@@ -64,7 +66,7 @@ pub fn thresholds_into<F: FrictionSystem>(
     Ok(())
 }
 
-/// Returns both limits for r → 0. There β_lim is 0 (6.4), and up to β*_lim there is a quasi-static start (6.5).
+/// Returns β_lim and β*_lim for r → 0. There β_lim is 0 (6.4). Up to β*_lim there is a quasi-static start (6.5).
 ///
 /// # Errors
 /// None, because 0 is in the domain.
@@ -72,7 +74,8 @@ pub fn limits_at_rest<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>
     Ok(system.at(F::Scalar::constant(0.0))?.limits())
 }
 
-/// Returns β_∞ and β*_∞ (6.28), both limits for r → ∞. They are infinite for a contact with a moving base.
+/// Returns β_∞ and β*_∞ (6.28), the limits β_lim and β*_lim for r → ∞. Both are infinite for a contact with a moving
+/// base.
 ///
 /// # Errors
 /// None, because ∞ is in the domain.
@@ -80,14 +83,14 @@ pub fn limits_at_infinity<F: FrictionSystem>(system: &F) -> Result<Limits<F::Sca
     Ok(system.at(F::Scalar::constant(f64::INFINITY))?.limits())
 }
 
-/// A change of the regime along frequency.
+/// A frequency at which the regime changes, with the regimes on both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change<S> {
-    /// The last r with the regime `before`.
+    /// The last frequency ratio r at which the regime is `before`.
     pub r: S,
-    /// The regime below r.
+    /// The regime below the frequency ratio r.
     pub before: Regime,
-    /// The regime above r.
+    /// The regime above the frequency ratio r.
     pub after: Regime,
 }
 
@@ -102,8 +105,8 @@ pub struct RegimeChanges<'s, F: FrictionSystem> {
     last: (F::Scalar, Regime),
 }
 
-/// Finds the changes of the regime over the range of r at the friction ratio β, in ascending order, each by bisection
-/// to the last digits.
+/// Finds the changes of the regime over a range of frequency ratios at the friction ratio β, in ascending order.
+/// Bisection locates each change to the last digits.
 ///
 /// The search evaluates the regime at `steps` + 1 frequencies. It misses a regime that lies entirely between two of
 /// them. `System::features` misses fewer regimes and reports when it misses none.
@@ -139,7 +142,7 @@ impl<F: FrictionSystem> RegimeChanges<'_, F> {
         self.system.at(r).ok()?.regime(self.beta).ok()
     }
 
-    /// Returns the next frequency ratio to evaluate.
+    /// Returns the next frequency ratio at which the iterator evaluates the regime, or `None` at the end of the range.
     fn next_place(&mut self) -> Option<F::Scalar> {
         if self.steps <= self.step {
             return None;

@@ -1,4 +1,4 @@
-//! Traits for steady states, of emitted solvers and of the run-time `System` alike.
+//! Traits for steady states in any regime. Emitted solvers and the run-time `System` both implement them.
 
 use crate::targets::Settles;
 use crate::{Complex, LimitsAt, NoOrbit, Of};
@@ -7,7 +7,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::motion::Part;
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 
-/// A scene at one frequency ratio that also gives steady states in any regime.
+/// A scene at one frequency ratio that also gives steady states in any regime: continuous, stick-slip or stuck.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, Of, OrbitAt, SteadyState, friction_system};
@@ -22,7 +22,7 @@ use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 ///     }
 /// }
 ///
-/// /// The amplitude of a mass with stops or without, of any system.
+/// /// Returns the amplitude of a mass in the steady state of any system, with stops of the contact or without.
 /// fn amplitude<F>(system: &F, r: f64, beta: f64, mass: usize) -> Option<f64>
 /// where
 ///     F: FrictionSystem<Scalar = f64>,
@@ -41,15 +41,15 @@ use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
     label = "add `orbit` to the scene's `provide: [...]`"
 )]
 pub trait OrbitAt: LimitsAt {
-    /// The steady state at one friction ratio.
+    /// The type of the steady state at one friction ratio.
     type Orbit<'o>: SteadyState<Scalar = Self::Scalar>
     where
         Self: 'o;
 
-    /// Returns the steady state at β = F/P that motion from rest reaches.
+    /// Returns the steady state that motion from rest reaches at the friction ratio β = F/P.
     ///
     /// # Errors
-    /// [`NoOrbit`] says why there is none.
+    /// [`NoOrbit`], with the reason why motion from rest reaches no steady state.
     fn orbit(&self, beta: Self::Scalar) -> Result<Self::Orbit<'_>, NoOrbit>;
 
     /// Returns the steady state as [`orbit`](Self::orbit) does. Where the motion from rest does not settle, it returns
@@ -67,24 +67,27 @@ pub trait SteadyState {
 
     /// Returns the number of excitation cycles after which the motion repeats: 1, or up to 64 for a subharmonic state.
     fn period(&self) -> u32;
-    /// Returns whether the motion repeats. If not, this value describes the last 64 cycles that were computed.
+    /// Returns true if the motion repeats. False means that this state describes the last 64 cycles that were
+    /// computed.
     fn is_settled(&self) -> bool;
-    /// Returns the number of stops of the contact in a period.
+    /// Returns the number of stops of the contact in a period. At a stop the contact starts to stick.
     fn stops(&self) -> usize;
     /// Returns the number of times in a period that the sliding direction changes without a stop.
     fn reversals(&self) -> usize;
     /// Returns the fraction of the period during which the contact sticks.
     fn stuck_fraction(&self) -> Self::Scalar;
-    /// Returns whether every motion repeats with the opposite sign after half a period.
+    /// Returns true if every motion repeats with the opposite sign after half a period.
     fn is_symmetric(&self) -> bool;
-    /// Returns whether no small deviation grows.
+    /// Returns true if the steady state is stable: no small deviation from the motion grows.
     fn is_stable(&self) -> bool;
-    /// Returns whether the state is a member of a continuum, or at its end.
+    /// Returns true if the steady state is a member of a continuum of steady states, or lies at the end of a
+    /// continuum.
     fn is_marginal(&self) -> bool;
-    /// Returns the Floquet multipliers.
+    /// Returns the Floquet multipliers: the complex factors by which small deviations from the motion change in a
+    /// period.
     fn multipliers(&self) -> &[Complex<Self::Scalar>];
-    /// Calls `question` with the motion of the contact or of a mass and returns its answer. Returns `None` if there is
-    /// no such mass.
+    /// Calls `question` with the motion of the contact or of a mass, and returns the result of `question`. Returns
+    /// `None` if the scene has no such mass.
     fn ask<T>(
         &self,
         of: Of,
@@ -92,9 +95,9 @@ pub trait SteadyState {
     ) -> Option<T>;
 }
 
-/// Queries of the kernel's steady state, as a trait of their own. [`SteadyState`] is implemented for every type that
-/// derefs to a steady state of the kernel. The kernel's type could implement `Deref` itself in a later version, so that
-/// an implementation of [`SteadyState`] for it would conflict.
+/// The queries of the kernel's steady state, as a separate trait. [`SteadyState`] is implemented for every type that
+/// derefs to a type with `Kept`. Without `Kept`, an implementation of [`SteadyState`] for the kernel's type would
+/// conflict if that type implemented `Deref` in a later version.
 #[doc(hidden)]
 pub trait Kept {
     type Scalar: Float;
@@ -160,7 +163,8 @@ where
     }
 }
 
-/// Emitted steady states and those of a `System` deref to the kernel's steady state.
+/// Implements [`SteadyState`] for the steady states of emitted scenes and of a `System`. Both types deref to the
+/// kernel's steady state.
 impl<O: Deref<Target: Kept>> SteadyState for O {
     type Scalar = <O::Target as Kept>::Scalar;
 
@@ -220,7 +224,7 @@ where
     }
 }
 
-/// The motion of the contact or of a mass in a steady state.
+/// The motion of the contact or of a mass in a steady state, with displacements in the non-dimensional form x̄.
 pub trait Periodic {
     /// The scalar type of the scene.
     type Scalar: Float;
@@ -229,11 +233,12 @@ pub trait Periodic {
     fn amplitude(&self) -> Self::Scalar;
     /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, rad, in (−π, π].
     fn phase(&self) -> Self::Scalar;
-    /// Returns x̄ at τ, where τ = 0 is a maximum of the contact's relative motion.
+    /// Returns the displacement x̄ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
     fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// Returns dx̄/dτ at τ, where τ = 0 is a maximum of the contact's relative motion.
+    /// Returns the velocity dx̄/dτ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
     fn velocity(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// Returns X_n of x̄ = Re Σ X_n e^{inτ_e}, where τ_e = 0 is a maximum of the excitation. X_0 is the mean.
+    /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ_e}. τ_e = 0 is a maximum of the
+    /// excitation. X_0 is the mean.
     fn harmonic(&self, n: u32) -> Complex<Self::Scalar>;
     /// Returns the complex amplitude of the component with k cycles in a period of the motion. Every
     /// [`SteadyState::period`]-th component is a harmonic.

@@ -127,7 +127,8 @@ pub use frictiongen_kernel::errors::{
 };
 pub use frictiongen_kernel::modal_sum::search::{Effort, Neighbour};
 pub use frictiongen_kernel::response::motion::Largest;
-/// Turns the description of a scene into its solver; see the [crate's documentation](crate).
+/// Turns the description of a scene into a solver of the scene. The [crate's documentation](crate) lists the fields
+/// and the emitted items.
 pub use frictiongen_macros::friction_system;
 pub use in_time::{OrbitAt, Periodic, SteadyState};
 pub use runs::{Run, Simulates, SimulatesUnder};

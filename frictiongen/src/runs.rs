@@ -1,4 +1,5 @@
-//! Traits for exact motion in time, of emitted solvers and of the run-time `System` alike.
+//! Traits for the exact motion in time, from event to event. Emitted solvers and the run-time `System` both implement
+//! them.
 
 use crate::{FrictionSystem, OutOfDomain};
 use core::ops::DerefMut;
@@ -6,7 +7,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::motion::{Contact, Level, Part};
 use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 
-/// A scene that also gives its exact motion in time.
+/// A scene that also gives its exact motion in time, from event to event.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, OutOfDomain, Run, Simulates, friction_system};
@@ -21,7 +22,7 @@ use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 ///     }
 /// }
 ///
-/// /// The first mass after so many steps from rest, of any system.
+/// /// Returns the displacement of the first mass after a number of steps from rest, for any system.
 /// fn after<F: Simulates<Scalar = f64>>(system: &F, steps: u32) -> Result<f64, OutOfDomain> {
 ///     let mut run = system.simulation(0.3, 0.4)?;
 ///     for _ in 0..steps {
@@ -42,7 +43,7 @@ use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
     label = "add `simulation` to the scene's `provide: [...]`"
 )]
 pub trait Simulates: FrictionSystem {
-    /// The type of a run in time.
+    /// The type of a simulation in time.
     type Run<'a>: Run<Scalar = Self::Scalar>
     where
         Self: 'a;
@@ -64,17 +65,17 @@ pub trait Simulates: FrictionSystem {
 pub trait SimulatesUnder {
     /// The scalar type of the scene.
     type Scalar: Float;
-    /// The type of a run in time.
+    /// The type of a simulation in time.
     type Run<'a>: Run<Scalar = Self::Scalar>
     where
         Self: 'a;
 
-    /// Starts the exact motion in time from rest, with the excitation at its maximum, under a load of this amplitude in
-    /// the scene's units.
+    /// Starts the exact motion in time from rest, with the excitation at its maximum. `amplitude` is the amplitude of
+    /// the load in the scene's units.
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r and the amplitude are positive and finite, and β is finite and not negative. Also for a
-    /// friction law that is too steep to be followed.
+    /// [`OutOfDomain`] unless r and the amplitude are positive and finite, and β is finite and not negative.
+    /// [`OutOfDomain`] also for a friction law that is too steep to be followed.
     fn simulation_under(
         &self,
         r: Self::Scalar,
@@ -83,31 +84,33 @@ pub trait SimulatesUnder {
     ) -> Result<Self::Run<'_>, OutOfDomain>;
 }
 
-/// An exact motion in time.
+/// An exact simulation in time, which advances from event to event.
 pub trait Run {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Advances to the next event, at most by `reach` in τ. A reach of 0 does nothing.
+    /// Advances to the next event, but at most by `reach` in the phase τ = ωt. A reach of 0 does nothing.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The run then stays unchanged.
+    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The simulation then stays unchanged.
     fn advance(&mut self, reach: Self::Scalar) -> Result<Segment<Self::Scalar>, OutOfDomain>;
     /// Returns the number of completed cycles of the excitation.
     fn cycles(&self) -> u64;
-    /// Returns τ within the excitation's cycle, in [0, 2π).
+    /// Returns the phase τ = ωt within the excitation's cycle, in [0, 2π).
     fn phase(&self) -> Self::Scalar;
-    /// Returns the state of the contact from now on.
+    /// Returns the state of the contact (sticking, or sliding in a direction) from the present instant on.
     fn contact(&self) -> Contact;
-    /// Returns z̄ and dz̄/dτ, the relative displacement and velocity in the contact.
+    /// Returns the relative displacement z̄ and the relative velocity dz̄/dτ in the contact.
     fn relative(&self) -> (Self::Scalar, Self::Scalar);
-    /// Returns the friction force in the contact over P.
+    /// Returns the friction force in the contact over the load amplitude P.
     fn friction(&self) -> Self::Scalar;
-    /// Returns the present motion of a mass, by its index in the description. A mass that does not exist is at rest.
+    /// Returns the present displacement and velocity of a mass. `mass` is its index in the description. The result is
+    /// rest if there is no such mass.
     fn moment(&self, mass: usize) -> Moment<Self::Scalar>;
 }
 
-/// Emitted runs and those of a `System` deref to the kernel's simulation.
+/// Implements [`Run`] for the simulations of emitted scenes and of a `System`. Both types deref to the kernel's
+/// simulation.
 impl<'a, S, P, L, R> Run for R
 where
     S: Float,

@@ -1,4 +1,4 @@
-//! The steady motion of the contact or of a mass.
+//! The continuous motion of the contact or of a mass, as a trait.
 
 use crate::Complex;
 use frictiongen_kernel::Float;
@@ -7,7 +7,7 @@ use frictiongen_kernel::oscillator::decay::Decay;
 use frictiongen_kernel::response::motion::{Largest, Motion};
 use frictiongen_kernel::table::{SteadyContact, TabledMotion};
 
-/// The motion that a question is about.
+/// Selects the motion that a query is about: the contact's or a mass's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Of {
@@ -17,12 +17,12 @@ pub enum Of {
     Mass(usize),
 }
 
-/// The steady motion of the contact or of a mass.
+/// The continuous motion of the contact or of a mass, with displacements in the non-dimensional form x̄.
 pub trait Steady {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Returns amplitude and phase by one search, with the work of that search.
+    /// Returns the largest |x̄| and its phase by one search. The result also contains the work of that search.
     fn largest(&self) -> Largest<Self::Scalar>;
     /// Returns the exact maximum of |x̄|.
     fn amplitude(&self) -> Self::Scalar;
@@ -30,11 +30,12 @@ pub trait Steady {
     fn amplitude_monoharmonic(&self) -> Self::Scalar;
     /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, rad, in (−π, π].
     fn phase(&self) -> Self::Scalar;
-    /// Returns x̄ at τ, where τ = 0 is a maximum of the contact's relative motion.
+    /// Returns the displacement x̄ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
     fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// Returns dx̄/dτ at τ, where τ = 0 is a maximum of the contact's relative motion.
+    /// Returns the velocity dx̄/dτ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
     fn velocity(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// Returns X_n of x̄ = Re Σ X_n e^{inτ_e}, where τ_e = 0 is a maximum of the excitation.
+    /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ_e}. τ_e = 0 is a maximum of the
+    /// excitation.
     fn harmonic(&self, n: u32) -> Complex<Self::Scalar>;
 }
 

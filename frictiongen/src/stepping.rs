@@ -1,10 +1,10 @@
-//! Traits for steppers, of emitted solvers and of the run-time `System` alike.
+//! Traits for fixed-step steppers. Emitted solvers and the run-time `System` both implement them.
 
 use crate::OutOfDomain;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::stepper::{ContactNow, MassNow, Stepped, Work};
 
-/// A scene that also moves in steps of one length, under any input.
+/// A scene that also gives a stepper: its motion in steps of one length, under any input.
 ///
 /// ```
 /// use frictiongen::{OutOfDomain, StepLoad, Stepping, Steps, friction_system};
@@ -19,7 +19,7 @@ use frictiongen_kernel::stepper::{ContactNow, MassNow, Stepped, Work};
 ///     }
 /// }
 ///
-/// /// The contact's largest displacement under a force on the first mass, of any system.
+/// /// Returns the largest displacement of the contact under a force on the first mass, for any system.
 /// fn largest<F>(system: &F, forces: &[f64]) -> Result<f64, OutOfDomain>
 /// where
 ///     F: Steps<Scalar = f64>,
@@ -49,7 +49,7 @@ pub trait Steps {
     where
         Self: 'a;
 
-    /// Returns a stepper with steps of dt, in s, that starts from rest under no load.
+    /// Returns a stepper that starts from rest under no load. `dt` is the length of every step in seconds.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
@@ -57,20 +57,20 @@ pub trait Steps {
     fn stepper(&self, dt: Self::Scalar) -> Result<Self::Stepper<'_>, OutOfDomain>;
 }
 
-/// The input of any scene at one instant, in the scene's units.
+/// The input of a stepper at one instant, in the scene's units: base motion, forces and friction force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepLoad<'l, S> {
-    /// Displacement and velocity of the base; zeros if the base is at rest.
+    /// Displacement and velocity of the base. Both are 0 for a base that does not move.
     pub base: [S; 2],
-    /// Forces on masses, by their indices in the description. Forces on the same mass add up. The other masses carry no
-    /// force.
+    /// Forces on masses. Each entry is the index of a mass in the description and the force. Forces on the same mass
+    /// add up. A mass without an entry carries no force.
     pub forces: &'l [(usize, S)],
-    /// Kinetic friction force F at rest, not negative.
+    /// Kinetic friction force F at vanishing speed, not negative.
     pub friction: S,
 }
 
 impl<S: Float> StepLoad<'_, S> {
-    /// Returns an input with this friction force and no load.
+    /// Returns an input with a friction force and without a load.
     #[must_use]
     pub fn friction(friction: S) -> Self {
         Self {
@@ -80,10 +80,11 @@ impl<S: Float> StepLoad<'_, S> {
         }
     }
 
-    /// Writes the forces on these masses.
+    /// Writes the forces to `to`, one entry for each mass of `masses`.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a force on another mass, and for motion of a base that is at rest in the scene.
+    /// [`OutOfDomain`] for a force on a mass that `masses` does not list. [`OutOfDomain`] also for motion of a base
+    /// that is at rest in the scene.
     #[doc(hidden)]
     pub fn spread(&self, masses: &[usize], on_base: bool, to: &mut [S]) -> Result<(), OutOfDomain> {
         if !on_base && !self.base.iter().all(|value| value.is_zero()) {
@@ -100,47 +101,49 @@ impl<S: Float> StepLoad<'_, S> {
     }
 }
 
-/// A motion in steps of one length.
+/// A motion in steps of one length, under an input that the caller sets at every step.
 pub trait Stepping {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Sets the input at the start of the first step. Without this call nothing acts there.
+    /// Sets the input at the start of the first step. Without this call no load acts at the start.
     ///
     /// # Errors
-    /// Same errors as [`step`](Self::step). Also [`OutOfDomain`] after the first step.
+    /// Same errors as [`step`](Self::step). [`OutOfDomain`] also after the first step.
     fn begin_with(&mut self, load: &StepLoad<'_, Self::Scalar>) -> Result<(), OutOfDomain>;
-    /// Takes a step to `load`. With `input: linear` forces go there in a straight line and the base along a cubic. With
-    /// `input: hold` the load acts over the whole step.
+    /// Takes a step at whose end the input is `load`. With `input: linear` the forces change linearly during the step,
+    /// and the base follows a cubic. With `input: hold` the load acts over the whole step.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for values that are NaN or infinite, for friction below zero, for a force on a mass that the
-    /// scene does not allow to be loaded, and for motion of a base at rest. The stepper then stays unchanged.
+    /// [`OutOfDomain`] for values that are NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a
+    /// force on a mass that the scene does not allow to be loaded, and for motion of a base at rest. The stepper then
+    /// stays unchanged.
     fn step(
         &mut self,
         load: &StepLoad<'_, Self::Scalar>,
     ) -> Result<Stepped<Self::Scalar>, OutOfDomain>;
-    /// Returns the present motion of a mass, by its index in the description. A mass that does not exist is at rest.
+    /// Returns the present displacement and velocity of a mass. `index` is its position in the description. The result
+    /// is rest if there is no such mass.
     fn mass(&self, index: usize) -> MassNow<Self::Scalar>;
-    /// Returns the present state of the contact.
+    /// Returns the present state of the contact, with its relative motion and friction force.
     fn contact(&self) -> ContactNow<Self::Scalar>;
-    /// Returns the work done since the start.
+    /// Returns the work done by the loads, by friction and by damping since the start.
     fn work(&self) -> Work<Self::Scalar>;
     /// Returns the number of steps taken.
     fn steps(&self) -> u64;
-    /// Returns the number of steps in which more events occurred than the stepper follows.
+    /// Returns the number of steps with more contact events than the stepper follows.
     fn exceeded(&self) -> u64;
     /// Returns the length of a step, in s.
     fn dt(&self) -> Self::Scalar;
-    /// Sets μ from now on.
+    /// Sets μ, the ratio of static to kinetic friction, for the following steps.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, infinity, and values below 1.
     fn set_stiction(&mut self, mu: Self::Scalar) -> Result<(), OutOfDomain>;
 }
 
-/// Implements [`Steps`] for an emitted scene and [`Stepping`] for its stepper. The macro passes only the masses that
-/// may be loaded, because the kernel knows everything else.
+/// Implements [`Steps`] for an emitted scene and [`Stepping`] for its stepper. The macro passes only the masses on
+/// which the stepper accepts a force. The kernel knows everything else.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! emitted_stepper {

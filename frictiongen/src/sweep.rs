@@ -1,5 +1,5 @@
-//! Sweeps over r and β, for emitted and run-time systems alike. They are serial, do not allocate, and write into the
-//! caller's slices.
+//! Sweeps over the frequency ratio r and the friction ratio β, for emitted and run-time systems alike. They are
+//! serial, do not allocate, and write into the caller's slices.
 //!
 //! ```
 //! use frictiongen::sweep::{self, LimitsPoint};
@@ -35,15 +35,15 @@ use crate::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, OutOfDomai
 use core::fmt;
 use frictiongen_kernel::contact::regime;
 
-/// Both limits at one frequency ratio.
+/// The limits β_lim and β*_lim at one frequency ratio.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LimitsPoint<S> {
-    /// Frequency ratio r.
+    /// Frequency ratio r of this point.
     pub r: S,
-    /// The limit β_lim, exact.
+    /// The limit of continuous motion β_lim, exact.
     pub continuous: S,
-    /// The limit β*_lim.
+    /// The limit of sliding β*_lim.
     pub sliding: S,
 }
 
@@ -51,11 +51,11 @@ pub struct LimitsPoint<S> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// A value of r or β is out of the domain. The results before it are filled in.
+    /// A value of r or β is out of the domain. The results before that value are filled in.
     OutOfDomain(OutOfDomain),
     /// The slice for the results does not have one entry for each point.
     Length {
-        /// Number of points.
+        /// Number of points, for each of which there is one result.
         points: usize,
         /// Number of results that the slice can take.
         room: usize,
@@ -92,7 +92,7 @@ fn check_length(points: usize, room: usize) -> Result<(), SweepError> {
     }
 }
 
-/// Writes both limits over frequency ratios into a slice.
+/// Writes the limits β_lim and β*_lim at every frequency ratio into a slice.
 ///
 /// # Errors
 /// [`SweepError`] if an r is out of the domain, or if the slices have different lengths.
@@ -113,8 +113,8 @@ pub fn limits<F: FrictionSystem>(
     Ok(())
 }
 
-/// Writes the regimes over frequency and friction ratios into a slice: first all β of the first r. The limits are
-/// computed once for each r.
+/// Writes the regime at every pair of frequency ratio and friction ratio into a slice: first all β of the first r. The
+/// limits are computed once for each r.
 ///
 /// # Errors
 /// [`SweepError`] if an r or β is out of the domain, or if the slice does not have one entry for each pair.
@@ -134,8 +134,9 @@ pub fn regimes<F: FrictionSystem>(
     Ok(())
 }
 
-/// Writes exact amplitudes over frequency and friction ratios into a slice: first all β of the first r. The entry is
-/// `None` outside the continuous regime, on an unbounded resonance, and for a motion that is not provided.
+/// Writes the exact amplitude at every pair of frequency ratio and friction ratio into a slice: first all β of the
+/// first r. An entry is `None` outside the continuous regime, on an unbounded resonance, and for a motion that the
+/// scene does not provide.
 ///
 /// # Errors
 /// [`SweepError`] if an r or β is out of the domain, or if the slice does not have one entry for each pair.

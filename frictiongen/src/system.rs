@@ -7,7 +7,7 @@ use core::ops::Deref;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::regime::{Limits, limits_into};
 
-/// A scene that answers at any frequency ratio.
+/// A scene with its contact, excitation and damping, which can be evaluated at any frequency ratio.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, LimitsAt, friction_system};
@@ -21,7 +21,7 @@ use frictiongen_kernel::contact::regime::{Limits, limits_into};
 ///     }
 /// }
 ///
-/// /// The smallest β_lim over a sweep, of any system.
+/// /// Returns the smallest β_lim over a sweep of frequency ratios, for any system.
 /// fn narrowest<F: FrictionSystem<Scalar = f64>>(system: &F, ratios: &[f64]) -> f64 {
 ///     ratios
 ///         .iter()
@@ -49,12 +49,13 @@ pub trait FrictionSystem {
     /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁).
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At 0 and ∞ the answers are the limits.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the system returns limit values.
     fn at(&self, r: Self::Scalar) -> Result<Self::At<'_>, OutOfDomain>;
-    /// Returns both limits without search. This is the fastest call if nothing else is needed at r.
+    /// Returns β_lim and β*_lim at r without a search over time. This is the fastest call if nothing else is needed at
+    /// r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At 0 and ∞ the answers are the limits.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the result is a limit value.
     fn limits_without_search(&self, r: Self::Scalar) -> Result<Limits<Self::Scalar>, OutOfDomain> {
         let at = self.at(r)?;
         Ok(Limits {
@@ -88,8 +89,8 @@ pub trait FrictionSystem {
     /// ```
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged. Also at the first NaN or
-    /// negative r; the results before it are filled in.
+    /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged. [`OutOfDomain`] also at the
+    /// first NaN or negative r. The results before that r are filled in.
     fn limits_without_search_into(
         &self,
         rs: &[Self::Scalar],
@@ -152,33 +153,36 @@ pub trait LimitsAt {
 
     /// Returns β_lim, the exact boundary of continuous motion (5.65, 5.80, 5.96, 7.49).
     fn continuous_limit(&self) -> Self::Scalar;
-    /// Returns β_lim with S replaced by its limit for τ → 0 (5.64).
+    /// Returns β_lim with S, the velocity constraint on the friction ratio, replaced by the limit of S for τ → 0
+    /// (5.64).
     fn continuous_limit_without_search(&self) -> Self::Scalar;
-    /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). It replaces S, the maximum of a sum over
-    /// the modes, by the sum of each mode's own maximum.
+    /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). The velocity constraint S is the maximum
+    /// over time of a sum over the modes. The bound replaces S by the sum of each mode's own maximum.
     fn continuous_limit_per_mode(&self) -> Self::Scalar;
-    /// Returns β*_lim, from which on a stuck state exists (6.11, 6.27, 6.33).
+    /// Returns the limit of sliding β*_lim. A stuck state exists for β ≥ β*_lim (6.11, 6.27, 6.33).
     fn sliding_limit(&self) -> Self::Scalar;
-    /// Returns both limits by one search. Queries of the returned [`Limits`] need no further search.
+    /// Returns β_lim and β*_lim by one search. Queries of the returned [`Limits`] need no further search.
     fn limits(&self) -> Limits<Self::Scalar> {
         Limits {
             continuous: self.continuous_limit(),
             sliding: self.sliding_limit(),
         }
     }
-    /// Returns the regime at β = F/P.
+    /// Returns the regime (continuous, stick-slip, stuck or bistable) at the friction ratio β = F/P.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     fn regime(&self, beta: Self::Scalar) -> Result<Regime, OutOfDomain>;
-    /// Returns β/min(β_lim, β*_lim) − 1. It is negative below both limits, where the closed form exists.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1. The margin is negative below both limits, where the closed form
+    /// exists.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     fn margin(&self, beta: Self::Scalar) -> Result<Self::Scalar, OutOfDomain>;
 }
 
-/// Emitted scenes at one frequency ratio and those of a `System` deref to the kernel's types.
+/// Implements [`LimitsAt`] for emitted scenes and for a `System`, at one frequency ratio. Both types deref to the
+/// kernel's scene.
 impl<A: Deref<Target: Limited>> LimitsAt for A {
     type Scalar = <A::Target as Limited>::Scalar;
 
@@ -205,19 +209,19 @@ impl<A: Deref<Target: Limited>> LimitsAt for A {
     }
 }
 
-/// A scene at one frequency ratio that also gives continuous motions.
+/// A scene at one frequency ratio that also gives the exact continuous motion.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no motion",
     label = "add `motion` to the scene's `provide: [...]`"
 )]
 pub trait MotionAt: LimitsAt {
-    /// The type of the motion at one friction ratio.
+    /// The type of the continuous motion at one friction ratio.
     type Motion: ContinuousMotion<Scalar = Self::Scalar>;
 
-    /// Returns the exact continuous motion at β = F/P.
+    /// Returns the exact continuous motion at the friction ratio β = F/P.
     ///
     /// # Errors
-    /// [`NotContinuous`], which contains the regime at this β.
+    /// [`NotContinuous`], which contains the regime at β.
     fn motion(&self, beta: Self::Scalar) -> Result<Self::Motion, NotContinuous>;
 }
 
@@ -238,8 +242,8 @@ where
     label = "add `stuck` to the scene's `provide: [...]`"
 )]
 pub trait StuckAt: LimitsAt {
-    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of a mass, by its index in the description. Returns `None` if
-    /// there is no such mass.
+    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck. `index` is the position
+    /// of the mass in the description. Returns `None` if there is no such mass.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
@@ -257,8 +261,8 @@ pub trait ContinuousMotion {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Calls `question` with the motion of the contact or of a mass and returns its answer. Returns `None` if the scene
-    /// does not provide that motion.
+    /// Calls `question` with the motion of the contact or of a mass, and returns the result of `question`. Returns
+    /// `None` if the scene does not provide that motion.
     fn ask<T>(
         &self,
         of: Of,
@@ -266,7 +270,8 @@ pub trait ContinuousMotion {
     ) -> Option<T>;
 }
 
-/// Emitted motions and those of a `System` deref to the kernel's types.
+/// Implements [`ContinuousMotion`] for the motions of emitted scenes and of a `System`. Both types deref to the
+/// kernel's motion.
 impl<M: Deref<Target: InParts>> ContinuousMotion for M {
     type Scalar = <M::Target as InParts>::Scalar;
 

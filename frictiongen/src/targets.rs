@@ -1,6 +1,8 @@
-//! Internal traits of the kernel's types: a scene at one r, by the exact formulas or by tables, and its motion. The
-//! types of emitted scenes and of a `System` deref to one of them, so that one implementation of each public trait
-//! serves all.
+//! Internal traits of the kernel's types: a scene at one frequency ratio, by the exact formulas or by tables, and the
+//! scene's motion.
+//!
+//! The types of emitted scenes and of a `System` deref to one of the kernel's types. One implementation of each public
+//! trait then serves all types.
 
 use crate::steady::{Of, Steady};
 use crate::{Complex, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
@@ -11,7 +13,7 @@ use frictiongen_kernel::orbit::ProvidesOrbit;
 use frictiongen_kernel::response::{At, Continuous, ProvidesMotion, ProvidesStuck, Scene, Stuck};
 use frictiongen_kernel::table::{Compiled, Moving, Sticking, Tabled, TabledMotion, TabledStuck};
 
-/// A kernel scene at one frequency ratio.
+/// A scene of the kernel at one frequency ratio, which gives the limits and the regime.
 pub trait Limited {
     type Scalar: Float;
 
@@ -57,7 +59,7 @@ macro_rules! limited {
 limited!(At of Scene);
 limited!(Compiled of Tabled);
 
-/// A kernel scene at one frequency ratio that gives continuous motions.
+/// A scene of the kernel at one frequency ratio that gives exact continuous motions.
 pub trait Moved: Limited {
     type Motion;
 
@@ -80,7 +82,7 @@ impl<T: TabledMotion> Moved for Compiled<T> {
     }
 }
 
-/// A kernel motion that gives the motions of the contact and of single masses.
+/// A motion of the kernel that gives the separate motions of the contact and of each mass.
 pub trait InParts {
     type Scalar: Float;
 
@@ -113,7 +115,7 @@ macro_rules! in_parts {
 in_parts!(Continuous of ProvidesMotion);
 in_parts!(Moving of TabledMotion);
 
-/// A kernel scene at one frequency ratio that gives the response with the contact stuck.
+/// A scene of the kernel at one frequency ratio that gives the response while the contact is stuck.
 pub trait HeldStill: Limited {
     fn stuck_mass(&self, index: usize) -> Result<Option<Complex<Self::Scalar>>, StuckResonance>;
 }
@@ -136,7 +138,7 @@ where
     }
 }
 
-/// A kernel scene at one frequency ratio that gives steady states.
+/// A scene of the kernel at one frequency ratio that gives steady states in any regime.
 pub trait Settles: Limited {
     type Orbit;
 

@@ -1,8 +1,9 @@
 //! Follows one frequency sample by sample in fixed memory, so that a device can watch its own friction.
 //!
-//! A [`Watch`] is a sliding Goertzel filter: the Fourier sum of its last N samples at a frequency with whole cycles in
-//! N. Two filters, one for the base and one for a mass, give the transmissibility. [`friction_ratio`] computes from it
-//! the friction ratio. Nothing allocates, nothing panics, and rounding errors do not accumulate.
+//! A [`Watch`] is a sliding Goertzel filter. It computes the Fourier sum of its last N samples at a frequency with
+//! whole cycles in N samples. Two filters, one for the base and one for a mass, give the displacement
+//! transmissibility. [`friction_ratio`] computes the friction ratio from the transmissibility. Nothing allocates,
+//! nothing panics, and rounding errors do not accumulate.
 
 use crate::Complex;
 use frictiongen_kernel::Float;
@@ -28,19 +29,20 @@ pub struct Watch<S, const N: usize> {
     /// Index at which the next sample is written.
     place: usize,
     full: bool,
-    /// Fourier sum Σ x e^{−iωt} of all N samples.
+    /// Fourier sum Σ x e^{−iωt} of the last N samples, before normalisation.
     sum: Complex<S>,
-    /// Fourier sum of the samples since `place` was 0. It replaces `sum` every N samples, so that older rounding errors
-    /// disappear.
+    /// Fourier sum of the samples since the buffer was last written from its start. Every N samples `fresh` replaces
+    /// `sum`, so that older rounding errors disappear.
     fresh: Complex<S>,
-    /// The factor e^{−iωt} of the next sample, and the factor of one step in time.
+    /// `turn` is the factor e^{−iωt} of the next sample. `step` is the factor by which `turn` changes from sample to
+    /// sample.
     turn: Complex<S>,
     step: Complex<S>,
 }
 
 impl<S: Float, const N: usize> Watch<S, N> {
-    /// Creates a filter for the frequency with `cycles` whole cycles in N samples. The sampling rate is N/cycles times
-    /// that frequency. Returns `None` for zero cycles, and if N is below 2·cycles + 1.
+    /// Creates a filter for the frequency that has `cycles` whole cycles in N samples. The sampling rate is N/cycles
+    /// times that frequency. Returns `None` for zero cycles, and for N below 2·cycles + 1.
     #[must_use]
     pub fn new(cycles: u16) -> Option<Self> {
         let zero = S::constant(0.0);
@@ -62,7 +64,7 @@ impl<S: Float, const N: usize> Watch<S, N> {
         })
     }
 
-    /// Adds a sample and drops the oldest one.
+    /// Adds a sample to the filter and drops the oldest sample.
     pub fn push(&mut self, sample: S) {
         let Some(slot) = self.samples.get_mut(self.place) else {
             return;
@@ -94,8 +96,8 @@ impl<S: Float, const N: usize> Watch<S, N> {
         }
     }
 
-    /// Returns X of x = Re X e^{iωt} over the last N samples, with t = 0 at the first sample ever added. Returns `None`
-    /// before there are N samples.
+    /// Returns the complex amplitude X of the fundamental x = Re X e^{iωt} over the last N samples. t = 0 is the first
+    /// sample ever added. Returns `None` before N samples have been added.
     #[must_use]
     pub fn fundamental(&self) -> Option<Complex<S>> {
         #[allow(clippy::cast_precision_loss, reason = "a count of samples")]
@@ -105,7 +107,8 @@ impl<S: Float, const N: usize> Watch<S, N> {
     }
 }
 
-/// Returns the transmissibility X/Y. Returns `None` where Y is 0.
+/// Returns the transmissibility X/Y of a mass: its complex amplitude X over the complex amplitude Y of the base.
+/// Returns `None` where Y is 0.
 #[must_use]
 pub fn transmissibility<S: Float>(mass: Complex<S>, base: Complex<S>) -> Option<Complex<S>> {
     let size = base.re * base.re + base.im * base.im;
@@ -116,13 +119,15 @@ pub fn transmissibility<S: Float>(mass: Complex<S>, base: Complex<S>) -> Option<
     (quotient.re.is_finite() && quotient.im.is_finite()).then_some(quotient)
 }
 
-/// Returns β from the fundamental of a mass over that of the base, where the contact slides all the time.
+/// Returns the friction ratio β from a mass's measured transmissibility, for a contact that slides all the time.
 ///
-/// There the fundamental is X = V − (4iβ/π)e^{−iφ}H, so that |X − V| = 4β|H|/π (thesis 4.5, 6.4.2). Friction shifts the
-/// fundamental by a distance proportional to β, and the scene's response at one other β gives the scale. `still` is the
-/// scene's fundamental without friction, `known` its fundamental at `beta`. Beyond β_lim the contact stops and the
-/// result is too small; `continuous_limit` returns that limit. Returns `None` where friction does not shift the
-/// fundamental.
+/// Without stops the fundamental is X = V − (4iβ/π)e^{−iφ}H, so that |X − V| = 4β|H|/π (thesis 4.5, 6.4.2). V is the
+/// fundamental without friction, H the response to a harmonic force in the contact. Friction therefore shifts the
+/// fundamental by a distance proportional to β, and the scene's response at one other β gives the scale.
+///
+/// `measured` is the measured fundamental and `still` the scene's fundamental without friction. `known` is the scene's
+/// fundamental at the friction ratio `beta`. Beyond β_lim the contact stops and the result is too small.
+/// `continuous_limit` returns β_lim. Returns `None` where friction does not shift the fundamental.
 ///
 /// ```
 /// use frictiongen::watch::friction_ratio;

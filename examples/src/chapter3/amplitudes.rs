@@ -11,7 +11,7 @@ const CONTINUOUS: [f64; 7] = [0.0, 0.2, 0.5, 0.8, 1.0, 1.25, 1.5];
 const ALL: [f64; 7] = [0.2, 0.5, 0.8, 1.0, 1.25, 1.5, 2.0];
 const RANGE: (f64, f64) = (0.1, 2.5);
 
-/// Figure 3.2: relative motion in the contact.
+/// Figure 3.2: amplitude of the relative motion in the contact, over the frequency ratio.
 pub fn relative() -> Result<Figure, Box<dyn Error>> {
     let system = joined(1.0);
     let responses = Responses::new(&system, RANGE, &CONTINUOUS, &[Of::Contact])?.continuous();
@@ -31,7 +31,7 @@ pub fn relative() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Figure 3.7: displacement transmissibility.
+/// Figure 3.7: displacement transmissibility over the frequency ratio.
 pub fn transmissibility() -> Result<Figure, Box<dyn Error>> {
     let system = joined(1.0);
     let responses = Responses::new(&system, RANGE, &CONTINUOUS, &[MASS])?.continuous();
@@ -56,7 +56,7 @@ pub fn transmissibility() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Figure 3.8: phase of the mass.
+/// Figure 3.8: phase of the mass over the frequency ratio.
 pub fn phase() -> Result<Figure, Box<dyn Error>> {
     let system = joined(1.0);
     let responses = Responses::new(&system, RANGE, &CONTINUOUS, &[MASS])?.continuous();
@@ -71,7 +71,7 @@ pub fn phase() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Figure 3.14: responses in all regimes, with the simulation.
+/// Figure 3.14: responses in all regimes, compared with the event-driven simulation.
 pub fn all_regimes() -> Result<Figure, Box<dyn Error>> {
     let system = joined(1.0);
     let of = [MASS, Of::Contact];

@@ -9,17 +9,17 @@ use frictiongen_plot::{Axis, Colour, Figure, Layer, Line, Marker, Markers, Panel
 use std::error::Error;
 
 const RANGE: (f64, f64) = (0.1, 2.5);
-/// Friction ratio of figure 3.15. `SHOWN` is the range of r in which other states are drawn.
+/// Friction ratio of figure 3.15, and the range of r in which states that motion from rest does not reach are drawn.
 const BETA: f64 = 1.0;
 const SHOWN: (f64, f64) = (0.8, 1.8);
 /// Number of steps in r of the search for steady states that motion from rest does not reach.
 const PLACES: u32 = 200;
-/// Two amplitudes that differ by less than this belong to the same state.
+/// Difference of two amplitudes below which they belong to the same steady state.
 const ALIKE: f64 = 1e-5;
 /// Largest change of the amplitude of a branch from one r of the search to the next.
 const JOINED: f64 = 0.05;
 
-/// Numbers of stops and reversals in a period and further properties of an orbit, by which branches are distinguished.
+/// Properties that distinguish branches of steady states: stops and reversals in a period, period in cycles, symmetry.
 type Kind = (usize, usize, u32, bool);
 
 fn kind(orbit: &SystemOrbit<'_>) -> Kind {
@@ -31,8 +31,8 @@ fn kind(orbit: &SystemOrbit<'_>) -> Kind {
     )
 }
 
-/// Finds the stable sliding states that motion from rest does not reach, with their amplitudes of mass or contact
-/// (`part` 0 or 1).
+/// Finds the stable sliding states that motion from rest does not reach, with their amplitudes. `part` 0 means the
+/// mass, 1 the contact.
 fn beside_rest(at: &SystemAt<'_>, part: usize) -> Vec<(Kind, f64)> {
     let of = if part == 0 { MASS } else { Of::Contact };
     let rest = at.response(BETA).ok().and_then(|rest| rest.swing(of));
@@ -50,7 +50,7 @@ fn beside_rest(at: &SystemAt<'_>, part: usize) -> Vec<(Kind, f64)> {
     sized.filter(other).collect()
 }
 
-/// Draws the branches of the states that motion from rest does not reach.
+/// Draws the branches of steady states that motion from rest does not reach.
 fn others(system: &System, part: usize, colour: Colour) -> Vec<Layer> {
     let step = (SHOWN.1 - SHOWN.0) / f64::from(PLACES);
     let mut branches: Vec<(Kind, Vec<Point>)> = Vec::new();
@@ -85,7 +85,7 @@ fn others(system: &System, part: usize, colour: Colour) -> Vec<Layer> {
         .collect()
 }
 
-/// Figure 3.15: influence of static friction.
+/// Figure 3.15: influence of static friction on the coexisting steady states.
 pub fn stiction() -> Result<Figure, Box<dyn Error>> {
     let of = [MASS, Of::Contact];
     let systems = [1.0, 1.2, 1.5, 2.0].map(|stiction| (stiction, joined(stiction)));

@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     album.close()
 }
 
-/// Figure 3.6: motion of mass and contact over a cycle.
+/// Figure 3.6: motion of mass and contact over one cycle.
 fn one_cycle() -> Result<Figure, Box<dyn Error>> {
     let system = joined(1.0);
     let times = Times {

@@ -13,11 +13,12 @@ use std::f64::consts::PI;
 
 const TO: f64 = 2.5;
 const TOP: f64 = 4.0;
-/// Number of poles of S within the figure (the last one is r = 1/31), and number of those that get a grey line.
+/// Number of poles of the velocity constraint S within the figure (the last one is r = 1/31), and number of poles with
+/// a grey line.
 const POLES: u32 = 15;
 const GUIDES: u32 = 6;
 
-/// Figure 3.3: the function S (2.27), computed from Z̄ = βS/r² (3.16) on the limit of continuous motion.
+/// Figure 3.3: the velocity constraint S (2.27), computed from Z̄ = βS/r² (3.16) on the limit of continuous motion.
 pub fn constraint() -> Result<Figure, Box<dyn Error>> {
     let system = joined(1.0);
     let value = |r: f64| -> Option<f64> {
@@ -26,7 +27,8 @@ pub fn constraint() -> Result<Figure, Box<dyn Error>> {
         let amplitude = (*at).clone().closed_form(limit).contact().amplitude();
         Some(r * r * amplitude / limit).filter(|value| value.is_finite())
     };
-    // U has its poles at the odd fractions of the resonance, r = 1/(2i + 1). S is drawn in one piece between two poles.
+    // The response U to a square wave of friction has its poles at the odd fractions of the resonance, r = 1/(2i + 1).
+    // S is drawn in one piece between two poles.
     let pole = |i: u32| 1.0 / f64::from(2 * i + 1);
     let mut ends: Vec<f64> = (1..=POLES).rev().map(pole).collect();
     ends.push(TO);
@@ -57,7 +59,7 @@ fn panel(title: &str, system: &System) -> Result<Panel, Box<dyn Error>> {
     Ok(desk::regimes(title, &lines, TOP, &Scales::groups(system)))
 }
 
-/// Figure 3.4: regimes.
+/// Figure 3.4: regimes over frequency ratio and friction ratio.
 pub fn map() -> Result<Figure, Box<dyn Error>> {
     let system = joined(1.0);
     let lines = system.limit_lines(0.0, 1.0, 1e-4)?;
@@ -85,7 +87,7 @@ pub fn map() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Figure 3.5: regimes for several μ.
+/// Figure 3.5: regimes for several ratios μ of static to kinetic friction.
 pub fn stiction() -> Result<Figure, Box<dyn Error>> {
     let titles = [
         (1.0, "(a) *μ* = 1"),
@@ -104,7 +106,7 @@ pub fn stiction() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Panel with the number of stops over a grid of r and β, and with the limits.
+/// Returns a panel with the number of stops over a grid of r and β, and with β_lim and β*_lim.
 fn counted(
     title: &str,
     stiction: f64,
@@ -131,7 +133,7 @@ fn counted(
     Ok(panel)
 }
 
-/// Figure 3.12: number of stops in a cycle.
+/// Figure 3.12: number of stops in a cycle over r and β.
 pub fn stops() -> Result<Figure, Box<dyn Error>> {
     let of = |title, stiction| counted(title, stiction, (0.0, TO, 125), (TOP, 200));
     let panels = vec![of("(a) *μ* = 1", 1.0)?, of("(b) *μ* = 1.5", 1.5)?];
@@ -144,7 +146,7 @@ pub fn stops() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Figure 3.13: number of stops in a cycle, in detail.
+/// Figure 3.13: number of stops in a cycle over r and β, for small r and β.
 pub fn few_stops() -> Result<Figure, Box<dyn Error>> {
     let of = |title, stiction| counted(title, stiction, (0.1, 0.7, 120), (0.3, 120));
     let panels = vec![

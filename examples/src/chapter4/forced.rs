@@ -13,7 +13,7 @@ const JOINED: [f64; 5] = [0.5, 0.75, 1.0, 1.5, 2.0];
 const SIZE: Reading = Reading::Harmonic(0);
 const PHASE: Reading = Reading::HarmonicPhase(0);
 
-/// Values identified from recordings of the rig, for several friction ratios.
+/// Responses identified from recordings of the rig, for several friction ratios.
 struct Read(Vec<(f64, Vec<Point>)>);
 
 impl Read {
@@ -32,7 +32,7 @@ impl Read {
         Ok(Self(each.collect::<Result<_, Box<dyn Error>>>()?))
     }
 
-    /// Markers of one quantity of each recording, in the colour of its friction ratio.
+    /// Returns circles that mark one quantity of each recording, in the colour of the recording's friction ratio.
     fn circles(&self, of: impl Fn(&Point) -> f64) -> impl Iterator<Item = Markers> {
         self.0.iter().map(move |(beta, points)| {
             let places = points.iter().map(|point| (point.r, of(point)));
@@ -41,7 +41,8 @@ impl Read {
     }
 }
 
-/// Panels with transmissibility and phase of the first harmonic, in all regimes, with the values from recordings.
+/// Returns panels with transmissibility and phase of the first harmonic, in all regimes. Circles show the responses
+/// identified from recordings.
 fn harmonics(
     responses: &Responses<'_>,
     (top, phases): (f64, (f64, f64)),
@@ -82,7 +83,7 @@ fn finished(
         .with_caption(caption)
 }
 
-/// Figure 4.7: fixed wall.
+/// Figure 4.7: transmissibility and phase with the disc on the fixed wall.
 pub fn fixed_wall() -> Result<Figure, Box<dyn Error>> {
     let system = fixed(1.0);
     let responses = Responses::new(&system, (0.1, 2.5), &FIXED, &[PLATE])?;
@@ -100,7 +101,7 @@ pub fn fixed_wall() -> Result<Figure, Box<dyn Error>> {
     ))
 }
 
-/// Figure 4.8: fixed wall at low frequencies.
+/// Figure 4.8: transmissibility and phase with the disc on the fixed wall, at low frequencies.
 pub fn fixed_wall_slow() -> Result<Figure, Box<dyn Error>> {
     let system = fixed(1.0);
     let responses = Responses::new(&system, (0.05, 0.7), &FIXED, &[PLATE])?;
@@ -119,7 +120,7 @@ pub fn fixed_wall_slow() -> Result<Figure, Box<dyn Error>> {
     ))
 }
 
-/// Figure 4.9: wall on the base.
+/// Figure 4.9: transmissibility and phase with the disc on the moving base.
 pub fn joined_wall() -> Result<Figure, Box<dyn Error>> {
     let system = joined();
     let responses = Responses::new(&system, (0.1, 2.5), &JOINED, &[PLATE])?;

@@ -17,12 +17,12 @@ use std::error::Error;
 
 const PLATE: Of = Of::Mass(0);
 
-/// The one-storey rig with its plate rubbing on a fixed disc.
+/// Returns the one-storey rig whose plate rubs on a fixed disc.
 fn fixed(stiction: f64) -> System {
     block("wall", "base", &format!("stiction: {stiction:?},"))
 }
 
-/// The one-storey rig with its disc moving with the base.
+/// Returns the one-storey rig whose disc moves with the base.
 fn joined() -> System {
     block("base", "base", "")
 }

@@ -1,4 +1,5 @@
-//! Figures of what precedes the main test: the natural frequency, the friction force, and the support of the disc.
+//! Figures of the preparations for the main test: the natural frequency, the friction force, and the support of the
+//! disc.
 
 use crate::{drawn, fixed, joined};
 use frictiongen::measure::{Channel, Measured, Recording, SweepPoint, Unit};
@@ -12,9 +13,9 @@ use std::error::Error;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// Friction ratio of the free decay.
+/// Friction ratio β of the free decay.
 const BETA: f64 = 0.4;
-/// Largest amplitude that is drawn.
+/// Largest amplitude in the figure.
 const TOP: f64 = 10.0;
 
 /// Figure 4.3: the natural frequency, from recordings without friction.
@@ -156,13 +157,13 @@ fn configuration(number: &str, title: &str, system: &System, caption: &str) -> F
         .with_caption(caption)
 }
 
-/// Figure 4.5a: the disc on the fixed wall.
+/// Figure 4.5a: sketch of the rig with its disc on the fixed wall.
 pub fn disc_on_the_wall() -> Drawn {
     let caption = "The counterweight that presses the disc on the plate is pinned to the external frame, which stands still.";
     Ok(configuration("4.5a", "Fixed wall", &fixed(1.0), caption))
 }
 
-/// Figure 4.5b: the disc on the moving base.
+/// Figure 4.5b: sketch of the rig with its disc on the moving base.
 pub fn disc_on_the_base() -> Drawn {
     let caption = "The counterweight is pinned to a post on the base: the disc moves with it.";
     Ok(configuration(

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 const R: f64 = 0.85;
 const BETA: f64 = 0.2;
-/// Sampling rate, Hz. The samples are few, so that the width of a spectral line is visible.
+/// Sampling rate, Hz. It is low, so that the width of a spectral line is visible.
 const RATE: f64 = 100.0;
 const SECONDS: f64 = 6.0;
 /// Factor by which zero padding lengthens the recording.
@@ -21,14 +21,14 @@ const HIGHEST: f64 = 12.0;
 /// Range of levels that is drawn, dB.
 const LEVELS: (f64, f64) = (-80.0, 20.0);
 
-/// One way to compute a spectrum.
+/// One way to compute a spectrum: with or without a window and zero padding.
 struct Way {
     titles: [&'static str; 2],
     windowed: bool,
     padding: usize,
 }
 
-/// Multiplies samples by the Hann window, or returns them unchanged.
+/// Returns samples multiplied by the Hann window if `windowed` is true, and otherwise unchanged.
 fn weighed(samples: &[f64], windowed: bool) -> Vec<f64> {
     let count = samples.len() as f64;
     let weight = |t: usize| {
@@ -42,8 +42,8 @@ fn weighed(samples: &[f64], windowed: bool) -> Vec<f64> {
     each.map(|(t, x)| weight(t) * x).collect()
 }
 
-/// Returns the level of a frequency relative to `unit`, dB. The amplitude of a pure tone is twice its sum over the sum
-/// of the weights, `whole`.
+/// Returns the level of the spectrum at a frequency, in dB relative to `unit`. The amplitude of a pure tone is twice
+/// its Fourier sum over the sum of the window's weights, `whole`.
 fn level(samples: &[f64], hertz: f64, whole: f64, unit: f64) -> f64 {
     let turn = Complex::from_polar(1.0, -TAU * hertz / RATE);
     let mut power = Complex::new(1.0, 0.0);
@@ -55,7 +55,7 @@ fn level(samples: &[f64], hertz: f64, whole: f64, unit: f64) -> f64 {
     20.0 * (2.0 * sum.norm() / (whole * unit)).log10()
 }
 
-/// Figure 4.6: spectra of a recording.
+/// Figure 4.6: spectra of one recording with and without window and zero padding.
 pub fn spectra() -> Result<Figure, Box<dyn Error>> {
     let rig = one_storey("wall", "")?;
     let recording = recording(

@@ -1,4 +1,4 @@
-//! Figure 4.11: a plate that finally sticks.
+//! Figure 4.11: a plate that finally sticks while the friction grows.
 
 use crate::{drawn, fixed};
 use frictiongen::measure::{Channel, IdentifyRequest, Measured, Observation, Recording};
@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 const R: f64 = 1.15;
 const BETA: f64 = 0.7;
-/// Time from which friction grows, in s, and growth of β a second.
+/// Time in s from which the friction ratio β grows, and growth of β a second.
 const GROWS: f64 = 50.0;
 const GROWTH: f64 = 0.1;
 /// Number of cycles from rest before the recording.
@@ -81,7 +81,7 @@ pub fn stuck_at_last() -> Result<Figure, Box<dyn Error>> {
     )))
 }
 
-/// Returns the samples of a recording before a time in s.
+/// Returns the recording up to a time in s.
 fn until(recording: &Recording, end: f64) -> Result<Recording, Box<dyn Error>> {
     let count = (recording.rate() * end) as usize;
     let cut = |channel: &Channel| Channel {
@@ -92,7 +92,7 @@ fn until(recording: &Recording, end: f64) -> Result<Recording, Box<dyn Error>> {
     Ok(Recording::new(recording.rate(), channels)?)
 }
 
-/// Returns every `every`-th sample of a channel between two times in s, as (time, value).
+/// Returns every `every`-th sample of a channel between two times in s, as pairs (time, displacement).
 fn displacements(
     channel: &Channel,
     rate: f64,

@@ -14,28 +14,29 @@ use std::error::Error;
 use std::f64::consts::TAU;
 
 const BETA: f64 = 0.2;
-/// Letter, r and μ of each motion. With μ = 1.2 the plate stops once a cycle at r = 0.5, as the measured plate does.
+/// Letter of the panel, frequency ratio r and μ of each motion. With μ = 1.2 the plate stops once a cycle at r = 0.5,
+/// as the measured plate does.
 const CASES: [(&str, f64, f64); 4] = [
     ("a", 0.12, 1.0),
     ("b", 0.5, 1.2),
     ("c", 0.8, 1.0),
     ("d", 1.25, 1.0),
 ];
-/// Cycles of the short and of the long time axis.
+/// Number of cycles on the short and on the long time axis.
 const SHORT: f64 = 2.0;
 const LONG: f64 = 16.0;
-/// Number of circles in a cycle of the short axis, and number of points in a cycle of the long one.
+/// Number of circles in a cycle on the short time axis, and number of points in a cycle on the long one.
 const CIRCLES: u32 = 24;
 const POINTS: u32 = 48;
-/// Number of cycles in a spectrum, and its highest order.
+/// Number of cycles from which a spectrum is computed, and its highest order of the excitation.
 const CYCLES: f64 = 20.0;
 const HIGHEST: f64 = 12.0;
 /// Lowest level that is drawn, dB.
 const LOWEST: f64 = -100.0;
 
-/// A recording of the plate, with the values identified from it.
+/// A recording of the plate, with the response identified from the recording.
 struct Recorded {
-    /// Displacement of the plate, divided by the amplitude of the base that was identified.
+    /// Displacement of the plate, divided by the identified amplitude of the base.
     plate: Vec<f64>,
     measured: Measured,
 }
@@ -64,7 +65,8 @@ impl Recorded {
         turn * (index as f64 - middle) + drive.im.atan2(drive.re)
     }
 
-    /// Returns samples from a phase angle on, about `each` of them a cycle, with their angles counted from that angle.
+    /// Returns samples of the plate from a phase angle on, about `each` samples a cycle. The angles in the result are
+    /// counted from that phase angle.
     fn samples(&self, from: f64, cycles: f64, each: u32) -> Vec<(f64, f64)> {
         let per_sample = TAU * self.measured.hertz / self.measured.rate;
         let wait = (from - self.angle(0)).rem_euclid(TAU);
@@ -81,7 +83,7 @@ impl Recorded {
     }
 }
 
-/// Figure 4.12: motions over time.
+/// Figure 4.12: recorded and computed motions over time.
 pub fn motions() -> Result<Figure, Box<dyn Error>> {
     let mut panels = Vec::new();
     for (index, (letter, r, stiction)) in CASES.into_iter().enumerate() {
@@ -120,7 +122,7 @@ pub fn motions() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Returns a panel of the theory over two cycles, with the phase angle of the base at which the panel begins.
+/// Returns a panel of the computed motion over two cycles, and the phase angle of the base at which the panel begins.
 fn theory(system: &System, title: &str, r: f64) -> Result<(f64, Panel), Box<dyn Error>> {
     let times = Times {
         span: (0.0, SHORT * TAU),
@@ -137,7 +139,7 @@ fn theory(system: &System, title: &str, r: f64) -> Result<(f64, Panel), Box<dyn 
     Ok((origin, panel))
 }
 
-/// Draws the steady state that motion from rest reaches, from a phase angle of the base on.
+/// Draws the steady state that motion from rest reaches. The line begins at a phase angle of the base.
 fn with_a_stop(system: &System, r: f64, origin: f64) -> Result<Line, Box<dyn Error>> {
     let count = 480;
     let taus: Vec<f64> = (0..=count)
@@ -155,7 +157,7 @@ fn with_a_stop(system: &System, r: f64, origin: f64) -> Result<Line, Box<dyn Err
     ))
 }
 
-/// Figure 4.13: harmonics of the motions.
+/// Figure 4.13: recorded and computed harmonics of the motions.
 pub fn harmonics() -> Result<Figure, Box<dyn Error>> {
     let mut panels = Vec::new();
     for (index, (letter, r, stiction)) in CASES.into_iter().enumerate() {
@@ -187,7 +189,8 @@ pub fn harmonics() -> Result<Figure, Box<dyn Error>> {
         ))
 }
 
-/// Returns levels in dB by order, from 20 cycles of a recording under a Hann window. A shorter recording gives none.
+/// Returns the spectrum of 20 cycles of a recording under a Hann window, as pairs (order, level in dB). A shorter
+/// recording gives `None`.
 fn spectrum(recorded: &Recorded) -> Option<Vec<(f64, f64)>> {
     let per_sample = recorded.measured.hertz / recorded.measured.rate;
     let count = (CYCLES / per_sample).round() as usize;
@@ -214,7 +217,8 @@ fn spectrum(recorded: &Recorded) -> Option<Vec<(f64, f64)>> {
     Some(orders.map(level).collect())
 }
 
-/// Returns the levels in dB of the harmonics of the steady state reached from rest. The first one is the mean.
+/// Returns the harmonics of the steady state that motion from rest reaches, as levels in dB. The first one is the
+/// mean.
 fn exact(system: &System, r: f64) -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
     let count = 4096;
     let angles: Vec<f64> = (0..count)

@@ -8,14 +8,14 @@ use std::error::Error;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// Figure 6.22a: contact between the two masses.
+/// Figure 6.22a: sketch of two masses that rub on each other.
 pub fn system_between() -> Drawn {
     Ok(Figure::new("6.22a", "Contact between two masses", 1, Vec::new())
         .with_sketch(drawn(&between()))
         .with_caption("The system of figures 6.23 and 6.24. A base that moves by *Y* = *P*/*k*_1 does the same as the load."))
 }
 
-/// Figure 6.22b: contact between the lower mass and the base.
+/// Figure 6.22b: sketch of two masses, the lower one of which rubs on the moving base.
 pub fn system_joined() -> Drawn {
     Ok(Figure::new(
         "6.22b",
@@ -27,7 +27,7 @@ pub fn system_joined() -> Drawn {
     .with_caption("The system of figures 6.25, 6.26, 6.28 and 6.29: the wall moves with the base."))
 }
 
-/// Panels with the amplitudes of both masses, and with amplitude and phase of the relative motion.
+/// Returns panels with the amplitudes of both masses, and with amplitude and phase of the relative motion.
 fn panels(system: &System, betas: &[f64], ends: (f64, f64)) -> Result<Vec<Panel>, Box<dyn Error>> {
     let responses = Responses::up_to(1e4, 5e-4, system, (0.1, 2.5), betas, &[M1, M2, Of::Contact])?;
     let row = |part, titles, labels| Row {

@@ -2,8 +2,8 @@
 
 use frictiongen::{Of, System};
 
-/// Returns the change of the estimated amplitude (5.50) due to friction. A positive value means that the amplitude
-/// grows with β.
+/// Returns the change of the estimated amplitude (5.50) due to friction at the frequency ratio r. A positive change
+/// means that the amplitude grows with β.
 fn gain(system: &System, of: Of, r: f64) -> Option<f64> {
     let at = system.at(r).ok()?;
     // Half of β_lim keeps the motion continuous, and changes the amplitude by enough for a comparison.
@@ -18,7 +18,7 @@ fn gain(system: &System, of: Of, r: f64) -> Option<f64> {
     Some((estimate(beta)? - estimate(0.0)?) / beta)
 }
 
-/// Finds the roots of (6.10) between two frequency ratios. The estimated amplitude is the same for every β at a root.
+/// Finds the roots of (6.10) between two frequency ratios. At a root the estimated amplitude does not depend on β.
 pub fn invariant(system: &System, of: Of, (from, to): (f64, f64)) -> Vec<f64> {
     let steps = 1000;
     let place = |i: u32| from + (to - from) * f64::from(i) / f64::from(steps);
@@ -41,7 +41,7 @@ pub fn invariant(system: &System, of: Of, (from, to): (f64, f64)) -> Vec<f64> {
             }
         }
         let root = 0.5 * (low + high);
-        // The sign also changes at a pole, which is no root.
+        // The sign also changes at a pole, which is not a root.
         if gain(system, of, root).is_some_and(|value| value.abs() < 1e-6) {
             roots.push(root);
         }

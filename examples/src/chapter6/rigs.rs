@@ -23,7 +23,7 @@ fn row<'a>(part: usize, titles: [&'a str; 2], labels: [&'a str; 2], ends: (f64, 
     }
 }
 
-/// Panels with amplitudes and phases of both masses.
+/// Returns panels with amplitudes and phases of both masses over the frequency ratio.
 fn rows(responses: &Responses<'_>, ends: [(f64, f64); 2]) -> Vec<Panel> {
     let lower = row(
         0,

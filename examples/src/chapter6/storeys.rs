@@ -26,7 +26,7 @@ fn configuration(number: &str, title: &str, contact: &str, caption: &str) -> Fig
         .with_caption(caption)
 }
 
-/// Figure 6.18a: the disc on the lower plate.
+/// Figure 6.18a: sketch of the rig with its disc on the lower plate.
 pub fn disc_on_the_lower() -> Drawn {
     let caption = "Two storeys on a base that moves; a counterweight pinned to the external frame presses a disc on the lower plate.";
     Ok(configuration(
@@ -37,7 +37,7 @@ pub fn disc_on_the_lower() -> Drawn {
     ))
 }
 
-/// Figure 6.18b: the disc on the upper plate.
+/// Figure 6.18b: sketch of the rig with its disc on the upper plate.
 pub fn disc_on_the_upper() -> Drawn {
     let caption = "The same with the disc on the upper plate.";
     Ok(configuration(
@@ -48,10 +48,10 @@ pub fn disc_on_the_upper() -> Drawn {
     ))
 }
 
-/// A driving frequency in Hz, X₁/Y at that frequency, and its standard deviation.
+/// A driving frequency in Hz, the complex transmissibility X₁/Y at that frequency, and its standard deviation.
 type Point = (f64, Complex<f64>, f64);
 
-/// Identifies X₁/Y from recordings without friction.
+/// Identifies the complex transmissibility X₁/Y of the lower plate from recordings without friction.
 fn read() -> Result<Vec<Point>, Box<dyn Error>> {
     let rig = two_storeys()?;
     let mut noise = Noise::new(619);
@@ -65,7 +65,7 @@ fn read() -> Result<Vec<Point>, Box<dyn Error>> {
     Ok(points)
 }
 
-/// Fits the parameters to the amplitudes of the lower plate, starting from two equal storeys.
+/// Fits the parameters of the rig to the amplitudes of the lower plate, starting from two equal storeys.
 fn fitted(points: &[Point]) -> Result<SweepFit, Box<dyn Error>> {
     let guess: System = "struct Storeys {
         masses: { m1: 3.0, m2: 3.0 }, springs: { base - m1: 1000.0, m1 - m2: 1000.0 }, contact: m1 - wall, excitation: base,
@@ -123,7 +123,7 @@ pub fn without_friction() -> Drawn {
         };
         let pieces = undamped(&system, of, &guides.map(|guide| guide.1));
         panel = panel.with(Line::new(name, part_colour(index), stroke, pieces));
-        // z = x₁ − y (A.12).
+        // The relative motion is z = x₁ − y (A.12).
         let base = Complex::new(f64::from(index as u32), 0.0);
         let circles = points
             .iter()
@@ -162,7 +162,7 @@ pub fn without_friction() -> Drawn {
         )))
 }
 
-/// Amplitude without friction over r, cut at its zeros and poles (`marks`).
+/// Returns the amplitude without friction over r, cut at the zeros and poles in `marks`.
 fn undamped(system: &System, of: Of, marks: &[f64]) -> Vec<Vec<(f64, f64)>> {
     let steps = 800;
     let width = 8.0 * SECONDS;

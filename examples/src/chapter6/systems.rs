@@ -46,7 +46,7 @@ pub fn joined() -> System {
     chain(&[1.0; 2], &[1.0; 2], "m1 - base", "base", "")
 }
 
-/// Names, motions and colours of masses, for a figure over time.
+/// Returns names, motions and colours of masses, for a figure over time.
 pub fn motions(names: &[&'static str]) -> Vec<(&'static str, Of, Colour)> {
     let named = names.iter().enumerate();
     named

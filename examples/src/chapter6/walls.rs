@@ -15,10 +15,10 @@ use std::f64::consts::PI;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// Colour of the invariant points, which no β has.
+/// Colour of the invariant points. No friction ratio has this colour.
 const MAGENTA: Colour = Colour::Rgb(0xd1, 0x00, 0xa5);
 
-/// Figure 6.1a: the example of section 6.2.
+/// Figure 6.1a: sketch of the three masses of section 6.2.
 pub fn system_of_three() -> Drawn {
     Ok(Figure::new(
         "6.1a",
@@ -32,7 +32,7 @@ pub fn system_of_three() -> Drawn {
     ))
 }
 
-/// Figure 6.1b: the system that remains of 6.1a while the contact is stuck.
+/// Figure 6.1b: sketch of the system that remains of figure 6.1a while the contact is stuck.
 pub fn stuck_three() -> Drawn {
     let spring = |between, label: &str| Spring {
         between,
@@ -96,7 +96,7 @@ pub fn invariant_points() -> Drawn {
         )))
 }
 
-/// Figure 6.4: load and contact on the lower mass.
+/// Figure 6.4: sketch of two masses with load and contact on the lower mass.
 pub fn lower_system() -> Drawn {
     Ok(Figure::new(
         "6.4",
@@ -108,7 +108,7 @@ pub fn lower_system() -> Drawn {
     .with_caption("The system of figures 6.5 to 6.7; *m*_2 is moved by its spring alone."))
 }
 
-/// Figure 6.11: load on the lower mass, contact on the upper one.
+/// Figure 6.11: sketch of two masses with the load on the lower mass and the contact on the upper one.
 pub fn upper_system() -> Drawn {
     Ok(Figure::new(
         "6.11",
@@ -120,7 +120,7 @@ pub fn upper_system() -> Drawn {
     .with_caption("The system of figures 6.12 to 6.14. With *m*_2 stuck, *m*_1 moves on."))
 }
 
-/// Panel with both masses over half a cycle.
+/// Returns a panel with both masses over half a cycle.
 fn half_cycle(title: &str, system: &System, at: (f64, f64)) -> Result<Panel, Box<dyn Error>> {
     let times = Times {
         span: (0.0, PI),
@@ -182,7 +182,7 @@ pub fn upper_cycles() -> Drawn {
         ))
 }
 
-/// Panels with amplitude and phase of both masses.
+/// Returns panels with amplitude and phase of both masses over the frequency ratio.
 fn rows(
     stuck: bool,
     responses: &Responses<'_>,
@@ -256,7 +256,7 @@ pub fn upper_responses() -> Drawn {
         ))
 }
 
-/// Three panels of regimes, one for each μ, and a panel with all their limits.
+/// Returns three panels of regimes, one for each μ, and a panel with the limits for every μ.
 fn regimes(contact: usize, top: f64) -> Result<Vec<Panel>, Box<dyn Error>> {
     let stictions = [1.0, 1.2, 1.5];
     let mut panels = Vec::new();

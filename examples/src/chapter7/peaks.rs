@@ -11,20 +11,21 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// Number of steps of a line.
+/// Number of steps from point to point of a line.
 const STEPS: u32 = 400;
 
-/// Returns the amplitude of x̄ at the undamped resonance, or `None` if the contact stops.
+/// Returns the amplitude of x̄ at the undamped resonance. `None` if the contact stops there.
 fn at_resonance(system: &System, r: f64, beta: f64) -> Option<f64> {
     Some(system.at(r).ok()?.motion(beta).ok()?.contact().amplitude())
 }
 
-/// Returns β_lim at the undamped resonance.
+/// Returns the limit of continuous motion β_lim at the undamped resonance.
 fn limit(system: &System) -> Option<f64> {
     Some(system.at(1.0).ok()?.limits().continuous)
 }
 
-/// Finds the largest amplitude of continuous motion near the resonance. Its frequency lies a little below r = 1.
+/// Finds the largest amplitude of continuous motion near the resonance. The frequency of this peak lies slightly below
+/// r = 1.
 fn peak(system: &System, beta: f64) -> Option<f64> {
     // Golden section search, because the amplitude has one maximum in this range.
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
@@ -41,7 +42,7 @@ fn peak(system: &System, beta: f64) -> Option<f64> {
     at_resonance(system, 0.5 * (low + high), beta)
 }
 
-/// Values between two bounds, evenly spaced on a logarithmic axis.
+/// Returns numbers between two bounds, evenly spaced on a logarithmic axis.
 fn spread(low: f64, high: f64) -> impl Iterator<Item = f64> {
     (0..=STEPS).map(move |i| low * (high / low).powf(f64::from(i) / f64::from(STEPS)))
 }
@@ -71,7 +72,7 @@ pub fn over_damping() -> Drawn {
     }
     let least = |zeta: f64| {
         let system = one_mass(zeta);
-        // Just below the limit, because on the limit itself the motion is no longer continuous.
+        // The friction is just below β_lim, because at β_lim itself the motion is no longer continuous.
         Some((
             zeta,
             at_resonance(&system, 1.0, limit(&system)? * (1.0 - 1e-13))?,
@@ -80,7 +81,7 @@ pub fn over_damping() -> Drawn {
     let points = spread(low, high).filter_map(least).collect();
     panel = panel.with(line("at *β*_lim", Colour::Black, Stroke::Dashed, points));
     let exact = spread(low, high).filter_map(|zeta| Some((zeta, limit(&one_mass(zeta))?)));
-    // (7.62) as printed, where (cosh x − 1)/sinh x = tanh(x/2).
+    // Limit (7.62) as printed, where (cosh x − 1)/sinh x = tanh(x/2).
     let printed = |zeta: f64| (zeta, (0.5 * PI * zeta).tanh() / (2.0 * zeta));
     let limits = Panel::new(
         "(b) *β*_lim at *r* = 1",
@@ -109,7 +110,7 @@ pub fn over_damping() -> Drawn {
         ))
 }
 
-/// Figure 7.9: amplitudes over the friction ratio.
+/// Figure 7.9: amplitudes at resonance over the friction ratio.
 pub fn over_friction() -> Drawn {
     let beta = || Axis::new("friction ratio *β*", 0.0, 0.8);
     let light = one_mass(0.01);

@@ -37,7 +37,7 @@ pub fn with_dashpot() -> Sketch {
     sketch
 }
 
-/// Panels with amplitude and phase for three damping ratios, one row for each.
+/// Returns panels with amplitude and phase, one row for each of three damping ratios.
 fn rows(
     systems: &[(String, System)],
     betas: &[f64],
@@ -69,7 +69,7 @@ fn rows(
     Ok(panels)
 }
 
-/// Returns `true` if each system has one mass.
+/// Returns true if every system has a single mass.
 fn single(systems: &[(String, System)]) -> bool {
     systems
         .iter()
@@ -141,7 +141,8 @@ pub fn upper() -> Drawn {
         ))
 }
 
-/// Panel with the limits for three damping ratios. A sliding limit that is the same for all is drawn once.
+/// Returns a panel with the limits for three damping ratios. A limit of sliding that is the same for all is drawn
+/// once.
 fn limits(
     systems: &[(String, System)],
     label: &str,

@@ -18,7 +18,7 @@ fn five(contact: usize, zeta: f64) -> System {
     chain(&[1.0; 5], &[1.0; 5], &contact, "m1", &damping)
 }
 
-/// Panels with half a cycle of all masses, for two damping ratios.
+/// Returns panels with half a cycle of all masses, one for each of two damping ratios.
 fn cycles(contact: usize) -> Result<Vec<Panel>, Box<dyn Error>> {
     let times = Times {
         span: (0.0, PI),
@@ -43,7 +43,7 @@ fn cycles(contact: usize) -> Result<Vec<Panel>, Box<dyn Error>> {
     Ok(panels)
 }
 
-/// Figure 7.1: contact on m₁.
+/// Figure 7.1: motions of five damped masses with the contact on m₁.
 pub fn low_contact() -> Drawn {
     Ok(Figure::new("7.1", "Five damped masses, load and contact on the lowest", 2, cycles(1)?)
         .with_sketch(drawn(&five(1, 0.01)))
@@ -54,7 +54,7 @@ pub fn low_contact() -> Drawn {
         ))
 }
 
-/// Figure 7.2: contact on m₃.
+/// Figure 7.2: motions of five damped masses with the contact on m₃.
 pub fn middle_contact() -> Drawn {
     Ok(Figure::new("7.2", "Five damped masses, load on the lowest, contact on the middle one", 2, cycles(3)?)
         .with_sketch(drawn(&five(3, 0.01)))
@@ -65,7 +65,7 @@ pub fn middle_contact() -> Drawn {
         ))
 }
 
-/// Figure 7.10: slow motion with stops.
+/// Figure 7.10: slow motion of a mass with stops.
 pub fn slow() -> Drawn {
     let times = Times {
         span: (0.0, TAU),

@@ -11,10 +11,11 @@ use frictiongen_plot::{Colour, Key, Layer, Marker, Panel, Scale, Sketch, Stroke}
 /// Label of the frequency axis for a system of several masses.
 pub const RATIO: &str = "frequency ratio *r*_1";
 
-/// Range of phases in degrees before it is fitted to the curves.
+/// Range of phases in degrees that is drawn before the axis is fitted to the curves.
 const WIDE: (f64, f64) = (-180.0, 900.0);
 
-/// Builds a chain of masses m1, m2, … that begins at the base. Masses and springs are multiples of the first.
+/// Builds a chain of masses m1, m2, … that begins at the base. All masses and springs are given as multiples of the
+/// first.
 #[must_use]
 pub fn chain(
     masses: &[f64],
@@ -46,14 +47,14 @@ pub fn drawn(system: &System) -> Sketch {
     sketch(system.scene(), false)
 }
 
-/// Labels the frequency axis of a panel r₁.
+/// Sets the label of a panel's frequency axis to r₁.
 #[must_use]
 pub fn over_r1(mut panel: Panel) -> Panel {
     panel.x.label = RATIO.into();
     panel
 }
 
-/// Draws the regimes over r₁ and β.
+/// Draws the regimes over the frequency ratio r₁ and the friction ratio β.
 ///
 /// # Errors
 /// Fails if the limits cannot be computed.
@@ -66,28 +67,28 @@ pub fn map(title: &str, system: &System, top: f64) -> Result<Panel, Box<dyn std:
 /// Content of a row of two panels: amplitude and phase of one mass or of the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a> {
-    /// Index of the motion within those that the responses contain.
+    /// Index of the drawn motion among the motions of the responses.
     pub part: usize,
-    /// Title of each panel.
+    /// Titles of the amplitude panel and of the phase panel.
     pub titles: [&'a str; 2],
-    /// Label of each vertical axis.
+    /// Labels of the vertical axes of the amplitude panel and of the phase panel.
     pub labels: [&'a str; 2],
     /// Range of amplitudes. The axis is logarithmic if the lower bound is above 0.
     pub sizes: (f64, f64),
     /// Range of phases in degrees. Equal bounds mean that the range is fitted to the curves.
     pub ends: (f64, f64),
-    /// `true` if the response with the contact stuck is drawn.
+    /// True if the response with the contact stuck is drawn.
     pub stuck: bool,
     /// Lowest r at which the response at the limit of continuous motion is drawn.
     pub limit_from: f64,
-    /// Distance in r between the circles of the simulation, 0 for no circles.
+    /// Distance in r between the circles of the simulation. 0 means no circles.
     pub circles: f64,
-    /// `true` if the first harmonic is drawn in place of the amplitude and lag of the motion.
+    /// True if the first harmonic is drawn in place of the amplitude and lag of the motion.
     pub harmonic: bool,
 }
 
 impl Row<'_> {
-    /// Returns the panels of amplitude and phase.
+    /// Returns the panel of the amplitude and the panel of the phase.
     #[must_use]
     pub fn panels(&self, responses: &Responses<'_>) -> [Panel; 2] {
         [self.amplitude(responses), self.phase(responses)]
@@ -127,7 +128,8 @@ impl Row<'_> {
         let mut panel = self.panel(responses, self.titles[1], reading, y);
         panel.y = panel.y.degrees();
         if 0.0 < self.circles {
-            // During a stop the maximum is a plateau, and its largest sample may lie anywhere on it (3.6.1).
+            // During a stop the maximum is a plateau. The largest sample of the simulation may then lie anywhere on
+            // the plateau (3.6.1).
             let continuous = responses.clone().continuous();
             let circles = continuous.simulation(self.circles, self.part, reading);
             panel.layers.extend(circles);
@@ -166,7 +168,7 @@ impl Row<'_> {
     }
 }
 
-/// Returns the multiples of 90 degrees between which the lines of a panel lie, with a small margin.
+/// Returns the range of phases to draw: the outermost multiples of 90 degrees that the lines reach, with a margin.
 fn reached(panel: &Panel) -> (f64, f64) {
     let lines = panel.layers.iter().filter_map(|layer| match layer {
         Layer::Line(line) => Some(line),
@@ -180,7 +182,7 @@ fn reached(panel: &Panel) -> (f64, f64) {
     (low - 50.0, high + 50.0)
 }
 
-/// Legend of strokes and circles. The stroke of the stuck response is left out unless `stuck` is set.
+/// Returns the legend of strokes and circles. The stroke of the stuck response appears only if `stuck` is true.
 #[must_use]
 pub fn strokes(stuck: bool, circles: bool) -> Vec<Key> {
     let mut keys = desk::keys();

@@ -2,7 +2,8 @@
 
 use frictiongen_plot::Colour;
 
-/// Colours of the friction ratios that the thesis draws. Two ratios with the same colour are never in one figure.
+/// Colours of the friction ratios in the figures of the thesis. Two ratios with the same colour are never in one
+/// figure.
 const TABLE: [(f64, Colour); 15] = [
     (0.0, Colour::Rgb(0x60, 0x60, 0x60)),
     (0.1, Colour::Series(7)),
@@ -29,7 +30,7 @@ const DEEP: [Colour; 5] = [
     Colour::Rgb(0x6a, 0x3d, 0x8f),
 ];
 
-/// Returns the colour of a friction ratio. A ratio outside the table gets its colour by its tenths.
+/// Returns the colour of a friction ratio. A ratio outside the table gets a colour by its tenths.
 #[must_use]
 pub fn beta_colour(beta: f64) -> Colour {
     let known = TABLE.iter().find(|(known, _)| (known - beta).abs() < 1e-9);
@@ -38,7 +39,7 @@ pub fn beta_colour(beta: f64) -> Colour {
     })
 }
 
-/// Returns the colour of a mass by its index. No β has this colour.
+/// Returns the colour of a mass, by its index. No friction ratio has this colour.
 #[must_use]
 pub fn part_colour(index: usize) -> Colour {
     DEEP[index % DEEP.len()]

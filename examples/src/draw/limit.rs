@@ -8,12 +8,11 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Largest difference in lag, rad, between neighbouring points that a line joins.
 const TURN: f64 = 0.6;
-/// Points with β_lim below this are skipped. β_lim vanishes at single frequencies, which say nothing about their
-/// neighbourhood.
+/// Limit of continuous motion β_lim below which points are skipped. β_lim vanishes at single frequencies, which say
+/// nothing about their neighbourhood.
 const VANISHING: f64 = 1e-6;
 
-/// Returns the points of the lines of the limits, which are densest where a limit bends: frequency ratios with both
-/// limits.
+/// Returns frequency ratios in a range, each with β_lim and β*_lim. They are densest where a limit bends.
 #[must_use]
 pub fn places(system: &System, (from, to): (f64, f64)) -> Vec<(f64, frictiongen::Limits<f64>)> {
     system
@@ -22,7 +21,7 @@ pub fn places(system: &System, (from, to): (f64, f64)) -> Vec<(f64, frictiongen:
         .unwrap_or_default()
 }
 
-/// Returns the response at β_lim over r, where β_lim is reached before the contact sticks.
+/// Returns the response at β = β_lim over r, at frequencies where β_lim is below β*_lim, so that no stuck state exists.
 #[must_use]
 pub fn at_limit(system: &System, range: (f64, f64), of: Of, reading: Reading) -> Line {
     let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
@@ -59,7 +58,7 @@ pub fn at_limit(system: &System, range: (f64, f64), of: Of, reading: Reading) ->
 }
 
 fn read(system: &System, r: f64, limit: f64, of: Of, reading: Reading) -> Option<(f64, f64)> {
-    // Just below the limit, because on the limit itself the motion is no longer continuous.
+    // The friction is just below β_lim, because at β_lim itself the motion is no longer continuous.
     let response = system.at(r).ok()?.response(limit * (1.0 - 1e-13)).ok()?;
     match reading {
         Reading::Amplitude | Reading::Phase => {

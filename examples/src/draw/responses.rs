@@ -1,4 +1,4 @@
-//! Responses of one system over r for several β.
+//! Responses of one system over the frequency ratio for several friction ratios.
 
 use super::colours::beta_colour;
 use super::limit::at_limit;
@@ -10,13 +10,13 @@ use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
 use frictiongen_plot::{Colour, Layer, Line, Marker, Markers, Panel, Point};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Lowest r at which the response at β_lim is drawn. Its lobes crowd at lower r.
+/// Lowest r at which the response at β_lim is drawn. Its peaks crowd at lower r.
 const LOWEST_LIMIT: f64 = 0.2;
 
 /// Largest amplitude that is computed by default. Larger amplitudes occur only near an infinite resonance.
 const LARGEST: f64 = 200.0;
 
-/// Responses of one system over r for several β.
+/// Responses of one system over the frequency ratio r, one curve for each of several friction ratios β.
 #[derive(Clone, Debug)]
 pub struct Responses<'a> {
     system: &'a System,
@@ -27,7 +27,7 @@ pub struct Responses<'a> {
 }
 
 impl<'a> Responses<'a> {
-    /// Computes the responses of masses or the contact in all regimes.
+    /// Computes the responses of masses or of the contact in all regimes.
     ///
     /// # Errors
     /// Fails if the curves cannot be computed.
@@ -40,7 +40,7 @@ impl<'a> Responses<'a> {
         Self::up_to(LARGEST, 2e-4, system, range, betas, of)
     }
 
-    /// Computes the responses with amplitudes up to `largest`, each curve to the given `accuracy`.
+    /// Computes the responses with amplitudes up to `largest`. `accuracy` is the accuracy of each curve.
     ///
     /// # Errors
     /// Fails if the curves cannot be computed.
@@ -104,21 +104,21 @@ impl<'a> Responses<'a> {
         self
     }
 
-    /// Returns the response with the contact stuck, over the same range of r.
+    /// Returns the response with the contact stuck as a line, over the same range of r.
     #[must_use]
     pub fn stuck(&self, part: usize, reading: Reading) -> Line {
         let of = self.of.get(part).copied().unwrap_or(Of::Contact);
         stuck(self.system, self.range, of, reading)
     }
 
-    /// Returns the curves, in the order of the β.
+    /// Returns the response curves, in the order of the friction ratios.
     #[must_use]
     pub fn curves(&self) -> &[Curve] {
         &self.curves
     }
 
-    /// Draws a reading of one motion over r, from r = 0 if the curves begin near 0. The range of y is fitted unless it
-    /// is given.
+    /// Draws amplitude or phase of one motion over r. The panel begins at r = 0 if the curves begin near 0. The range
+    /// of y is fitted to the curves unless it is given.
     #[must_use]
     pub fn panel(
         &self,
@@ -167,13 +167,13 @@ impl<'a> Responses<'a> {
         panel
     }
 
-    /// Draws an amplitude over r.
+    /// Draws the amplitude of a motion over r.
     #[must_use]
     pub fn amplitude(&self, title: &str, part: usize, label: &str, top: f64) -> Panel {
         self.panel(title, part, Reading::Amplitude, (label, Some((0.0, top))))
     }
 
-    /// Draws a phase over r in degrees.
+    /// Draws the phase of a motion in degrees over r.
     #[must_use]
     pub fn phase(&self, title: &str, part: usize, label: &str, ends: (f64, f64)) -> Panel {
         let panel = self.panel(title, part, Reading::Phase, (label, Some(ends)));
@@ -183,7 +183,7 @@ impl<'a> Responses<'a> {
         }
     }
 
-    /// Returns the response at the limit of continuous motion.
+    /// Returns the response at the limit of continuous motion as a line.
     #[must_use]
     pub fn limit(&self, part: usize, reading: Reading) -> Line {
         let range = (self.range.0.max(LOWEST_LIMIT), self.range.1);
@@ -191,7 +191,7 @@ impl<'a> Responses<'a> {
         at_limit(self.system, range, of, reading)
     }
 
-    /// Returns open circles of the simulation from rest, at distances `step` in r.
+    /// Returns open circles of the simulation from rest, at intervals `step` in r.
     #[must_use]
     pub fn simulation(&self, step: f64, part: usize, reading: Reading) -> Vec<Layer> {
         let of = self.of.get(part).copied().unwrap_or(Of::Contact);
@@ -227,8 +227,8 @@ impl<'a> Responses<'a> {
     }
 }
 
-/// Centres a stuck motion. A stuck contact remains where motion from rest has brought it, but the thesis draws the
-/// motion about its own middle.
+/// Centres a stuck motion. A stuck contact remains where motion from rest has brought the contact, but the thesis
+/// draws the motion about its middle.
 fn centre(piece: &mut Piece) {
     let movements = piece
         .points
@@ -261,7 +261,7 @@ fn settled(piece: &Piece) -> Vec<Piece> {
     runs.iter().enumerate().map(part).collect()
 }
 
-/// Returns the stuck pieces of a curve, or those that are not stuck.
+/// Returns the stuck pieces of a curve if `stuck` is true, and otherwise the other pieces.
 #[must_use]
 pub fn only_regimes(curve: &Curve, stuck: bool) -> Curve {
     let pieces = curve.pieces.iter();

@@ -1,4 +1,4 @@
-//! A figure as a picture file and a data file.
+//! Saves a figure as a picture file and a data file.
 
 use crate::album::Album;
 use crate::gallery::Entry;
@@ -29,7 +29,7 @@ pub fn save(figure: &Figure, album: &mut Album) -> Result<(), Box<dyn Error>> {
     album.add(&figure.number, &figure.svg(), &csv(figure)?)
 }
 
-/// Writes every point of a figure's lines, markers and maps with nine digits.
+/// Formats every point of a figure's lines, markers and maps as CSV, with nine digits.
 ///
 /// # Errors
 /// Never fails in practice, because writing to a string always succeeds.

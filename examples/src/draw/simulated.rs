@@ -1,4 +1,4 @@
-//! The event-driven simulation from rest.
+//! The event-driven simulation of motion from rest.
 
 use frictiongen::{Of, System};
 use frictiongen_plot::desk::Reading;
@@ -10,7 +10,7 @@ pub const CYCLES: usize = 1000;
 /// Number of instants of a cycle at which a simulated motion is sampled.
 const INSTANTS: usize = 720;
 
-/// An amplitude, and a lag behind the excitation in rad.
+/// Amplitude of a motion, and its lag behind the excitation.
 #[derive(Clone, Copy, Debug)]
 pub struct Polar {
     /// Amplitude |x̄|.
@@ -19,8 +19,8 @@ pub struct Polar {
     pub lag: f64,
 }
 
-/// Returns the motions of a run from rest after [`CYCLES`] cycles, at ascending phase angles of the excitation: one
-/// list for each motion.
+/// Returns the motions of a simulation from rest after [`CYCLES`] cycles, one list for each motion. The entries are at
+/// ascending phase angles of the excitation.
 #[must_use]
 pub fn from_rest(
     system: &System,
@@ -51,7 +51,7 @@ pub fn from_rest(
     Some(motions)
 }
 
-/// Returns amplitude and lag of each motion, in a run from rest.
+/// Returns amplitude and lag of each motion in a simulation from rest.
 #[must_use]
 pub fn simulated(
     system: &System,

@@ -6,15 +6,15 @@ use frictiongen_plot::desk::Reading;
 use frictiongen_plot::{Colour, Line, Point, Stroke};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Number of steps of a line, more than a picture resolves.
+/// Number of steps from point to point of a line, more than a picture resolves.
 const STEPS: u32 = 10_000;
-/// Smallest amplitude that is drawn. A motion below it counts as rest.
+/// Smallest amplitude that is drawn. A mass with a smaller amplitude counts as at rest.
 const REST: f64 = 1e-9;
 /// Largest difference in lag, rad, between neighbouring points that a line joins.
 const TURN: f64 = 0.6;
 
-/// Returns the response with the contact stuck over a range of r, which does not depend on friction. A mass that then
-/// rests has no line.
+/// Returns the response with the contact stuck over a range of r, which does not depend on friction. A mass that is at
+/// rest while the contact is stuck has no line.
 #[must_use]
 pub fn stuck(system: &System, (from, to): (f64, f64), of: Of, reading: Reading) -> Line {
     let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];

@@ -5,7 +5,7 @@ use frictiongen::System;
 /// Builds a system from its description, in the syntax of `friction_system!`.
 ///
 /// # Panics
-/// Panics if the description is wrong. The descriptions of the programs are right.
+/// Panics if the description is wrong. All descriptions in these programs are right.
 #[must_use]
 pub fn system(text: &str) -> System {
     match text.parse() {
@@ -14,8 +14,8 @@ pub fn system(text: &str) -> System {
     }
 }
 
-/// One block on one spring. The arguments are the body that it rubs on, the excitation, and further lines of the
-/// description.
+/// Returns a block on a spring. The arguments are the body on which the block rubs, the excitation, and further lines
+/// of the description.
 #[must_use]
 pub fn block(contact: &str, excitation: &str, more: &str) -> System {
     system(&format!(

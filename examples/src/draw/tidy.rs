@@ -1,12 +1,13 @@
-//! Clean-up of a panel over frequency: redundant points, whole turns of a phase, motions that do not settle.
+//! Cleans up a panel over frequency: redundant points, whole turns of a phase, and motions that do not settle.
 
 use frictiongen_plot::{Axis, Colour, Layer, Line, Marker, Markers, Panel, Point, Scale, Stroke};
 
-/// Largest distance of a removed point from its line, as a fraction of the axis: a hundredth of a pixel.
+/// Largest distance of a removed point from the line that remains, as a fraction of the axis. It amounts to a
+/// hundredth of a pixel.
 const STRAY: f64 = 3e-5;
-/// Points further beyond an axis than this multiple of its length are removed.
+/// Distance beyond an axis, as a multiple of the axis's length, from which points are removed.
 const BEYOND: f64 = 1.0;
-/// A run of phases shorter than this fraction of the axis is a speck, which is removed.
+/// Length of a run of phases, as a fraction of the axis, below which the run is removed because it looks like a speck.
 const SPECK: f64 = 2e-3;
 
 /// Removes points that lie on a straight line between others, and dots of motions that do not settle.
@@ -34,7 +35,7 @@ pub fn tidy(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Returns the position of a value on an axis, 0 to 1.
+/// Returns the position of a number on an axis, from 0 to 1.
 fn share(axis: &Axis, value: f64) -> f64 {
     match axis.scale {
         Scale::Linear => (value - axis.low) / (axis.high - axis.low),
@@ -45,7 +46,8 @@ fn share(axis: &Axis, value: f64) -> f64 {
     }
 }
 
-/// Cuts a piece into the runs that lie within or near the axis. Each run keeps one point beyond the axis at both ends.
+/// Cuts a piece of a curve into the runs that lie within or near the axis. Each run keeps one point beyond the axis at
+/// both ends.
 fn seen(piece: &[Point], y: &Axis) -> Vec<Vec<Point>> {
     let far = |point: &Point| !(-BEYOND..=1.0 + BEYOND).contains(&share(y, point.1));
     let mut parts: Vec<Vec<Point>> = vec![Vec::new()];
@@ -71,7 +73,8 @@ fn seen(piece: &[Point], y: &Axis) -> Vec<Vec<Point>> {
     parts
 }
 
-/// Returns the points of a piece that are needed to draw it.
+/// Returns the points that are needed to draw a piece of a curve. Points on a straight line between others are left
+/// out.
 fn thin(piece: &[Point], x: &Axis, y: &Axis) -> Vec<Point> {
     let places: Vec<Point> = piece
         .iter()
@@ -100,7 +103,7 @@ fn thin(piece: &[Point], x: &Axis, y: &Axis) -> Vec<Point> {
     shown.map(|(point, _)| *point).collect()
 }
 
-/// Returns the distance of a point from the segment between two others.
+/// Returns the distance from a point to the segment between two other points.
 fn distance(point: Point, a: Point, b: Point) -> f64 {
     let along = (b.0 - a.0, b.1 - a.1);
     let from = (point.0 - a.0, point.1 - a.1);
@@ -129,9 +132,9 @@ pub fn without_specks(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Shifts the phases of several curves, in degrees, to the turn of the first curve with friction. Each run is shifted
-/// by whole turns to the runs before it at the same frequencies. A run without such neighbours is shifted to the middle
-/// of the axis.
+/// Shifts the phases of several curves, in degrees, by whole turns to agree with the first curve with friction. Each
+/// run of phases is shifted to the runs that were aligned before it at the same frequencies. A run without such
+/// neighbours is shifted to the middle of the axis.
 #[must_use]
 pub fn aligned(mut panel: Panel, first: Colour) -> Panel {
     let middle = 0.5 * (panel.y.low + panel.y.high);
@@ -176,8 +179,8 @@ pub fn aligned(mut panel: Panel, first: Colour) -> Panel {
     panel
 }
 
-/// Shifts every run of phases and every circle beyond the axis by whole turns, to the value nearest to the middle of
-/// the axis.
+/// Shifts every run of phases and every circle that lies beyond the axis by whole turns, to the phase nearest to the
+/// middle of the axis.
 #[must_use]
 pub fn turned(mut panel: Panel) -> Panel {
     let (low, high) = (panel.y.low, panel.y.high);
@@ -207,10 +210,11 @@ pub fn turned(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Returns the whole turns in degrees that bring a run next to the known points, which are in ascending order of r.
+/// Returns the shift in degrees, a multiple of a full turn, that brings a run of phases next to the known points. The
+/// known points are in ascending order of r.
 #[must_use]
 pub fn turns(piece: &[Point], known: &[Point], middle: f64) -> f64 {
-    /// Largest distance in r of a known point that is used for the comparison.
+    /// Largest distance in r at which a known point is used for the comparison.
     const REACH: f64 = 0.02;
     let mut votes: Vec<f64> = Vec::new();
     for (x, y) in piece {

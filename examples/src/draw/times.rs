@@ -8,28 +8,28 @@ use frictiongen_plot::{
 };
 use std::f64::consts::TAU;
 
-/// Number of points of a line in a whole turn.
+/// Number of points of a line in a cycle.
 const POINTS: f64 = 240.0;
 
 /// Settings of a panel over time.
 #[derive(Clone, Copy, Debug)]
 pub struct Times {
-    /// Range of τ.
+    /// Range of the phase τ on the horizontal axis.
     pub span: (f64, f64),
-    /// Distance in τ between the circles of the simulation, 0 for no circles.
+    /// Distance in τ between the circles of the simulation. 0 means no circles.
     pub circles: f64,
-    /// `true` if the excitation is drawn.
+    /// True if the excitation is drawn.
     pub excitation: bool,
 }
 
-/// Legend of the circles.
+/// Returns the legend of the simulation's circles.
 #[must_use]
 pub fn keys() -> [Key; 1] {
     [Key::marker("simulation from rest", Marker::Circle)]
 }
 
-/// Draws motions from a maximum of the relative motion in the contact: exact lines, circles of the simulation, and the
-/// times at which the contact is stuck.
+/// Draws motions over time, beginning at a maximum of the contact's relative motion: exact lines, circles of the
+/// simulation, and shaded times at which the contact is stuck.
 #[must_use]
 pub fn cycle(
     title: &str,
@@ -112,7 +112,7 @@ fn displacement(response: &SystemResponse<'_>, of: Of, tau: f64) -> Option<f64> 
     }
 }
 
-/// Returns the shaded times in all cycles that are seen.
+/// Returns the shaded intervals in which the contact sticks, for all cycles in the range of the panel.
 fn stuck(
     sticking: &[(f64, f64)],
     origin: f64,

@@ -24,7 +24,7 @@ pub struct Ground {
     pub acceleration: f64,
 }
 
-/// An oscillator that filters the noise: ω in rad/s, ζ, and the state.
+/// An oscillator that filters the noise: angular frequency ω in rad/s, damping ratio ζ, displacement and velocity.
 struct Filter {
     omega: f64,
     zeta: f64,
@@ -52,7 +52,7 @@ impl Filter {
     }
 }
 
-/// Computes the whole motion from rest, with a given peak acceleration in m/s².
+/// Computes the whole ground motion from rest. `peak` is its peak acceleration in m/s².
 pub fn ground(peak: f64) -> Vec<Ground> {
     // The filters need shorter steps than the recording.
     let fine = 20;
@@ -89,7 +89,7 @@ pub fn ground(peak: f64) -> Vec<Ground> {
     motion
 }
 
-/// Envelope of the motion: rises for two seconds, stays at 1, and decays after ten seconds.
+/// Returns the envelope of the ground motion: it rises for two seconds, stays at 1, and decays after ten seconds.
 fn envelope(time: f64) -> f64 {
     if time < 2.0 {
         (time / 2.0) * (time / 2.0)

@@ -7,38 +7,38 @@ pub use crate::draw::chain;
 use frictiongen::study::{Features, Measured, RegimeRange, System, SystemMotion, SystemOrbit};
 use frictiongen::{Of, Regime};
 
-/// A chain of equal masses and springs.
+/// Returns a chain of equal masses and equal springs.
 #[must_use]
 pub fn unit(n: usize, contact: &str, excitation: &str) -> System {
     chain(&vec![1.0; n], &vec![1.0; n], contact, excitation, "")
 }
 
-/// One mass that rubs on a fixed wall.
+/// Returns one mass that rubs on a fixed wall. `rest` is the remainder of the description.
 #[must_use]
 pub fn wall(rest: &str) -> System {
     chain(&[1.0], &[1.0], "m1 - wall", "m1", rest)
 }
 
-/// One mass that rubs on a wall on its moving base.
+/// Returns one mass that rubs on a wall on its moving base. `mu` is the ratio of static to kinetic friction.
 #[must_use]
 pub fn base(mu: f64) -> System {
     let rest = format!("stiction: {mu:?}");
     chain(&[1.0], &[1.0], "m1 - base", "base", &rest)
 }
 
-/// Returns β_lim.
+/// Returns the limit of continuous motion β_lim at r, or NaN.
 #[must_use]
 pub fn limit(system: &System, r: f64) -> f64 {
     system.at(r).map_or(f64::NAN, |at| at.continuous_limit())
 }
 
-/// Returns β*_lim.
+/// Returns the limit of sliding β*_lim at r, or NaN.
 #[must_use]
 pub fn sliding_limit(system: &System, r: f64) -> f64 {
     system.at(r).map_or(f64::NAN, |at| at.sliding_limit())
 }
 
-/// Evaluates a function of the continuous motion at r and β.
+/// Returns the result of `question` for the continuous motion at r and β, or NaN if there is no such motion.
 pub fn ask(system: &System, r: f64, beta: f64, question: impl Fn(&SystemMotion) -> f64) -> f64 {
     let motion = system.at(r).ok().and_then(|at| at.motion(beta).ok());
     motion.as_ref().map_or(f64::NAN, question)
@@ -80,25 +80,25 @@ pub fn stuck(system: &System, mass: &str, r: f64) -> f64 {
         .map_or(f64::NAN, |x| x.norm())
 }
 
-/// Returns the steady state in any regime.
+/// Returns the steady state at r and β that motion from rest reaches, in any regime.
 #[must_use]
 pub fn orbit(system: &System, r: f64, beta: f64) -> Option<SystemOrbit<'_>> {
     system.at(r).ok()?.orbit(beta).ok()
 }
 
-/// Returns max|x̄| of a mass in a steady state.
+/// Returns the amplitude max|x̄| of a mass in a steady state.
 #[must_use]
 pub fn orbit_amplitude(orbit: &SystemOrbit<'_>, mass: &str) -> f64 {
     let mass = orbit.mass(mass);
     mass.map_or(f64::NAN, |mass| mass.amplitude())
 }
 
-/// Returns the features of a system in non-dimensional groups. They need no load, so none can be refused.
+/// Returns the features of a system in non-dimensional groups. Without a load the request cannot fail.
 fn features(system: &System) -> Option<Features<'_>> {
     system.features(None).ok()
 }
 
-/// Finds the invariant points of a motion between two r, by condition (6.9), (6.10) or that of the fundamental.
+/// Finds the invariant points of a motion in a range of r, where `measured` does not depend on friction.
 #[must_use]
 pub fn invariant_points(system: &System, of: Of, measured: Measured, range: [f64; 2]) -> Vec<f64> {
     let found = features(system).and_then(|all| all.invariant_points(of, measured, range).ok());
@@ -106,7 +106,7 @@ pub fn invariant_points(system: &System, of: Of, measured: Measured, range: [f64
     found.into_iter().map(|point| point.r).collect()
 }
 
-/// Finds the bounds of the ranges between two r in which friction enlarges a motion.
+/// Finds the bounds of all intervals within a range of r in which friction enlarges a motion.
 #[must_use]
 pub fn inversions(system: &System, of: Of, measured: Measured, range: [f64; 2]) -> Vec<f64> {
     let found = features(system).and_then(|all| all.inversions(of, measured, range).ok());
@@ -114,7 +114,7 @@ pub fn inversions(system: &System, of: Of, measured: Measured, range: [f64; 2]) 
     found.flat_map(|found| [found.from, found.to]).collect()
 }
 
-/// Finds the r at which the exact amplitudes for two friction ratios are equal, with those amplitudes.
+/// Finds the r at which the exact amplitudes for two friction ratios are equal. Returns pairs of r and amplitude.
 #[must_use]
 pub fn crossings(system: &System, of: Of, frictions: [f64; 2], range: [f64; 2]) -> Vec<(f64, f64)> {
     let found = features(system).and_then(|all| all.crossings(of, frictions, range).ok());
@@ -130,7 +130,7 @@ pub fn antiresonances(system: &System, of: Of, range: [f64; 2]) -> Vec<f64> {
     found.into_iter().map(|zero| zero.r).collect()
 }
 
-/// Finds the bounds of the ranges of r in which the contact slides at β.
+/// Finds the bounds of all intervals within a range of r in which the contact slides at β.
 #[must_use]
 pub fn sliding_ranges(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     let found = features(system).and_then(|all| all.sliding_ranges(beta, range).ok());
@@ -138,14 +138,14 @@ pub fn sliding_ranges(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     found.flat_map(|found| [found.from, found.to]).collect()
 }
 
-/// Finds the regimes between two r at β.
+/// Finds the regimes along r at the friction ratio β.
 #[must_use]
 pub fn regimes(system: &System, beta: f64, range: [f64; 2]) -> Vec<RegimeRange> {
     let found = features(system).and_then(|all| all.regimes(beta, range).ok());
     found.map_or_else(Vec::new, |(found, _)| found)
 }
 
-/// Finds the bounds of the ranges of continuous motion between two r at β.
+/// Finds the bounds of all intervals of continuous motion within a range of r at β.
 #[must_use]
 pub fn continuous(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     let found = regimes(system, beta, range).into_iter();
@@ -153,7 +153,7 @@ pub fn continuous(system: &System, beta: f64, range: [f64; 2]) -> Vec<f64> {
     found.flat_map(|found| [found.from, found.to]).collect()
 }
 
-/// Returns one of the values if there are exactly `count`, otherwise NaN.
+/// Returns the entry with this index if the list has exactly `count` entries, and otherwise NaN.
 #[must_use]
 pub fn one_of(places: &[f64], count: usize, index: usize) -> f64 {
     if places.len() == count {
@@ -163,7 +163,7 @@ pub fn one_of(places: &[f64], count: usize, index: usize) -> f64 {
     }
 }
 
-/// Finds the sign change of f to the last bits, or returns NaN if there is none.
+/// Finds a sign change of f to the last bits. Returns NaN if f has the same sign at both bounds.
 pub fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let sign = f(low).signum();
     let opposite = sign * f(high) < 0.0;
@@ -195,8 +195,8 @@ pub fn peak(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Finds the r at which the contact's motion does not depend on β (6.9). The phase there is 0 or π for every β, and its
-/// sine changes sign. `share` is β/β_lim.
+/// Finds the r at which the contact's motion does not depend on β (6.9). At this r the phase of the contact is 0 or π
+/// for every β, and the sine of the phase changes sign. `share` is β/β_lim.
 #[must_use]
 pub fn contact_invariant(system: &System, share: f64, low: f64, high: f64) -> f64 {
     let sine = |r| {
@@ -206,12 +206,13 @@ pub fn contact_invariant(system: &System, share: f64, low: f64, high: f64) -> f6
     root(sine, low, high)
 }
 
-/// Finds the r at which a quantity of the continuous motion does not depend on β, by comparing two values of β/β_lim.
+/// Finds the r at which a quantity of the continuous motion does not depend on β, by comparison of two friction
+/// ratios.
 pub fn invariant(system: &System, of: impl Fn(f64, f64) -> f64, low: f64, high: f64) -> f64 {
     root(|r| growth(system, &of, r), low, high)
 }
 
-/// Returns the increase of a quantity from 0.45 to 0.9 times β_lim.
+/// Returns the increase of a quantity when β rises from 0.45 to 0.9 times β_lim.
 pub fn growth(system: &System, of: impl Fn(f64, f64) -> f64, r: f64) -> f64 {
     let beta = 0.9 * limit(system, r);
     of(r, beta) - of(r, 0.5 * beta)

@@ -76,7 +76,8 @@ fn high_frequencies() -> Row {
     }
 }
 
-/// Returns S/(m*/r²), where β_lim = |V|/√(U² + S²) with μ = 1 (2.26) is solved for S and m* = 1.
+/// Returns S/(m*/r²), where S is the velocity constraint. S follows from β_lim = |V|/√(U² + S²) with μ = 1 (2.26),
+/// with m* = 1.
 #[must_use]
 pub fn constraint_ratio(system: &System, r: f64) -> f64 {
     let (v, u) = (1.0 / (1.0 - r * r), (PI / (2.0 * r)).tan() / r);
@@ -99,7 +100,7 @@ fn constraint() -> Row {
     }
 }
 
-/// Rows of the β at which the continuum of marginal motions without stops ends.
+/// Returns the entries about the friction ratio at which the continuum of marginal motions without stops ends.
 fn asymmetric(system: &System, beside: impl Fn(f64) -> Entry) -> Vec<Entry> {
     let end = limit(system, 0.5);
     let marginal = |share: f64| {

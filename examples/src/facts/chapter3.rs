@@ -41,7 +41,7 @@ fn sticking() -> Row {
     }
 }
 
-/// Returns the width in β of the stick-slip region between the limits.
+/// Returns the width in β of the stick-slip region at r, between β_lim and β*_lim.
 fn width(system: &System, r: f64) -> f64 {
     sliding_limit(system, r) - limit(system, r)
 }
@@ -186,7 +186,7 @@ fn direct() -> Row {
     let begin = begin.get(1).map_or(f64::NAN, |bistable| bistable.to);
     let direct =
         along(&system, [1.0, 1.4]) == [Regime::Stuck, Regime::Bistable, Regime::Continuous];
-    // With μ = 1 a range of stick-slip lies between the two.
+    // With μ = 1 a range of stick-slip lies between the stuck range and the continuous range.
     let between = along(&base(1.0), [0.9, 1.4]).starts_with(&[Regime::Stuck, Regime::StickSlip]);
     Row {
         id: "F10",

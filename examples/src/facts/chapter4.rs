@@ -54,8 +54,8 @@ fn fixed() -> Row {
     }
 }
 
-/// Natural frequency of the one-storey rig as printed, Hz. It was fitted to a test, so only its consequences can be
-/// computed.
+/// Natural frequency of the one-storey rig as printed, Hz. The thesis fitted it to a test, so only its consequences
+/// can be computed.
 pub const ONE_STOREY: f64 = 3.086;
 
 fn storey() -> Row {

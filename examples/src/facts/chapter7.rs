@@ -52,7 +52,7 @@ fn resonance() -> Row {
     }
 }
 
-/// Compares a value with a printed formula, to four digits.
+/// Compares a computed number with a printed formula, to four digits.
 fn by_formula(what: &str, (equation, printed): (&str, f64), value: f64) -> Entry {
     let shown = format!("{printed:.4}");
     Entry {
@@ -69,8 +69,9 @@ const FIVE: [Of; 5] = [
     Of::Mass(4),
 ];
 
-/// Returns two largest deviations over a cycle and all masses: the difference of closed form and simulation, and the
-/// departure of a phase in degrees from being in phase or in opposition with the contact.
+/// Returns two largest deviations over a cycle and all masses. The first is the difference between closed form and
+/// simulation. The second, in degrees, is the difference of a phase from being in phase or in opposition with the
+/// contact.
 #[must_use]
 pub fn differences(system: &System, r: f64, beta: f64) -> Option<(f64, f64)> {
     let angles: Vec<f64> = (0..24).map(|i| TAU * f64::from(i) / 24.0).collect();
@@ -92,7 +93,7 @@ pub fn differences(system: &System, r: f64, beta: f64) -> Option<(f64, f64)> {
 }
 
 fn responses() -> Row {
-    // Printed statement about phases, with the bounds in degrees within which it is taken to be true.
+    // A printed statement about phases, with the bounds in degrees within which the statement counts as true.
     type Phases = Option<(&'static str, f64, f64)>;
     let (nearly, lost) = (("nearly so", 0.0, 10.0), ("lost", 30.0, 90.0));
     let scenes: [(&str, &str, f64, Phases); 4] = [

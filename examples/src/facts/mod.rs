@@ -1,4 +1,4 @@
-//! Numbers that the thesis prints, compared with computed ones.
+//! Numbers that the thesis prints, compared with computed numbers.
 //!
 //! The library computes everything from descriptions of scenes. A computed number agrees with a printed one if the
 //! difference is at most half a unit of the last printed digit.
@@ -16,7 +16,7 @@ pub mod walls;
 
 use row::Row;
 
-/// Returns all rows, from F01 to the last one.
+/// Returns all rows of the table, from F01 to the last row.
 #[must_use]
 pub fn rows() -> Vec<Row> {
     let mut rows = chapter2::rows();

@@ -9,11 +9,12 @@ use frictiongen::Of;
 use frictiongen::study::{Measured, System};
 use std::f64::consts::TAU;
 
-/// γ = m₂/m₁ of the rig, as printed.
+/// Mass ratio γ = m₂/m₁ of the two-storey rig, as printed.
 pub const GAMMA: f64 = STOREYS[0];
-/// κ = k₂/k₁ of the rig, as printed.
+/// Stiffness ratio κ = k₂/k₁ of the two-storey rig, as printed.
 pub const KAPPA: f64 = STOREYS[1];
-/// Coefficient that is printed in r₁ = (0.3419 s)ω. It is r₁ at 1 Hz, so it belongs to the frequency in Hz (F30).
+/// Coefficient 0.3419 s that is printed in r₁ = (0.3419 s)ω. It is r₁ at 1 Hz, so it belongs to the frequency in Hz
+/// (F30).
 pub const RATIO: f64 = STOREYS[2];
 
 pub(super) fn rows() -> Vec<Row> {
@@ -68,7 +69,7 @@ fn invariants(system: &System) -> Row {
     }
 }
 
-/// The two-storey rig with √(k₁/m₁) = `omega`.
+/// Returns the two-storey rig with √(k₁/m₁) = `omega`.
 #[must_use]
 pub fn rig_with(omega: f64) -> System {
     let mass = 3.27;
@@ -86,7 +87,7 @@ fn rig() -> Row {
     let system = rig_with(TAU / RATIO);
     let natural = system.natural_frequencies();
     let product = natural[0] * natural[1];
-    // Antiresonances: at ω₀ mass m₁ does not move without friction, at ω_z0 it moves with the base.
+    // At the antiresonance ω₀ mass m₁ does not move without friction. At ω_z0 mass m₁ moves with the base.
     let to_omega = TAU / RATIO;
     let range = [0.1, 4.0];
     let antiresonance = to_omega * one_of(&antiresonances(&system, Of::Mass(0), range), 1, 0);

@@ -1,4 +1,4 @@
-//! Formats the table as Markdown.
+//! Formats the table of printed and computed numbers as Markdown.
 
 use super::row::{Entry, Row, Verdict};
 
@@ -13,7 +13,7 @@ computed number alone. [corrections.md](corrections.md) lists the equations that
 |---|---|---|---|---|---|
 ";
 
-/// Describes the verdict in words.
+/// Returns the verdict of a row in words.
 #[must_use]
 pub fn verdict(verdict: Verdict) -> String {
     match verdict {
@@ -31,7 +31,7 @@ fn printed(entry: &Entry) -> String {
     }
 }
 
-/// Formats the rows as a table. Each number has its own line in a cell.
+/// Formats the rows as a Markdown table. Each number has its own line in a cell.
 #[must_use]
 pub fn page(rows: &[Row]) -> String {
     let lines = |row: &Row, cell: fn(&Entry) -> String| {

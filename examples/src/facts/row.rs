@@ -5,13 +5,13 @@
 pub struct Entry {
     /// Name of the number within its row.
     pub what: String,
-    /// Printed text, empty if the thesis prints nothing.
+    /// Printed text. It is empty if the thesis prints nothing.
     pub printed: String,
-    /// Computed number, `None` for a statement in words.
+    /// Computed number. `None` for a statement in words.
     pub value: Option<f64>,
     /// Computed result as text.
     pub computed: String,
-    /// `true` if the printed statement is right, or if nothing is printed.
+    /// True if the printed statement is right, or if nothing is printed.
     pub agrees: bool,
 }
 
@@ -26,18 +26,18 @@ pub enum Verdict {
     Unexplained,
 }
 
-/// A row of the table.
+/// A row of the table: printed numbers on one subject, compared with computed ones.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Identifier: F01, ….
+    /// Identifier of the row: F01, F02, ….
     pub id: &'static str,
-    /// Scene and quantity.
+    /// Scene and quantity that the row is about.
     pub claim: &'static str,
     /// Section, equation or figure of the thesis.
     pub place: &'static str,
-    /// Numbers of the row.
+    /// Printed and computed numbers of the row.
     pub entries: Vec<Entry>,
-    /// Reason why a printed number is wrong, empty if none is wrong.
+    /// Reason why a printed number is wrong. It is empty if no printed number is wrong.
     pub reason: &'static str,
 }
 
@@ -69,7 +69,7 @@ impl Row {
 /// a pole.
 pub const ROUNDING: f64 = 1e-12;
 
-/// Parses a printed decimal number: its value, and half a unit of its last digit.
+/// Parses a printed decimal number. Returns the number, and half a unit of its last digit.
 #[must_use]
 pub fn printed_number(text: &str) -> Option<(f64, f64)> {
     let number = text.trim_start_matches("about ");
@@ -78,8 +78,8 @@ pub fn printed_number(text: &str) -> Option<(f64, f64)> {
     Some((value, 0.5 * 10_f64.powi(-i32::try_from(decimals).ok()?)))
 }
 
-/// Compares a number with a printed decimal, which may begin with "about". They agree if the computed number rounds to
-/// the printed one.
+/// Compares a computed number with a printed decimal, which may begin with "about". They agree if the computed number
+/// rounds to the printed one.
 #[must_use]
 pub fn number(what: &str, printed: &str, value: f64, decimals: usize) -> Entry {
     // At a tie rounding noise would decide, so both neighbours count as right.
@@ -94,7 +94,7 @@ pub fn number(what: &str, printed: &str, value: f64, decimals: usize) -> Entry {
     }
 }
 
-/// Compares a number with a printed formula. They agree within the relative `tolerance`.
+/// Compares a computed number with a printed formula. They agree within the relative tolerance `tolerance`.
 #[must_use]
 pub fn formula(
     what: &str,
@@ -112,7 +112,8 @@ pub fn formula(
     }
 }
 
-/// Compares a formula at many points, each `(printed, computed)`. The entry shows the first point.
+/// Compares a printed formula with computed numbers at many points, each `(printed, computed)`. The entry shows the
+/// first point.
 #[must_use]
 pub fn formula_at(
     what: &str,
@@ -132,7 +133,7 @@ pub fn formula_at(
     }
 }
 
-/// A printed statement about a number, such as a bound, with its truth value.
+/// Makes an entry for a printed statement about a number, such as a bound. `agrees` says if the statement is true.
 #[must_use]
 pub fn claim(what: &str, printed: &str, value: f64, decimals: usize, agrees: bool) -> Entry {
     Entry {
@@ -144,7 +145,7 @@ pub fn claim(what: &str, printed: &str, value: f64, decimals: usize, agrees: boo
     }
 }
 
-/// A printed statement in words, with its truth value.
+/// Makes an entry for a printed statement in words. `agrees` says if the statement is true.
 #[must_use]
 pub fn words(what: &str, printed: &str, computed: String, agrees: bool) -> Entry {
     Entry {
@@ -156,7 +157,7 @@ pub fn words(what: &str, printed: &str, computed: String, agrees: bool) -> Entry
     }
 }
 
-/// A computed number that the thesis does not print.
+/// Makes an entry for a computed number that the thesis does not print.
 #[must_use]
 pub fn added(what: &str, value: f64, decimals: usize) -> Entry {
     Entry {

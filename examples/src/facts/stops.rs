@@ -1,10 +1,10 @@
-//! Number of stops in a cycle of one mass on its base: F33.
+//! Number of stops in a cycle of one mass that rubs on its moving base: row F33.
 
 use super::ask::{base, orbit, sliding_limit};
 use super::row::{Entry, ROUNDING, Row, added, words};
 use frictiongen::Regime;
 
-/// Numbers of steady states of a grid, by the number of stops in a cycle.
+/// Counts of the steady states on a grid of r and β, by their number of stops in a cycle.
 #[derive(Debug, Default)]
 pub struct Stops {
     /// States with at least one stop.
@@ -17,11 +17,12 @@ pub struct Stops {
     pub more: u32,
     /// Smallest and largest r of the states with one stop.
     pub ends: Option<(f64, f64)>,
-    /// Stick-slip points without a stable motion of the excitation's own period.
+    /// Stick-slip points without a stable motion that repeats after one cycle.
     pub without: u32,
 }
 
-/// Counts over the grid of the figures, r = 0:0.02:2.5 and β = 0:0.01:4.
+/// Counts the stops over the grid of the figures: r = 0:0.02:2.5 and β = 0:0.01:4. `mu` is the ratio of static to
+/// kinetic friction.
 #[must_use]
 pub fn count(mu: f64) -> Stops {
     let system = base(mu);
@@ -31,7 +32,8 @@ pub fn count(mu: f64) -> Stops {
         for j in 1..=400_u32 {
             let beta = 0.01 * f64::from(j);
             let regime = system.at(r).ok().and_then(|at| at.regime(beta).ok());
-            // Many grid values of β equal β*_lim as decimals. Such a point counts as stuck, however it rounds.
+            // On the grid β often equals β*_lim as a decimal number. Such a point counts as stuck, whichever way the
+            // numbers round.
             let on_limit = (beta - sliding_limit(&system, r)).abs() < ROUNDING;
             if regime != Some(Regime::StickSlip) || on_limit {
                 continue;

@@ -1,4 +1,4 @@
-//! Chains that rub on a fixed wall: F14 to F26.
+//! Chains that rub on a fixed wall: rows F14 to F26.
 
 use super::ask::{
     amplitude, chain, continuous, fundamental, invariant_points, inversions, limit, one_of, peak,
@@ -20,7 +20,7 @@ pub(super) fn rows() -> Vec<Row> {
     rows
 }
 
-/// Compares the thresholds β_n,i with the printed ones.
+/// Compares the resonance thresholds β_n,i of a system with the printed ones.
 pub(super) fn thresholds(system: &System, printed: &[&str]) -> Vec<Entry> {
     (1..)
         .zip(system.resonance_thresholds())
@@ -31,7 +31,7 @@ pub(super) fn thresholds(system: &System, printed: &[&str]) -> Vec<Entry> {
         .collect()
 }
 
-/// F14 to F16: three equal masses, contact on m₂, force on m₁.
+/// Rows F14 to F16: three equal masses, contact on m₂, force on m₁.
 fn three() -> Vec<Row> {
     let system = unit(3, "m2 - wall", "m1");
     let start = |beta: f64| system.quasi_static_start(beta).unwrap_or_default();
@@ -90,7 +90,7 @@ fn three() -> Vec<Row> {
     ]
 }
 
-/// F17 to F20: two equal masses, contact and force on m₁.
+/// Rows F17 to F20: two equal masses, contact and force on m₁.
 fn lower() -> Vec<Row> {
     let system = unit(2, "m1 - wall", "m1");
     let points = invariant_points(&system, CONTACT, Measured::Amplitude, [0.5, 4.0]);
@@ -163,7 +163,7 @@ fn lower() -> Vec<Row> {
     ]
 }
 
-/// Finds the r at which H = 0, where the contact does not respond to a harmonic force in it.
+/// Finds the r at which H = 0. At these r the contact does not respond to a harmonic force in the contact.
 fn receptance(system: &System) -> Vec<f64> {
     let features = system.features(None).ok();
     let points = features.and_then(|all| {
@@ -177,14 +177,14 @@ fn receptance(system: &System) -> Vec<f64> {
         .collect()
 }
 
-/// F21 to F25: two equal masses, contact on m₂, force on m₁.
+/// Rows F21 to F25: two equal masses, contact on m₂, force on m₁.
 fn upper() -> Vec<Row> {
     let system = unit(2, "m2 - wall", "m1");
     let points = invariant_points(&system, CONTACT, Measured::Amplitude, [0.65, 4.0]);
     let of_m1 = invariant_points(&system, Of::Mass(0), Measured::Amplitude, [0.65, 4.0]);
     let meet = |beta: f64, low: f64, high: f64| {
         let difference = |r| amplitude(&system, "m2", r, beta) - amplitude(&system, "m2", r, 0.0);
-        // The curves touch there rather than cross, because friction lowers the contact's amplitude on both sides.
+        // The curves touch at this r and do not cross, because friction lowers the contact's amplitude on both sides.
         peak(difference, low, high)
     };
     let of_m2 = |r, beta| fundamental(&system, "m2", r, beta);
@@ -264,7 +264,7 @@ fn upper() -> Vec<Row> {
     ]
 }
 
-/// Finds the maxima of a limit above 0.7 from r = 1/4 to 3, as (r, height).
+/// Finds the maxima above 0.7 of a limit over r, from r = 1/4 to 3. Returns pairs (r, height).
 pub fn maxima(limit: &dyn Fn(f64) -> f64) -> Vec<(f64, f64)> {
     let step = 5e-4;
     let mut found = Vec::new();
@@ -281,7 +281,7 @@ pub fn maxima(limit: &dyn Fn(f64) -> f64) -> Vec<(f64, f64)> {
     found
 }
 
-/// F26: five equal masses, contact and force on m₁.
+/// Row F26: five equal masses, contact and force on m₁.
 fn five() -> Row {
     let system = unit(5, "m1 - wall", "m1");
     let exact = maxima(&|r| limit(&system, r));

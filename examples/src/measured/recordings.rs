@@ -10,7 +10,7 @@ use std::path::Path;
 const BETA: f64 = 0.4;
 /// Sampling rate, in samples a second.
 const RATE: f64 = 100.0;
-/// Evaluates (6.15) for the two-storey rig at a frequency in Hz, with the roots by (A.2) and (A.5).
+/// Evaluates the transmissibility (6.15) of the two-storey rig at a frequency in Hz. The roots follow (A.2) and (A.5).
 fn two_storeys(hertz: f64) -> f64 {
     let [gamma, kappa, seconds] = STOREYS;
     let k1 = seconds.powi(-2);
@@ -22,7 +22,7 @@ fn two_storeys(hertz: f64) -> f64 {
     w1 * w2 / w0 * (w0 - f) / ((w1 - f) * (w2 - f))
 }
 
-/// Writes a sweep of amplitudes with a relative error of one in a thousand.
+/// Returns a sweep of amplitudes as CSV, with a relative error of one in a thousand.
 fn sweep(mass: &str, frequencies: &[f64], of: impl Fn(f64) -> f64, noise: &mut Noise) -> String {
     let mut text = format!("frequency_Hz,{mass}.transmissibility,{mass}.deviation\n");
     for hertz in frequencies {

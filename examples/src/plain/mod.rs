@@ -21,13 +21,13 @@ struct Equations {
 }
 
 impl Equations {
-    /// Sets up the equations in units with k₁Y = P = 1 and base motion Y = 1/k₁.
+    /// Creates the equations in units with k₁Y = P = 1 and base motion Y = 1/k₁.
     fn new(r: f64, beta: f64) -> Self {
         let [m1, m2] = MASS;
         let [k1, k2] = SPRING;
         let stiffness = [[k1 + k2, -k2], [-k2, k2]];
-        // ω² of the two modes from the characteristic polynomial, and the modal damping matrix
-        // C = Σ 2ζω (Mφ)(Mφ)ᵀ with φᵀMφ = 1.
+        // The two ω² are the roots of the characteristic polynomial. The modal damping matrix is C = Σ 2ζω (Mφ)(Mφ)ᵀ
+        // with φᵀMφ = 1.
         let (a, b) = (m1 * m2, m1 * k2 + m2 * (k1 + k2));
         let root = (b * b - 4.0 * a * k1 * k2).sqrt();
         let mut damping = [[0.0; 2]; 2];
@@ -96,8 +96,8 @@ pub fn amplitudes(r: f64, beta: f64) -> [f64; 2] {
         let time = step as f64 * h;
         let mut next = equations.step(time, state, h, direction);
         if next[3] * direction < 0.0 {
-            // The contact reverses within the step. The integration goes to the reversal, then continues with friction
-            // reversed.
+            // The contact reverses within the step. The integration stops at the reversal, then continues with the
+            // friction force reversed.
             let (mut before, mut after) = (0.0, h);
             for _ in 0..60 {
                 let middle = 0.5 * (before + after);
@@ -123,7 +123,7 @@ pub fn amplitudes(r: f64, beta: f64) -> [f64; 2] {
     largest.map(|value| value * SPRING[0])
 }
 
-/// Returns the largest |x| over a step, from the cubic through its end points.
+/// Returns the largest |x| over a time step, from the cubic through displacements and velocities at both ends.
 fn extreme(x0: f64, v0: f64, x1: f64, v1: f64, h: f64) -> f64 {
     let ends = x0.abs().max(x1.abs());
     if v0 * v1 >= 0.0 {

@@ -3,7 +3,8 @@
 use super::{NATURAL, Noise};
 use std::f64::consts::PI;
 
-/// Samples of a free vibration from 20 mm, in mm, about ±F/k in turn (4.2). `length` is F/k.
+/// Returns samples of a free vibration from 20 mm, in mm. Its centre is +F/k and −F/k in turn (4.2). `length` is F/k
+/// in mm.
 #[must_use]
 pub fn decay(length: f64, rate: f64, seconds: f64, noise: &mut Noise) -> Vec<f64> {
     let half = 0.5 / NATURAL;

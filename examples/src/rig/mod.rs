@@ -21,9 +21,9 @@ pub const NATURAL: f64 = 3.086;
 pub const Y: f64 = 1.75e-3;
 /// Sampling rate in samples a second, and length of a recording in s (4.3.3).
 pub const LENGTH: (f64, f64) = (2000.0, 60.0);
-/// Ratio of noise to signal: 40 dB.
+/// Ratio of the noise to the signal's amplitude: 40 dB.
 const NOISE: f64 = 0.01;
-/// γ, κ, and r₁ at 1 Hz, of the two-storey rig (6.4.2).
+/// Mass ratio γ, stiffness ratio κ, and r₁ at 1 Hz, of the two-storey rig (6.4.2).
 pub const STOREYS: [f64; 3] = [0.9772, 1.1119, 0.3419];
 /// Number of cycles from rest before a recording begins, as in 3.6.1.
 const SKIPPED: f64 = 200.0;
@@ -33,19 +33,19 @@ const SKIPPED: f64 = 200.0;
 pub struct Noise(ChaCha8Rng);
 
 impl Noise {
-    /// Creates the noise of a seed.
+    /// Creates the sequence of noise that belongs to a seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(ChaCha8Rng::seed_from_u64(seed))
     }
 
-    /// Draws the next number, with mean 0 and standard deviation 1.
+    /// Returns the next number of the noise, with mean 0 and standard deviation 1.
     pub fn draw(&mut self) -> f64 {
         StandardNormal.sample(&mut self.0)
     }
 }
 
-/// The one-storey rig. Its disc is on the `wall` or on the `base`, and `more` is added to its description.
+/// Returns the one-storey rig. Its disc is on the `wall` or on the `base`. `more` is added to the description.
 ///
 /// # Errors
 /// Returns the error in the description.
@@ -58,7 +58,7 @@ pub fn one_storey(disc: &str, more: &str) -> Result<System, Box<dyn Error>> {
     Ok(text.parse()?)
 }
 
-/// The two-storey rig.
+/// Returns the two-storey rig.
 ///
 /// # Errors
 /// Never fails, because its description is right.
@@ -73,10 +73,10 @@ pub fn two_storeys() -> Result<System, Box<dyn Error>> {
     Ok(text.parse()?)
 }
 
-/// Advances a run to the phase τ = `target`.
+/// Advances a simulation to the phase τ = `target`.
 ///
 /// # Errors
-/// Never fails in practice, because the run does not go back.
+/// Never fails in practice, because the simulation does not go back in time.
 pub fn reach(run: &mut SystemSimulation<'_>, target: f64) -> Result<(), Box<dyn Error>> {
     loop {
         let left = target - (TAU * run.cycles() as f64 + run.phase());
@@ -87,10 +87,10 @@ pub fn reach(run: &mut SystemSimulation<'_>, target: f64) -> Result<(), Box<dyn 
     }
 }
 
-/// Returns base and first mass divided by Y: `count` samples of a run, from cycle `from` on.
+/// Returns the motions of base and first mass divided by Y: `count` samples of a simulation, from cycle `from` on.
 ///
 /// # Errors
-/// Never fails in practice, because the run does not go back.
+/// Never fails in practice, because the simulation does not go back in time.
 pub fn followed(
     run: &mut SystemSimulation<'_>,
     from: f64,
@@ -107,8 +107,8 @@ pub fn followed(
     Ok([base, mass])
 }
 
-/// Makes a recording in mm from motions divided by Y, the base first and then the masses. Each channel gets noise of 40
-/// dB.
+/// Creates a recording in mm from motions divided by Y, the base first and then the masses. Each channel gets noise at
+/// 40 dB below its signal.
 ///
 /// # Errors
 /// Fails if the samples do not form a valid recording.
@@ -136,7 +136,7 @@ pub fn noisy(
     Ok(Recording::new(rate, channels.collect())?)
 }
 
-/// Records base and plate with friction, after 200 cycles from rest.
+/// Returns a recording of base and plate with friction, after 200 cycles from rest.
 ///
 /// # Errors
 /// Fails for an invalid frequency or friction ratio.
@@ -151,8 +151,8 @@ pub fn recording(
     noisy(system, &motions, rate, noise)
 }
 
-/// Records base and all masses in the steady state without friction. A simulation from rest does not reach this state,
-/// because nothing damps the transient.
+/// Returns a recording of base and all masses in the steady state without friction. A simulation from rest does not
+/// reach this state, because nothing damps the transient.
 ///
 /// # Errors
 /// Fails for an invalid frequency.

@@ -1,18 +1,18 @@
-//! Values identified from recordings at many frequencies.
+//! Responses identified from recordings at many frequencies.
 
 use super::{LENGTH, NATURAL, Noise, recording};
 use frictiongen::System;
 use frictiongen::measure::{Measured, Transmissibility};
 use std::error::Error;
 
-/// Middle of the range of lags, rad, and a whole turn.
+/// Middle of the range of lags, rad, and a whole turn, rad.
 const MIDDLE: f64 = std::f64::consts::FRAC_PI_2;
 const TURN: f64 = std::f64::consts::TAU;
 
-/// Response of the plate, identified from a recording.
+/// Response of the plate at one frequency, identified from a recording.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
-    /// Frequency ratio, from the driving frequency that was identified.
+    /// Frequency ratio r that belongs to the identified driving frequency.
     pub r: f64,
     /// Amplitude X̄_fft (4.4).
     pub amplitude: f64,
@@ -31,7 +31,7 @@ impl Point {
     }
 }
 
-/// Returns frequency ratios at distances `step`. They are not round numbers, so that none is a resonance.
+/// Returns frequency ratios at intervals `step`. They are not round numbers, so that none is a resonance.
 #[must_use]
 pub fn frequencies((from, to): (f64, f64), step: f64) -> Vec<f64> {
     let count = ((to - from) / step).round() as u32;
@@ -40,8 +40,8 @@ pub fn frequencies((from, to): (f64, f64), step: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Simulates recordings of the one-storey rig at a friction ratio and identifies the response: 60 s at 2 kHz with noise
-/// of 40 dB. Frequencies at which the plate would be stuck give no point.
+/// Simulates recordings of the one-storey rig at a friction ratio and identifies the response. The recordings have 60
+/// s at 2 kHz with noise at 40 dB. Frequencies at which the plate would be stuck give no point.
 ///
 /// # Errors
 /// Fails if a recording does not determine the response.

@@ -1,4 +1,4 @@
-//! Responses along frequency. The stroke of a line gives the regime, its colour the friction.
+//! Figures of responses over frequency. The stroke of a line shows the regime, and its colour the friction.
 
 use super::scales::Scales;
 use crate::{Axis, Colour, Figure, Key, Label, Line, Marker, Markers, Panel, Point, Stroke};
@@ -6,7 +6,7 @@ use frictiongen::Regime;
 use frictiongen::study::units::polar;
 use frictiongen::study::{Curve, CurvePoint, End, Piece};
 
-/// The quantity of a motion that is drawn.
+/// The quantity of a motion that a curve shows: amplitude, phase, or one harmonic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
     /// The amplitude of the motion.
@@ -19,10 +19,10 @@ pub enum Reading {
     HarmonicPhase(usize),
 }
 
-/// A curve with its name in the legend and its colour.
+/// A response curve with its name in the legend and its colour.
 #[derive(Clone, Debug)]
 pub struct Drawn<'a> {
-    /// The curve.
+    /// The response over frequency at one friction.
     pub curve: &'a Curve,
     /// Name in the legend.
     pub name: Label,
@@ -30,13 +30,13 @@ pub struct Drawn<'a> {
     pub colour: Colour,
 }
 
-/// Largest difference of phase, rad, at which neighbouring points are joined.
+/// Largest difference of phase, in radians, between neighbouring points that are joined by a line.
 const TURN: f64 = 0.6;
 /// Smallest amplitude at which the plot shows a phase, relative to the median amplitude over the range of the piece.
 /// Below it the phase is mostly rounding error: an amplitude has some 1e-13 of the largest term of its sum.
 const VANISHING: f64 = 1e-10;
 
-/// Returns the stroke of a regime.
+/// Returns the stroke in which a regime is drawn.
 fn stroke(regime: Regime) -> Stroke {
     match regime {
         Regime::Stuck => Stroke::Dotted,
@@ -45,7 +45,7 @@ fn stroke(regime: Regime) -> Stroke {
     }
 }
 
-/// Returns the legend entries of the strokes.
+/// Returns the legend entries that explain the stroke of each regime.
 #[must_use]
 pub fn keys() -> Vec<Key> {
     vec![
@@ -60,7 +60,8 @@ impl Reading {
         matches!(self, Self::Phase | Self::HarmonicPhase(_))
     }
 
-    /// Returns amplitude and phase of a motion, by its index among the requested motions.
+    /// Returns the requested amplitude and phase at a point of the curve. `part` is the index of the motion among the
+    /// requested motions.
     fn polar(self, point: &CurvePoint, part: usize) -> Option<(f64, Option<f64>)> {
         let movement = point.movements.get(part)?;
         Some(match self {
@@ -73,8 +74,7 @@ impl Reading {
     }
 }
 
-/// Returns the curve of one motion as a list of pieces. A piece has its regime, and its points in the units of the
-/// axes.
+/// Returns the curve of one motion as a list of pieces, each with its regime. The points are in the units of the axes.
 fn traced(
     curve: &Curve,
     part: usize,
@@ -98,8 +98,8 @@ fn traced(
     pieces.collect()
 }
 
-/// Returns the phases of a piece in degrees, continuous along each run. The first run begins near the end of the last
-/// piece's run.
+/// Returns the phases of a piece in degrees, continuous along each run of points. The first run begins near the end of
+/// the previous piece.
 fn phases(
     piece: &Piece,
     part: usize,
@@ -111,7 +111,7 @@ fn phases(
     let sizes: Vec<Point> = sizes
         .filter_map(|point| Some((point.r, reading.polar(point, part)?.0)))
         .collect();
-    // Points are dense near a pole, so that the share of the range counts and not the number of points.
+    // Points are dense near a pole. The share of the frequency range therefore counts, not the number of points.
     let least = VANISHING * exceeded(&sizes, 0.5);
     let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
     let mut before: Option<f64> = None;
@@ -131,8 +131,9 @@ fn phases(
             Some(before) => near(before),
             None => {
                 runs.push(Vec::new());
-                // A new run takes the multiple of a full turn nearest to the last run. Between two equally near ones it
-                // takes the one nearer to a quarter turn, because lags are mostly between 0 and half a turn.
+                // A new run takes the multiple of a full turn that is nearest to the previous run. Between two equally
+                // near multiples it takes the one nearer to a quarter turn, because lags are mostly between 0 and half
+                // a turn.
                 let quarter = 0.25 * FULL;
                 near(last.map_or(quarter, |last| last + 0.02 * (quarter - last)))
             }
@@ -149,7 +150,7 @@ fn phases(
 
 const FULL: f64 = std::f64::consts::TAU;
 
-/// Returns the lines of one motion of a curve. The legend names the curve once, whatever its regimes are.
+/// Returns the lines of one motion of a curve, one for each regime. Only one line has the name for the legend.
 #[must_use]
 pub fn lines(
     drawn: &Drawn<'_>,
@@ -194,7 +195,7 @@ pub fn lines(
     layers
 }
 
-/// Returns a panel with one motion of several curves. Its range is fitted to them.
+/// Returns a panel with one motion of several curves. The ranges of its axes are fitted to the curves.
 #[must_use]
 pub fn panel(
     title: impl Into<Label>,
@@ -251,8 +252,8 @@ fn phase_axis(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scale
     Axis::new("phase *φ* (degrees)", low, high).degrees()
 }
 
-/// Returns the upper end of an amplitude axis. It contains all amplitudes, or those over nine tenths of the range if
-/// one is unbounded.
+/// Returns the upper end of an amplitude axis. The axis contains all amplitudes. If one amplitude is unbounded, the
+/// axis contains the amplitudes over nine tenths of the range.
 fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f64 {
     let mut largest = 0.0_f64;
     for drawn in drawn {
@@ -269,7 +270,7 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
         };
         let most = points().fold(0.0, |most, (_, size)| size.max(most));
         let shown = if pole {
-            // The limit is a little above the amplitude that only a tenth of the range exceeds.
+            // The upper end is somewhat above the amplitude that only a tenth of the range exceeds.
             (1.3 * exceeded(&points().collect::<Vec<_>>(), 0.1)).min(most)
         } else {
             most
@@ -279,7 +280,7 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
     if largest > 0.0 { 1.06 * largest } else { 1.0 }
 }
 
-/// Returns the amplitude that the curve exceeds over the fraction `share` of its range of r.
+/// Returns the amplitude that the curve exceeds over the fraction `share` of its frequency range.
 fn exceeded(points: &[Point], share: f64) -> f64 {
     let mut parts: Vec<Point> = points
         .windows(2)
@@ -300,7 +301,7 @@ fn exceeded(points: &[Point], share: f64) -> f64 {
     0.0
 }
 
-/// Returns a figure with amplitude and phase of every requested motion, one row for each motion.
+/// Returns a figure with one row for each requested motion: amplitude on the left, phase on the right.
 #[must_use]
 pub fn curve_figure(
     title: impl Into<Label>,

@@ -1,4 +1,4 @@
-//! Maps over frequency and friction.
+//! Figures of maps over frequency and friction.
 
 use super::regimes::limit_lines;
 use super::scales::{Scales, short};
@@ -11,7 +11,7 @@ use frictiongen::{Error, Regime};
 pub enum Shade {
     /// The regime of the contact.
     Regime,
-    /// Number of stops in a period. Each number has its own colour, the same in every map.
+    /// Number of stops of the contact in a period. Each number has its own colour, the same in every map.
     Stops,
     /// Fraction of the period during which the contact sticks.
     Stuck,
@@ -19,10 +19,10 @@ pub enum Shade {
     Amplitude(usize),
 }
 
-/// Number of cells of a map along an axis whose points are not evenly spaced.
+/// Number of cells of a map along an axis whose sampled values are not evenly spaced.
 const CELLS: usize = 400;
 
-/// Returns a figure of a map with the limits and boundaries over it.
+/// Returns a figure of a map, with β_lim, β*_lim and the boundaries between motions over it.
 #[must_use]
 pub fn map_figure(
     title: impl Into<Label>,
@@ -40,7 +40,7 @@ pub fn map_figure(
     )
 }
 
-/// Returns a panel of a map with the limits and boundaries over it.
+/// Returns a panel of a map, with β_lim, β*_lim and the boundaries between motions over it.
 #[must_use]
 pub fn map_panel(
     title: impl Into<Label>,
@@ -113,11 +113,11 @@ pub fn map_panel(
     panel.with(continuous).with(sliding)
 }
 
-/// Points of an axis assigned to even cells.
+/// Assignment of the sampled values of an axis to cells of equal width.
 struct Spread {
-    /// End points of the cells.
+    /// Lower and upper end of the range that the cells cover.
     ends: (f64, f64),
-    /// Index of the point nearest to the middle of each cell.
+    /// For each cell, the index of the sampled value nearest to the middle of the cell.
     places: Vec<usize>,
 }
 
@@ -167,8 +167,8 @@ fn values(places: &Places<'_>, read: impl Fn(&MapPoint) -> f64) -> Vec<f64> {
     places.iter().map(value).collect()
 }
 
-/// Returns the end of the colour scale, and the largest value. The end is at most twice the value that nine tenths of
-/// the cells do not exceed, because a pole would leave all other cells in one colour.
+/// Returns the upper end of the colour scale, and the largest value. The end is at most twice the value that nine
+/// tenths of the cells do not exceed. Otherwise a pole would leave all other cells in one colour.
 fn upper(cells: &[f64]) -> (f64, f64) {
     let mut finite: Vec<f64> = cells
         .iter()
@@ -178,7 +178,7 @@ fn upper(cells: &[f64]) -> (f64, f64) {
     finite.sort_by(f64::total_cmp);
     let most = finite.last().copied().unwrap_or(1.0);
     let usual = finite.get(finite.len() * 9 / 10).copied().unwrap_or(1.0);
-    // If nine tenths of the cells are at rest, the tenth part alone sets the scale.
+    // If nine tenths of the cells are at rest, the remaining tenth alone sets the scale.
     let end = if 0.0 < usual {
         most.min(2.0 * usual)
     } else {
@@ -217,7 +217,8 @@ fn classes(places: &Places<'_>) -> Cells {
     }
 }
 
-/// Classes by the number of stops. Continuous, two stops and stuck have the colours of the regimes.
+/// Classes of a map by the number of stops. The classes for continuous motion, two stops and stuck have the colours of
+/// these regimes.
 const STOPS: [(&str, usize); 8] = [
     ("continuous", 0),
     ("reversals only", 7),
@@ -252,7 +253,7 @@ fn stops(places: &Places<'_>) -> Cells {
     }
 }
 
-/// Returns the legend name of a class. Numbers of stops that are rare share a class.
+/// Returns the legend name of a motion's class. Motions with rare numbers of stops share a class.
 fn class(pattern: Pattern) -> String {
     match (pattern.regime, pattern.period, pattern.stops) {
         (Regime::Continuous, ..) => "continuous".to_owned(),
@@ -266,7 +267,7 @@ fn class(pattern: Pattern) -> String {
     }
 }
 
-/// Joins the boundaries between stick-slip motions to lines from column to column.
+/// Joins the boundaries between different stick-slip motions to lines, from one column of the map to the next.
 fn trace(map: &Map, boundaries: &[Boundary], scales: &Scales) -> Vec<Vec<Point>> {
     let inner = |of: &&Boundary| {
         let slips = |side: &Result<Pattern, Error>| {
@@ -287,7 +288,8 @@ fn trace(map: &Map, boundaries: &[Boundary], scales: &Scales) -> Vec<Vec<Point>>
             .filter(inner)
             .filter(|boundary| boundary.r == column.r)
         {
-            // A boundary continues the nearest line of the last column that separates the same two motions.
+            // A boundary continues the nearest line that ends in the previous column and separates the same two
+            // motions.
             let fits = |(at, line): &(usize, Vec<&Boundary>)| {
                 let last = line.last()?;
                 let same = last.below == boundary.below && last.above == boundary.above;

@@ -1,4 +1,5 @@
-//! Pictures of the answers of a [`System`](frictiongen::System): curves, regimes, maps, and a sketch of the system.
+//! Figures of the results of a [`System`](frictiongen::System): curves, regimes, maps, motions over time, and a sketch
+//! of the system.
 
 mod curves;
 mod map;

@@ -1,15 +1,15 @@
-//! Motions over time, phase portraits and spectra.
+//! Figures of motions over time, phase portraits and spectra.
 
 use super::scales::Scales;
 use crate::{Across, Axis, Colour, Figure, Guide, Label, Line, Panel, Point, Stroke};
 use frictiongen::study::{History, Spectrum, Track};
 use std::f64::consts::PI;
 
-/// Least line of a spectrum that is drawn, over the largest line.
+/// Smallest spectral line that is drawn, relative to the largest one.
 const FLOOR: f64 = 1e-5;
 
-/// Returns a figure of displacements and the friction force over time, with phase portraits. If `turned`, the contact's
-/// motion has the opposite sign.
+/// Returns a figure of displacements and friction force over time, with phase portraits. If `turned` is true, the
+/// contact's motion has the opposite sign.
 #[must_use]
 pub fn history_figure(
     title: impl Into<Label>,
@@ -106,7 +106,7 @@ pub fn history_figure(
     Figure::new("", title, 2, vec![moves, pulls, phase])
 }
 
-/// Returns a figure of the lines of spectra, one panel for each motion.
+/// Returns a figure of spectra as vertical lines, one panel for each motion.
 #[must_use]
 pub fn spectrum_figure(
     title: impl Into<Label>,

@@ -1,15 +1,15 @@
-//! Regimes over frequency and friction: both limits, and the areas between them.
+//! Panels of the regimes over frequency and friction: β_lim, β*_lim, and the areas between them.
 
 use super::scales::Scales;
 use crate::{Axis, Colour, Fill, Label, Line, Panel, Point, Region, Stroke};
 use frictiongen::study::LimitLines;
 
-/// Name of the regime between β*_lim and a larger β_lim.
+/// Name of the regime above β*_lim and below β_lim, where the initial state decides.
 const BISTABLE: &str = "sliding or stuck, by the start";
-/// Least height of an area, over that of the axis, that is drawn.
+/// Smallest height of an area that is drawn, relative to the height of the axis.
 const SEEN: f64 = 1e-3;
 
-/// Returns both limits as lines, up to a friction ratio somewhat above `top`.
+/// Returns β_lim and β*_lim as lines, up to a friction ratio somewhat above `top`.
 #[must_use]
 pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour) -> [Line; 2] {
     let line = |name: Label, stroke, read: fn(f64, f64) -> f64| {
@@ -34,7 +34,7 @@ pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour
     ]
 }
 
-/// Returns a panel of the regimes up to a friction ratio: named areas, and both limits.
+/// Returns a panel of the regimes up to the friction ratio `top`: named areas, β_lim and β*_lim.
 #[must_use]
 pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &Scales) -> Panel {
     let low = lines.points.first().map_or(0.0, |point| point.0);
@@ -84,7 +84,7 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
     panel.with(continuous).with(sliding)
 }
 
-/// The lower or upper curve of an area.
+/// The lower or the upper boundary curve of an area.
 #[derive(Clone, Copy)]
 enum Edge {
     Zero,
@@ -107,8 +107,8 @@ impl Edge {
     }
 }
 
-/// Returns the position with the most room for an area's name, if there is enough: the middle of the highest interval
-/// around which the area stays high.
+/// Returns the position with the most space for an area's name: the middle of the highest interval around which the
+/// area stays high. `None` if there is not enough space.
 fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
     let first = places.first()?.0;
     let width = places.last()?.0 - first;
@@ -120,7 +120,7 @@ fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
             (low.max(place.1), high.min(place.2))
         });
         let height = high - low;
-        // Among positions with nearly as much room, the one nearest to the middle is preferred.
+        // Among positions with nearly the same space, the one nearest to the middle of the area is preferred.
         let aside = (2.0 * (at - first) / width - 1.0).abs();
         let room = height * (1.0 - 0.7 * aside);
         if 0.06 * top < height && best.is_none_or(|best| best.2 < room) {

@@ -1,23 +1,23 @@
-//! Units of the axes: non-dimensional groups or physical units.
+//! Units of the axes of a figure: non-dimensional groups or physical units.
 
 use crate::Label;
 use frictiongen::System;
 use frictiongen::study::{LoadScale, scene::Excitation};
 
-/// Units of frequencies, frictions and displacements.
+/// Units in which a figure shows frequencies, frictions, displacements and times.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales {
-    /// Frequency in Hz at r = 1, if frequencies are in Hz.
+    /// Frequency in Hz that belongs to r = 1. `None` if the figure shows r.
     hertz: Option<f64>,
-    /// Units of force and displacement under the load, if it is known.
+    /// Units of force and displacement under the load. `None` if the figure shows non-dimensional groups.
     load: Option<LoadScale>,
     base_motion: bool,
-    /// Angular frequency ω in rad/s, if times are in seconds.
+    /// Angular frequency ω in rad/s. `None` if the figure shows τ = ωt instead of seconds.
     omega: Option<f64>,
 }
 
 impl Scales {
-    /// Makes scales of the non-dimensional groups r, β and x̄.
+    /// Creates the units of a figure in the non-dimensional groups r, β and x̄.
     #[must_use]
     pub fn groups(system: &System) -> Self {
         Self {
@@ -28,7 +28,7 @@ impl Scales {
         }
     }
 
-    /// Returns the scales with frequencies in Hz.
+    /// Returns the same units, with frequencies in Hz.
     #[must_use]
     pub fn in_hertz(self, system: &System) -> Self {
         Self {
@@ -37,7 +37,7 @@ impl Scales {
         }
     }
 
-    /// Returns the scales with forces in N and displacements in mm.
+    /// Returns the same units, with forces in N and displacements in mm.
     #[must_use]
     pub fn under(self, load: LoadScale) -> Self {
         Self {
@@ -46,7 +46,7 @@ impl Scales {
         }
     }
 
-    /// Returns the scales with times in seconds, for a motion at an angular frequency in rad/s.
+    /// Returns the same units, with times in seconds. `omega` is the angular frequency of the motion in rad/s.
     #[must_use]
     pub fn at(self, omega: f64) -> Self {
         Self {
@@ -55,13 +55,13 @@ impl Scales {
         }
     }
 
-    /// Returns whether times are in seconds.
+    /// Returns true if the figure shows times in seconds.
     #[must_use]
     pub fn in_seconds(&self) -> bool {
         self.omega.is_some()
     }
 
-    /// Returns the value of τ on the time axis.
+    /// Converts the phase τ = ωt to the unit of the time axis.
     #[must_use]
     pub fn time(&self, tau: f64) -> f64 {
         self.omega.map_or(tau, |omega| tau / omega)
@@ -76,13 +76,13 @@ impl Scales {
         }
     }
 
-    /// Returns a derivative by τ on its axis.
+    /// Converts a derivative with respect to τ to the unit of its axis.
     #[must_use]
     pub fn rate(&self, slope: f64) -> f64 {
         self.omega.map_or(slope, |omega| slope * omega)
     }
 
-    /// Returns the label of the axis of derivatives.
+    /// Returns the label of an axis of derivatives with respect to τ, or of velocities.
     #[must_use]
     pub fn rate_label(&self) -> Label {
         match (self.load, self.omega) {
@@ -91,14 +91,14 @@ impl Scales {
         }
     }
 
-    /// Returns an order of the excitation on its axis.
+    /// Converts an order, a frequency over that of the excitation, to the unit of its axis.
     #[must_use]
     pub fn order(&self, order: f64) -> f64 {
         self.omega
             .map_or(order, |omega| order * omega / std::f64::consts::TAU)
     }
 
-    /// Returns the label of the axis of orders.
+    /// Returns the label of the axis of orders, on which a spectrum is drawn.
     #[must_use]
     pub fn order_label(&self) -> Label {
         match self.omega {
@@ -117,7 +117,7 @@ impl Scales {
         }
     }
 
-    /// Returns the value of r on the frequency axis.
+    /// Converts the frequency ratio r to the unit of the frequency axis.
     #[must_use]
     pub fn frequency(&self, r: f64) -> f64 {
         self.hertz.map_or(r, |hertz| r * hertz)
@@ -132,7 +132,7 @@ impl Scales {
         }
     }
 
-    /// Returns the value of β on the friction axis.
+    /// Converts the friction ratio β to the unit of the friction axis.
     #[must_use]
     pub fn friction(&self, beta: f64) -> f64 {
         self.load.map_or(beta, |load| load.friction(beta))
@@ -147,13 +147,13 @@ impl Scales {
         }
     }
 
-    /// Returns the name of a friction for a legend.
+    /// Returns the legend name of a friction, such as a value of β or of F.
     #[must_use]
     pub fn friction_name(&self, beta: f64) -> Label {
         self.swept_name(beta, "")
     }
 
-    /// Returns the name of a friction for a legend, followed by `what`, such as `, swept up`.
+    /// Returns the legend name of a friction, followed by the text `what`, such as `, swept up`.
     #[must_use]
     pub fn swept_name(&self, beta: f64, what: &str) -> Label {
         let value = short(self.friction(beta));
@@ -163,14 +163,14 @@ impl Scales {
         }
     }
 
-    /// Returns the name of a limit for a legend: F_lim in newtons, or β_lim as a ratio.
+    /// Returns the legend name of a limit: F_lim in newtons, or β_lim as a ratio.
     #[must_use]
     pub(super) fn limit_name(&self, mark: &str, what: &str) -> Label {
         let symbol = if self.load.is_some() { "F" } else { "β" };
         format!("*{symbol}*_lim{mark}, {what}").into()
     }
 
-    /// Returns a displacement on its axis, in mm or as a ratio.
+    /// Converts a non-dimensional displacement x̄ to the unit of its axis, mm or none.
     #[must_use]
     pub fn length(&self, ratio: f64) -> f64 {
         self.load
@@ -183,7 +183,7 @@ impl Scales {
         self.length_text().into()
     }
 
-    /// Returns the label of an amplitude axis as markup.
+    /// Returns the label of an amplitude axis, as text with markup.
     pub(super) fn length_text(&self) -> &'static str {
         match (self.load, self.base_motion) {
             (Some(_), _) => "amplitude (mm)",

@@ -1,9 +1,9 @@
-//! Sketch of a system.
+//! Sketches of a scene.
 
 use crate::{Contact, End, Excitation, Label, Sketch, Spring};
 use frictiongen::study::scene::{self, Node, Scene};
 
-/// Returns the sketch of a scene whose excitation is a record: *y*(*t*) or *f*(*t*) instead of a cosine. The masses
+/// Returns the sketch of a scene whose excitation is a recording: *y*(*t*) or *f*(*t*) instead of a cosine. The masses
 /// have their own names.
 #[must_use]
 pub fn sketch_under_record(scene: &Scene) -> Sketch {
@@ -16,8 +16,8 @@ pub fn sketch_under_record(scene: &Scene) -> Sketch {
     sketch
 }
 
-/// Returns the sketch of a scene. Masses have the names of the theory, or the scene's own names. Springs are numbered
-/// in the order of the description.
+/// Returns the sketch of a scene. The masses have the names of the scene if `own_names` is true, and otherwise the
+/// symbols of the theory. Springs are numbered in the order of the description.
 #[must_use]
 pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
     let end = |node: Node| match node {

@@ -1,15 +1,15 @@
-//! Inputs of a scene that a recording drives, step by step.
+//! Converts a recording to the inputs of a scene's stepper, one input for each sample.
 
 use super::{Channel, Dimension, MeasureError, Recording};
 use crate::System;
 use crate::study::SystemInput;
 use crate::study::scene::Excitation;
 
-/// Inputs that drive a scene, at every sample of a recording.
+/// The inputs of a stepper at every sample of a recording: base motion or forces, and the friction force.
 ///
-/// The base is recorded as displacement, velocity or acceleration. A displacement follows the cubic spline through its
-/// samples. A velocity or an acceleration is linear between its samples. All start at rest, and displacements count
-/// from the first sample. Forces and a recorded friction force are linear between their samples.
+/// The base is recorded as displacement, velocity or acceleration. Between samples a displacement follows a cubic
+/// spline, a velocity or an acceleration changes linearly. The base starts at rest, and displacements count from the
+/// first sample. Forces and a recorded friction force change linearly between samples.
 ///
 /// ```
 /// use frictiongen::System;
@@ -35,9 +35,9 @@ pub struct Inputs<'r> {
     dt: f64,
     len: usize,
     base: Option<Vec<[f64; 2]>>,
-    /// The force on the excited mass.
+    /// The recorded force on the excited mass.
     force: Option<Track<'r>>,
-    /// Forces on other masses, by name.
+    /// The recorded forces on other masses, each with the name of the mass.
     others: Vec<(&'r str, Track<'r>)>,
     friction: Friction<'r>,
 }
@@ -62,12 +62,13 @@ enum Friction<'r> {
 }
 
 impl<'r> Inputs<'r> {
-    /// Collects the inputs of a scene from the channels `base`, or `force` for the excited mass and the names of other
-    /// masses. The kinetic friction force is `friction`, in N, or the channel `friction`.
+    /// Collects the inputs of a scene from the channels of a recording. The channel `base` is the base motion, `force`
+    /// the force on the excited mass, and other channels the forces on masses by name. The kinetic friction force is
+    /// `friction`, in N, or the channel `friction`.
     ///
     /// # Errors
-    /// [`MeasureError`] for channels with other names, for units that do not fit, if the excitation is not recorded,
-    /// and unless there is exactly one friction force.
+    /// [`MeasureError`] for channels with other names, for units that do not fit, and if the excitation is not
+    /// recorded. [`MeasureError`] also unless there is exactly one friction force.
     pub fn of(
         recording: &'r Recording,
         system: &System,
@@ -129,7 +130,7 @@ impl<'r> Inputs<'r> {
         self.len
     }
 
-    /// Returns whether there are no samples, which never is the case.
+    /// Returns true if there are no samples, which is never the case.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len == 0
@@ -171,7 +172,7 @@ fn wrong(channel: &Channel) -> MeasureError {
     }
 }
 
-/// Returns displacement and velocity of the base at every sample.
+/// Returns displacement and velocity of the base, in m and m/s, at every sample.
 fn base(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
     let scale = channel.unit.scale();
     let values = channel.samples.iter().map(|value| value * scale);
@@ -215,7 +216,7 @@ fn base(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
 /// Returns the slopes, per sample step, of the cubic spline through `values` that begins at rest and ends without
 /// curvature.
 fn spline_slopes(values: &[f64]) -> Vec<f64> {
-    // s₀ = 0; s_{i−1} + 4s_i + s_{i+1} = 3(y_{i+1} − y_{i−1}); s_{n−1} + 2s_n = 3(y_n − y_{n−1}).
+    // The equations are s₀ = 0; s_{i−1} + 4s_i + s_{i+1} = 3(y_{i+1} − y_{i−1}); s_{n−1} + 2s_n = 3(y_n − y_{n−1}).
     let last = values.len().saturating_sub(1);
     let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
     let mut factors = vec![0.0];

@@ -9,74 +9,74 @@ use crate::{Error, OutOfDomain};
 pub enum MeasureError {
     /// A cell of a file is not a finite number.
     NotANumber {
-        /// The line, from 1.
+        /// Number of the line in the file, from 1.
         line: usize,
-        /// The channel.
+        /// Name of the channel.
         channel: String,
         /// The text of the cell.
         text: String,
     },
     /// A file is neither a table of numbers nor a UFF58 file.
     Format {
-        /// The line, from 1.
+        /// Number of the line in the file, from 1.
         line: usize,
-        /// Description of the mistake.
+        /// Description of the mistake, as text for the message.
         what: String,
     },
     /// A channel has no unit.
     NoUnit(String),
-    /// A unit is unknown.
+    /// The unit with this name is unknown.
     UnknownUnit(String),
-    /// A channel occurs twice.
+    /// Two channels have the same name.
     Twice(String),
     /// The sampling rate is not known.
     NoRate,
     /// The samples are not evenly spaced in time.
     MixedRates {
-        /// The place where the step changes: a line of the file, or a channel.
+        /// The position at which the time step changes: a line of the file, or a channel.
         place: String,
-        /// The first step, s.
+        /// The time step before this position, s.
         before: f64,
-        /// The other step, s.
+        /// The other time step, s.
         after: f64,
     },
     /// Channels have different numbers of samples.
     Lengths(String),
     /// The recording is too short for the frequency to be found.
     TooShort {
-        /// The length of the recording.
+        /// The length of the recording, as text.
         found: String,
-        /// The length that is needed.
+        /// The length that is needed, as text.
         needed: &'static str,
     },
-    /// A value is not finite.
+    /// A sample is not a finite number.
     NotFinite {
-        /// The channel.
+        /// Name of the channel.
         channel: String,
-        /// The sample, from 0.
+        /// Index of the sample, from 0.
         sample: usize,
     },
-    /// A channel never changes.
+    /// All samples of a channel are equal.
     Constant(String),
     /// A channel stays at its largest or smallest value although it moves fast just before.
     Clipped {
-        /// The channel.
+        /// Name of the channel.
         channel: String,
-        /// The value, in the channel's unit.
+        /// The value at which the channel stays, in the channel's unit.
         value: f64,
-        /// Fraction of the samples that are clipped.
+        /// Fraction of the samples that stay at this value.
         share: f64,
     },
-    /// A channel is neither the excitation nor a mass.
+    /// The name of a channel is neither that of the excitation nor that of a mass.
     NoSuchPlace {
-        /// The channel.
+        /// Name of the channel.
         channel: String,
-        /// The names that are possible.
+        /// The names that are possible in this scene.
         known: Vec<String>,
     },
     /// The excitation was not recorded.
     NoDrive(&'static str),
-    /// No friction force was given.
+    /// The friction force was neither given nor recorded.
     NoFriction,
     /// The friction force was both given and recorded.
     TwoFrictions,
@@ -84,41 +84,42 @@ pub enum MeasureError {
     NoMass,
     /// The unit of a channel does not fit the quantity of the channel.
     WrongDimension {
-        /// The channel.
+        /// Name of the channel.
         channel: String,
-        /// Its unit.
+        /// Unit of the channel.
         unit: &'static str,
     },
     /// The excitation does not exceed its noise.
     Silent(String),
-    /// The frequency of the excitation changes.
+    /// The frequency of the excitation is not constant.
     Drifts {
         /// Frequency at the start, Hz.
         from: f64,
         /// Frequency at the end, Hz.
         to: f64,
     },
-    /// The amplitude of the excitation changes by this fraction.
+    /// The amplitude of the excitation is not constant. The number is the relative change.
     Swells(f64),
-    /// No interval of the recording is steady.
+    /// The motion in a channel is never steady.
     NotSteady(String),
-    /// The sampling rate is too low for the driving frequency.
+    /// The sampling rate is too low for the driving frequency: a cycle has too few samples.
     TooSlow {
-        /// Samples per second.
+        /// Sampling rate, samples per second.
         rate: f64,
         /// The driving frequency, Hz.
         hertz: f64,
     },
-    /// No observation concerns the quantities that are asked for.
+    /// No observation concerns the requested quantities.
     NoObservation,
-    /// The measured amplitude differs by a power of 1000 from those the scene can have, so a unit is wrong.
+    /// The measured amplitude is wrong by a power of 1000 compared with every amplitude that the scene can have, so a
+    /// unit is wrong.
     WrongUnit {
-        /// The measured amplitude over the nearest amplitude of the scene, rounded to a power of 1000.
+        /// The measured amplitude over the nearest amplitude that the scene can have, rounded to a power of 1000.
         factor: f64,
         /// Name of the mass.
         mass: String,
     },
-    /// No friction force gives the scene this amplitude.
+    /// No friction force gives the scene the measured amplitude of a mass.
     NotExplained {
         /// Name of the mass.
         mass: String,
@@ -127,7 +128,7 @@ pub enum MeasureError {
         /// The amplitude |x̄| of the scene that is nearest to the measured one.
         nearest: f64,
     },
-    /// No friction force gives the scene this phase.
+    /// No friction force gives the scene the measured phase of a mass.
     PhaseNotExplained {
         /// Name of the mass.
         mass: String,
@@ -136,26 +137,26 @@ pub enum MeasureError {
         /// Lag of the mass behind the excitation with the best-fitting friction force, degrees.
         nearest: f64,
     },
-    /// There are fewer data than unknowns.
+    /// There are fewer measured values than unknowns.
     TooFewData {
         /// Number of measured values.
         data: usize,
-        /// Number of unknowns.
+        /// Number of unknowns that the fit has to find.
         unknowns: usize,
     },
     /// The fit does not converge.
     NoFit,
-    /// The question does not apply to this scene, or an argument is out of its range.
+    /// The request does not apply to this scene, or an argument is out of range.
     Asked(&'static str),
-    /// A free decay has too few peaks.
+    /// A free decay has too few peaks. The number is the number of peaks found.
     FewPeaks(usize),
     /// The peaks of a free decay do not fall.
     NoDecay,
     /// A row of a sweep cannot be used.
     Sweep {
-        /// The line, from 1.
+        /// Number of the line in the file, from 1.
         line: usize,
-        /// Description of the mistake.
+        /// Description of the mistake, as text for the message.
         what: String,
     },
     /// The fitted numbers do not form a valid scene.

@@ -1,54 +1,56 @@
 //! Least squares by the damped Gauss–Newton steps of Levenberg and Marquardt, with exact Jacobians.
 //!
-//! The crate `levenberg-marquardt` offers the same over nalgebra 0.34. This crate uses nalgebra 0.35, so that it would
-//! add a second nalgebra (16 crates in all). The crate argmin would add 21. This file needs only the nalgebra that is
-//! already a dependency.
+//! The crate `levenberg-marquardt` offers the same method over nalgebra 0.34. It would add a second nalgebra (16
+//! crates in all), because this crate uses nalgebra 0.35. The crate argmin would add 21 crates. This file needs only
+//! the nalgebra that is already a dependency.
 
 use nalgebra::{DMatrix, DVector};
 
-/// Largest number of steps, rejected steps included.
+/// Largest number of steps of a fit, rejected steps included.
 const MOST_STEPS: usize = 200;
-/// Bound of the last step: it changes every parameter by less than this fraction, or all residuals together by less
-/// than this fraction of a deviation.
+/// Bound at which the steps end. The last step changes every parameter by less than this fraction, or all residuals
+/// together by less than this fraction of a standard deviation.
 const SMALL: f64 = 1e-10;
-/// Factor by which damping grows and shrinks (Marquardt's choice).
+/// Factor by which the damping grows after a rejected step and shrinks after an accepted one (Marquardt's choice).
 const GROWTH: f64 = 10.0;
-/// A direction counts as undetermined if its singular value is below this fraction of the largest.
+/// Fraction of the largest singular value below which a direction of parameters counts as undetermined.
 const RANK: f64 = 1e-12;
-/// A parameter counts as determined if its relative change is below this value in every undetermined direction of
-/// length 1.
+/// Relative change of a parameter below which the parameter counts as determined. The change must stay below it in
+/// every undetermined direction of length 1.
 const APART: f64 = 1e-6;
 
-/// Residuals and their derivatives, one column for each parameter.
+/// Residuals of a fit, and their derivatives with respect to the parameters: one column of the Jacobian for each
+/// parameter.
 pub(super) struct Linearised {
     pub(super) residuals: DVector<f64>,
     pub(super) jacobian: DMatrix<f64>,
 }
 
-/// Result of a fit.
+/// Result of a fit: parameters, sum of squares, and what the data determine.
 #[derive(Debug)]
 pub(super) struct Fit {
     pub(super) parameters: Vec<f64>,
     /// True if the steps converged.
     pub(super) settled: bool,
-    /// The sum of squares.
+    /// The sum of squares of the residuals.
     pub(super) squares: f64,
-    /// Number of directions that the data determine. It equals the number of parameters if every parameter is
-    /// determined.
+    /// Number of independent directions in parameter space that the data determine. If the data determine every
+    /// parameter, it equals the number of parameters.
     pub(super) rank: usize,
-    /// Largest singular value of the Jacobian over the smallest of a determined direction, with each parameter divided
-    /// by its scale.
+    /// Condition number of the fit: the largest singular value of the Jacobian over the smallest one of a determined
+    /// direction. Each parameter is divided by its scale.
     pub(super) condition: f64,
-    /// The scale of each parameter.
+    /// The scale of each parameter, by which its changes are divided.
     sizes: Vec<f64>,
-    /// Directions of relative parameter changes, each with its singular value, or 0 where the data do not determine the
-    /// direction.
+    /// Directions of relative parameter changes, each with its singular value. The singular value is 0 where the data
+    /// do not determine the direction.
     directions: Vec<(DVector<f64>, f64)>,
 }
 
 impl Fit {
-    /// Returns the variance of a quantity with this gradient by the parameters, for residuals of deviation 1. It is
-    /// infinite where the data do not determine the quantity.
+    /// Returns the variance of a quantity for residuals of standard deviation 1. `gradient` contains the derivatives
+    /// of the quantity with respect to the parameters. The variance is infinite where the data do not determine the
+    /// quantity.
     pub(super) fn variance(&self, gradient: &DVector<f64>) -> f64 {
         if self.directions.is_empty() {
             return f64::INFINITY;
@@ -73,7 +75,7 @@ impl Fit {
         terms.sum()
     }
 
-    /// Returns the variance of a parameter.
+    /// Returns the variance of the parameter with this index, for residuals of standard deviation 1.
     pub(super) fn own_variance(&self, index: usize) -> f64 {
         let count = self.parameters.len();
         self.variance(&DVector::from_fn(count, |row, _| {
@@ -82,9 +84,9 @@ impl Fit {
     }
 }
 
-/// Returns the scale of each parameter, by which its changes are divided. The scale is the parameter's value, or the
-/// change that shifts the residuals by one deviation if that is larger. A parameter that tends to zero has no scale of
-/// its own.
+/// Returns the scale of each parameter, by which its changes are divided. The scale is the larger of two numbers: the
+/// parameter itself, and the change that shifts the residuals by one standard deviation. The second number serves a
+/// parameter that tends to zero.
 fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
     let columns = jacobian.column_iter();
     let sizes = parameters.iter().zip(columns).map(|(value, column)| {
@@ -99,10 +101,11 @@ fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
     sizes.collect()
 }
 
-/// Minimises the sum of squares from `start`.
+/// Minimises the sum of squared residuals over the parameters, from a starting point.
 ///
-/// `residuals` returns the residuals at the given parameters, or `None` where there is no answer. `linearise` also
-/// returns their derivatives. Parameters stay within `bounds`. Returns `None` if the start cannot be evaluated.
+/// `residuals` returns the residuals at given parameters, or `None` where they are undefined. `linearise` returns the
+/// residuals with their derivatives. The parameters stay within `bounds`. The result is `None` if the starting point
+/// cannot be evaluated.
 pub(super) fn minimise(
     start: &[f64],
     bounds: &[(f64, f64)],
@@ -168,7 +171,7 @@ pub(super) fn minimise(
     Some(fit)
 }
 
-/// Returns the fit with the directions that the data determine.
+/// Returns the result of a fit. A singular value decomposition shows which directions the data determine.
 fn judged(parameters: Vec<f64>, squares: f64, jacobian: &DMatrix<f64>) -> Fit {
     let mut scaled = jacobian.clone();
     let sizes = sizes(&parameters, jacobian);

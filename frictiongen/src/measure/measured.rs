@@ -1,4 +1,4 @@
-//! Driving frequency, transmissibilities, phases and harmonics of a scene's motion in a recording.
+//! The steady motion of a scene in a recording: driving frequency, transmissibilities, phases and harmonics.
 
 use super::recording::Dimension;
 use super::tone::{Basis, FEWEST_CYCLES, HARMONICS, Tone, frequency};
@@ -8,10 +8,10 @@ use crate::study::scene::{Excitation, Scene};
 use crate::study::units::polar;
 use std::f64::consts::TAU;
 
-/// Least number of samples in a cycle.
+/// Least number of samples in a cycle of the driving frequency.
 const FEWEST_SAMPLES: f64 = 5.0;
 
-/// The steady motion found in a recording.
+/// The steady motion found in a recording: driving frequency, excitation, and displacements of the masses.
 ///
 /// ```
 /// use frictiongen::System;
@@ -40,33 +40,34 @@ pub struct Measured {
     pub hertz: f64,
     /// Standard deviation of the driving frequency, Hz.
     pub hertz_deviation: f64,
-    /// Samples per second.
+    /// Sampling rate, samples per second.
     pub rate: f64,
-    /// Start and end of the steady interval, s from the first sample.
+    /// Start and end of the steady interval, in s from the first sample.
     pub steady: (f64, f64),
-    /// Excitation: displacement of the base in m, or the force in N.
+    /// Mean and harmonics of the excitation: displacement of the base in m, or force in N.
     pub drive: Tone,
-    /// Displacement in m of each recorded mass, with the index of the mass.
+    /// Displacement of each recorded mass in m, as mean and harmonics, with the index of the mass in the description.
     pub masses: Vec<(usize, Tone)>,
 }
 
-/// A complex amplitude over that of the excitation, with its uncertainty.
+/// A complex amplitude divided by the amplitude of the excitation, with its uncertainty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transmissibility {
-    /// Complex ratio X/Y, or X/P in m/N.
+    /// The complex ratio X/Y for base motion, or X/P in m/N for a force.
     pub value: Complex<f64>,
-    /// Standard deviation of the real part, and of the imaginary part.
+    /// Standard deviation of the real part, and also of the imaginary part.
     pub deviation: f64,
 }
 
 impl Transmissibility {
-    /// Returns |X/Y| (4.4), or |X/P| in m/N.
+    /// Returns the displacement transmissibility |X/Y| (4.4), or |X/P| in m/N for a force.
     #[must_use]
     pub fn amplitude(&self) -> f64 {
         polar(self.value).0
     }
 
-    /// Returns the lag behind the excitation, rad, in (−π, π] (4.5, with the sign that makes a lag positive).
+    /// Returns the lag of the mass behind the excitation, rad, in (−π, π] (4.5, with the sign that makes a lag
+    /// positive).
     #[must_use]
     pub fn lag(&self) -> f64 {
         polar(self.value).1
@@ -80,8 +81,9 @@ impl Measured {
     /// Velocities and accelerations are converted to displacements at each harmonic.
     ///
     /// # Errors
-    /// [`MeasureError`] for a channel that does not belong to the scene or has an impossible unit, no excitation or no
-    /// mass, an excitation that is silent or drifts, too few cycles, and a motion that is never steady.
+    /// [`MeasureError`] for a channel that does not belong to the scene or has an impossible unit. [`MeasureError`]
+    /// also if excitation or masses are missing, for an excitation that is silent or drifts, for too few cycles, and
+    /// for a motion that is never steady.
     pub fn of(recording: &Recording, scene: &Scene) -> Result<Self, MeasureError> {
         let places = places(recording, scene)?;
         let rate = recording.rate();
@@ -121,8 +123,9 @@ impl Measured {
         let masses = masses.map(|(place, channel)| Ok((*place, tone(channel, &kept(channel))?)));
         let masses = masses.collect::<Result<Vec<_>, MeasureError>>()?;
         let seconds = driven.len() as f64 / rate;
-        // Each half of the record has √2 of the deviation of a phase, and the halves are half the record apart. The
-        // deviation is 2·phase over 2π·T/2.
+        // The standard deviation of a phase from half of the record is √2 times that from the whole record. The
+        // middles of the halves are half of the record apart. The deviation of the frequency is therefore 2·phase over
+        // 2π·T/2.
         let phase = drive_tone.deviation / drive_tone.fundamental().norm();
         Ok(Self {
             hertz: per_sample * rate,
@@ -140,8 +143,8 @@ impl Measured {
         self.drive.fundamental().norm()
     }
 
-    /// Returns the complex amplitude X_1 of the fundamental component of a mass, divided by that of the excitation.
-    /// Returns `None` if the mass was not recorded.
+    /// Returns the complex amplitude X_1 of the fundamental component of a mass, divided by the complex amplitude of
+    /// the excitation. `None` if the mass was not recorded.
     #[must_use]
     pub fn transmissibility(&self, mass: usize) -> Option<Transmissibility> {
         let tone = self.tone(mass)?;
@@ -155,7 +158,7 @@ impl Measured {
     }
 
     /// Returns the complex amplitude X_n of harmonic n of a mass, divided by the amplitude of the excitation. τ = 0 is
-    /// a maximum of the excitation. Returns `None` if the mass was not recorded.
+    /// a maximum of the excitation. `None` if the mass was not recorded.
     #[must_use]
     pub fn harmonic(&self, mass: usize, n: u32) -> Option<Complex<f64>> {
         let tone = self.tone(mass)?;
@@ -166,7 +169,7 @@ impl Measured {
         Some(value / (turn.powu(n) * drive.norm()))
     }
 
-    /// Returns mean and harmonics of the displacement of a mass, or `None` if the mass was not recorded.
+    /// Returns mean and harmonics of the displacement of a mass, in m. `None` if the mass was not recorded.
     #[must_use]
     pub fn tone(&self, mass: usize) -> Option<&Tone> {
         let found = self.masses.iter().find(|(place, _)| *place == mass);
@@ -174,7 +177,7 @@ impl Measured {
     }
 }
 
-/// The channels of the excitation and of the masses.
+/// The channels of a recording, assigned to the excitation and to the masses of a scene.
 struct Places<'r> {
     drive: (&'r Channel, Dimension),
     masses: Vec<(usize, &'r Channel)>,

@@ -1,4 +1,4 @@
-//! Measurements of a structure: recordings, the friction force in them, and the parameters of a scene.
+//! Measurements of a structure: recordings, the friction force that they show, and the parameters of a scene.
 //!
 //! * [`Recording`]: samples from CSV or UFF58, each channel with its unit.
 //! * [`Measured`]: driving frequency, transmissibility, phase and harmonics of the steady interval, with their
@@ -10,7 +10,7 @@
 //! * [`System::fit_sweep`](crate::System::fit_sweep): frequencies, mass and stiffness ratios from sweeps without
 //!   friction (4.1, 6.15 to 6.20).
 //! * [`Inputs`]: inputs of a scene's stepper, from a recording.
-//! * [`Recording::regression`]: mass and friction of an axis without a spring.
+//! * [`Recording::regression`]: mass and friction of an axis that has no spring.
 //!
 //! On a microcontroller [`crate::watch`] follows one frequency sample by sample.
 

@@ -1,12 +1,11 @@
-//! Finds mass, viscous and Coulomb friction of an axis without a spring, by linear regression.
+//! Finds mass, viscous and Coulomb friction of an axis without a spring by linear regression.
 //!
 //! The equation M q̈ + F_v q̇ + F_c sgn q̇ + offset = force is linear in all four unknowns. This is the identification
 //! of a drive, as in the EMPS benchmark (Janot, Gautier and Brunot, Data set and reference models of EMPS, 2019).
 //!
-//! No signal is differentiated. The equation is multiplied by a bump function that vanishes with its slope at both ends
-//! of a window, and then integrated by parts (modulating functions, Shinbrot 1957). A derivative of a smoothed position
-//! would be too small, and the mass too large by as much.
-//! 0.3 % in a trial, and the mass as much too large.
+//! No signal is differentiated. The equation is multiplied by a bump function, which is zero with zero slope at both
+//! ends of a window, and then integrated by parts (modulating functions, Shinbrot 1957). A derivative of a smoothed
+//! position would be too small, and the mass would be too large by the same factor.
 
 use super::identify::Estimate;
 use super::recording::Dimension;
@@ -14,12 +13,12 @@ use super::statistics::student;
 use super::{MeasureError, Recording};
 use nalgebra::{DMatrix, DVector};
 
-/// Fraction of the largest speed below which the direction of sliding counts as unsure.
+/// Fraction of the largest speed below which the direction of sliding counts as uncertain.
 const SLOW: f64 = 0.02;
-/// Least number of windows for four unknowns and their scatter.
+/// Least number of windows that determine the four unknowns and their scatter.
 const FEWEST: usize = 12;
 
-/// Mass, friction and offset found by a regression.
+/// Mass, viscous friction, Coulomb friction and constant force of an axis, found by regression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Regression {
     /// Mass M, kg.
@@ -28,9 +27,9 @@ pub struct Regression {
     pub viscous: Estimate,
     /// Coulomb friction force F_c, N.
     pub coulomb: Estimate,
-    /// Constant force, N.
+    /// Constant force on the axis, the offset in the equation of motion, N.
     pub offset: Estimate,
-    /// Root mean square of the residuals, N.
+    /// Root mean square of the force that the equation leaves unexplained, N.
     pub residual: f64,
     /// Condition number of the regression, with each column scaled to unit length.
     pub condition: f64,
@@ -44,8 +43,9 @@ impl Recording {
     /// which the direction changes are left out. The windows do not overlap, so that their errors are independent.
     ///
     /// # Errors
-    /// [`MeasureError`] for a channel that is missing or has the wrong quantity, windows of fewer than 5 samples, fewer
-    /// than 12 windows, and a motion that does not separate the four unknowns.
+    /// [`MeasureError`] for a channel that is missing or has the wrong quantity, and for windows of fewer than 5
+    /// samples. [`MeasureError`] also for fewer than 12 windows, and for a motion that does not separate the four
+    /// unknowns.
     pub fn regression(&self, axis: &str, seconds: f64) -> Result<Regression, MeasureError> {
         let channel = |name: &str, dimension: Dimension| {
             let found = self
@@ -79,8 +79,8 @@ impl Recording {
         }
         let length = length as usize;
         let step = 1.0 / self.rate();
-        // The bump is φ = (1 − s²)⁵ over s from −1 to 1, with its derivatives. It is so flat at both ends that sums are
-        // as good as integrals.
+        // The bump function is φ = (1 − s²)⁵ over s from −1 to 1. It is so flat at both ends that sums are as accurate
+        // as integrals.
         let half = 0.5 * length as f64 * step;
         let places = (0..length).map(|i| (2.0 * i as f64 + 1.0) / length as f64 - 1.0);
         let bump: Vec<[f64; 3]> = places
@@ -110,8 +110,8 @@ impl Recording {
             .zip(force.samples.chunks_exact(length));
         let fitted: Vec<Window> = windows
             .map(|(motion, push)| {
-                // The mean is subtracted, because the absolute position has no meaning here and would add its rounding
-                // error.
+                // The mean position is subtracted, because the absolute position has no meaning here and would add
+                // rounding errors.
                 let mean = motion.iter().sum::<f64>() / length as f64;
                 let motion: Vec<f64> = motion
                     .iter()
@@ -159,9 +159,9 @@ impl Recording {
     }
 }
 
-/// The equation integrated over one window.
+/// The equation of motion of the axis, integrated over one window.
 struct Window {
-    /// Coefficients of M, F_v, F_c and the offset.
+    /// The four integrals over the window by which M, F_v, F_c and the offset are multiplied in the equation.
     columns: [f64; 4],
     force: f64,
     /// Smallest distance between the mean positions of two neighbouring quarters of the window. It is 0 if the axis

@@ -1,4 +1,4 @@
-//! Quantiles for intervals of 95 %.
+//! Quantiles for intervals at the 95 % level.
 
 /// Two-sided 95 % quantile of the normal distribution.
 pub(super) const NORMAL: f64 = 1.959_963_984_540_054;
@@ -8,28 +8,28 @@ pub(super) const CHI: f64 = NORMAL * NORMAL;
 /// Value that the normal distribution exceeds with probability 1/1000.
 const RARE: f64 = 3.090_232_306_167_813;
 
-/// Returns the sum of squares over the degrees of freedom that noise of the known deviations exceeds once in 1000
-/// recordings. It is the χ² quantile by Wilson and Hilferty's cube (Abramowitz and Stegun, 26.4.17), 3 % above the
-/// exact value for one degree of freedom and 0.6 % for ten.
+/// Returns a bound on the sum of squared residuals over the degrees of freedom, for noise of known deviations. Chance
+/// exceeds the bound in one of 1000 recordings. It is the χ² quantile by Wilson and Hilferty's cube (Abramowitz and
+/// Stegun, 26.4.17), 3 % above the exact quantile for one degree of freedom and 0.6 % for ten.
 fn most_by_chance(freedom: usize) -> f64 {
     let spread = 2.0 / (9.0 * freedom.max(1) as f64);
     (1.0 - spread + RARE * spread.sqrt()).powi(3)
 }
 
-/// Returns whether noise explains a misfit, which is the sum of squares over the degrees of freedom. Without degrees of
-/// freedom the result is true.
+/// Returns true if noise explains a misfit, the sum of squared residuals over the degrees of freedom. Without degrees
+/// of freedom the result is true.
 pub(super) fn is_chance(misfit: Option<f64>, freedom: usize) -> bool {
     misfit.is_none_or(|misfit| misfit <= most_by_chance(freedom))
 }
 
-/// Returns the factor on the variances of a fit. It is the misfit if noise does not explain it, and otherwise 1,
-/// because the deviations are known.
+/// Returns the factor by which the variances of a fit are multiplied. The factor is the misfit if noise does not
+/// explain the misfit. Otherwise it is 1, because the deviations are known.
 pub(super) fn excess(misfit: Option<f64>, freedom: usize) -> f64 {
     let unexplained = misfit.filter(|misfit| !is_chance(Some(*misfit), freedom));
     unexplained.unwrap_or(1.0)
 }
 
-/// Returns the two-sided 95 % quantile of Student's distribution.
+/// Returns the two-sided 95 % quantile of Student's distribution for a number of degrees of freedom.
 pub(super) fn student(freedom: usize) -> f64 {
     if freedom == 0 {
         return f64::INFINITY;
@@ -47,7 +47,7 @@ pub(super) fn student(freedom: usize) -> f64 {
     0.5 * (low + high)
 }
 
-/// Number of degrees of freedom beyond which the normal distribution is as good, to 2e-4.
+/// Number of degrees of freedom beyond which the normal distribution replaces Student's, with an error of 2e-4.
 const MANY: usize = 10_000;
 
 fn within(t: f64, freedom: usize) -> f64 {
@@ -74,7 +74,7 @@ fn within(t: f64, freedom: usize) -> f64 {
 mod tests {
     use super::{most_by_chance, student};
 
-    /// Textbook table: χ² that is exceeded with probability 0.001.
+    /// Compares with a textbook table of the χ² that is exceeded with probability 0.001.
     #[test]
     fn rare_sums_of_squares() {
         for (freedom, expected, apart) in [
@@ -89,7 +89,7 @@ mod tests {
         }
     }
 
-    /// Textbook table.
+    /// Compares with a textbook table of Student's distribution.
     #[test]
     fn quantiles() {
         for (freedom, expected) in [

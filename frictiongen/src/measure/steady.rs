@@ -5,26 +5,27 @@ use super::tone::Basis;
 use crate::Complex;
 use std::f64::consts::TAU;
 
-/// Least number of cycles in a block.
+/// Least number of excitation cycles in a block of samples.
 const BLOCK: f64 = 2.0;
-/// Largest number of blocks in a recording.
+/// Largest number of blocks into which a recording is divided.
 const MOST_BLOCKS: usize = 40;
-/// Least number of blocks that can be compared.
+/// Least number of blocks from which steady motion is judged.
 const FEWEST_BLOCKS: usize = 4;
-/// Largest deviation, rad, of the excitation's phase from a constant frequency. The frequency then varies by less than
-/// 1/30 of the width of a spectral line.
+/// Largest deviation, rad, of the excitation's phase from that of a constant frequency. At this deviation the
+/// frequency varies by 1/30 of the width of a spectral line.
 const STRAY: f64 = 0.05;
-/// Largest relative change of the excitation's amplitude.
+/// Largest relative change of the excitation's amplitude that counts as steady.
 const SWELL: f64 = 0.05;
-/// A change of this many standard deviations does not count as chance.
+/// Number of standard deviations up to which a change counts as chance.
 const SURE: f64 = 6.0;
-/// Largest relative changes of a steady motion's fundamental. The first is tried first. The second, wider one allows
-/// for friction that wanders.
+/// Largest relative changes of a steady motion's fundamental. The search tries the first one first. The second, wider
+/// one allows for friction that changes slowly.
 const STEADY: [f64; 2] = [2e-3, 2e-2];
-/// Largest relative scatter of a fundamental about its mean that counts as steady.
+/// Largest relative scatter of a fundamental about its mean at which the motion counts as steady.
 const SCATTER: f64 = 0.1;
 
-/// The fundamentals of a channel in each block, referred to one origin of time.
+/// The complex fundamental of a channel in each block of samples. The phases of all blocks refer to one origin of
+/// time.
 struct Blocks {
     values: Vec<Complex<f64>>,
     deviation: f64,
@@ -41,7 +42,7 @@ fn blocks(samples: &[f64], per_sample: f64, length: usize) -> Option<Blocks> {
         values.push(tone.fundamental() * Complex::new(cos, -sin));
         deviations.push(tone.deviation);
     }
-    // The noise is taken from the last third, because a transient at the start is not noise.
+    // The noise is estimated from the last third, because a transient at the start is not noise.
     let last = deviations.len().div_ceil(3);
     let deviation = deviations.iter().rev().take(last).sum::<f64>() / last as f64;
     Some(Blocks { values, deviation })
@@ -51,7 +52,8 @@ fn mean(values: &[Complex<f64>]) -> Complex<f64> {
     values.iter().sum::<Complex<f64>>() / values.len().max(1) as f64
 }
 
-/// Returns the first sample from which on all channels are steady. The excitation comes first in `channels`.
+/// Returns the index of the first sample from which on all channels are steady. The excitation is the first of
+/// `channels`.
 pub(super) fn start(
     channels: &[(&str, &[f64])],
     per_sample: f64,
@@ -82,7 +84,7 @@ pub(super) fn start(
     Ok(first * length)
 }
 
-/// Returns an error unless the excitation keeps its frequency and its amplitude. A start from rest is ignored.
+/// Fails unless the excitation keeps its frequency and its amplitude. A start from rest is ignored.
 fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result<(), MeasureError> {
     let skip = blocks.values.len() / 4;
     let kept = blocks.values.get(skip..).unwrap_or(&[]);
@@ -114,8 +116,8 @@ fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result
     Ok(())
 }
 
-/// Returns the slope over the first half, the slope over the second half, and the largest distance from one straight
-/// line.
+/// Returns the slope over the first half of the phases, the slope over the second half, and the largest distance from
+/// one straight line.
 fn bend(phases: &[f64]) -> (f64, f64, f64) {
     let line = |part: &[f64]| {
         let n = part.len().max(1) as f64;
@@ -137,14 +139,15 @@ fn bend(phases: &[f64]) -> (f64, f64, f64) {
     (line(early).0, line(late).0, away.fold(0.0, f64::max))
 }
 
-/// Returns the first block from which on a channel keeps its fundamental.
+/// Returns the index of the first block from which on a channel keeps its fundamental.
 fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     let values = &blocks.values;
     let last = values
         .get(values.len() - values.len().div_ceil(3)..)
         .unwrap_or(&[]);
     let middle = mean(last);
-    // The scatter is that of the differences of neighbours about their mean, so that a trend does not count.
+    // The scatter is taken from the differences of neighbouring blocks about their mean, so that a trend does not
+    // count.
     let pairs = last
         .windows(2)
         .filter_map(|pair| Some(pair.last()? - pair.first()?));
@@ -154,7 +157,7 @@ fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     let freedom = steps.len().saturating_sub(1).max(1);
     let scatter = (0.5 * squares / freedom as f64).sqrt();
     let noise = blocks.deviation * std::f64::consts::SQRT_2;
-    // A motion that changes by no more than its noise is steady.
+    // A motion counts as steady if it changes by no more than its noise.
     if SCATTER * middle.norm() < scatter && SURE * noise < scatter {
         return Err(MeasureError::NotSteady(name.to_owned()));
     }

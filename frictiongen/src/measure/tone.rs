@@ -1,38 +1,38 @@
-//! One frequency and its harmonics in samples, with their uncertainty.
+//! Finds one frequency in samples, and its harmonics with their uncertainty.
 //!
 //! Thesis 4.3.3 takes the peak of a spectrum under a Hann window with zero padding. This file uses the same window
-//! without the two errors of that method. It solves the window's sums for all harmonics and the mean at once, so that
-//! no harmonic leaks into another. The frequency is not limited to a grid.
+//! without the two errors of that method. It solves the window's sums for the mean and all harmonics at once, so that
+//! no harmonic leaks into another. Its frequency is not limited to the grid of a spectrum.
 
 use crate::Complex;
 use nalgebra::{DMatrix, DVector};
 use rustfft::FftPlanner;
 use std::f64::consts::TAU;
 
-/// Number of harmonics that are separated, if there are enough samples.
+/// Largest number of harmonics that are separated. With few samples it is lower.
 pub const HARMONICS: usize = 5;
-/// Half-width of the band around the driving frequency in which the noise is measured, over that frequency. A wider
-/// band would reach the first subharmonic and one and a half times the frequency, where a contact may have components.
+/// Half-width of the frequency band in which the noise is measured, over the driving frequency. A wider band would
+/// reach half and one and a half times the driving frequency, where a contact may have components.
 const BESIDE: f64 = 0.45;
-/// Distance from a line, in bins of a Hann window, within which bins belong to the line.
+/// Distance from a harmonic, in bins of a Hann window, within which a bin belongs to the harmonic and not to the
+/// noise.
 const LINE: f64 = 3.0;
-/// Number of bins in the band that give the noise to less than a tenth. With fewer bins, those between the harmonics
+/// Number of bins that give the noise to less than a tenth. If the band has fewer bins, the bins between the harmonics
 /// are used too.
 const ENOUGH_BINS: usize = 64;
-/// Least number of bins that give a noise floor.
+/// Least number of bins from which the noise is estimated.
 const FEWEST_BINS: usize = 12;
 
-/// Mean and harmonics of one channel at a given frequency: x = mean + Re Σ X_n e^{inωt}, with t = 0 in the middle of
-/// the samples.
+/// Mean and harmonics of a channel at one frequency: x = mean + Re Σ X_n e^{inωt}. t = 0 is the middle of the samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tone {
-    /// Mean of the samples.
+    /// Mean of the samples, the component at zero frequency.
     pub mean: f64,
-    /// Complex amplitudes X_1, X_2, ….
+    /// Complex amplitudes X_1, X_2, … of the harmonics.
     pub harmonics: Vec<Complex<f64>>,
-    /// Standard deviation of the real part, and of the imaginary part, of each harmonic.
+    /// Standard deviation of the real part, and also of the imaginary part, of each harmonic's complex amplitude.
     pub deviation: f64,
-    /// Root mean square of the remainder after mean and harmonics are subtracted.
+    /// Root mean square of the samples after mean and harmonics are subtracted.
     pub residual: f64,
 }
 
@@ -47,23 +47,24 @@ impl Tone {
 
 /// The Hann window and the rotations e^{iωt} of a frequency over a number of samples.
 pub(super) struct Basis {
-    /// Weights w_t of the window.
+    /// Weights w_t of the Hann window, one for each sample.
     window: Vec<f64>,
-    /// Rotations e^{iωt}.
+    /// Rotations e^{iωt}, one for each sample.
     turns: Vec<Complex<f64>>,
     harmonics: usize,
-    /// Cholesky factor of the normal equations.
+    /// Cholesky factor of the normal equations for mean and harmonics.
     normal: Option<nalgebra::Cholesky<f64, nalgebra::Dyn>>,
-    /// Number of cycles in the samples.
+    /// Number of cycles of the frequency in the samples.
     cycles: f64,
 }
 
 impl Basis {
-    /// Prepares `count` samples of a frequency of `per_sample` cycles per sample.
+    /// Prepares a fit to `count` samples, of the frequency `per_sample` in cycles per sample, with at most `most`
+    /// harmonics.
     pub(super) fn new(count: usize, per_sample: f64, most: usize) -> Self {
         let middle = 0.5 * (count as f64 - 1.0);
         let window = (0..count).map(|t| {
-            // The window runs over count + 1 intervals, so that it has no zeros at its ends.
+            // The window runs over count + 1 intervals, so that its first and last weights are not zero.
             0.5 - 0.5 * (TAU * (t as f64 + 1.0) / (count as f64 + 1.0)).cos()
         });
         let window: Vec<f64> = window.collect();
@@ -72,7 +73,7 @@ impl Basis {
             Complex::new(cos, sin)
         });
         let turns: Vec<Complex<f64>> = turns.collect();
-        // The highest harmonic stays below 0.45 of the sampling rate, safely below half of it.
+        // The highest harmonic stays below 0.45 of the sampling rate, safely below the Nyquist frequency.
         let room = (0.45 / per_sample).floor() as usize;
         let harmonics = most.min(room).max(1);
         let mut sums = vec![Complex::new(0.0, 0.0); 2 * harmonics + 1];
@@ -93,7 +94,7 @@ impl Basis {
         }
     }
 
-    /// Returns mean and harmonics of samples, or `None` where they cannot be separated.
+    /// Returns mean and complex harmonics of samples. `None` if mean and harmonics cannot be separated.
     fn components(&self, samples: &[f64]) -> Option<(f64, Vec<Complex<f64>>)> {
         let mut sums = vec![Complex::new(0.0, 0.0); self.harmonics + 1];
         for ((value, weight), turn) in samples.iter().zip(&self.window).zip(&self.turns) {
@@ -117,7 +118,7 @@ impl Basis {
         Some((*mean, harmonics.collect()))
     }
 
-    /// Returns mean and harmonics of samples with their uncertainty, or `None` if the samples have too few cycles.
+    /// Returns mean and harmonics of samples with their uncertainty. `None` if the samples have too few cycles.
     pub(super) fn tone(&self, samples: &[f64]) -> Option<Tone> {
         let (mean, harmonics) = self.components(samples)?;
         let left: Vec<f64> = samples
@@ -140,13 +141,14 @@ impl Basis {
         Some(Tone {
             mean,
             harmonics,
-            // X = 2D/Σw, and the real and the imaginary part of D each have half of |D|².
+            // The amplitude is X = 2D/Σw. The real and the imaginary part of D each have half of |D|².
             deviation: (2.0 * floor).sqrt() / whole,
             residual,
         })
     }
 
-    /// Returns the mean of |D|² near the driving frequency, where D = Σ w x e^{−iωt} is the spectrum of the remainder.
+    /// Returns the noise, the mean of |D|² near the driving frequency. D = Σ w x e^{−iωt} is the spectrum of the
+    /// remainder `left`.
     fn floor(&self, left: &[f64], residual: f64) -> f64 {
         let count = left.len();
         let windowed = left.iter().zip(&self.window).map(|(x, w)| x * w);
@@ -168,7 +170,7 @@ impl Basis {
         if ENOUGH_BINS <= bins {
             return sum / bins as f64;
         }
-        // With few cycles all bins between the harmonics count.
+        // With few cycles all bins between the harmonics are used.
         let top = (self.harmonics as f64 + 0.5) * self.cycles;
         let between = |bin: f64| {
             let nearest = (bin / self.cycles).round() * self.cycles;
@@ -183,7 +185,7 @@ impl Basis {
     }
 }
 
-/// Returns the matrix of the weighted least squares, from the sums Σ w e^{imωt}.
+/// Returns the matrix of the weighted least squares fit, from the sums Σ w e^{imωt}.
 fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
     let at = |m: isize| {
         let sum = sums
@@ -212,16 +214,17 @@ fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
     })
 }
 
-/// Factor by which zeros lengthen the samples before their spectrum is taken.
+/// Factor by which added zeros lengthen the samples before the spectrum is computed.
 const PADDING: usize = 4;
 /// Number of samples from which on no zeros are added.
 const LONG: usize = 1 << 20;
-/// Number of steps that refine a frequency by the phases of both halves.
+/// Number of steps that refine a frequency by the phases of the first and second half of the samples.
 const STEPS: usize = 4;
-/// Least number of cycles that determine a frequency.
+/// Least number of cycles from which a frequency is determined.
 pub(super) const FEWEST_CYCLES: f64 = 4.0;
 
-/// Returns the dominant frequency in cycles per sample, or `None` if it has fewer than [`FEWEST_CYCLES`] cycles.
+/// Returns the dominant frequency of samples in cycles per sample. `None` if the samples have fewer than
+/// [`FEWEST_CYCLES`] cycles of that frequency.
 pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
     let count = samples.len();
     let mean = samples.iter().sum::<f64>() / count as f64;
@@ -255,7 +258,7 @@ pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
             let (_, harmonics) = basis.components(part)?;
             harmonics.first().map(|x| x.im.atan2(x.re))
         };
-        // The middles of both halves are half of all samples apart, and each phase refers to its middle.
+        // The middles of both halves are half of the samples apart. Each phase refers to the middle of its half.
         let apart = 0.5 * count as f64;
         let turns = (phase(second)? - phase(first)?) / TAU - found * apart;
         found += (turns - turns.round()) / apart;

@@ -1,4 +1,4 @@
-//! Implements the kernel's response for a run-time system.
+//! Implements the kernel's closed-form response for a run-time system.
 
 use super::few::Few;
 use super::motion::{SystemMotion, SystemStuck};
@@ -18,7 +18,7 @@ use frictiongen_kernel::{Float, Plain};
 use frictiongen_model::reduced::Reduced;
 use std::ops::Deref;
 
-/// A run-time system at one frequency ratio.
+/// A run-time system at one frequency ratio, with its limits, regime and motions.
 #[derive(Clone, Debug)]
 pub struct SystemAt<'a, S: Float = f64>(At<&'a System<S>>);
 
@@ -168,19 +168,20 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
 }
 
 impl<S: Float> System<S> {
-    /// Returns both limits without search, and the real part of H times r²E. The chain is damped or has many modes.
+    /// Returns β_lim and β*_lim without search, and the real part of the receptance H times r²E. The chain is damped
+    /// or has many modes.
     ///
-    /// The function is not inlined, because the shorter path of an undamped chain with one mass is then faster.
+    /// This function is not inlined, because the shorter path of an undamped chain with one mass is then faster.
     #[inline(never)]
     fn limits_of_sums(&self, inverse_r: S) -> (Limits<S>, S) {
         limits_of_sums(&self, inverse_r)
     }
 
-    /// Returns the system at the frequency ratio r.
+    /// Returns the system evaluated at the frequency ratio r.
     ///
-    /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the system returns its limit values. [`OutOfDomain`]
-    /// also for `friction: stribeck`, because the exact continuous response needs a constant kinetic level.
+    /// # Errors [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the result contains limit values.
+    /// [`OutOfDomain`] also for `friction: stribeck`, because the exact continuous response needs a kinetic friction
+    /// force that is constant in speed.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
         self.constant_level()?;
         At::new(self, r).map(SystemAt::from)

@@ -9,7 +9,7 @@ use frictiongen_model::scene::{
 };
 use frictiongen_model::validate::{Checks, validate_known};
 
-/// Builds a scene in code. Nodes have the names of a description: a mass, `base` or `wall`.
+/// Builds a scene in code. A node is named as in a description: the name of a mass, `base` or `wall`.
 ///
 /// ```
 /// use frictiongen::study::{Damping, System};
@@ -46,7 +46,7 @@ pub struct Builder {
 }
 
 impl System {
-    /// Returns a builder of a scene.
+    /// Returns an empty builder of a scene.
     pub fn builder() -> Builder {
         Builder {
             name: "Scene".to_owned(),
@@ -80,7 +80,7 @@ impl Builder {
         self
     }
 
-    /// Adds a spring. The first spring is the reference k₁.
+    /// Adds a spring between two nodes. The first spring is the reference k₁.
     pub fn spring(mut self, from: &str, to: &str, stiffness: f64) -> Self {
         self.springs
             .push((from.to_owned(), to.to_owned(), stiffness));
@@ -93,13 +93,13 @@ impl Builder {
         self
     }
 
-    /// Sets the excited node: a mass, by a force on it, or `base`.
+    /// Sets the excited node: a mass, on which a harmonic force acts, or `base`, which then moves.
     pub fn excitation(mut self, node: &str) -> Self {
         self.excitation = Some(node.to_owned());
         self
     }
 
-    /// Sets the damping. The default is none.
+    /// Sets the damping of the modes. The default is no damping.
     pub fn damping(mut self, damping: Damping) -> Self {
         self.damping = damping;
         self
@@ -136,19 +136,20 @@ impl Builder {
         self
     }
 
-    /// Sets the stepper's step, in s. At run time only code that is emitted from the scene uses it.
+    /// Sets the length of the stepper's step, in s. Only code that is emitted from the scene uses this length.
     pub fn step(mut self, step: f64) -> Self {
         self.step = Some(step);
         self
     }
 
-    /// Sets the course of the stepper's input between samples. The default is linear.
+    /// Sets how the stepper's input varies between samples. The default is linear.
     pub fn input(mut self, input: StepInput) -> Self {
         self.input = input;
         self
     }
 
-    /// Adds a mass that the stepper may load in addition to the excitation. At run time every mass may be loaded.
+    /// Adds a mass on which an emitted stepper accepts a force, in addition to the excitation. A run-time stepper
+    /// accepts forces on every mass.
     pub fn force(mut self, mass: &str) -> Self {
         self.forces.push(mass.to_owned());
         self
@@ -162,7 +163,7 @@ impl Builder {
         self.build_in()
     }
 
-    /// Builds the system in another scalar, as in `build_in::<f32>()`.
+    /// Builds the system in another scalar type, as in `build_in::<f32>()`.
     ///
     /// # Errors
     /// Same errors as [`build`](Self::build).
@@ -273,7 +274,7 @@ impl Builder {
     }
 }
 
-/// Returns the solvers that code emitted from a scene of these settings can provide.
+/// Returns the solvers that code emitted from a scene with this friction law and stepper can provide.
 fn provided(friction: &FrictionLaw, stepping: &Stepping) -> Vec<Provide> {
     if *friction != FrictionLaw::Coulomb {
         return vec![Provide::Stepper];

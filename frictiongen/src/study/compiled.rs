@@ -1,4 +1,4 @@
-//! A run-time system with the tables that `accuracy` emits.
+//! A run-time system with tables, as the field `accuracy` of a description emits them.
 
 use super::error::UnknownMass;
 use super::system::System;
@@ -16,10 +16,10 @@ use frictiongen_model::table::Work;
 use frictiongen_model::table::{Fitted, Proof, Request, TableError, Tables};
 use std::ops::{Deref, Range};
 
-/// The number of functions that share pieces: β_lim, a, g, arg V and |V|.
+/// Number of functions of frequency that one set of polynomial pieces tabulates: β_lim, a, g, arg V and |V|.
 const FUNCTIONS: usize = 5;
 
-/// The pieces of a table, for each degree that tables are built with.
+/// The polynomial pieces of a table, in one variant for each polynomial degree.
 #[derive(Clone, Debug)]
 enum Pieces<S> {
     Cubic(Vec<Piece<S, FUNCTIONS, 4>>),
@@ -30,8 +30,8 @@ enum Pieces<S> {
 
 /// A system with tables of its limits and of its contact's motion, to a declared accuracy over a range of r.
 ///
-/// Within the range it gives the same answers as the system. The exact formulas give the motions of masses while the
-/// contact slides, and every other answer that the tables do not contain.
+/// Within the range a `CompiledSystem` gives the same kinds of results as the system. The exact formulas give
+/// everything that the tables do not contain, such as the motions of masses while the contact slides.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, LimitsAt, System};
@@ -60,7 +60,7 @@ pub struct CompiledSystem<'s, S: Float = f64> {
 
 impl<S: Float> System<S> {
     /// Builds tables of β_lim, of the contact's motion and of the stuck responses over a range of r. `accuracy` is the
-    /// largest relative error. For a phase it is the largest error in radians.
+    /// largest relative error of a tabulated number. For a phase it is the largest error in radians.
     ///
     /// # Errors
     /// [`TableError`] for an invalid range or accuracy, and where no table meets the accuracy.
@@ -78,7 +78,7 @@ impl<S: Float> System<S> {
         })
     }
 
-    /// Builds the tables with every choice in a [`Request`].
+    /// Builds the tables with all choices of a [`Request`], such as range, accuracy and side.
     ///
     /// # Errors
     /// Same errors as [`compile`](Self::compile).
@@ -93,7 +93,7 @@ impl<S: Float> System<S> {
     }
 }
 
-/// Converts pieces to arrays. Functions that were not requested are 0.
+/// Converts the fitted polynomial pieces to arrays. Functions that were not requested are 0.
 fn arrays<S: Float, const C: usize>(pieces: &[Fitted<S>]) -> Vec<Piece<S, FUNCTIONS, C>> {
     let array = |piece: &Fitted<S>| {
         let mut coefficients = [[S::constant(0.0); C]; FUNCTIONS];
@@ -124,13 +124,14 @@ impl<S: Float> Pieces<S> {
 }
 
 impl<'s, S: Float> CompiledSystem<'s, S> {
-    /// Returns the exact system.
+    /// Returns the exact system, without tables.
     #[must_use]
     pub fn system(&self) -> &'s System<S> {
         self.system
     }
 
-    /// Returns the tables, with the request and with their comparison with the exact values.
+    /// Returns the tables, with the request that they were built for and with their comparison with the exact
+    /// functions.
     #[must_use]
     pub fn tables(&self) -> &Tables<S> {
         &self.tables
@@ -148,14 +149,14 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
     /// Returns what is proven of β_lim. Without a proof, by `proven` with the feature `proof`, the tables are only
     /// checked at points.
     ///
-    /// The proof for the motion is `tables().motion_proof`. The proof for β*_lim is `tables().sliding_proof`, which
-    /// takes no work.
+    /// `tables().motion_proof` is the proof for the contact's motion. `tables().sliding_proof` is the proof for
+    /// β*_lim, which takes no work.
     #[must_use]
     pub fn proof(&self) -> &Proof {
         &self.tables.proof
     }
 
-    /// Returns the system at the frequency ratio r.
+    /// Returns the system with tables at the frequency ratio r.
     ///
     /// # Errors
     /// [`OutOfDomain`] outside the range of the tables, and for NaN.
@@ -293,7 +294,7 @@ impl<S: Float> FrictionSystem for CompiledSystem<'_, S> {
     }
 }
 
-/// A [`CompiledSystem`] at one frequency ratio.
+/// A [`CompiledSystem`] at one frequency ratio, with the limits, the regime and the motions.
 #[derive(Clone, Debug)]
 pub struct CompiledAt<'a, S: Float = f64>(Compiled<&'a CompiledSystem<'a, S>>);
 
@@ -305,15 +306,15 @@ impl<'a, S: Float> Deref for CompiledAt<'a, S> {
     }
 }
 
-/// Continuous motion of a [`CompiledSystem`] at one frequency ratio and one friction ratio.
+/// The continuous motion of a [`CompiledSystem`] at one frequency ratio and one friction ratio.
 #[derive(Clone, Debug)]
 pub struct CompiledMotion<'a, S: Float = f64>(Moving<&'a CompiledSystem<'a, S>>);
 
-/// Relative motion of the contact of a [`CompiledSystem`], while the contact slides all the time.
+/// The relative motion of the contact of a [`CompiledSystem`], from tables, while the contact slides all the time.
 pub type CompiledContact<'a, S = f64> = SteadyContact<&'a CompiledSystem<'a, S>>;
 
 impl<'a, S: Float> CompiledMotion<'a, S> {
-    /// Returns the motion of a mass, by the exact formulas.
+    /// Returns the continuous motion of a mass, by the exact formulas.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.

@@ -1,4 +1,4 @@
-//! Response of a [`CompiledSystem`] while its contact is stuck.
+//! The response of a [`CompiledSystem`] while its contact is stuck.
 
 use super::compiled::CompiledSystem;
 use super::error::UnknownMass;
@@ -31,12 +31,12 @@ impl<'a, S: Float> TabledStuck for &'a CompiledSystem<'a, S> {
     }
 }
 
-/// Response of a [`CompiledSystem`] while its contact is stuck.
+/// The response of a [`CompiledSystem`] at one frequency ratio while its contact is stuck.
 #[derive(Clone, Debug)]
 pub struct CompiledStuck<'a, S: Float = f64>(Sticking<&'a CompiledSystem<'a, S>>);
 
 impl<'a, S: Float> CompiledStuck<'a, S> {
-    /// Returns the complex amplitude of a mass.
+    /// Returns the complex amplitude of the mass called `name` while the contact is stuck.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.

@@ -1,16 +1,16 @@
-//! Errors at run time.
+//! Errors of run-time systems.
 
 use crate::{Error, NoOrbit, NotContinuous, OutOfDomain, StuckResonance};
 use frictiongen_kernel::orbit::NoDerivative;
 use frictiongen_model::validate::SceneError;
 use frictiongen_syntax::Diagnostics;
 
-/// The error that no mass has this name.
+/// The error that the scene has no mass with the requested name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownMass {
-    /// The name in the request.
+    /// The requested name, which no mass has.
     pub name: String,
-    /// The names of all masses.
+    /// The names of all masses of the scene.
     pub known: Vec<String>,
 }
 
@@ -27,12 +27,12 @@ impl std::fmt::Display for UnknownMass {
 
 impl std::error::Error for UnknownMass {}
 
-/// The error that a scene built in code is invalid.
+/// The error that a scene built in code is invalid, with all its faults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvalidScene {
-    /// Missing nodes or fields, and names that are not defined.
+    /// Messages about missing nodes or fields, and about names that are not defined.
     pub unknown: Vec<String>,
-    /// All values that make no physical sense.
+    /// Messages about values that make no physical sense.
     pub errors: Vec<SceneError>,
 }
 
@@ -96,9 +96,9 @@ pub enum StudyError {
     Description(Diagnostics),
     /// The scene is invalid.
     Scene(InvalidScene),
-    /// A solver refuses the request.
+    /// A solver rejects the request.
     Solver(Error),
-    /// The mass does not exist.
+    /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
     /// The load does not fit the scene.
     Load(LoadError),

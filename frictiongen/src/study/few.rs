@@ -1,15 +1,15 @@
 //! A list of one value for each mode, without an allocation for one or two modes.
 
-/// A list that keeps one or two values in place and more in a vector. For one or two modes an allocation would cost a
-/// large share of a search.
+/// A list with one entry for each mode. One or two entries are stored in place and more in a vector, because an
+/// allocation would take a large share of a search over one or two modes.
 #[derive(Clone, Debug)]
 #[allow(clippy::large_enum_variant, reason = "room in place is what it is for")]
 pub enum Few<T> {
-    /// The value of one mode.
+    /// The list has one entry, for a single mode.
     One([T; 1]),
-    /// The values of two modes.
+    /// The list has two entries, for two modes.
     Two([T; 2]),
-    /// The values of any number of modes.
+    /// The list has any number of entries, one for each mode.
     Many(Vec<T>),
 }
 

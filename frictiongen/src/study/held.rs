@@ -6,7 +6,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::response::Scene as _;
 use std::ops::Deref;
 
-/// The response while the contact is stuck, at the offset where it came to rest.
+/// The response while the contact is stuck, at the offset from its centre where the contact came to rest.
 #[derive(Clone, Debug)]
 pub struct SystemHeld<'a> {
     pub(super) stuck: SystemStuck<'a>,
@@ -16,26 +16,27 @@ pub struct SystemHeld<'a> {
 }
 
 impl<'a> SystemHeld<'a> {
-    /// Returns z̄ of the contact, which is 0 if the contact sticks at its centre.
+    /// Returns the offset z̄ of the contact from its centre. The offset is 0 if the contact sticks at its centre.
     #[must_use]
     pub fn offset(&self) -> f64 {
         self.offset
     }
 
-    /// Returns the largest |z̄| at which friction can keep the contact stuck.
+    /// Returns the largest offset |z̄| at which friction keeps the contact stuck.
     #[must_use]
     pub fn offset_range(&self) -> f64 {
         self.offset_range
     }
 
-    /// Returns the constant friction force that keeps the contact at its offset, over P, for base motion over k₁Y. A
-    /// positive force acts against positive sliding.
+    /// Returns the constant part of the friction force, which keeps the contact at its offset, over P, for base motion
+    /// over k₁Y. A positive force acts against positive sliding.
     #[must_use]
     pub fn constant_force(&self) -> f64 {
         -(self.offset / receptance(self.stuck.at().scene()))
     }
 
-    /// Returns the constant displacement of a mass that the offset causes. `None` if there is no such mass.
+    /// Returns the constant displacement of a mass that the offset of the contact causes. `None` if the scene has no
+    /// such mass.
     #[must_use]
     pub fn mass_offset(&self, index: usize) -> Option<f64> {
         let system = *self.stuck.at().scene();
@@ -51,7 +52,7 @@ impl<'a> Deref for SystemHeld<'a> {
     }
 }
 
-/// Returns the displacement of a mass for a constant unit displacement of the contact, Σφ_k(φᵀw)/λ over Σ(φᵀw)²/λ.
+/// Returns the displacement of a mass for a constant unit displacement of the contact: Σφ_k(φᵀw)/λ over Σ(φᵀw)²/λ.
 pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let shape = system.shape(mass)?;
@@ -62,7 +63,8 @@ pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<
     Some(moved / receptance(system))
 }
 
-/// Returns s, which is 1 for a contact with the moving base and 0 otherwise.
+/// Returns s, the coefficient of the base motion in the contact's relative motion: 1 for a contact with the moving
+/// base and 0 otherwise.
 pub(super) fn share_of_base(system: &System) -> f64 {
     let on_base = (&system).numbers().chain.on_moving_base.is_some();
     f64::from(u8::from(on_base))

@@ -1,22 +1,22 @@
 //! Modal analysis of large scenes: nalgebra's symmetric eigensolver, then one-sided Jacobi sweeps.
 //!
-//! The eigenvectors V of Γ^−½K̄Γ^−½ make the columns of G·V orthogonal, except for digits that forming K̄ has lost. A
-//! small frequency among large ones loses most digits. One or two sweeps of one-sided Jacobi on these columns, in
+//! The eigenvectors V of Γ^−½K̄Γ^−½ make the columns of G·V orthogonal, except for digits lost in forming K̄. A small
+//! frequency among large ones loses most digits. One or two sweeps of one-sided Jacobi rotations on these columns, in
 //! double precision, restore the digits.
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Scene;
 use nalgebra::DMatrix;
 
-/// Largest number of masses for which the analysis is in double-double.
+/// Largest number of masses for which the modal analysis is in double-double arithmetic.
 pub(super) const LARGEST_EXACT: usize = 64;
-/// Residues below this share of their largest possible value count as rounding noise.
+/// Share of a residue's largest possible size below which the residue counts as rounding noise.
 const NOISE: f64 = 1e-13;
-/// Two columns count as orthogonal when their cosine is below this value.
+/// Cosine of the angle between two columns below which the columns count as orthogonal.
 const ORTHOGONAL: f64 = 1e-15;
 const MAX_SWEEPS: usize = 12;
 
-/// Returns the modal analysis of a scene of any size.
+/// Returns the modal analysis of a scene with any number of masses.
 pub(super) fn modal(scene: &Scene) -> Modal {
     if scene.masses.len() <= LARGEST_EXACT {
         return Modal::of(scene);
@@ -24,7 +24,8 @@ pub(super) fn modal(scene: &Scene) -> Modal {
     Modal::solved_by(scene, NOISE, singular)
 }
 
-/// Returns the singular values of G in ascending order, and its right singular vectors. `g` lists the columns of G.
+/// Returns the singular values of the matrix G in ascending order, and its right singular vectors. `g` lists the
+/// columns of G.
 fn singular(g: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
     let n = g.len();
     let rows = g.first().map_or(0, Vec::len);
@@ -53,7 +54,8 @@ fn singular(g: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
     pairs.into_iter().unzip()
 }
 
-/// Makes every pair of columns orthogonal once. Returns false if all pairs were orthogonal already.
+/// Rotates every pair of columns once so that the pair is orthogonal. Returns false if all pairs were orthogonal
+/// already.
 fn sweep(turned: &mut [Vec<f64>], vectors: &mut [Vec<f64>]) -> bool {
     let mut squares: Vec<f64> = turned.iter().map(|column| dot(column, column)).collect();
     let mut rotated = false;
@@ -86,7 +88,7 @@ fn sweep(turned: &mut [Vec<f64>], vectors: &mut [Vec<f64>]) -> bool {
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    // Eight independent sums run in parallel. In a single chain each addition would wait for the last.
+    // Eight independent sums run in parallel. In a single sum each addition would wait for the previous one.
     let mut sums = [0.0; 8];
     let (chunks_a, chunks_b) = (a.chunks_exact(8), b.chunks_exact(8));
     let rest = chunks_a

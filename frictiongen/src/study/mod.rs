@@ -1,5 +1,5 @@
-//! Design studies at run time. The module reads the same description and uses the same closed forms as the macro, with
-//! allocation.
+//! Design studies at run time. The module reads the same descriptions and uses the same closed forms as the macro, but
+//! allocates memory.
 
 mod at;
 mod builder;
@@ -74,6 +74,6 @@ pub use units::{Load, LoadError, LoadScale};
 /// The parts of a description: masses, springs, contact, excitation and damping.
 pub use frictiongen_model::scene::{self, Damping};
 pub use frictiongen_model::sensitivity::Quantity;
-/// Tables with a declared accuracy.
+/// Tables of the response with a declared accuracy.
 pub use frictiongen_model::table;
 pub use frictiongen_model::validate::SceneError;

@@ -1,4 +1,4 @@
-//! The continuous and stuck motions of a run-time system. They extend the kernel's motions by access to masses by name.
+//! The continuous and stuck motions of a run-time system. They add access to masses by name to the kernel's motions.
 
 use super::error::UnknownMass;
 use super::system::System;
@@ -7,18 +7,18 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::response::{Continuous, MotionOf, Stuck};
 use std::ops::Deref;
 
-/// The exact continuous motion of a system.
+/// The exact continuous motion of a system at one frequency ratio and one friction ratio.
 #[derive(Clone, Debug)]
 pub struct SystemMotion<'a, S: Float = f64> {
     motion: Continuous<&'a System<S>>,
     from_rest: bool,
 }
 
-/// The motion of the contact or of a mass of a run-time system.
+/// The continuous motion of the contact or of a mass of a run-time system.
 pub type SystemSteady<'a, S = f64> = MotionOf<&'a System<S>>;
 
 impl<'a, S: Float> SystemMotion<'a, S> {
-    /// Sets whether motion from rest ends in this motion.
+    /// Records whether motion from rest ends in this continuous motion.
     pub(super) fn with_start(mut self, from_rest: bool) -> Self {
         self.from_rest = from_rest;
         self
@@ -28,7 +28,7 @@ impl<'a, S: Float> SystemMotion<'a, S> {
         self.from_rest
     }
 
-    /// Returns the motion of a mass.
+    /// Returns the continuous motion of the mass called `name`.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -56,12 +56,12 @@ impl<'a, S: Float> Deref for SystemMotion<'a, S> {
     }
 }
 
-/// The response of a system while its contact is stuck.
+/// The response of a system at one frequency ratio while its contact is stuck.
 #[derive(Clone, Debug)]
 pub struct SystemStuck<'a, S: Float = f64>(Stuck<&'a System<S>>);
 
 impl<S: Float> SystemStuck<'_, S> {
-    /// Returns the complex amplitude of a mass.
+    /// Returns the complex amplitude of the mass called `name` while the contact is stuck.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.

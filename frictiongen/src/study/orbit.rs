@@ -1,5 +1,4 @@
-//! Steady states of a run-time system in any regime. They extend the kernel's steady states by access to masses by
-//! name.
+//! Steady states of a run-time system in any regime. They add access to masses by name to the kernel's steady states.
 
 use super::error::UnknownMass;
 use super::system::System;
@@ -10,10 +9,10 @@ use frictiongen_kernel::motion::Part;
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 use std::ops::Deref;
 
-/// A steady state of a system, in the kernel's form.
+/// The kernel's steady state, with vectors, that a [`SystemOrbit`] derefs to.
 pub type SystemOrbitState<'a, S = f64> = Orbit<'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>>;
 
-/// The steady motion of the contact or of a mass.
+/// The steady motion of the contact or of a mass, in any regime.
 pub type SystemOrbitMotion<'o, 'a, S = f64> =
     OrbitMotion<'o, 'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>>;
 
@@ -36,7 +35,7 @@ pub type SystemOrbitMotion<'o, 'a, S = f64> =
 /// # }
 /// ```
 ///
-/// Where the motion from rest does not settle, `orbit_or_last_cycles` returns its last 64 cycles:
+/// Where the motion from rest does not settle, `orbit_or_last_cycles` returns the last 64 cycles of that motion:
 ///
 /// ```
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -61,12 +60,12 @@ pub struct SystemOrbit<'a, S = f64> {
     pub(super) system: &'a System<S>,
     pub(super) orbit: SystemOrbitState<'a, S>,
     pub(super) from_rest: bool,
-    /// True if the state belongs to a continuum that contains the closed form.
+    /// True if this state belongs to a continuum of steady states that contains the closed form.
     pub(super) slides: bool,
 }
 
 impl<'a, S: Float> SystemOrbit<'a, S> {
-    /// Returns the motion of a mass.
+    /// Returns the steady motion of the mass called `name`.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -74,8 +73,8 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         Ok(self.orbit.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the phase of the contact's motion with the opposite sign, in (−π, π], for the case
-    /// [`contact_is_reversed`](System::contact_is_reversed).
+    /// Returns the phase of the contact's motion with the opposite sign, in (−π, π]. This is the phase that the
+    /// description means if [`contact_is_reversed`](System::contact_is_reversed) is true.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> S {
         let phase = self.orbit.contact().phase();
@@ -89,8 +88,8 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
 }
 
 impl<S> SystemOrbit<'_, S> {
-    /// Returns true if motion from the requested start ends in this state. False means that this motion did not settle
-    /// and the state is another one.
+    /// Returns true if motion from the requested start ends in this state. False means that the motion did not settle,
+    /// and that this is another steady state.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         self.from_rest

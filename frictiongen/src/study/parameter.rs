@@ -1,4 +1,4 @@
-//! Parameters of a response: the numbers of a description and of an operating point, with their symbols and units.
+//! Parameters of a response, with their symbols and units: the numbers of a description and of an operating point.
 
 use super::sensitivity::quantities;
 use super::system::System;
@@ -6,51 +6,51 @@ use super::units::Load;
 use frictiongen_model::scene::{Damping, Scene};
 use frictiongen_model::sensitivity::Quantity;
 
-/// The frequency, friction and load at which a response is wanted.
+/// An operating point: the frequency, friction and load at which a response is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OperatingPoint {
-    /// Dimensionless groups: r and β.
+    /// Non-dimensional groups r and β.
     Groups {
         /// Frequency ratio r = ω√(m₁/k₁).
         r: f64,
         /// Friction ratio β = F/P, for base motion F/(k₁Y).
         beta: f64,
     },
-    /// Physical units.
+    /// Physical units: Hz, N, and the unit of the load.
     Physical {
         /// The frequency of the excitation, Hz.
         hertz: f64,
         /// The kinetic friction force F, N.
         friction: f64,
-        /// The load.
+        /// The load: a force P in N, or a base motion Y in m.
         load: Load,
     },
 }
 
-/// A number on which a response depends.
+/// A number on which a response depends: a number of the description, or of the operating point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Parameter {
-    /// A number of the description, in its own unit.
+    /// A number of the description, in its own unit: a mass, stiffness, damping number or μ.
     Quantity(Quantity),
-    /// The friction force F in N under a load, else the friction ratio β.
+    /// The friction force F in N under a load, otherwise the friction ratio β.
     Friction,
-    /// The load, P in N or Y in m. A non-dimensional operating point has no load.
+    /// The amplitude of the load, P in N or Y in m. A non-dimensional operating point has no load.
     Load,
-    /// The frequency in Hz under a load, else the frequency ratio r.
+    /// The frequency in Hz under a load, otherwise the frequency ratio r.
     Frequency,
 }
 
-/// A value X and its derivative with respect to one parameter p.
+/// A number X and its derivative with respect to one parameter p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
-    /// The value X.
+    /// The number X whose derivative is taken.
     pub value: f64,
-    /// The derivative dX/dp.
+    /// The derivative dX/dp of the number X with respect to a parameter p.
     pub derivative: f64,
 }
 
 impl Slope {
-    /// Returns the relative derivative (p/X)·dX/dp for a parameter of this value. `None` where X is 0.
+    /// Returns the relative derivative (p/X)·dX/dp. `parameter` is the value of p. `None` where X is 0.
     #[must_use]
     pub fn relative(&self, parameter: f64) -> Option<f64> {
         let relative = parameter / self.value * self.derivative;
@@ -59,8 +59,8 @@ impl Slope {
 }
 
 impl Parameter {
-    /// Returns the symbol of the parameter, with the names of the description: `m upper`, `k base - lower`, `zeta 1`,
-    /// `F`.
+    /// Returns the symbol of the parameter, with the names of the description: for example `m upper`, `k base -
+    /// lower`, `zeta 1` or `F`.
     #[must_use]
     pub fn symbol(&self, scene: &Scene, point: &OperatingPoint) -> String {
         let physical = matches!(point, OperatingPoint::Physical { .. });
@@ -144,7 +144,7 @@ pub(super) fn symbol(quantity: Quantity, scene: &Scene) -> String {
     }
 }
 
-/// Returns all parameters of a response, with their values.
+/// Returns all parameters of a response, each with its value at the operating point.
 pub(super) fn parameters_of(
     scene: &Scene,
     point: OperatingPoint,

@@ -1,8 +1,8 @@
 //! Derivatives of a response with respect to every number of a description and of an operating point, in any regime.
 //!
-//! In physical units the derivatives are taken at constant frequency in Hz, friction force and load. The groups refer
-//! to the first mass m₁ and the first spring k₁. A change of m₁ or k₁ therefore also changes r, β or the unit of
-//! displacement.
+//! In physical units the derivatives are taken at constant frequency in Hz, friction force and load. The
+//! non-dimensional groups refer to the first mass m₁ and the first spring k₁. A change of m₁ or k₁ therefore also
+//! changes r, β or the unit of displacement.
 
 use super::error::{StudyError, UnknownMass};
 use super::held::{share_of_base, static_share};
@@ -20,32 +20,35 @@ use frictiongen_model::sensitivity::Quantity;
 /// The derivatives of a response with respect to one parameter p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterSensitivity {
-    /// The parameter p.
+    /// The parameter p with respect to which the derivatives are taken.
     pub parameter: Parameter,
-    /// The value of p.
+    /// The value of the parameter p, in its own unit.
     pub value: f64,
-    /// The largest displacement, in m. In groups it is over P/k₁, for base motion over Y.
+    /// Largest displacement and its derivative with respect to p, in m. For a non-dimensional operating point the unit
+    /// is P/k₁, for base motion Y.
     pub amplitude: Slope,
-    /// Lag of the largest displacement, rad. `None` where nothing moves.
+    /// Lag of the largest displacement and its derivative with respect to p, rad. `None` where nothing moves.
     pub phase: Option<Slope>,
-    /// The limit of continuous motion, as a friction force in N, or in groups as β. `None` where the limit or its
-    /// derivative is not finite.
-    pub continuous_limit: Option<Slope>,
-    /// The limit of sliding, in the units of `continuous_limit`. `None` where the limit or its derivative is not
+    /// The limit of continuous motion β_lim and its derivative with respect to p. The unit is N under a load. For a
+    /// non-dimensional operating point the limit is a friction ratio. `None` where the limit or its derivative is not
     /// finite.
+    pub continuous_limit: Option<Slope>,
+    /// The limit of sliding β*_lim and its derivative with respect to p, in the units of `continuous_limit`. `None`
+    /// where the limit or its derivative is not finite.
     pub sliding_limit: Option<Slope>,
 }
 
-/// The derivatives of a response at one operating point.
+/// The derivatives of a response at one operating point, with respect to every parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseSensitivities {
     /// The regime at the operating point.
     pub regime: Regime,
-    /// One entry for each parameter: masses, springs, damping, stiction, friction, load, frequency.
+    /// Derivatives with respect to each parameter, in the order masses, springs, damping, stiction, friction, load,
+    /// frequency.
     pub parameters: Vec<ParameterSensitivity>,
 }
 
-/// Amplitude, phase and both limits with their derivatives at one operating point.
+/// Amplitude, phase, β_lim and β*_lim at one operating point, each with its derivative with respect to one parameter.
 struct Answers {
     amplitude: Sensitive,
     phase: Option<Sensitive>,
@@ -53,8 +56,8 @@ struct Answers {
     sliding_limit: Sensitive,
 }
 
-/// Frequency ratio r and friction ratio β of an operating point, with the length and the force to which non-dimensional
-/// amplitudes and limits refer.
+/// Frequency ratio r and friction ratio β of an operating point, with the units of length and force of the
+/// non-dimensional amplitudes and limits. All four have derivatives.
 struct Groups {
     r: Sensitive,
     beta: Sensitive,
@@ -63,7 +66,7 @@ struct Groups {
 }
 
 impl System {
-    /// Returns the motion of this name: a mass, or `contact` for the relative motion in the contact.
+    /// Returns the motion called `name`: the motion of a mass, or for `contact` the relative motion in the contact.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -74,16 +77,16 @@ impl System {
         self.mass_index(name).map(Of::Mass)
     }
 
-    /// Returns the exact derivatives of amplitude and phase of a motion, and of both limits, with respect to every
-    /// parameter. The response may be in any regime.
+    /// Returns the exact derivatives of amplitude and phase of a motion, and of the limits β_lim and β*_lim, with
+    /// respect to every parameter. The response may be in any regime.
     ///
     /// Where the contact slides all the time, the derivatives come from the closed form. Where the contact stops and
     /// slides, they come from the steady state from rest. Where the contact never slides, they come from the stuck
     /// response.
     ///
-    /// In physical units no derivative depends on the order of masses and springs. The phase of the contact is that of
-    /// the motion as the description writes it ([`contact_is_reversed`](Self::contact_is_reversed)). A change of m₁ or
-    /// k₁ also changes the groups.
+    /// In physical units no derivative depends on the order of masses and springs. The phase of the contact has the
+    /// sign of the contact in the description ([`contact_is_reversed`](Self::contact_is_reversed)). A change of m₁ or
+    /// k₁ also changes the non-dimensional groups.
     ///
     /// ```
     /// use frictiongen::study::{Load, OperatingPoint, Parameter, Quantity, System};
@@ -119,9 +122,9 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`StudyError`] for an operating point outside the domain, a load that does not fit, and a motion that does not
-    /// exist. [`StudyError`] also where there is no steady motion. [`NoDerivative`] where the response has no
-    /// derivative.
+    /// [`StudyError`] for an operating point outside the domain, and for a load that does not fit the scene.
+    /// [`StudyError`] also for a motion that does not exist, and where there is no steady motion. [`NoDerivative`]
+    /// where the response has no derivative.
     pub fn response_sensitivities(
         &self,
         point: OperatingPoint,
@@ -160,7 +163,7 @@ impl System {
         Ok(ResponseSensitivities { regime, parameters })
     }
 
-    /// Returns r and β of an operating point, and checks β.
+    /// Returns the frequency ratio r and the friction ratio β of an operating point. Fails if β is invalid.
     fn groups_at(&self, point: OperatingPoint) -> Result<(f64, f64), StudyError> {
         let (r, beta) = match point {
             OperatingPoint::Groups { r, beta } => (r, beta),
@@ -204,8 +207,8 @@ impl System {
     }
 }
 
-/// Returns amplitude and phase of a known response with their derivatives. The phase is `None` where nothing moves.
-/// `turned` asks for the contact's motion with the opposite sign.
+/// Returns amplitude and phase of a known response with their derivatives. The phase is `None` where nothing moves. If
+/// `turned` is true, the result is that of the contact's motion with the opposite sign.
 pub(super) fn swing(
     varied: &Varied,
     response: &SystemResponse<'_>,
@@ -242,7 +245,7 @@ pub(super) fn swing(
     Ok((amplitude, Some(phase)))
 }
 
-/// Returns amplitude and phase with their derivatives while the contact is stuck.
+/// Returns amplitude and phase of a motion with their derivatives, for a response in which the contact never slides.
 ///
 /// The offset of a contact that has never slid is 0, or −Y on a moving base. The offset of a contact that has slid
 /// depends on every slip, so it has no derivative here.
@@ -271,7 +274,7 @@ fn stuck_swing(
     Ok((amplitude, Some(-(motion.im.atan2(motion.re)))))
 }
 
-/// Returns r, β, and the reference length and force of an operating point, with derivatives with respect to
+/// Returns r, β, and the units of length and force of an operating point. All four have derivatives with respect to
 /// `parameter`.
 fn groups(system: &System, varied: &Varied, point: OperatingPoint, parameter: Parameter) -> Groups {
     let number = |value: f64, own: bool| {
@@ -323,11 +326,11 @@ fn groups(system: &System, varied: &Varied, point: OperatingPoint, parameter: Pa
     }
 }
 
-/// A derivative counts as 0 if p·dX/dp is below this share of X or of 1, whichever is smaller. 30 digits leave such a
-/// remainder by rounding.
+/// Share of X, or of 1 if X is larger, below which the change p·dX/dp counts as 0. With 30 digits rounding leaves such
+/// a remainder.
 const NOTHING: f64 = 1e-24;
 
-/// Returns a value and its derivative with respect to one parameter. `parameter` is the value of this parameter.
+/// Returns a number and its derivative with respect to one parameter. `parameter` is the value of that parameter.
 /// Returns `None` unless both results are finite.
 fn slope(answer: Sensitive, parameter: f64) -> Option<Slope> {
     let mut slope = Slope {

@@ -1,4 +1,4 @@
-//! The steady response in any regime: closed form, steady state with stops, or stuck response.
+//! The steady response in any regime: continuous, stick-slip or stuck.
 
 use super::held::SystemHeld;
 use super::motion::SystemMotion;
@@ -10,9 +10,9 @@ use frictiongen_kernel::response::Scene as _;
 
 /// The steady response of a system at one frequency ratio and one friction ratio.
 ///
-/// A motion from rest begins at a maximum of the excitation, with every mass at x = 0 and without velocity. A moving
-/// base is then at Y. A contact with the moving base therefore starts at z̄ = −Y and may stick there. The amplitude of
-/// its mass is then up to 2Y, and its centred amplitude is Y.
+/// Motion from rest begins at a maximum of the excitation, with every mass at x = 0 and without velocity. A moving
+/// base is then at Y. A contact with the moving base therefore starts at z̄ = −Y, where it may stick. In that case the
+/// amplitude of the contact's mass is up to 2Y, and its centred amplitude is Y.
 ///
 /// ```
 /// use frictiongen::{Of, Regime, System};
@@ -38,15 +38,16 @@ use frictiongen_kernel::response::Scene as _;
 /// ```
 #[derive(Clone, Debug)]
 pub enum SystemResponse<'a> {
-    /// The closed form: the contact slides all the time.
+    /// The continuous response in closed form: the contact slides all the time.
     Continuous(SystemMotion<'a>),
-    /// Any other steady state, or the last 64 cycles of a motion that does not settle, computed from event to event.
+    /// Any other steady state, computed from event to event. Where the motion does not settle, the response is its
+    /// last 64 cycles.
     StickSlip(Box<SystemOrbit<'a>>),
     /// The stuck response: the contact never slides.
     Stuck(SystemHeld<'a>),
 }
 
-/// The largest displacement of a motion, and its phase.
+/// The amplitude of a motion, which is its largest displacement, and the phase of that maximum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
     /// The largest |x̄| of the period, over P/k₁, for base motion over Y.
@@ -56,26 +57,27 @@ pub struct Swing {
 }
 
 impl Swing {
-    /// The swing of a contact or mass that does not move.
+    /// Amplitude and phase of a contact or mass that does not move: amplitude 0, no phase.
     pub const REST: Self = Self {
         amplitude: 0.0,
         phase: None,
     };
 }
 
-/// The quantity of a motion whose largest value is wanted, over P/k₁, for base motion over Y.
+/// Selects a quantity of a motion: displacement, velocity or acceleration. The largest value of the quantity is in
+/// units of P/k₁, for base motion of Y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Size {
     /// The largest displacement |x̄|.
     Displacement,
-    /// The largest velocity |dx̄/dτ|. The velocity in time is this value times ω.
+    /// The largest velocity |dx̄/dτ|. Multiply by ω for the velocity in time.
     Velocity,
-    /// The largest acceleration |d²x̄/dτ²|. The acceleration in time is this value times ω².
+    /// The largest acceleration |d²x̄/dτ²|. Multiply by ω² for the acceleration in time.
     Acceleration,
 }
 
 impl SystemResponse<'_> {
-    /// Returns the regime of this response.
+    /// Returns the regime of this response: continuous, stick-slip or stuck.
     #[must_use]
     pub fn regime(&self) -> Regime {
         match self {
@@ -86,7 +88,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns true if the motion repeats. Otherwise the response is the last 64 cycles of a run that did not settle.
+    /// Returns true if the motion repeats. False means that the response is the last 64 cycles of a motion that did
+    /// not settle.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         match self {
@@ -95,7 +98,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns amplitude and phase of the contact or of a mass. `None` if there is no such mass.
+    /// Returns amplitude and phase of the contact or of a mass. `None` if the scene has no such mass.
     #[must_use]
     pub fn swing(&self, of: Of) -> Option<Swing> {
         let moving = |(amplitude, phase)| Swing {
@@ -121,7 +124,7 @@ impl SystemResponse<'_> {
             }),
             (Self::Stuck(held), Of::Mass(index)) => {
                 let (amplitude, phase) = polar(held.mass_at(index)?);
-                // The largest |x̄| is on the side of the offset, where the motion turns.
+                // The largest |x̄| is on the side of the offset, at a turning point of the motion.
                 Some(Swing {
                     amplitude: amplitude + held.mass_offset(index)?.abs(),
                     phase: (amplitude != 0.0).then_some(phase),
@@ -130,8 +133,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the centred amplitude, half the distance between the least and the largest x̄. It is over P/k₁, for base
-    /// motion over Y. `None` if there is no such mass.
+    /// Returns the centred amplitude: half the distance between the least and the largest x̄, in units of P/k₁, for
+    /// base motion of Y. `None` if the scene has no such mass.
     #[must_use]
     pub fn centred_amplitude(&self, of: Of) -> Option<f64> {
         match (self, of) {
@@ -145,15 +148,15 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the lag of the fundamental component behind the excitation, −arg X₁, rad, in (−π, π]. `None` where
-    /// nothing moves, and if there is no such mass.
+    /// Returns the lag −arg X₁ of the fundamental component behind the excitation, rad, in (−π, π]. `None` where the
+    /// contact or mass does not move, and if the scene has no such mass.
     #[must_use]
     pub fn fundamental_phase(&self, of: Of) -> Option<f64> {
         fundamental_phase(self.harmonic(of, 1)?, self.centred_amplitude(of)?)
     }
 
-    /// Returns the offset of the contact's relative motion, over P/k₁, for base motion over Y. It is 0 for a symmetric
-    /// motion.
+    /// Returns the offset of the contact's relative motion from its centre, in units of P/k₁, for base motion of Y. A
+    /// symmetric motion has offset 0.
     #[must_use]
     pub fn offset(&self) -> f64 {
         match self {
@@ -163,8 +166,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the largest |offset| of the contact among all states of the same continuum. The value is that of
-    /// [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
+    /// Returns the largest |offset| of the contact among all steady states of the same continuum, as
+    /// [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range) does.
     #[must_use]
     pub fn offset_range(&self) -> Option<f64> {
         match self {
@@ -174,7 +177,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns true if the response is one of a continuum of steady states.
+    /// Returns true if the response is marginal: it belongs to a continuum of steady states.
     #[must_use]
     pub fn is_marginal(&self) -> bool {
         match self {
@@ -184,8 +187,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns true if motion from rest ends in this response. False means that motion from rest does not settle and
-    /// this is another stable state.
+    /// Returns true if motion from rest ends in this response. False means that motion from rest does not settle, and
+    /// that this response is another stable state.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         match self {
@@ -195,8 +198,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the phase of the contact's motion with the opposite sign, for the case
-    /// [`contact_is_reversed`](System::contact_is_reversed). `None` for a contact that does not move.
+    /// Returns the phase of the contact's motion with the opposite sign. This is the phase that the description means
+    /// if [`contact_is_reversed`](System::contact_is_reversed) is true. `None` for a contact that does not move.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> Option<f64> {
         match self {
@@ -205,8 +208,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the monoharmonic estimate of an amplitude (5.50, 7.33). `None` in any regime but the continuous one, and
-    /// if there is no such mass.
+    /// Returns the monoharmonic estimate of an amplitude (5.50, 7.33). `None` outside the continuous regime, and if
+    /// the scene has no such mass.
     #[must_use]
     pub fn monoharmonic(&self, of: Of) -> Option<f64> {
         let Self::Continuous(motion) = self else {
@@ -219,30 +222,30 @@ impl SystemResponse<'_> {
         Some(motion.amplitude_monoharmonic())
     }
 
-    /// Returns the largest displacement, velocity or acceleration of the contact or of a mass. `None` if there is no
-    /// such mass.
+    /// Returns the largest displacement, velocity or acceleration of the contact or of a mass. `None` if the scene has
+    /// no such mass.
     ///
-    /// An acceleration jumps where the friction force jumps. Its values on both sides of the jump count.
+    /// An acceleration jumps where the friction force jumps. The result takes both sides of a jump into account.
     #[must_use]
     pub fn largest(&self, of: Of, size: Size) -> Option<f64> {
         if size == Size::Displacement {
             return Some(self.swing(of)?.amplitude);
         }
         match self {
-            // The closed form gives no largest velocity or acceleration. The orbit has the same motion segment by
-            // segment.
+            // The closed form gives no largest velocity or acceleration. The orbit describes the same motion by
+            // segments, which give both.
             Self::Continuous(motion) => {
                 fastest(&motion.at().orbit(motion.friction().beta).ok()?, of, size)
             }
             Self::StickSlip(orbit) => fastest(orbit, of, size),
-            // The motion has one harmonic, so displacement, velocity and acceleration have equal amplitudes without the
-            // offset.
+            // The motion of a stuck chain has one harmonic. Without the offset, displacement, velocity and
+            // acceleration then have equal amplitudes.
             Self::Stuck(_) => self.centred_amplitude(of),
         }
     }
 
-    /// Returns the complex amplitude X_n of the contact or of a mass, with x̄ = Re Σ X_n e^{inτ}. τ counts from a
-    /// maximum of the excitation. `None` if there is no such mass.
+    /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ}, for the contact or a mass. τ counts
+    /// from a maximum of the excitation. `None` if the scene has no such mass.
     #[must_use]
     pub fn harmonic(&self, of: Of, n: u32) -> Option<Complex<f64>> {
         let none = Complex::new(0.0, 0.0);
@@ -264,8 +267,9 @@ impl SystemResponse<'_> {
         })
     }
 
-    /// Returns the largest friction force of the period over P. It is β where the contact slides without a stop, and μβ
-    /// where it stops and breaks away. A contact that never slides needs μβ*_lim and the constant force of its offset.
+    /// Returns the largest friction force of the period over the load amplitude P. The ratio is β where the contact
+    /// slides without a stop, and μβ where the contact stops and breaks away. A contact that never slides needs
+    /// μβ*_lim plus the constant force of its offset.
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         match self {
@@ -280,11 +284,11 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the work of friction in one cycle of the excitation, over P²/k₁, for base motion over k₁Y².
+    /// Returns the work of friction in one cycle of the excitation, in units of P²/k₁, for base motion of k₁Y².
     #[must_use]
     pub fn friction_work(&self) -> f64 {
         match self {
-            // The contact slides four amplitudes in a cycle, back and forth.
+            // The contact slides a distance of four amplitudes in a cycle, back and forth.
             Self::Continuous(motion) => 4.0 * motion.friction().beta * motion.contact().amplitude(),
             Self::StickSlip(orbit) => {
                 orbit.beta() * orbit.sliding_distance() / f64::from(orbit.period())
@@ -294,7 +298,7 @@ impl SystemResponse<'_> {
     }
 }
 
-/// Returns the largest velocity or acceleration in a steady state, for a displacement its amplitude.
+/// Returns the largest velocity or acceleration in a steady state. For displacement, returns the amplitude.
 fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: Size) -> Option<f64> {
     let motion = match of {
         Of::Contact => orbit.contact(),
@@ -307,7 +311,7 @@ fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: Size) -> Option<f64> {
     })
 }
 
-/// Returns μ.
+/// Returns μ, the ratio of static to kinetic friction.
 fn stiction(system: &System) -> f64 {
     (&system).numbers().chain.stiction
 }

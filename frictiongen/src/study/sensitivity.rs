@@ -1,4 +1,5 @@
-//! Sensitivities: exact derivatives of every answer. The formulas are evaluated with dual numbers.
+//! Sensitivities: exact derivatives of every result with respect to a number of the description. The formulas are
+//! evaluated with dual numbers.
 
 use super::at::SystemAt;
 use super::orbit::SystemOrbit;
@@ -16,16 +17,15 @@ use frictiongen_model::sensitivity::Quantity;
 use frictiongen_model::transient::Transient;
 use std::sync::OnceLock;
 
-/// A number of a [`Varied`] system: value and derivative, each with about 30 digits. Derivatives thus keep enough
-/// digits close to a resonance.
+/// A number with its derivative, each with about 30 digits, as a [`Varied`] system uses it. Close to a resonance the
+/// derivative then keeps enough digits.
 pub type Sensitive = Dual<Dd>;
 
-/// A system that carries the derivatives with respect to one quantity through every answer.
+/// A system whose results carry the derivatives with respect to one quantity of the description.
 ///
-/// Frequency ratio or friction ratio may be the variable instead (`Dual::variable`). The system is then
-/// [`unvaried`](System::unvaried). Derivatives are taken at constant r and β. If the angular frequency is given
-/// instead, take r from [`frequency_ratio`](Self::frequency_ratio), which varies with the first mass and the first
-/// spring.
+/// For derivatives with respect to r or β, pass `Dual::variable` to an [`unvaried`](System::unvaried) system.
+/// Derivatives are taken at constant r and β. If the angular frequency is constant instead, take r from
+/// [`frequency_ratio`](Self::frequency_ratio), which varies with the first mass and the first spring.
 ///
 /// ```
 /// use frictiongen::study::{Quantity, Sensitive, System};
@@ -41,7 +41,7 @@ pub type Sensitive = Dual<Dd>;
 /// .parse()?;
 /// let heavier = frame.along(Quantity::Mass(1)).ok_or("no such mass")?;
 /// let limit = heavier.at(Sensitive::fixed(0.9.into()))?.continuous_limit();
-/// // One more gram changes the limit by a thousandth of its derivative.
+/// // One more gram changes the limit by a thousandth of the derivative.
 /// let mut scene = frame.scene().clone();
 /// scene.masses[1].value = 3.251;
 /// let moved = System::<f64>::try_from(scene)?.at(0.9)?.continuous_limit();
@@ -51,12 +51,13 @@ pub type Sensitive = Dual<Dd>;
 /// # }
 /// ```
 ///
-/// Steady states with stops carry derivatives too ([`orbit`](Self::orbit)). Motions in time do not.
+/// Steady states with stops carry derivatives too ([`orbit`](Self::orbit)). Simulations in time do not.
 #[derive(Clone, Debug)]
 pub struct Varied {
     system: System<Sensitive>,
     data: Modal<Sensitive>,
-    /// The system without derivatives, and its data for motion in time with derivatives. The first use computes both.
+    /// The system without derivatives (`plain`), and the data for motion in time with derivatives (`transient`). The
+    /// first use computes each of them.
     plain: OnceLock<System>,
     transient: OnceLock<Option<Transient<Sensitive>>>,
 }
@@ -70,21 +71,21 @@ impl Varied {
         self.system.at(r)
     }
 
-    /// Converts an angular frequency in rad/s to r = ω√(m₁/k₁).
+    /// Converts an angular frequency in rad/s to the frequency ratio r = ω√(m₁/k₁).
     #[must_use]
     pub fn frequency_ratio(&self, omega: Sensitive) -> Sensitive {
         self.system.frequency_ratio(omega)
     }
 
-    /// Returns the steady state from rest at r and β in any regime, with the derivative of every answer.
+    /// Returns the steady state from rest at r and β in any regime. Every result of the steady state has a derivative.
     ///
-    /// The answers are amplitudes, phases, harmonics, displacements at an instant, and the times and durations of
-    /// stops. Their values are found without derivatives. The derivatives follow from one more pass over the period
+    /// The results are amplitudes, phases, harmonics, displacements at an instant, and the times and durations of
+    /// stops. The steady state is found without derivatives. The derivatives follow from one more pass over the period
     /// with dual numbers. The Floquet multipliers are left out.
     ///
-    /// An amplitude and a phase have a derivative wherever the steady state has one. A contact may stop where it is
-    /// farthest out. Its phase is then that of the bound of this stop nearest to the excitation's maximum, or 0 if the
-    /// maximum falls within the stop.
+    /// An amplitude and a phase have a derivative wherever the steady state has a derivative. A contact may stop at
+    /// its largest displacement. The phase of the contact is then that end of the stop which is nearest to the
+    /// excitation's maximum, or 0 if the maximum falls within the stop.
     ///
     /// ```
     /// use frictiongen::study::{Quantity, Sensitive, System};
@@ -97,7 +98,7 @@ impl Varied {
     ///     excitation: block,
     /// }"
     /// .parse()?;
-    /// // Two stops a cycle.
+    /// // The contact stops twice a cycle.
     /// let beta = Sensitive::variable(0.4.into());
     /// let varied = block.unvaried();
     /// let orbit = varied.orbit(Sensitive::fixed(0.3.into()), beta)?;
@@ -112,8 +113,8 @@ impl Varied {
     /// ```
     ///
     /// # Errors
-    /// [`NoDerivative`] where there is no steady state, where it does not repeat, and where it is one of a continuum.
-    /// [`NoDerivative`] also where an event is about to appear or disappear.
+    /// [`NoDerivative`] where there is no steady state, and where the motion does not repeat. [`NoDerivative`] also
+    /// for a member of a continuum of steady states, and where a stop or reversal is about to appear or disappear.
     pub fn orbit(
         &self,
         r: Sensitive,
@@ -124,11 +125,11 @@ impl Varied {
         self.orbit_along(&orbit, r, beta)
     }
 
-    /// Returns a known steady state of the same scene with derivatives, as [`orbit`](Self::orbit) does. r and β must
-    /// have the values of that state.
+    /// Adds derivatives to a known steady state of the same scene, as [`orbit`](Self::orbit) does. r and β must have
+    /// the values of that steady state.
     ///
     /// # Errors
-    /// [`NoDerivative`], as for [`orbit`](Self::orbit).
+    /// [`NoDerivative`] in the same cases as [`orbit`](Self::orbit).
     pub fn orbit_along(
         &self,
         plain: &SystemOrbit<'_>,
@@ -157,8 +158,8 @@ impl Varied {
         })
     }
 
-    /// Returns the data for motion in time, with derivatives. `None` where modes coincide and the quantity separates
-    /// the modes.
+    /// Returns the data for motion in time, with derivatives. `None` where modes have the same frequency and the
+    /// varied quantity separates their frequencies.
     pub(super) fn transient(&self) -> Option<&Transient<Sensitive>> {
         let transient = self
             .transient
@@ -166,8 +167,8 @@ impl Varied {
         transient.as_ref()
     }
 
-    /// Returns the modal data, from which special values follow: resonances, mode shapes, resonance thresholds, and the
-    /// limits for r = 0 and r → ∞.
+    /// Returns the modal data with derivatives, for resonances, mode shapes, resonance thresholds, and the limits for
+    /// r = 0 and r → ∞.
     #[must_use]
     pub fn modal(&self) -> &Modal<Sensitive> {
         &self.data
@@ -193,8 +194,7 @@ impl FrictionSystem for Varied {
 }
 
 impl<S: Float> System<S> {
-    /// Returns the same scene with derivatives with respect to one of its quantities. `None` if the scene has no such
-    /// quantity.
+    /// Returns the same scene with derivatives with respect to `quantity`. `None` if the scene has no such quantity.
     #[must_use]
     pub fn along(&self, quantity: Quantity) -> Option<Varied> {
         Some(self.varied(self.modal.along(&self.scene, quantity)?))
@@ -217,8 +217,8 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns the derivatives of an answer with respect to every quantity of the description, in that quantity's own
-    /// unit.
+    /// Returns a result and its derivative with respect to every quantity of the description, in the unit of that
+    /// quantity. `question` computes the result from a [`Varied`] system.
     ///
     /// # Errors
     /// The first error that `question` returns.
@@ -265,7 +265,8 @@ impl<S: Float> System<S> {
     }
 }
 
-/// Returns every numeric quantity of a description that a derivative may be taken of.
+/// Returns every quantity of a description with respect to which a derivative exists: masses, springs, damping and
+/// stiction.
 pub(super) fn quantities(scene: &Scene) -> Vec<Quantity> {
     let masses = (0..scene.masses.len()).map(Quantity::Mass);
     let springs = (0..scene.springs.len()).map(Quantity::Stiffness);

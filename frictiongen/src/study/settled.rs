@@ -1,4 +1,4 @@
-//! Selects the steady state of a response: the one in which motion from rest, or from another state, ends.
+//! Selects the steady state in which motion from rest, or from another state, ends.
 
 use super::at::SystemAt;
 use super::held::{SystemHeld, share_of_base};
@@ -9,11 +9,11 @@ use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckReso
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
-/// Relative tolerance, in units of the machine epsilon, within which √λ_i/r counts as an even integer. Steady states
-/// use the same tolerance for multipliers on the unit circle.
+/// Relative tolerance, in units of the machine epsilon, within which √λ_i/r counts as an even integer. The tolerance
+/// of Floquet multipliers on the unit circle is the same.
 const ON_CIRCLE: f64 = 4096.0;
 
-/// The state of a steady motion at a maximum of the excitation.
+/// The state of a steady motion at a maximum of the excitation: displacement and velocity of every mass.
 #[cfg(feature = "desk")]
 #[derive(Clone, Debug)]
 pub(super) struct Carried {
@@ -40,15 +40,17 @@ impl Carried {
 }
 
 impl<'a> SystemAt<'a> {
-    /// Returns the steady response at β = F/P in any regime: the state in which motion from rest ends.
+    /// Returns the steady response at the friction ratio β = F/P in any regime: the state in which motion from rest
+    /// ends.
     ///
     /// With μ = 1 this state is the closed form for every β < β_lim. The exception is a chain without damping at r =
-    /// 1/2n, where the closed form is one of a continuum. With μ > 1, other states may exist in addition to the closed
-    /// form and to the stuck state. The motion is then followed from event to event.
+    /// 1/2n, where the closed form belongs to a continuum of steady states. With μ > 1, other states may exist in
+    /// addition to the closed form and to the stuck state. The motion is then computed from event to event.
     ///
-    /// Where motion from rest does not settle, the call returns another stable steady state, if there is one. It is
-    /// found from the closed form, a neighbouring friction ratio or the stuck state, and [`SystemOrbit::is_from_rest`]
-    /// is then false. If no such state is found, the call returns the last 64 cycles of the motion from rest.
+    /// Where motion from rest does not settle, the call returns another stable steady state, if one is found. The
+    /// search starts from the closed form, a neighbouring friction ratio or the stuck state.
+    /// [`SystemOrbit::is_from_rest`] is then false. If no such state is found, the call returns the last 64 cycles of
+    /// the motion from rest.
     ///
     /// # Errors
     /// [`NotContinuous::Unbounded`] and [`StuckResonance`](crate::StuckResonance) on an undamped resonance.
@@ -76,7 +78,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response in which motion from another state ends, with the state to continue from.
+    /// Returns the response in which motion from the state `start` ends, and that response's own state for the next
+    /// call.
     #[cfg(feature = "desk")]
     pub(super) fn response_from(
         &self,
@@ -103,11 +106,11 @@ impl<'a> SystemAt<'a> {
         Ok((self.told(orbit, motion)?, carried))
     }
 
-    /// Returns the regime of a steady state at this frequency ratio. Other states at the same β have no influence. A
-    /// motion that does not settle is stick-slip.
+    /// Returns the regime of a steady state at this frequency ratio. Other steady states at the same β have no
+    /// influence on the result. A motion that does not settle counts as stick-slip.
     #[must_use]
     pub fn regime_of(&self, orbit: &SystemOrbit<'_>) -> Regime {
-        // Within rounding below β*_lim a motion may be too small to be detected, so the limit decides too.
+        // Just below β*_lim, rounding can hide a small motion, so the limit decides too.
         let holds = !(orbit.beta() < self.sliding_limit());
         let frictionless = orbit.beta() == 0.0;
         if holds && orbit.is_settled() && orbit.never_slides() {
@@ -119,7 +122,7 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response that consists of an orbit, in the regime of the orbit.
+    /// Wraps a steady state as the response of its regime: continuous, stick-slip or stuck.
     fn told(
         &self,
         orbit: SystemOrbit<'a>,
@@ -143,8 +146,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response with so much friction that the contact stays where it is at rest. It is then at its centre,
-    /// or on a moving base at z̄ = −Y.
+    /// Returns the response with so much friction that the contact never moves from its initial position. The contact
+    /// is then at its centre, or on a moving base at z̄ = −Y.
     pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
         let offset = -share_of_base(self.scene());
         Ok(SystemResponse::Stuck(self.held(offset, f64::INFINITY)?))
@@ -160,8 +163,8 @@ impl<'a> SystemAt<'a> {
         })
     }
 
-    /// Returns the steady state in which motion from rest ends. If that motion does not settle, returns another stable
-    /// state.
+    /// Returns the steady state in which motion from rest ends. If motion from rest does not settle, returns another
+    /// stable state.
     fn settled_orbit(&self, beta: f64) -> Result<SystemOrbit<'a>, NoOrbit> {
         let last = self.orbit_or_last_cycles(beta)?;
         if last.is_settled() {
@@ -172,8 +175,8 @@ impl<'a> SystemAt<'a> {
         Ok(other.map_or(last, SystemOrbit::not_from_rest))
     }
 
-    /// Returns true if no other steady state can exist in addition to the closed form. With μ = 1 none can, unless
-    /// √λ_i/r is an even integer for an undamped mode that the contact drives.
+    /// Returns true if no other steady state can exist in addition to the closed form. With μ = 1 no other state
+    /// exists, unless √λ_i/r is an even integer for an undamped mode that the contact drives.
     fn is_unique(&self) -> bool {
         let numbers = self.scene().numbers();
         let even = |x: f64| {
@@ -205,8 +208,9 @@ mod tests {
     use super::Carried;
     use crate::study::System;
 
-    /// Displacements and velocities in time carry over unchanged from one frequency to another, with dx̄/dτ =
-    /// (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the initial position and velocity.
+    /// A state carries over from one frequency to another with unchanged displacements and velocities in time, where
+    /// dx̄/dτ = (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the initial position and
+    /// velocity.
     #[test]
     fn a_state_goes_over_to_another_frequency() {
         let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall,

@@ -1,4 +1,4 @@
-//! Runs in time of a run-time system.
+//! Exact simulations in time of a run-time system, from event to event.
 
 use super::error::UnknownMass;
 use super::system::System;
@@ -7,14 +7,14 @@ use frictiongen_kernel::motion::{Dynamics, Lines, Part};
 use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 use frictiongen_kernel::{Float, Plain};
 
-/// An exact run in time of a system, from event to event. The run is an iterator over its segments.
+/// An exact simulation in time of a system, from event to event. The simulation is an iterator over its segments.
 #[derive(Clone, Debug)]
 pub struct SystemSimulation<'a, S = f64> {
     system: &'a System<S>,
     run: Inner<'a, S>,
 }
 
-/// The kernel's run over vectors, for any friction law.
+/// The kernel's simulation with vectors, for any friction law.
 type Inner<'a, S> = Simulation<'a, S, Vec<Part<S>>, Lines<'a, S>>;
 
 impl<S: Plain> System<S> {
@@ -22,7 +22,8 @@ impl<S: Plain> System<S> {
         self.transient().dynamics()
     }
 
-    /// Returns the data for a motion in time. Fails for a chain with too many modes at or beyond critical damping.
+    /// Returns the modal data for a simulation in time. Fails for a chain with too many modes at or beyond critical
+    /// damping.
     pub(super) fn dynamics_in_time(&self) -> Result<Dynamics<'_, S>, OutOfDomain> {
         if self.loses_motion() {
             return Err(Unsupported::CriticalDamping.into());
@@ -30,7 +31,8 @@ impl<S: Plain> System<S> {
         Ok(self.dynamics())
     }
 
-    /// Returns one empty part for each mode and each mode with the contact stuck.
+    /// Returns one empty entry for each mode of the chain while its contact slides, and one for each mode while it
+    /// sticks.
     pub(super) fn parts(&self) -> Vec<Part<S>> {
         let dynamics = self.dynamics();
         vec![Part::empty(); dynamics.oscillators()]
@@ -66,7 +68,8 @@ impl<S: Plain> System<S> {
         self.started(r, beta, Lines::none(), None)
     }
 
-    /// Starts the exact motion in time from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+    /// Starts the exact motion in time from a given state at a maximum of the excitation. `state` contains x̄ and
+    /// dx̄/dτ of every mass.
     ///
     /// # Errors
     /// Same errors as [`simulation`](Self::simulation). [`OutOfDomain`] also for a state that is not finite or not one
@@ -81,11 +84,11 @@ impl<S: Plain> System<S> {
         self.started(r, beta, Lines::none(), Some(state))
     }
 
-    /// Starts the exact motion in time from rest under a load of this amplitude: P of a force, Y of a base motion, in
-    /// the scene's units.
+    /// Starts the exact motion in time from rest under a load of the given amplitude in the scene's units: P for a
+    /// force, Y for a base motion.
     ///
-    /// The speeds of `friction: stribeck` need the amplitude. Where the kinetic level is constant, nothing depends on
-    /// the amplitude. β is the kinetic friction force at vanishing speed over P, for base motion over k₁Y.
+    /// The speeds of `friction: stribeck` need the amplitude. Where the kinetic friction force is constant, nothing
+    /// depends on the amplitude. β is the kinetic friction force at vanishing speed over P, for base motion over k₁Y.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -123,8 +126,8 @@ impl<S: Plain> System<S> {
         self.started(r, beta, self.lines(r, amplitude)?, None)
     }
 
-    /// Starts the exact motion in time under a load from a state at a maximum of the excitation: x̄ and dx̄/dτ of every
-    /// mass.
+    /// Starts the exact motion in time under a load from a given state at a maximum of the excitation. `state`
+    /// contains x̄ and dx̄/dτ of every mass.
     ///
     /// # Errors
     /// Same errors as [`simulation_under`](Self::simulation_under). [`OutOfDomain`] also for a state that is not finite
@@ -139,7 +142,7 @@ impl<S: Plain> System<S> {
         self.started(r, beta, self.lines(r, amplitude)?, Some(state))
     }
 
-    /// Returns the friction law under a load of this amplitude.
+    /// Returns the friction law in non-dimensional speeds, which depend on the amplitude of the load.
     fn lines(&self, r: S, amplitude: S) -> Result<Lines<'_, S>, OutOfDomain> {
         if S::constant(0.0) < amplitude && amplitude.is_finite() {
             Ok(self.steps().lines(r, amplitude))
@@ -174,7 +177,7 @@ impl<S: Plain> System<S> {
 }
 
 impl<'a, S: Float> SystemSimulation<'a, S> {
-    /// Returns the present state of a mass.
+    /// Returns the present displacement and velocity of the mass called `name`.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -182,16 +185,16 @@ impl<'a, S: Float> SystemSimulation<'a, S> {
         Ok(self.run.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the run of the kernel, with phase, cycles, relative motion and friction force.
+    /// Returns the kernel's simulation, which gives phase, cycles, relative motion and friction force.
     #[must_use]
     pub fn run(&self) -> &Inner<'a, S> {
         &self.run
     }
 
-    /// Advances to the next event, at most by `reach` in τ. A reach of 0 changes nothing.
+    /// Advances to the next event, but at most by `reach` in the phase τ = ωt. A reach of 0 changes nothing.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The run is then unchanged.
+    /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The simulation is then unchanged.
     pub fn advance(&mut self, reach: S) -> Result<Segment<S>, OutOfDomain> {
         self.run.advance(reach)
     }

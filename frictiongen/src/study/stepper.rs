@@ -1,4 +1,4 @@
-//! Steppers of a run-time system.
+//! Fixed-step steppers of a run-time system.
 
 use super::error::{StudyError, UnknownMass};
 use super::system::System;
@@ -10,10 +10,11 @@ use frictiongen_kernel::stepper::{
 use frictiongen_kernel::{Float, Plain};
 use std::ops::{Deref, DerefMut};
 
-/// The number of coefficients of an input over a step. It suffices for each kind of input.
+/// Number of coefficients that describe the input over one step. It suffices for each kind of input.
 const COEFFICIENTS: usize = 4;
 
-/// The tables of a stepper, in vectors.
+/// The constants of a step of one length, in vectors: the propagation of each mode while the contact slides and while
+/// it sticks.
 #[derive(Clone, Debug)]
 pub struct SystemStepTables<S> {
     pace: Pace<S>,
@@ -66,7 +67,8 @@ where
     }
 }
 
-/// The state of a stepper, in vectors.
+/// The state of a stepper, in vectors: displacement and velocity of each mode while the contact slides and while it
+/// sticks.
 #[derive(Clone, Debug)]
 pub struct SystemStepStore<S> {
     modes: Vec<[S; 2]>,
@@ -77,7 +79,7 @@ pub struct SystemStepStore<S> {
 }
 
 impl<S: Float> SystemStepStore<S> {
-    /// Returns the state at rest.
+    /// Returns the stepper's state at rest.
     fn new(scene: &StepScene<'_, S>) -> Self {
         let (modes, held) = (scene.dynamics.modes.len(), scene.dynamics.held.len());
         let zero = S::constant(0.0);
@@ -111,18 +113,19 @@ impl<S> Store<S, COEFFICIENTS> for SystemStepStore<S> {
     }
 }
 
-/// The kernel's stepper over vectors.
+/// The kernel's stepper, with vectors for its constants and its state.
 type Inner<'a, S> = Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>>;
 
 /// The state of a system's stepper, as [`save`](Stepper::save) returns it.
 pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 
-/// The motion of a system by steps of one length, under any input.
+/// The motion of a system in steps of one length, under any input.
 #[derive(Clone, Debug)]
 pub struct SystemStepper<'a, S = f64> {
     system: &'a System<S>,
     stepper: Inner<'a, S>,
-    /// One force for each mass that may be loaded. All masses may be, and the excited one comes first.
+    /// One force for each mass, because every mass of a run-time system can carry a load. The excited mass comes
+    /// first.
     forces: Vec<S>,
 }
 
@@ -143,7 +146,7 @@ pub struct SystemInput<'n, S = f64> {
     friction: S,
 }
 
-/// The load that acts as the scene's excitation.
+/// The load at the excitation of the scene: a force on a mass, or displacement and velocity of the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Acting<S> {
     Force(S),
@@ -185,7 +188,7 @@ impl<'n, S: Float> SystemInput<'n, S> {
 impl<S: Plain> System<S> {
     /// Returns a stepper with steps of `dt` seconds, from rest under no load.
     ///
-    /// Every mass may be loaded. The scene defines the friction law and the input between samples.
+    /// A load can act on every mass. The scene defines the friction law and the input between samples.
     ///
     /// ```
     /// use frictiongen::study::SystemInput;
@@ -221,7 +224,7 @@ impl<S: Plain> System<S> {
         self.stepping(dt, None)
     }
 
-    /// Returns a stepper that starts from a state: displacement and velocity of every mass.
+    /// Returns a stepper that starts from a given state: displacements and velocities of all masses.
     ///
     /// # Errors
     /// Same errors as [`stepper`](Self::stepper). [`OutOfDomain`] also for a state that is not finite or not one number
@@ -251,7 +254,8 @@ impl<S: Plain> System<S> {
 }
 
 impl<'a, S: Plain> SystemStepper<'a, S> {
-    /// Sets the input before the first step. The default is no input. The contact responds to it at once.
+    /// Sets the input at the start of the first step. The default is no input. The contact responds to the input at
+    /// once.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance). [`OutOfDomain`] after the first step.
@@ -265,8 +269,8 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         })?)
     }
 
-    /// Takes one step. The input changes in a straight line to this input. With `input: hold` this input acts over the
-    /// whole step.
+    /// Takes one step, at whose end the input is `input`. By default the input changes linearly during the step. With
+    /// `input: hold` the new input acts over the whole step.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a number that is NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a
@@ -305,7 +309,7 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         Ok((base, input.friction))
     }
 
-    /// Returns the present state of a mass.
+    /// Returns the present displacement and velocity of the mass called `name`.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -313,8 +317,8 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         Ok(self.stepper.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the present state of a mass, by its index in the description. The state is rest if there is no such
-    /// mass.
+    /// Returns the present displacement and velocity of a mass. `index` is its position in the description. The result
+    /// is rest if there is no such mass.
     #[must_use]
     pub fn mass_at(&self, index: usize) -> MassNow<S> {
         self.stepper.mass(index)

@@ -17,7 +17,7 @@ use frictiongen_model::validate::validate;
 use frictiongen_syntax::{Diagnostics, read_scene};
 use std::sync::OnceLock;
 
-/// A scene at run time, with its modal data.
+/// A scene at run time, with its modal data, from which all solvers start.
 ///
 /// ```
 /// use frictiongen::study::System;
@@ -43,11 +43,12 @@ pub struct System<S = f64> {
     pub(super) reduced: Reduced<S>,
     resonances: Vec<S>,
     pub(super) reference: S,
-    /// The smallest and the largest 1/r at which the formulas are evaluated.
+    /// The smallest and the largest 1/r at which the closed forms are evaluated.
     pub(super) range: (S, S),
-    /// True if the load acts on the mass in the contact and μ = 1. β*_lim is then 1.
+    /// True if the load acts on the mass in the contact and μ = 1. In that case β*_lim is 1 at every frequency.
     pub(super) sliding_limit_is_one: bool,
-    /// Modal data of an undamped chain for limits without search. `None` for a damped chain and for many modes.
+    /// Modal data of an undamped chain for limits without search. `None` for a damped chain and for a chain with many
+    /// modes.
     pub(super) driven: Option<DrivenModes<S>>,
     transient: OnceLock<Transient<S>>,
     steps: OnceLock<Steps<S>>,
@@ -74,15 +75,15 @@ impl<S: Float> TryFrom<Scene> for System<S> {
     }
 }
 
-/// Rounds a double-double once to a scalar.
+/// Rounds a double-double number once to the scalar type.
 fn rounded<S: Float>(value: Dd) -> S {
     let plain = S::constant(value.hi);
     if plain.to_f64() == value.hi {
-        // A wider scalar also takes the low part, which the f64 left out.
+        // A scalar wider than f64 also takes the low part, which the conversion of the high part omits.
         return plain + S::constant(value.lo);
     }
-    // The f64 may be halfway between two narrower numbers. Its neighbour on the side of the low part then rounds the
-    // right way.
+    // The f64 may lie halfway between two narrower numbers. Its neighbour on the side of the low part then rounds
+    // correctly.
     S::constant(match value.lo.partial_cmp(&0.0) {
         Some(std::cmp::Ordering::Greater) => value.hi.next_up(),
         Some(std::cmp::Ordering::Less) => value.hi.next_down(),
@@ -107,8 +108,7 @@ impl<S: Float> System<S> {
         let all = |values: Vec<T>| values.into_iter().map(&to).collect();
         let reduced = data.reduced(&to);
         let range = (&reduced).inverse_ratio_range();
-        // A scalar that carries derivatives may be the derivative with respect to μ, so β*_lim is then not the constant
-        // 1.
+        // A scalar with derivatives may differentiate with respect to μ. β*_lim is then not the constant 1.
         let chain = &reduced.chain;
         let sliding_limit_is_one = !S::CARRIES && chain.sliding_limit_is_one(&reduced.modes);
         Self {
@@ -136,35 +136,37 @@ impl<S: Float> System<S> {
         )
     }
 
-    /// Returns the data for motion in time. The first call computes them.
+    /// Returns the modal data for motion in time. The first call computes them.
     pub(super) fn transient(&self) -> &Transient<S> {
         self.transient
             .get_or_init(|| Transient::of(&self.scene, &self.modal, rounded::<S>))
     }
 
-    /// Returns true if a motion in time would lose more than half of its digits.
+    /// Returns true if a simulation in time would lose more than half of the digits, because too many modes are at or
+    /// beyond critical damping.
     pub(super) fn loses_motion(&self) -> bool {
         *self
             .loses_motion
             .get_or_init(|| self.transient().excess_loss().is_some())
     }
 
-    /// Returns the additional data of a stepper, in which every mass may be loaded.
+    /// Returns the additional data of a stepper, in which a force can act on every mass.
     pub(super) fn steps(&self) -> &Steps<S> {
         let masses = 0..self.scene.masses.len();
         self.steps
             .get_or_init(|| Steps::of(&self.scene, &self.modal, masses, rounded::<S>))
     }
 
-    /// Returns the scene as it was described.
+    /// Returns the scene as the description or the builder defines it.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// Returns the modal analysis of the system. Up to 64 masses its numbers have about 30 digits. Beyond 64 masses
-    /// they are in double precision. Natural frequencies then have a relative error of about 1e-13. Mode shapes have an
-    /// error of about 1e-13 divided by the relative distance between neighbouring natural frequencies.
+    /// Returns the modal analysis of the system: natural frequencies, mode shapes and damping ratios. Up to 64 masses
+    /// its numbers have about 30 digits. Beyond 64 masses they are in double precision. Natural frequencies then have
+    /// a relative error of about 1e-13. Mode shapes have an error of about 1e-13 divided by the relative distance
+    /// between neighbouring natural frequencies.
     #[must_use]
     pub fn modal(&self) -> &Modal {
         &self.modal
@@ -207,19 +209,21 @@ impl<S: Float> System<S> {
         friction / load
     }
 
-    /// Returns both limits without search: an upper bound on β_lim, and β*_lim exactly (6.11, 6.27, 6.33). The bound on
-    /// β_lim replaces S by its limit for τ → 0 (5.64). This is the fastest call where r needs no other result.
+    /// Returns an upper bound on β_lim, and β*_lim exactly (6.11, 6.27, 6.33), without a search over time. The bound
+    /// on β_lim replaces the velocity constraint S by the limit of S for τ → 0 (5.64). This is the fastest call where
+    /// r needs no other result.
     ///
-    /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values. [`OutOfDomain`]
-    /// also for `friction: stribeck`, because the exact continuous response needs a constant kinetic level.
+    /// # Errors [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values.
+    /// [`OutOfDomain`] also for `friction: stribeck`, because the exact continuous response needs a kinetic friction
+    /// force that is constant in speed.
     pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
         self.constant_level()?;
         At::limits_without_search(&self, r)
     }
 
-    /// Returns β_n,i, the friction ratio below which the i-th undamped resonance is unbounded (6.2, 6.26). `None` for a
-    /// mode that the contact does not drive. As in every closed form, F is a constant kinetic level.
+    /// Returns the threshold β_n,i of every resonance: below this friction ratio the undamped resonance i is unbounded
+    /// (6.2, 6.26). `None` for a mode that the contact does not drive. As in every closed form, F is a constant
+    /// kinetic friction force.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<S>> {
         self.modal
@@ -229,7 +233,8 @@ impl<S: Float> System<S> {
             .collect()
     }
 
-    /// Returns x̄ of every mass for r → 0 at the friction ratio β (6.5). `None` where the contact is stuck at r = 0.
+    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5). `None` where the contact is
+    /// stuck at r = 0.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -251,8 +256,8 @@ impl<S: Float> System<S> {
         Some(start.into_iter().map(rounded).collect())
     }
 
-    /// Returns the peak of a mass at the i-th damped resonance, estimated for small ζ (7.60). `mode` and `mass` are
-    /// indices, modes in ascending order. `None` for a mode without damping.
+    /// Returns the peak amplitude of a mass at a damped resonance, estimated for small ζ (7.60). `mode` is the index
+    /// of the resonance in ascending order, `mass` the index in the description. `None` for a mode without damping.
     #[must_use]
     pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: S) -> Option<S> {
         let beta = Dd::from(beta.to_f64());
@@ -261,15 +266,15 @@ impl<S: Float> System<S> {
             .map(rounded)
     }
 
-    /// Returns β_∞ and β*_∞, the limits for r → ∞ (6.28). Both are infinite on a moving base.
+    /// Returns β_∞ and β*_∞, the values of β_lim and β*_lim for r → ∞ (6.28). Both are infinite on a moving base.
     #[must_use]
     pub fn high_frequency_limits(&self) -> (S, S) {
         let ends = &self.reduced.ends;
         (ends.continuous_at_infinity, ends.sliding_at_infinity)
     }
 
-    /// Fails unless the kinetic level is constant. The exact response and the motion from event to event need a
-    /// constant level.
+    /// Fails unless the kinetic friction force is constant in speed. The exact response and the motion from event to
+    /// event need a constant force.
     pub(super) fn constant_level(&self) -> Result<(), OutOfDomain> {
         match self.scene.friction {
             FrictionLaw::Coulomb => Ok(()),

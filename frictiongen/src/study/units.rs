@@ -2,7 +2,7 @@
 //!
 //! Units are the scene's own. With masses in kg and stiffnesses in N/m, a force is in N, a length in m and an angular
 //! frequency in rad/s. The groups refer to the first mass m₁ and the first spring k₁ of the description. Another order
-//! of masses or springs therefore gives other groups, but the same physical values.
+//! of masses or springs therefore gives other groups, but the same physical results.
 
 pub use super::error::LoadError;
 use super::system::System;
@@ -10,7 +10,7 @@ use crate::Complex;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{Excitation, Node};
 
-/// The amplitude of the load.
+/// The amplitude of the load: of a force on a mass, or of the base motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Load<S = f64> {
@@ -21,7 +21,7 @@ pub enum Load<S = f64> {
 }
 
 impl<S: Copy> Load<S> {
-    /// Returns P or Y.
+    /// Returns the amplitude of the load: P of a force or Y of a base motion.
     #[must_use]
     pub fn amplitude(&self) -> S {
         match self {
@@ -30,7 +30,7 @@ impl<S: Copy> Load<S> {
     }
 }
 
-/// The units of length and force that a load gives to the dimensionless answers: see [`System::load_scale`].
+/// The units of length and force under a load, for conversion of non-dimensional results: see [`System::load_scale`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadScale<S = f64> {
     length: S,
@@ -46,78 +46,78 @@ impl LoadScale {
 }
 
 impl<S: Float> LoadScale<S> {
-    /// Returns the unit of x̄: P/k₁, for base motion Y.
+    /// Returns the unit of length, by which x̄ is multiplied: P/k₁, for base motion Y.
     #[must_use]
     pub fn length(&self) -> S {
         self.length
     }
 
-    /// Returns the unit of β and of both limits: P, for base motion k₁Y.
+    /// Returns the unit of force, by which β, β_lim and β*_lim are multiplied: P, for base motion k₁Y.
     #[must_use]
     pub fn force(&self) -> S {
         self.force
     }
 
-    /// Converts x̄ to x, a length.
+    /// Converts a non-dimensional displacement x̄ to a displacement x, a length.
     #[must_use]
     pub fn displacement(&self, ratio: S) -> S {
         ratio * self.length
     }
 
-    /// Converts x, a length, to x̄.
+    /// Converts a displacement x, a length, to a non-dimensional displacement x̄.
     #[must_use]
     pub fn displacement_ratio(&self, displacement: S) -> S {
         displacement / self.length
     }
 
-    /// Converts dx̄/dτ to dx/dt, a velocity, at the angular frequency ω in rad/s.
+    /// Converts a non-dimensional velocity dx̄/dτ to a velocity dx/dt, at the angular frequency ω in rad/s.
     #[must_use]
     pub fn velocity(&self, rate: S, omega: S) -> S {
         rate * self.length * omega
     }
 
-    /// Converts dx/dt to dx̄/dτ, at the angular frequency ω in rad/s.
+    /// Converts a velocity dx/dt to a non-dimensional velocity dx̄/dτ, at the angular frequency ω in rad/s.
     #[must_use]
     pub fn velocity_ratio(&self, velocity: S, omega: S) -> S {
         velocity / self.length / omega
     }
 
-    /// Converts β, or a limit of β, to the friction force F.
+    /// Converts a friction ratio, which is β or a limit of β, to a friction force F.
     #[must_use]
     pub fn friction(&self, beta: S) -> S {
         beta * self.force
     }
 
-    /// Converts the friction force F to β.
+    /// Converts a friction force F to a friction ratio β.
     #[must_use]
     pub fn friction_ratio(&self, friction: S) -> S {
         friction / self.force
     }
 }
 
-/// Converts Hz to rad/s.
+/// Converts a frequency in Hz to an angular frequency in rad/s.
 #[must_use]
 pub fn angular_frequency<S: Float>(hertz: S) -> S {
     S::constant(2.0) * S::pi() * hertz
 }
 
-/// Converts rad/s to Hz.
+/// Converts an angular frequency in rad/s to a frequency in Hz.
 #[must_use]
 pub fn hertz<S: Float>(omega: S) -> S {
     omega / (S::constant(2.0) * S::pi())
 }
 
-/// Converts τ to seconds, at the angular frequency ω in rad/s.
+/// Converts a phase τ = ωt to a time in seconds, at the angular frequency ω in rad/s.
 #[must_use]
 pub fn seconds<S: Float>(tau: S, omega: S) -> S {
     tau / omega
 }
 
-/// Returns the lag of the motion with the opposite sign, half a turn from `lag`, in (−π, π].
+/// Returns the lag of a motion with the opposite sign: half a turn from `lag`, in (−π, π].
 ///
-/// A contact may stop where it is farthest out. It is then farthest during the whole stop, and the lag is not exactly
-/// half a turn away. [`SystemOrbit::reversed_contact_phase`](super::SystemOrbit::reversed_contact_phase) treats this
-/// case.
+/// The result is not exact for a contact that stops at its largest displacement, because the contact keeps that
+/// displacement during the whole stop. Use
+/// [`SystemOrbit::reversed_contact_phase`](super::SystemOrbit::reversed_contact_phase) for such a contact.
 #[must_use]
 pub fn reversed_phase<S: Float>(lag: S) -> S {
     if S::constant(0.0) < lag {
@@ -127,15 +127,15 @@ pub fn reversed_phase<S: Float>(lag: S) -> S {
     }
 }
 
-/// Returns the lag of the fundamental component X₁ of a motion with this centred amplitude, rad, in (−π, π]. `None`
-/// where the motion is 0 or only rounding.
+/// Returns the lag of the fundamental component X₁ of a motion, rad, in (−π, π]. `centred` is the centred amplitude of
+/// the motion. `None` where X₁ is 0 or only rounding.
 #[must_use]
 pub fn fundamental_phase(x1: Complex<f64>, centred: f64) -> Option<f64> {
     let (size, lag) = polar(x1);
     (1e-12 * centred < size && centred != 0.0).then_some(lag)
 }
 
-/// Returns |X| and −arg X in (−π, π]: the amplitude of Re X e^{iτ}, and its lag behind cos τ.
+/// Returns the amplitude |X| of Re X e^{iτ}, and its lag −arg X behind cos τ, in (−π, π].
 #[must_use]
 pub fn polar(x: Complex<f64>) -> (f64, f64) {
     let lag = -x.im.atan2(x.re);
@@ -147,7 +147,7 @@ pub fn polar(x: Complex<f64>) -> (f64, f64) {
 }
 
 impl<S: Float> System<S> {
-    /// Returns the units of length and force that a load gives to the answers.
+    /// Returns the units of length and force that a load gives to the non-dimensional results.
     ///
     /// ```
     /// use frictiongen::study::{Load, System};
@@ -206,29 +206,29 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Converts Hz to r.
+    /// Converts a frequency in Hz to the frequency ratio r.
     #[must_use]
     pub fn frequency_ratio_at_hertz(&self, hertz: S) -> S {
         self.frequency_ratio(angular_frequency(hertz))
     }
 
-    /// Converts r to ω in rad/s.
+    /// Converts the frequency ratio r to the angular frequency ω in rad/s.
     #[must_use]
     pub fn angular_frequency(&self, r: S) -> S {
         r * self.reference
     }
 
-    /// Converts r to Hz.
+    /// Converts the frequency ratio r to a frequency in Hz.
     #[must_use]
     pub fn hertz(&self, r: S) -> S {
         hertz(self.angular_frequency(r))
     }
 
-    /// Returns true if the answers give the contact's relative motion with the opposite sign of the description.
+    /// Returns true if all results give the contact's relative motion with the opposite sign of the description.
     ///
-    /// A contact `a - b` is the motion of b relative to a. The answers give the motion of the mass listed later
-    /// relative to the mass listed earlier. The phases then differ by half a turn ([`reversed_phase`]). A contact of
-    /// one mass is never reversed, because the mass's own motion counts.
+    /// A contact `a - b` in a description is the motion of b relative to a. The results give the motion of the mass
+    /// listed later relative to the mass listed earlier. If the two differ, the phases differ by half a turn
+    /// ([`reversed_phase`]). A contact of one mass is never reversed, because the mass's own motion counts.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

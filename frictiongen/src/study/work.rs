@@ -1,25 +1,26 @@
-//! The work of an answer. It is counted, not measured, so that a bound on work stops at the same point on every
-//! machine.
+//! The amount of work that a response costs. It is counted, not measured as time, so that a bound on work stops a
+//! search at the same point on every machine.
 //!
-//! One unit is about 10 µs. The constants are rounded means over random frames of one to six masses.
+//! One unit of work is about 10 µs. The constants are rounded means over random frames of one to six masses.
 
 use super::response::SystemResponse;
 use super::system::System;
 use crate::study::Damping;
 use crate::{Error, NoOrbit};
 
-/// Work, for each mass and two more, of a motion from rest that was followed to its last cycle without settling.
+/// Work of a motion from rest that was followed to its last cycle without settling. The number is multiplied by the
+/// number of masses plus two.
 const UNSETTLED: usize = 400;
-/// Work of a point whose motion from rest did not settle and which has another steady state.
+/// Work of a response whose motion from rest did not settle, if another steady state was found instead.
 const ANOTHER: usize = 1000;
-/// A cycle takes twice the work if the fastest mode vibrates this many times in the cycle.
+/// Number of vibrations of the fastest mode in a cycle at which the work of the cycle doubles.
 const VIBRATIONS: f64 = 10.0;
 /// Work of a motion that settled, for each mass of a damped chain.
 const DAMPED: usize = 8;
 /// Work of a motion that settled, for each pair of modes of an undamped chain.
 const UNDAMPED: usize = 6;
 
-/// Returns the work of a response at a frequency ratio.
+/// Returns the amount of work that the response `found` cost at the frequency ratio r.
 pub(in crate::study) fn work(
     system: &System,
     r: f64,
@@ -29,7 +30,7 @@ pub(in crate::study) fn work(
     let masses = scene.masses.len();
     let fastest = system.resonances().last().copied().unwrap_or(0.0);
     let vibrations = fastest / (VIBRATIONS * r);
-    // The conversion saturates, and gives 0 for NaN.
+    // The conversion to an integer saturates, and gives 0 for NaN.
     let unsettled = |work: usize| (work as f64 * (1.0 + vibrations)) as usize;
     let spent = unsettled(UNSETTLED * (masses + 2));
     let followed = if scene.damping == Damping::None {

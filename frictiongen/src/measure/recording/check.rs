@@ -5,31 +5,32 @@ use super::unit::Dimension;
 use crate::measure::MeasureError;
 use std::f64::consts::PI;
 
-/// Least number of samples of a recording.
+/// Least number of samples in a usable recording.
 const FEWEST: usize = 16;
-/// Number of equal samples in a row that count as flat.
+/// Number of equal samples in a row from which they count as a flat interval.
 const FLAT: usize = 4;
-/// Number of flat places that count as clipping. Fewer may be chance.
+/// Number of flat intervals from which they count as clipping. Fewer may be chance.
 const PLACES: i32 = 2;
-/// Distance before a flat place over which its slope is taken, in cycles.
+/// Distance before a flat interval over which the slope is taken, in cycles.
 const BEFORE: f64 = 0.02;
-/// Least slope before a flat place, over the largest slope of a cycle, that may indicate a clip.
+/// Least slope before a flat interval at which clipping is possible, over the largest slope of a cycle.
 const STEEP: f64 = 0.1;
-/// Least ratio of the slope just before a flat place to the slope over twice that distance that indicates a clip. The
-/// ratio is a half before a stop, which a motion reaches along a parabola, and nearly 1 before a clip. For a sinusoid
-/// clipped at 0.99 of its amplitude it is 0.75.
+/// Least ratio of two slopes that indicates clipping: the slope just before a flat interval over the slope over twice
+/// that distance. The ratio is a half before a stop, which a motion reaches along a parabola, and nearly 1 before
+/// clipping. For a sinusoid clipped at 0.99 of its amplitude the ratio is 0.75.
 const STRAIGHT: f64 = 0.7;
-/// Largest acceleration next to a flat of rounded values, as a multiple of ω²A. With an acceleration a, the slope of
-/// the parabola there is √(2ag/A), where g is the distance to the next value.
+/// Largest acceleration next to a flat interval of rounded samples, as a multiple of ω²A. With an acceleration a, the
+/// slope of the parabola next to the interval is √(2ag/A), where g is the distance to the next rounded value.
 const HARD: f64 = 10.0;
 
-/// Returns an error unless these channels can be used.
+/// Fails unless the channels form a usable recording: enough finite samples, no constant and no clipped channel.
 pub(super) fn channels(channels: &[Channel]) -> Result<(), MeasureError> {
     form(channels, FEWEST)?;
     channels.iter().try_for_each(samples)
 }
 
-/// Returns an error unless there are channels, all with the same number of finite samples, at least `fewest`.
+/// Fails unless there are channels with distinct names, all with the same number of finite samples, which is at least
+/// `fewest`.
 pub(super) fn form(channels: &[Channel], fewest: usize) -> Result<(), MeasureError> {
     let Some(first) = channels.first() else {
         return Err(MeasureError::TooShort {
@@ -91,15 +92,16 @@ fn samples(channel: &Channel) -> Result<(), MeasureError> {
     Ok(())
 }
 
-/// Returns the fraction of the samples that are clipped at this value, if they are clipped.
+/// Returns the fraction of the samples that are clipped at the value `extreme`. `None` if the channel is not clipped.
 ///
-/// Rounded samples and a contact that stops are flat at an extreme too, but they approach it slowly.
+/// Rounded samples and a contact that stops are flat at an extreme too, but they approach the extreme slowly.
 fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
     let crossings = values
         .windows(2)
         .filter(|pair| matches!(pair, [a, b] if (*a < middle) != (*b < middle)))
         .count();
-    // A cycle has two crossings. Noise adds some, which makes the cycle look shorter and the test milder.
+    // A cycle has two crossings of the mean. Noise adds crossings, which makes the cycle look shorter and the test
+    // milder.
     let cycle = 2.0 * values.len() as f64 / crossings.max(1) as f64;
     let reach = ((BEFORE * cycle).ceil() as usize).max(2);
     let largest = (extreme - middle).abs() * 2.0 * PI / cycle;
@@ -115,8 +117,8 @@ fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
             continue;
         }
         flat += group.len();
-        // The slope ends at the last sample before the flat place, because the clipped signal may lie anywhere beyond
-        // the first flat sample.
+        // The slope ends at the last sample before the flat interval, because the clipped signal may lie anywhere
+        // beyond the first flat sample.
         let slope = |reach: usize| {
             let last = values.get(at.checked_sub(1)?)?;
             let before = values.get(at.checked_sub(1 + reach)?)?;

@@ -1,4 +1,4 @@
-//! Recordings and sweeps as CSV text: a line of names with units, then numbers.
+//! Reads and writes recordings and sweeps as CSV text: a line of names with units, then numbers.
 
 use super::channel::Channel;
 use super::rate::even_rate;
@@ -7,38 +7,38 @@ use super::unit::{Dimension, Unit};
 use crate::measure::MeasureError;
 use std::fmt::Write as _;
 
-/// Options for reading a CSV, for facts that the file does not contain.
+/// Facts for reading a CSV that the file itself does not contain, such as the sampling rate.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CsvRequest {
-    /// Samples per second, if no column has the time.
+    /// Samples per second. It is needed if no column contains the time.
     pub rate: Option<f64>,
-    /// The columns to read, with their meaning. If empty, every column is read under its own name.
+    /// The columns to read, with their meaning. With an empty list, every column is read under its own name.
     pub columns: Vec<Column>,
 }
 
-/// A column to read.
+/// A column to read, and the signal that the column contains.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Name of the signal: `base`, `force`, the name of a mass, or `time`.
     pub name: String,
-    /// The column's name in the file, or its number from 1.
+    /// Name of the column in the file, or its number from 1.
     pub column: String,
-    /// The column's unit. With `None` its name in the file gives the unit.
+    /// Unit of the column. With `None` the name of the column in the file gives the unit.
     pub unit: Option<Unit>,
 }
 
-/// A table of numbers with names, as the file contains it.
+/// A table of numbers as a file contains it, with a name for each column.
 #[derive(Debug)]
 pub(crate) struct Table {
     pub(crate) names: Vec<String>,
     /// Line number of each row in the file, from 1.
     pub(crate) lines: Vec<usize>,
-    /// Cells by row; an empty cell is `None`.
+    /// Cells of each row. An empty cell is `None`.
     pub(crate) rows: Vec<Vec<Option<f64>>>,
 }
 
 impl Table {
-    /// Reads a table: names, perhaps a line of units, then numbers. It skips lines that begin with #.
+    /// Reads a table: a line of names, optionally a line of units, then numbers. Lines that begin with # are skipped.
     pub(crate) fn read(text: &str) -> Result<Self, MeasureError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut lines = text
@@ -119,7 +119,7 @@ impl Table {
         Ok(table)
     }
 
-    /// Returns a whole column without gaps.
+    /// Returns all numbers of a column. Fails for an empty cell.
     fn column(&self, index: usize) -> Result<Vec<f64>, MeasureError> {
         let name = self.names.get(index).cloned().unwrap_or_default();
         let cells = self.rows.iter().zip(&self.lines);
@@ -135,7 +135,7 @@ impl Table {
             .collect()
     }
 
-    /// Returns the index of a column, given its name or its number.
+    /// Returns the index of a column from its name, or from its number as text.
     fn place(&self, asked: &str) -> Option<usize> {
         let named = |name: &String| name == asked || Unit::split(name).0 == asked;
         let by_number = || asked.parse::<usize>().ok()?.checked_sub(1);
@@ -147,34 +147,35 @@ impl Table {
     }
 }
 
-/// Returns the signal that a column name refers to: the name without unit and kind of motion.
+/// Returns the signal that a column name refers to: the name without unit and without `.displacement` or a similar
+/// ending.
 fn subject(name: &str) -> &str {
     let kinds = [".displacement", ".velocity", ".acceleration", ".amplitude"];
     let stripped = kinds.iter().find_map(|kind| name.strip_suffix(kind));
     stripped.unwrap_or(name)
 }
 
-/// Returns whether a column is the time.
+/// Returns true if a column contains the time of the samples.
 fn is_time(name: &str, unit: Option<Unit>) -> bool {
     ["time", "t", "Time"].contains(&name)
         || unit.is_some_and(|unit| unit.dimension() == Dimension::Time)
 }
 
 impl Recording {
-    /// Reads a CSV: a line of names with their units, then numbers.
+    /// Reads a recording from CSV text: a line of names with their units, then numbers.
     ///
     /// The units are endings of the names, as in `time_s,base_mm,upper_m_s2`, or a second line. Commas, semicolons or tabs
     /// separate the cells.
     ///
     /// # Errors
-    /// [`MeasureError`] for everything that [`new`](Self::new) refuses, a missing unit or rate, a missing column, a
-    /// cell that is not a number, and unequal time steps.
+    /// [`MeasureError`] for everything that [`new`](Self::new) rejects, and for a missing unit, rate or column.
+    /// [`MeasureError`] also for a cell that is not a number, and for unequal time steps.
     pub fn from_csv(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
         let (rate, channels) = read(text, request)?;
         Self::new(rate, channels)
     }
 
-    /// Reads a CSV of the inputs that drive a scene.
+    /// Reads the inputs that drive a scene from CSV text. One channel is enough, and it may be constant.
     ///
     /// # Errors
     /// Same errors as [`from_csv`](Self::from_csv), and those of [`inputs`](Self::inputs).
@@ -203,7 +204,7 @@ impl Recording {
     }
 }
 
-/// Returns rate and channels of a CSV.
+/// Returns sampling rate and channels of CSV text.
 fn read(text: &str, request: &CsvRequest) -> Result<(f64, Vec<Channel>), MeasureError> {
     let table = Table::read(text)?;
     let mut time = None;

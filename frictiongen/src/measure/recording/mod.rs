@@ -18,12 +18,12 @@ pub use unit::{Dimension, Unit};
 use super::MeasureError;
 
 impl Recording {
-    /// Reads a CSV or a universal file, after detecting which of them it is.
+    /// Reads a recording from the text of a file. The text is a universal file or CSV, which the call detects.
     ///
     /// # Errors
     /// Same errors as [`from_csv`](Self::from_csv) and [`from_uff58`](Self::from_uff58).
     pub fn from_text(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
-        // A universal file begins with the mark of a data set.
+        // A universal file begins with the marker `-1` of a data set.
         let first = text.lines().find(|line| !line.trim().is_empty());
         if first.is_some_and(|line| line.trim() == "-1") {
             Self::from_uff58(text, request)

@@ -1,10 +1,10 @@
-//! Units as files spell them.
+//! Finds units in the column names of files.
 
 use super::unit::{UNITS, Unit};
 use crate::measure::MeasureError;
 
 impl Unit {
-    /// Splits a header into the name of the column and its unit. The longest ending that is a unit counts.
+    /// Splits the header of a column into name and unit. If several endings are units, the longest one counts.
     pub(super) fn split(header: &str) -> (&str, Option<Self>) {
         if let Some((name, unit)) = bracketed(header) {
             return (name, unit.parse().ok());
@@ -21,7 +21,7 @@ impl Unit {
     }
 }
 
-/// Splits `name (unit)` and `name [unit]`.
+/// Splits a header of the form `name (unit)` or `name [unit]`.
 fn bracketed(header: &str) -> Option<(&str, &str)> {
     [('(', ')'), ('[', ']')]
         .into_iter()

@@ -1,11 +1,13 @@
-//! Sampling rate from the times of the samples.
+//! Finds the sampling rate from the times of the samples.
 
 use crate::measure::MeasureError;
 
-/// Largest difference between two steps of a time column, over the mean step. A clock of six digits rounds that much.
+/// Largest difference between two time steps, over the mean step, of evenly spaced samples. A clock with six digits
+/// causes such differences by rounding.
 const EVEN: f64 = 1e-2;
 
-/// Returns the rate of times in s, if they are evenly spaced. `place` names a sample in the error.
+/// Returns the sampling rate of times in s. Fails if the times are not evenly spaced. `place` names a sample in the
+/// error.
 pub(super) fn even_rate(
     time: &[f64],
     place: impl Fn(usize) -> String,
@@ -17,7 +19,7 @@ pub(super) fn even_rate(
         });
     };
     let steps = time.len().saturating_sub(1).max(1) as f64;
-    // The first step shows a change that a mean over mixed steps would hide.
+    // The first step shows a change of the step that a mean would hide.
     let usual = time.get(1).map_or(0.0, |second| second - first);
     let mean = (last - first) / steps;
     let apart = |step: f64, other: f64| !((step - other).abs() <= EVEN * other.abs());

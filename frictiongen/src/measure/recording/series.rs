@@ -1,13 +1,13 @@
-//! Signals that were sampled together.
+//! Recordings: signals that were sampled at the same times.
 
 use super::channel::Channel;
 use super::{check, rate};
 use crate::measure::MeasureError;
 
-/// Evenly spaced samples of several channels.
+/// A recording: evenly spaced samples of several channels.
 ///
-/// A recording that cannot be used is refused when it is constructed: without samples, with values that are not finite,
-/// or with a channel that never changes or is clipped.
+/// The constructors reject a recording that cannot be used: one without samples, with values that are not finite, or
+/// with a channel that never changes or is clipped.
 ///
 /// ```
 /// use frictiongen::measure::{CsvRequest, MeasureError, Recording};
@@ -23,21 +23,23 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// Makes a recording of samples at `rate` per second.
+    /// Creates a recording from channels with `rate` samples per second.
     ///
     /// # Errors
-    /// [`MeasureError`] for a rate that is not above 0, too few samples, channels of different lengths or with the same
-    /// name, values that are not finite, and a channel that is constant or clipped.
+    /// [`MeasureError`] for a rate that is not above 0, for too few samples, and for channels of different lengths or
+    /// with the same name. [`MeasureError`] also for values that are not finite, and for a channel that is constant or
+    /// clipped.
     pub fn new(rate: f64, channels: Vec<Channel>) -> Result<Self, MeasureError> {
         check::channels(&channels)?;
         Self::inputs(rate, channels)
     }
 
-    /// Makes a recording of the inputs that drive a scene. One channel is enough, and it may be constant.
+    /// Creates a recording of the inputs that drive a scene. A single channel is enough, and a channel may be
+    /// constant.
     ///
     /// # Errors
-    /// [`MeasureError`] for a rate that is not above 0, fewer than two samples, channels of different lengths or with
-    /// the same name, and values that are not finite.
+    /// [`MeasureError`] for a rate that is not above 0, and for fewer than two samples. [`MeasureError`] also for
+    /// channels of different lengths or with the same name, and for values that are not finite.
     pub fn inputs(rate: f64, channels: Vec<Channel>) -> Result<Self, MeasureError> {
         check::form(&channels, 2)?;
         if !(0.0 < rate && rate.is_finite()) {
@@ -46,8 +48,8 @@ impl Recording {
         Ok(Self { rate, channels })
     }
 
-    /// Returns the sampling rate, in samples per second, of times in s. The times are evenly spaced except for the
-    /// rounding of a clock.
+    /// Returns the sampling rate, in samples per second, from the times of the samples in s. The times are evenly
+    /// spaced except for the rounding of a clock.
     ///
     /// ```
     /// use frictiongen::measure::Recording;
@@ -69,19 +71,19 @@ impl Recording {
         rate::even_rate(times, |index| format!("sample {index}"))
     }
 
-    /// Returns the number of samples per second.
+    /// Returns the sampling rate, in samples per second.
     #[must_use]
     pub fn rate(&self) -> f64 {
         self.rate
     }
 
-    /// Returns all channels.
+    /// Returns all channels of the recording.
     #[must_use]
     pub fn channels(&self) -> &[Channel] {
         &self.channels
     }
 
-    /// Returns a channel by its name.
+    /// Returns the channel with the given name. `None` if there is no such channel.
     #[must_use]
     pub fn channel(&self, name: &str) -> Option<&Channel> {
         self.channels.iter().find(|channel| channel.name == name)
@@ -95,7 +97,7 @@ impl Recording {
             .map_or(0, |channel| channel.samples.len())
     }
 
-    /// Returns whether there are no samples, which never is the case.
+    /// Returns true if there are no samples, which is never the case.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0

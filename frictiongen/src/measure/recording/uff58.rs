@@ -1,8 +1,9 @@
-//! Universal File Format, data set 58 in its text form: functions of time at nodes, one data set for each channel.
+//! Reads and writes the Universal File Format, data set 58 in its text form: functions of time at nodes, one data set
+//! for each channel.
 //!
-//! No crate reads this format. The reader covers real data, evenly or unevenly spaced, in single or double precision.
-//! The writer writes evenly spaced data in double precision. The format keeps 13 digits of a sample and 6 of the time
-//! step.
+//! No crate reads this format. The reader accepts real data, evenly or unevenly spaced, in single or double precision.
+//! The writer writes evenly spaced data in double precision. The format keeps 13 digits of a sample and 6 digits of
+//! the time step.
 
 use super::{Channel, Column, CsvRequest, Dimension, Recording, Unit};
 use crate::measure::MeasureError;
@@ -12,10 +13,10 @@ use std::fmt::Write as _;
 const TIME_RESPONSE: i64 = 1;
 /// Abscissa type 17: time.
 const TIME: i64 = 17;
-/// Largest relative difference of two time steps that counts as equal, because the file has six digits.
+/// Largest relative difference of two time steps that count as equal, because the file has six digits.
 const SAME: f64 = 2e-5;
 
-/// One data set of the file.
+/// One data set of the file, that is, one channel.
 struct Set {
     line: usize,
     channel: Channel,
@@ -46,7 +47,7 @@ impl<'t> Lines<'t> {
     }
 }
 
-/// Returns the columns from..to of a line without blanks. The line may be shorter.
+/// Returns the characters of a line from one column up to another, without blanks. The line may be shorter.
 fn field(line: &str, from: usize, to: usize) -> &str {
     line.get(from..to.min(line.len())).unwrap_or("").trim()
 }
@@ -63,15 +64,15 @@ fn number<T: std::str::FromStr>(
 }
 
 impl Recording {
-    /// Reads the functions of time in a universal file, that is, its data sets 58 in text form.
+    /// Reads a recording from the functions of time in a universal file: the data sets 58 in text form.
     ///
-    /// A channel is named by its response entity, or by the first line of its data set if it has none. Its unit is the
-    /// label of its ordinate, or the unit that `request` gives for the column of that name. Type codes alone do not
-    /// count as a unit.
+    /// A channel is named by the response entity of its data set, or by the first line of the data set if there is no
+    /// entity. The unit is the label of the ordinate, or the unit that `request` gives for the column of that name.
+    /// Type codes alone do not count as a unit.
     ///
     /// # Errors
-    /// [`MeasureError`] for everything that [`new`](Self::new) refuses, a data set that is not in this form, a channel
-    /// without a unit, and unequal time steps.
+    /// [`MeasureError`] for everything that [`new`](Self::new) rejects, and for a data set that is not in this form.
+    /// [`MeasureError`] also for a channel without a unit, and for unequal time steps.
     pub fn from_uff58(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
         let mut lines = Lines {
             lines: text.lines().enumerate().peekable(),
@@ -172,12 +173,12 @@ impl Recording {
     }
 }
 
-/// Returns the first ten characters.
+/// Returns the first ten characters of a name, which is the width of the entity field.
 fn short(name: &str) -> String {
     name.chars().take(10).collect()
 }
 
-/// Formats a number as Fortran does: 1.00000E-03.
+/// Formats a number with an exponent as Fortran does, for example 1.00000E-03.
 fn exponential(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$E}");
     let Some((mantissa, exponent)) = text.split_once('E') else {
@@ -190,7 +191,7 @@ fn exponential(value: f64, digits: usize) -> String {
     format!("{mantissa}E{sign}{size:0>2}")
 }
 
-/// Reads a data set 58 after its number. Returns `None` if its function is not one of time, or is not asked for.
+/// Reads the data set 58 that follows. Returns `None` if its function is not a function of time, or is not requested.
 fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, MeasureError> {
     let line = lines.last;
     let title = lines.next()?.trim().to_owned();
@@ -258,7 +259,8 @@ fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, Measu
     }))
 }
 
-/// Reads the numbers up to the end of the data set. Cells have 13 or 20 characters, mostly with blanks between them.
+/// Reads the numbers up to the end of the data set. A number occupies 13 or 20 characters, mostly with blanks in
+/// between.
 fn values(lines: &mut Lines<'_>) -> Result<Vec<f64>, MeasureError> {
     let mut values = Vec::new();
     loop {
@@ -273,8 +275,8 @@ fn values(lines: &mut Lines<'_>) -> Result<Vec<f64>, MeasureError> {
     }
 }
 
-/// Returns the numbers of a line. Where a negative number follows without a blank, the exponent ends the number before
-/// it.
+/// Returns the numbers of a line as text. A negative number may follow without a blank. The end of the previous
+/// exponent then separates the two numbers.
 fn cells(line: &str) -> impl Iterator<Item = &str> {
     line.split_whitespace().flat_map(|word| {
         let mut parts = Vec::new();
@@ -305,7 +307,7 @@ fn unit(name: &str, label: &str, asked: Option<&Column>) -> Result<Unit, Measure
     }
 }
 
-/// Returns an error if the ordinate's type code is known and is not that of the unit.
+/// Fails if the type code of the ordinate is known and contradicts the unit of the channel.
 fn check_code(name: &str, code: i64, unit: Unit) -> Result<(), MeasureError> {
     let dimension = match code {
         8 => Dimension::Displacement,
@@ -323,7 +325,7 @@ fn check_code(name: &str, code: i64, unit: Unit) -> Result<(), MeasureError> {
     })
 }
 
-/// Converts pairs of time and value to a rate and values.
+/// Converts pairs of time and sample to the sampling rate and the samples. Fails if the times are not evenly spaced.
 fn unspaced(name: &str, line: usize, values: &[f64]) -> Result<(f64, Vec<f64>), MeasureError> {
     let pairs: Vec<(f64, f64)> = values
         .chunks_exact(2)
@@ -336,7 +338,7 @@ fn unspaced(name: &str, line: usize, values: &[f64]) -> Result<(f64, Vec<f64>), 
     let mean = (last.0 - first.0) / steps;
     for pair in pairs.windows(2) {
         let &[a, b] = pair else { continue };
-        // The file has six digits of the time.
+        // The times in the file have six digits.
         let rounded = 1e-5 * a.0.abs().max(b.0.abs());
         if 1e-2 * mean + rounded < (b.0 - a.0 - mean).abs() {
             return Err(MeasureError::MixedRates {

@@ -1,21 +1,21 @@
 //! The units of recordings.
 
-/// The quantity that a channel measures.
+/// The physical quantity that a channel measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Dimension {
-    /// A displacement; SI unit m.
+    /// Displacement, with the SI unit m.
     Displacement,
-    /// A velocity; SI unit m/s.
+    /// Velocity, with the SI unit m/s.
     Velocity,
-    /// An acceleration; SI unit m/s².
+    /// Acceleration, with the SI unit m/s².
     Acceleration,
-    /// A force; SI unit N.
+    /// Force, with the SI unit N.
     Force,
-    /// Time; SI unit s.
+    /// Time, with the SI unit s.
     Time,
 }
 
-/// A unit of measurement: its quantity and its size.
+/// A unit of measurement: its physical quantity and its size in SI units.
 ///
 /// ```
 /// use frictiongen::measure::{Dimension, Unit};
@@ -36,7 +36,7 @@ const GRAVITY: f64 = 9.806_65;
 
 use Dimension::{Acceleration, Displacement, Force, Time, Velocity};
 
-/// All units: their spelling, and the ending of a column's name.
+/// All known units: spelling, ending of a column's name, quantity, and size in SI units.
 pub(super) const UNITS: [(&str, &str, Dimension, f64); 15] = [
     ("m", "m", Displacement, 1.0),
     ("cm", "cm", Displacement, 1e-2),
@@ -77,31 +77,31 @@ impl Unit {
         }
     }
 
-    /// Returns the spelling of the unit, for example `mm/s2`.
+    /// Returns the spelling of this unit, for example `mm/s2`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.name
     }
 
-    /// Returns the quantity that the unit measures.
+    /// Returns the physical quantity that this unit measures.
     #[must_use]
     pub fn dimension(&self) -> Dimension {
         self.dimension
     }
 
-    /// Returns the size of the unit in SI.
+    /// Returns the size of this unit in the SI unit of its quantity, for example 0.001 for the millimetre.
     #[must_use]
     pub fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// Returns a list of all known units, as text.
+    /// Returns the spellings of all known units as one text, for messages.
     #[must_use]
     pub fn known() -> String {
         UNITS.map(|unit| unit.0).join(", ")
     }
 
-    /// Returns the ending of a column's name for this unit, for example `mm_s2`.
+    /// Returns the ending of a column's name that denotes this unit, for example `mm_s2`.
     pub(super) fn ending(&self) -> &'static str {
         let found = UNITS.iter().find(|unit| unit.0 == self.name);
         found.map_or("", |unit| unit.1)

@@ -1,40 +1,40 @@
-//! Result of the fit of a sweep.
+//! Result of the fit of a scene to a sweep.
 
 use crate::measure::identify::Estimate;
 use crate::measure::statistics::is_chance;
 use crate::study::System;
 
-/// Frequencies, ratios and damping found in a sweep without friction.
+/// Frequencies, mass and stiffness ratios, and damping, found in a sweep without friction.
 #[derive(Clone, Debug)]
 pub struct SweepFit {
-    /// Reference frequency √(k₁/m₁)/2π, Hz, so that r is the frequency over this value. With one storey it is the
-    /// natural frequency (4.1).
+    /// Reference frequency √(k₁/m₁)/2π, Hz. The frequency ratio r is the frequency over the reference frequency. With
+    /// one storey the reference frequency is the natural frequency (4.1).
     pub reference: Estimate,
     /// Mass ratios γ_i = m_i/m₁, from the second mass on.
     pub masses: Vec<Estimate>,
     /// Stiffness ratios κ_e = k_e/k₁, from the second spring on.
     pub springs: Vec<Estimate>,
-    /// One damping ratio ζ for all modes, if it was asked for.
+    /// The damping ratio ζ of all modes. `None` if no damping was requested.
     pub damping: Option<Estimate>,
-    /// The natural frequencies, Hz.
+    /// The natural frequencies of the fitted scene, Hz.
     pub natural: Vec<Estimate>,
-    /// Sum of squares over the degrees of freedom, if deviations were given.
+    /// Sum of squared residuals over the degrees of freedom. `None` if the points have no deviations.
     pub misfit: Option<f64>,
-    /// Degrees of freedom: number of points less the number of parameters that they determine.
+    /// Degrees of freedom: number of points less the number of parameters that the points determine.
     pub freedom: usize,
-    /// Root mean square of the relative residuals.
+    /// Root mean square of the relative residuals of the amplitudes.
     pub scatter: f64,
-    /// Condition number of the fit.
+    /// Condition number of the fit. A large number means that the points hardly separate the parameters.
     pub condition: f64,
-    /// Measured less computed amplitude, in the order of the points.
+    /// Measured less computed amplitude of each point, in the order of the points.
     pub residuals: Vec<f64>,
-    /// The scene with the values that were found. Its first mass keeps its value.
+    /// The scene with the fitted parameters. The first mass keeps its value in the description.
     pub system: System,
 }
 
 impl SweepFit {
-    /// Returns whether the given deviations explain the residuals. Without deviations or degrees of freedom the
-    /// residuals cannot be judged, and the result is true.
+    /// Returns true if the given deviations of the points explain the residuals. Without deviations or degrees of
+    /// freedom the residuals cannot be judged, and the result is true.
     #[must_use]
     pub fn is_explained(&self) -> bool {
         is_chance(self.misfit, self.freedom)

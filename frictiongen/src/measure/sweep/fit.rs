@@ -1,31 +1,32 @@
-//! First guesses of a fit, and the search from them.
+//! Finds starting points of the fit to a sweep, and searches from them.
 
 use super::model::{Form, Sweep};
 use crate::measure::MeasureError;
 use crate::measure::least_squares::{Fit, minimise};
 
-/// Range of the factors by which the scene's own frequencies are multiplied in the starts of a fit.
+/// Range of the factors by which the scene's own frequencies are multiplied in the starting points.
 const FACTORS: [f64; 2] = [0.5, 2.0];
-/// Number of intervals into which the range is divided.
+/// Number of intervals into which the range of frequency factors is divided.
 const TRIED: u32 = 40;
-/// Factors by which the scene's own ratios of masses and springs are multiplied in these starts: for two storeys, and
-/// for three.
+/// Factors by which the scene's own mass and stiffness ratios are multiplied in the starting points: `TWO` for two
+/// storeys, `THREE` for three.
 const TWO: [f64; 7] = [0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 3.3];
 const THREE: [f64; 3] = [0.7, 1.0, 1.4];
-/// Number of best starts from which a fit is run.
+/// Number of best starting points from which a fit is run.
 const STARTS: usize = 6;
-/// Sum of squares over the degrees of freedom below which a fit from the scene's own values is accepted.
+/// Misfit below which a fit from the scene's own parameters is accepted: sum of squared residuals over the degrees of
+/// freedom.
 const GOOD: f64 = 2.0;
-/// Factors by which each parameter of the best fit is multiplied for further starts. This repeats at most [`ROUNDS`]
-/// times, as long as it improves the fit.
+/// Factors by which each parameter of the best fit is multiplied for further starting points. This repeats at most
+/// [`ROUNDS`] times, as long as it improves the fit.
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
-/// Largest relative distance from the best fit at which a hop ends, because it has returned.
+/// Relative distance from the best fit within which a further fit ends early, because it has returned to the best fit.
 const BACK: f64 = 1e-5;
 
 impl Sweep<'_> {
-    /// Returns starting points of a fit, the best first.
+    /// Returns the starting points of a fit, the best first.
     fn starts(&self) -> Vec<Vec<f64>> {
         let own = self.start();
         let ratios = own.len() - 1 - usize::from(self.damping);
@@ -130,7 +131,7 @@ impl Sweep<'_> {
                     let back = pairs.fold(0.0_f64, |most, (new, old)| {
                         most.max((new - old).abs() / old.abs().max(BACK))
                     });
-                    // Most hops fall back to the fit from which they started.
+                    // Most further fits return to the fit from which they started.
                     (BACK < back).then(|| self.linearise(at, Form::Plain))?
                 };
                 let residuals = |at: &[f64]| self.residuals(at, Form::Plain);

@@ -1,4 +1,4 @@
-//! Result of a fit with its intervals.
+//! Converts a fit to the result with its 95 % intervals.
 
 use super::answer::SweepFit;
 use super::model::Sweep;
@@ -10,9 +10,9 @@ use crate::measure::{MeasureError, SweepPoint};
 use crate::study::units::hertz;
 use nalgebra::DVector;
 
-/// Fraction of the amplitudes that may remain unexplained.
+/// Fraction of the amplitudes above which an unexplained remainder counts as a failed fit.
 const GROSS: f64 = 0.5;
-/// Step of a finite difference, relative to the parameter.
+/// Step of a finite difference, relative to the parameter that it changes.
 const DIFFERENCE: f64 = 1e-6;
 
 pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureError> {
@@ -48,7 +48,7 @@ pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureEr
     } else {
         reduced.map_or(f64::INFINITY, |reduced| student(freedom) * reduced.sqrt())
     };
-    // Returns the interval of a quantity with this gradient by the parameters.
+    // Returns the interval of a quantity, from its derivatives with respect to the parameters.
     let interval = |value: f64, gradient: &DVector<f64>| {
         let reach = reach * fit.variance(gradient).sqrt();
         Estimate {
@@ -103,7 +103,7 @@ pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureEr
     })
 }
 
-/// Returns the gradient of a natural frequency in Hz by the parameters.
+/// Returns the derivatives of a natural frequency in Hz with respect to the parameters of the fit.
 fn gradient(sweep: &Sweep<'_>, fit: &Fit, mode: usize, omega: f64) -> Option<DVector<f64>> {
     let slopes = fit.parameters.iter().enumerate().map(|(index, value)| {
         let step = DIFFERENCE * value.abs().max(DIFFERENCE);

@@ -1,4 +1,4 @@
-//! Fit of a scene's frequencies, masses and springs to sweeps without friction (thesis 4.3.1, 6.4.2, appendix A).
+//! Fits a scene's frequencies, masses and springs to sweeps without friction (thesis 4.3.1, 6.4.2, appendix A).
 
 mod answer;
 mod fit;
@@ -14,10 +14,11 @@ use crate::study::System;
 use crate::study::scene::Excitation;
 use model::Sweep;
 
-/// Returns √(k₁/m₁) in rad/s, γ and κ of two storeys from ω₀, ω₁ and ω₂ (6.17 to 6.20).
+/// Returns √(k₁/m₁) in rad/s, the mass ratio γ and the stiffness ratio κ of two storeys from the frequencies ω₀, ω₁
+/// and ω₂ (6.17 to 6.20).
 ///
-/// ω₀ is the antiresonance of the lower mass; ω₁ and ω₂ are the resonances. They determine ω_z0, the antiresonance of
-/// the motion relative to the base: ω_z0² = ω₁² + ω₂² − (ω₁ω₂/ω₀)². There the transmissibility (6.15) equals 1.
+/// ω₀ is the antiresonance of the lower mass. ω₁ and ω₂ are the resonances. They determine ω_z0, the antiresonance of
+/// the motion relative to the base: ω_z0² = ω₁² + ω₂² − (ω₁ω₂/ω₀)². At ω_z0 the transmissibility (6.15) equals 1.
 ///
 /// ```
 /// let [reference, gamma, kappa] = frictiongen::measure::two_storeys(2.0_f64.sqrt(), 1.0, 2.0);
@@ -35,12 +36,12 @@ pub fn two_storeys(antiresonance: f64, first: f64, second: f64) -> [f64; 3] {
 }
 
 impl System {
-    /// Fits the scene's frequencies, mass and stiffness ratios to a sweep without friction, by least squares of the
-    /// amplitudes.
+    /// Fits the scene's frequencies, mass ratios and stiffness ratios to the amplitudes of a sweep without friction,
+    /// by least squares.
     ///
-    /// One storey gives its natural frequency f_n (4.1). Two storeys give r₁/ω, γ and κ, as in (6.15) to (6.20). The
-    /// method is the same for more storeys. The description gives the connections and the first guess, and its first
-    /// mass keeps its value. Without `damping` the scene keeps its own damping.
+    /// One storey gives its natural frequency f_n (4.1). Two storeys give r₁/ω, γ and κ, as in (6.15) to (6.20). More
+    /// storeys use the same method. The description gives the connections and the starting point, and its first mass
+    /// keeps its value. Without `damping` the scene keeps its own damping.
     ///
     /// ```
     /// use frictiongen::measure::SweepPoint;
@@ -63,8 +64,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`MeasureError`] for fewer points than unknowns, a scene driven by a force, and a fit that does not converge or
-    /// leaves half of the motion unexplained.
+    /// [`MeasureError`] for fewer points than unknowns, and for a scene driven by a force. [`MeasureError`] also for a
+    /// fit that does not converge or that leaves half of the motion unexplained.
     pub fn fit_sweep(
         &self,
         points: &[SweepPoint],

@@ -1,4 +1,4 @@
-//! Comparison of a sweep with a scene of other parameters: amplitudes and their derivatives.
+//! Compares a sweep with a scene of other parameters: amplitudes and their derivatives.
 
 use super::SweepPoint;
 use crate::Complex;
@@ -12,12 +12,12 @@ use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use nalgebra::{DMatrix, DVector};
 
-/// Largest difference of the logarithms of two amplitudes that counts.
+/// Bound on the difference of the logarithms of two amplitudes. A larger difference counts as this one.
 const FAR: f64 = 3.0;
-/// First guess of the damping ratio if the scene has none.
+/// Starting point of the damping ratio if the scene has no damping.
 const SOME_DAMPING: f64 = 0.005;
 
-/// A sweep and the scene to fit. The parameters are a factor on the frequencies, γ₂ …, κ₂ …, and perhaps ζ.
+/// A sweep and the scene to fit. The parameters are a factor on all frequencies, then γ₂ …, κ₂ …, and optionally ζ.
 pub(super) struct Sweep<'a> {
     pub(super) system: &'a System,
     pub(super) points: &'a [SweepPoint],
@@ -70,7 +70,7 @@ impl<'a> Sweep<'a> {
             .map_or(1.0, |spring| spring.stiffness)
     }
 
-    /// Returns the scene with these parameters.
+    /// Returns the scene with the given parameters. `None` if the scene is then invalid.
     pub(super) fn at(&self, parameters: &[f64]) -> Option<System> {
         let mut scene = self.system.scene().clone();
         let factor = *parameters.first()?;
@@ -88,8 +88,8 @@ impl<'a> Sweep<'a> {
         System::try_from(scene).ok()
     }
 
-    /// Returns the quantities that a parameter changes, each with its factor, in the scene of these parameters. The
-    /// first parameter changes r instead.
+    /// Returns the quantities of the description that a parameter changes, each with its factor. The first parameter
+    /// changes r instead, so its list is empty.
     fn directions(&self, index: usize, system: &System) -> Vec<(Quantity, f64)> {
         let masses = self.masses();
         let scene = system.scene();
@@ -106,8 +106,8 @@ impl<'a> Sweep<'a> {
             .collect()
     }
 
-    /// Returns the complex amplitudes of a scene whose frequencies are a factor higher. Returns `None` on a resonance
-    /// without damping.
+    /// Returns the complex amplitude of each point, for a scene whose frequencies are all higher by `factor`. `None`
+    /// on a resonance without damping.
     pub(super) fn values(&self, system: &System, factor: f64) -> Option<Vec<Complex<f64>>> {
         let values = self.points.iter().map(|point| {
             let r = ratio(system, point) / factor;
@@ -117,7 +117,7 @@ impl<'a> Sweep<'a> {
         values.collect()
     }
 
-    /// Returns the value by which a residual is divided.
+    /// Returns the deviation or amplitude of a point, by which its residual is divided.
     fn weight(point: &SweepPoint) -> f64 {
         point.deviation.unwrap_or(point.amplitude)
     }
@@ -126,7 +126,7 @@ impl<'a> Sweep<'a> {
         Some(self.compared(&self.values(&self.at(parameters)?, 1.0)?, form))
     }
 
-    /// Returns the residuals of the points against a scene's amplitudes.
+    /// Returns the residuals of the points: measured less computed amplitudes, in the given form.
     pub(super) fn compared(&self, values: &[Complex<f64>], form: Form) -> DVector<f64> {
         let residuals = self
             .points
@@ -156,7 +156,7 @@ impl<'a> Sweep<'a> {
             };
             for (row, (point, value)) in self.points.iter().zip(&values).enumerate() {
                 let r = ratio(&system, point);
-                // Higher frequencies of the scene make r lower.
+                // Higher frequencies of the scene make the frequency ratio r lower.
                 let slope = if index == 0 { -r / parameter } else { 0.0 };
                 let r = Dual { value: r, slope };
                 let far = residuals
@@ -181,14 +181,14 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// The form in which amplitudes are compared.
+/// The form in which amplitudes are compared: the amplitudes themselves, or their logarithms.
 #[derive(Clone, Copy)]
 pub(super) enum Form {
     Plain,
     Log,
 }
 
-/// Returns the frequency ratio of a point.
+/// Returns the frequency ratio of a point in a scene.
 fn ratio(system: &System, point: &SweepPoint) -> f64 {
     system.frequency_ratio(angular_frequency(point.hertz))
 }
@@ -201,7 +201,7 @@ fn plain(number: Dual<Dd>) -> Dual<f64> {
     }
 }
 
-/// Returns X/Y of a mass without friction, real and imaginary part: the sum of the modes Σ φ φᵀp/(λ − r² + 2iζ√λ r).
+/// Returns X/Y of a mass without friction, as real and imaginary part of the modal sum Σ φ φᵀp/(λ − r² + 2iζ√λ r).
 fn free<F: Float, T: Scalar>(
     modal: &Modal<F>,
     mass: usize,
@@ -234,7 +234,7 @@ mod tests {
     use crate::study::{Quantity, Sensitive, System};
     use frictiongen_kernel::number::dual::Dual;
 
-    /// Compares the sum of the modes with the fundamental of the continuous motion, and their derivatives.
+    /// Compares the modal sum, and its derivatives, with the fundamental of the continuous motion.
     #[test]
     fn the_motion_without_friction() {
         let system: System = "struct Frame {

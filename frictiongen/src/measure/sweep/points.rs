@@ -1,29 +1,29 @@
-//! Measured amplitudes, and the table that contains them.
+//! Measured amplitudes of a sweep, and the table from which they are read.
 
 use crate::measure::MeasureError;
 use crate::measure::recording::Table;
 use crate::study::System;
 
-/// A measured amplitude without friction.
+/// One measured amplitude of a mass at one frequency, without friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SweepPoint {
     /// The driving frequency, Hz.
     pub hertz: f64,
-    /// Index of the mass in the description.
+    /// Index of the measured mass in the description.
     pub mass: usize,
-    /// Amplitude |X/Y|, or |X/P| in m/N.
+    /// Amplitude |X/Y| for base motion, or |X/P| in m/N for a force.
     pub amplitude: f64,
-    /// Standard deviation of the amplitude. Without it, all amplitudes have the same relative error, as in (6.16).
+    /// Standard deviation of the amplitude. With `None`, all amplitudes have the same relative error, as in (6.16).
     pub deviation: Option<f64>,
 }
 
 impl SweepPoint {
-    /// Reads the points of a table: `frequency_Hz`, then for each mass `NAME.transmissibility` and, optionally,
-    /// `NAME.deviation`. Other columns and empty cells are ignored.
+    /// Reads the points of a sweep from a table. Its columns are `frequency_Hz`, then `NAME.transmissibility` and
+    /// optionally `NAME.deviation` for each mass. Other columns and empty cells are ignored.
     ///
     /// # Errors
-    /// [`MeasureError`] for a cell that is not a number, missing frequencies, a mass that the scene does not have, and
-    /// a table without points.
+    /// [`MeasureError`] for a cell that is not a number, and for missing frequencies. [`MeasureError`] also for a mass
+    /// that the scene does not have, and for a table without points.
     pub fn read(text: &str, system: &System) -> Result<Vec<Self>, MeasureError> {
         let table = Table::read(text)?;
         let named = |name: &str| table.names.iter().position(|other| other == name);

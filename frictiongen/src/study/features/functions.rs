@@ -1,14 +1,15 @@
-//! The functions of frequency whose zeros are features, over y = 1/r: V, H and U of the contact and of one motion.
+//! The functions of frequency whose zeros are features, over y = 1/r. They consist of V (motion without friction), H
+//! (response to a harmonic force in the contact) and U (response to a square wave of friction).
 //!
-//! Every sum here is the thesis's sum over y² = 1/r², a factor of all its terms. With d = x² − 1 + 2iζx and x = √λ y, V
-//! = y² Σ wp/d, and H likewise. Without damping U = y² Σ w² tan(πx/2)/x.
+//! Every sum here is the thesis's sum over y² = 1/r², a factor of all its terms. With d = x² − 1 + 2iζx and x = √λ y,
+//! V = y² Σ wp/d. H has the form of V. Without damping U = y² Σ w² tan(πx/2)/x.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::interval::{Interval, Number};
 use frictiongen_model::modal::Modal;
 
-/// The data of a mode in the sums.
+/// The data of one mode in the sums V, H and U.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mode<T> {
     pub resonance: T,
@@ -21,23 +22,25 @@ pub(super) struct Mode<T> {
     pub shape: T,
 }
 
-/// The data of a chain and of one of its motions, in one number type.
+/// The data of a chain and of one requested motion, in one number type.
 #[derive(Clone, Debug)]
 pub(super) struct Numbers<T> {
     pub modes: Vec<Mode<T>>,
-    /// The static motion wᵀK̄⁻¹p − 1, for a contact with the moving base.
+    /// The static motion wᵀK̄⁻¹p − 1 of the contact relative to the base. `None` unless the contact is with the moving
+    /// base.
     pub on_base: Option<T>,
     /// Inverse effective mass m* of the contact.
     pub inverse_mass: T,
     /// μ, static over kinetic friction force.
     pub stiction: T,
-    /// True if the motion is the contact's.
+    /// True if the requested motion is the contact's. False for the motion of a mass.
     pub is_contact: bool,
     pub damped: bool,
 }
 
 impl<T> Numbers<T> {
-    /// Returns the data for the contact, or for a mass.
+    /// Returns the data of a chain for the motion of the contact, or of the mass `mass`. `to` converts each number to
+    /// the number type of the data.
     pub fn of<F: Float>(modal: &Modal<F>, mass: Option<usize>, to: impl Fn(F) -> T) -> Self {
         let none = F::constant(0.0);
         let at = |list: &[F], place: usize| list.get(place).copied().unwrap_or(none);
@@ -69,42 +72,46 @@ impl<T> Numbers<T> {
     }
 }
 
-/// The function whose zeros are wanted.
+/// The function of frequency whose zeros are wanted.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Target<T> {
-    /// V_k, the motion without friction.
+    /// V_k, the motion of mass k without friction.
     Free,
-    /// V of the contact.
+    /// V, the motion of the contact without friction.
     FreeContact,
-    /// H_k, the response to a harmonic force in the contact.
+    /// H_k, the response of mass k to a harmonic force in the contact.
     Receptance,
-    /// U_k (6.9).
+    /// U_k, the slope at the reversal of mass k's response to a square wave of friction (6.9).
     Quadrature,
-    /// V U_k − 2 V_k U (6.10).
+    /// V U_k − 2 V_k U, which is zero where friction does not change the estimated amplitude (6.10).
     Estimate,
-    /// V_k U + (2/π) H_k V. For the contact, U + (2/π) H.
+    /// V_k U + (2/π) H_k V, for the contact U + (2/π) H. It is zero where friction does not change the fundamental's
+    /// amplitude.
     Fundamental,
-    /// V − βμH. With damping |V|² − (βμ)²|H|² (6.13).
+    /// V − βμH, with damping |V|² − (βμ)²|H|² (6.13), for the contact's motion V without friction and its receptance
+    /// H. It is zero where β*_lim equals β.
     Sliding(T),
-    /// V² − β²(U² + (μm*/r²)²), without damping. Its zeros are those of β_lim without search minus β.
+    /// V² − β²(U² + (μm*/r²)²) of an undamped chain. This function is zero where β_lim without search equals β.
     Continuous(T),
 }
 
-/// A pole p in y of one or more modes. `members` lists each mode with the odd value of x that it has at the pole.
+/// A pole p in y of one or more modes. `members` lists each such mode with its odd integer x = √λ y at the pole.
 #[derive(Clone, Debug)]
 pub(super) struct Pole {
     pub y: f64,
     pub members: Vec<(usize, f64)>,
 }
 
-/// A pole within an interval: y − p, and the functions of a mode times y − p.
+/// A pole p within an interval of y: the distance y − p, and the singular functions of each mode times y − p, which
+/// are finite.
 pub(super) struct Near<T> {
     gap: T,
-    /// For each mode with the pole, 1/d and tan(πx/2)/x, both times the gap. `None` for the other modes.
+    /// For each mode with this pole, 1/d and tan(πx/2)/x, both times the distance y − p. `None` for modes without this
+    /// pole.
     own: Vec<Option<[T; 2]>>,
 }
 
-/// A sum over the modes.
+/// Selects a sum over the modes: V, H, U, or a combination.
 #[derive(Clone, Copy)]
 enum Sum<T> {
     V,
@@ -113,7 +120,7 @@ enum Sum<T> {
     HOf,
     U,
     UOf,
-    /// V − level·H, summed mode by mode. A mode with a vanishing term then has no pole either.
+    /// V − level·H, summed mode by mode. If the term of a mode vanishes, the sum has no pole at that mode.
     Against(T),
 }
 
@@ -150,8 +157,8 @@ impl<T: Number> Numbers<T> {
                     }
                 }
             };
-            // Next to the static motion the sum takes v − 1 = (1 − 2iζx)/d instead of v, so that nothing cancels for
-            // large r.
+            // Next to the static motion the sum contains v − 1 = (1 − 2iζx)/d instead of v, so that nothing cancels
+            // for large r.
             let [re, im] = match (which, self.on_base.is_some()) {
                 (Sum::V, true) => {
                     let turn = two * mode.zeta * x;
@@ -177,8 +184,8 @@ impl<T: Number> Numbers<T> {
         sum
     }
 
-    /// Returns the function at y. With `near`, the value is multiplied by a power of y − p, whose exponent is the
-    /// function's order in sums with poles.
+    /// Returns the target function at y. With `near`, the function is multiplied by a power of y − p, whose exponent
+    /// is the number of factors with a pole.
     pub fn value(&self, target: Target<T>, y: T, near: Option<&Near<T>>) -> T {
         let sum = |which| self.sum(which, y, near);
         let real = |which| sum(which)[0];
@@ -218,8 +225,8 @@ impl<T: Number> Numbers<T> {
 }
 
 impl Numbers<Interval> {
-    /// Returns the gap y − p over an interval of y, and the functions of the pole's modes times this gap. `None` if the
-    /// interval is too wide for an enclosure.
+    /// Returns the distance y − p over an interval of y, and the singular functions of the pole's modes times this
+    /// distance. `None` if the interval is too wide for an enclosure.
     pub fn near(&self, y: Interval, pole: &Pole) -> Option<Near<Interval>> {
         let two_over_pi = Interval::rounded(std::f64::consts::FRAC_2_PI);
         let half_pi = Interval::rounded(std::f64::consts::FRAC_PI_2);
@@ -249,11 +256,11 @@ impl Numbers<Interval> {
     }
 }
 
-/// Poles of different modes within this relative distance count as one.
+/// Relative distance within which poles of different modes count as one pole.
 const SAME: f64 = 4e-15;
 
 impl Target<Dd> {
-    /// Returns whether a mode has a pole at x = 1, and whether it has poles at the other odd x.
+    /// Returns two flags: whether a mode has a pole at x = 1, and whether it has poles at the other odd x.
     fn poles_of(&self, numbers: &Numbers<Dd>, mode: &Mode<Dd>) -> [bool; 2] {
         let drives = |a: Dd, b: Dd| !(a.is_zero() || b.is_zero());
         let undamped = mode.zeta.is_zero();
@@ -274,7 +281,7 @@ impl Target<Dd> {
         }
     }
 
-    /// Returns true if the function is 0 at every frequency.
+    /// Returns true if the target function is 0 at every frequency.
     pub fn vanishes(&self, numbers: &Numbers<Dd>) -> bool {
         let none = |share: fn(&Mode<Dd>) -> Dd| numbers.modes.iter().all(|m| share(m).is_zero());
         match self {
@@ -290,7 +297,8 @@ impl Target<Dd> {
         }
     }
 
-    /// Returns the poles between two values of y, ascending. `None` if there are more than `most`.
+    /// Returns the poles of the target function between two values of y, ascending. `None` if there are more than
+    /// `most` poles.
     pub fn poles(
         &self,
         numbers: &Numbers<Dd>,

@@ -1,5 +1,5 @@
-//! Frequencies at which friction does not change a motion, ranges in which it enlarges the motion, and frequencies at
-//! which the motion vanishes without friction. All three exist only for chains without damping.
+//! Frequencies at which friction does not change a motion, ranges in which friction enlarges the motion, and
+//! frequencies at which the motion vanishes without friction. All three exist only for chains without damping.
 
 use super::functions::Target;
 use super::isolate::{Crowded, Function, Zero};
@@ -8,85 +8,94 @@ use super::{FeatureError, Features, check_range};
 use crate::Of;
 use frictiongen_kernel::number::dd::Dd;
 
-/// The quantity of a motion that friction may leave unchanged.
+/// The quantity of a motion that is independent of friction at an invariant point: amplitude or fundamental component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Measured {
-    /// The amplitude. For the contact's motion it is exact (6.9), for another mass it is the estimate (5.50, 6.10).
+    /// The amplitude. It is exact for the contact's motion (6.9), and the monoharmonic estimate for another mass
+    /// (5.50, 6.10).
     Amplitude,
-    /// The fundamental component, exact. It is the frequency-based transmissibility (4.4).
+    /// The fundamental component, exact. Its amplitude is the frequency-based transmissibility (4.4).
     Fundamental,
 }
 
-/// The equation that makes a point invariant.
+/// The equation that an invariant point satisfies. Its terms are V (motion without friction), H (response to a
+/// harmonic force in the contact) and U (response to a square wave of friction). Index k denotes a mass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Condition {
-    /// U = 0 or U_k = 0 (6.9).
+    /// U = 0 for the contact, or U_k = 0 for mass k: the response to a square wave of friction has no slope at the
+    /// reversal (6.9).
     Quadrature,
-    /// V U_k = 2 V_k U (6.10).
+    /// V U_k = 2 V_k U, from the monoharmonic estimate (6.10). V is the motion without friction, U the response to a
+    /// square wave of friction. Index k denotes the mass.
     Estimate,
-    /// H_k = 0. The mass does not respond to a harmonic force in the contact.
+    /// H_k = 0: mass k does not respond to a harmonic force in the contact.
     Receptance,
-    /// V_k U = −(2/π) H_k V. For the contact, U = −(2/π)H.
+    /// V_k U = −(2/π) H_k V for mass k, or U = −(2/π)H for the contact. V, H and U are the responses to the load, to a
+    /// harmonic contact force and to a square wave of friction.
     Balance,
 }
 
-/// A frequency at which every friction with a continuously sliding contact gives the same value.
+/// A frequency at which a motion is independent of the friction force, as long as the contact slides all the time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvariantPoint {
-    /// Frequency ratio r.
+    /// Frequency ratio r of the invariant point.
     pub r: f64,
-    /// Frequency, in Hz under a load.
+    /// Frequency of the invariant point, in Hz under a load.
     pub frequency: Sensed,
-    /// Equation that the point satisfies.
+    /// Equation that the invariant point satisfies.
     pub condition: Condition,
-    /// True if the phase is invariant too. The phase of the contact's motion at U = 0 is 0 or π.
+    /// True if the phase is independent of friction too. The phase of the contact's motion at U = 0 is 0 or π.
     pub phase_too: bool,
-    /// The amplitude |V_k| at the point, in m under a load.
+    /// The amplitude |V_k| of the motion at the point. The unit is m under a load, otherwise P/k₁, or Y for base
+    /// motion.
     pub amplitude: f64,
-    /// β_lim at the point, in N under a load. The point is invariant up to this friction.
+    /// β_lim at the point, in N under a load. The point is invariant up to this friction force or friction ratio.
     pub continuous_limit: f64,
-    /// True if the function of the condition crosses 0. False if it touches 0, or if two points are within 1e-9.
+    /// True if the function behind the condition crosses 0. False if the function only touches 0, or if two zeros are
+    /// within 1e-9.
     pub simple: bool,
 }
 
-/// The kind of bound of a range in which friction enlarges a motion.
+/// The reason why a range in which friction enlarges a motion has a bound at a frequency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Edge {
     /// The bound of the requested range.
     Range,
-    /// An invariant point.
+    /// An invariant point, where friction does not change the motion.
     Invariant,
-    /// A pole of the damping function or of the response.
+    /// A pole of the response without friction, or of the response to a square wave of friction.
     Pole,
-    /// V = 0. Without friction the contact does not move, and any friction stops it.
+    /// V = 0: without friction the contact does not move, and any friction stops the contact.
     Still,
 }
 
-/// A range in which more friction enlarges a motion, as long as the contact slides all the time.
+/// A range of frequencies in which more friction enlarges a motion, as long as the contact slides all the time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inversion {
-    /// Lower bound, as frequency ratio r.
+    /// Lower bound of the range, as frequency ratio r.
     pub from: f64,
-    /// Kind of the lower bound.
+    /// Reason why the range begins at its lower bound.
     pub from_edge: Edge,
-    /// Upper bound, as frequency ratio r.
+    /// Upper bound of the range, as frequency ratio r.
     pub to: f64,
-    /// Kind of the upper bound.
+    /// Reason why the range ends at its upper bound.
     pub to_edge: Edge,
 }
 
-/// A frequency at which a motion vanishes without friction. The thesis calls it ω₀ for a mass and ω_z0 for the contact.
+/// A frequency at which a motion vanishes without friction. The thesis calls the frequency ω₀ for a mass and ω_z0 for
+/// the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Antiresonance {
-    /// Frequency ratio r.
+    /// Frequency ratio r at which the motion vanishes.
     pub r: f64,
-    /// Frequency, in Hz under a load.
+    /// Frequency at which the motion vanishes, in Hz under a load.
     pub frequency: Sensed,
 }
 
-/// If β_lim is below this value, V is 0 to rounding, and no friction lets the contact slide.
+/// Value of β_lim below which no friction lets the contact slide, because V, the contact's motion without friction, is
+/// 0 to rounding.
 const STILL: f64 = 1e-10;
-/// Points of two conditions within this relative distance count as one.
+/// Relative distance within which points of two conditions count as one point.
 const SAME: f64 = 1e-13;
 
 fn targets(measured: Measured, is_contact: bool) -> &'static [(Condition, Target<Dd>)] {
@@ -104,12 +113,11 @@ fn targets(measured: Measured, is_contact: bool) -> &'static [(Condition, Target
 }
 
 impl Features<'_> {
-    /// Returns all frequencies at which the motion vanishes without friction, ascending. V_k = 0 there, or V = 0 for
-    /// the contact.
+    /// Returns all frequencies in the range at which the motion vanishes without friction, ascending.
     ///
     /// # Errors
-    /// [`FeatureError::Damped`], because a damped motion is only smallest there, not 0. [`FeatureError::Range`],
-    /// [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
+    /// [`FeatureError::Damped`], because the motion of a damped chain has a minimum but does not vanish.
+    /// [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
     pub fn antiresonances(
         &self,
         of: Of,
@@ -124,12 +132,12 @@ impl Features<'_> {
         Ok(zeros.into_iter().map(of).collect())
     }
 
-    /// Returns all invariant points of a motion in the range, ascending. At each of them `measured` does not depend on
-    /// friction, as long as the contact slides all the time. The list is empty for a motion that friction does not
-    /// reach.
+    /// Returns all invariant points of a motion in the range, ascending. At an invariant point `measured` does not
+    /// depend on friction, as long as the contact slides all the time. The list is empty for a motion that friction
+    /// does not influence.
     ///
     /// # Errors
-    /// [`FeatureError::Damped`]: for a damped chain see the [`crossings`](Self::crossings) of two frictions.
+    /// [`FeatureError::Damped`]. For a damped chain see the [`crossings`](Self::crossings) of two friction ratios.
     /// [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
     pub fn invariant_points(
         &self,
@@ -153,7 +161,7 @@ impl Features<'_> {
                     frequency: self.variations.of_zero(&function, &zero, None),
                     condition: *condition,
                     phase_too: mass.is_none() && measured == Measured::Amplitude,
-                    // In the function's sums the amplitude has a factor r².
+                    // The sums of this function leave out the factor 1/r², so the amplitude is divided by r².
                     amplitude: self.variations.length(free.at(r).abs() / (r * r)),
                     continuous_limit: self.variations.friction(limit),
                     simple: zero.crosses,
@@ -161,7 +169,7 @@ impl Features<'_> {
             }
         }
         points.sort_by(|a, b| a.r.total_cmp(&b.r));
-        // For a mass in contact with the moving base U_k = U, so (6.10) is satisfied wherever (6.9) is.
+        // For a mass in contact with the moving base U_k = U, so (6.10) is satisfied wherever (6.9) is satisfied.
         points.dedup_by(|b, a| {
             let same = a.condition != b.condition && (b.r - a.r).abs() <= SAME * a.r;
             if same && b.condition == Condition::Quadrature {
@@ -172,10 +180,11 @@ impl Features<'_> {
         Ok(points)
     }
 
-    /// Returns all ranges in which more friction enlarges `measured`, ascending. The contact slides all the time.
+    /// Returns all ranges of r in which more friction enlarges `measured`, ascending, for a contact that slides all
+    /// the time.
     ///
-    /// A range may contain single frequencies at which no friction lets the contact slide all the time. They are poles
-    /// of U, with β_lim = 0.
+    /// A range may contain single frequencies at which no friction lets the contact slide all the time. These
+    /// frequencies are poles of U, where β_lim = 0.
     ///
     /// # Errors
     /// Same errors as [`invariant_points`](Self::invariant_points).
@@ -209,7 +218,7 @@ impl Features<'_> {
         let [from, to] = range;
         edges.retain(|(r, _)| from < *r && *r < to);
         edges.extend([(from, Edge::Range), (to, Edge::Range)]);
-        // If two edges coincide, the one that prevents the motion counts.
+        // If two bounds coincide, the bound that prevents the motion takes precedence.
         let rank = |edge: &Edge| match edge {
             Edge::Still => 0,
             Edge::Pole => 1,
@@ -217,7 +226,7 @@ impl Features<'_> {
             Edge::Invariant => 3,
         };
         edges.sort_by(|a, b| a.0.total_cmp(&b.0).then(rank(&a.1).cmp(&rank(&b.1))));
-        // Zeros of two functions at one place differ by roundings, in either order.
+        // Zeros of two functions at the same frequency differ by rounding, in either order.
         edges.dedup_by(|b, a| {
             let same = (b.0 - a.0).abs() <= SAME * a.0;
             if same && rank(&b.1) < rank(&a.1) {
@@ -231,11 +240,11 @@ impl Features<'_> {
                 .map_or(f64::NAN, |function| function.at(r));
             let second = functions.get(1).map(|function| function.at(r));
             match (measured, second) {
-                // The growth is −U².
+                // The growth of the amplitude with friction has the sign of −U².
                 (Measured::Amplitude, None) => -1.0,
-                // The growth is U_k (V U_k − 2 V_k U)/V.
+                // The growth has the sign of U_k (V U_k − 2 V_k U)/V.
                 (Measured::Amplitude, Some(second)) => first * second / own.at(r),
-                // The growth is H_k (V_k U + (2/π) H_k V)/V, for the contact H (U + (2/π) H).
+                // The growth has the sign of H_k (V_k U + (2/π) H_k V)/V, for the contact of H (U + (2/π) H).
                 (Measured::Fundamental, Some(second)) if mass.is_some() => {
                     first * second / own.at(r)
                 }
@@ -252,7 +261,7 @@ impl Features<'_> {
                 continue;
             }
             match found.last_mut() {
-                // The motion grows with friction on both sides of the edge.
+                // The motion grows with friction on both sides of the bound, so two ranges join.
                 Some(last) if last.to == from => {
                     (last.to, last.to_edge) = (to, to_edge);
                 }
@@ -267,7 +276,7 @@ impl Features<'_> {
         Ok(found)
     }
 
-    /// Returns a function of a motion. Checks the range and that the chain is undamped.
+    /// Returns the target function for a motion. Fails for an invalid range and for a damped chain.
     fn function(
         &self,
         of: Of,
@@ -284,7 +293,7 @@ impl Features<'_> {
     }
 }
 
-/// Returns the frequency ratios of a function's zeros.
+/// Returns the frequency ratios at which a function is zero.
 fn places(function: &Function<'_>, range: [f64; 2]) -> Result<impl Iterator<Item = f64>, Crowded> {
     Ok(function.zeros(range)?.into_iter().map(|zero| zero.r()))
 }

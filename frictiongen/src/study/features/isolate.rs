@@ -1,10 +1,10 @@
 //! Finds all zeros of a function between two frequencies by interval arithmetic. No zero is missed, and no pole is
 //! mistaken for a zero.
 //!
-//! An interval of y = 1/r is discarded if the enclosure of the function excludes 0. Without a pole it has at most one
-//! zero if the enclosure of the slope excludes 0. The signs at both bounds then decide. With one pole p, the search
-//! encloses the function times y − p, which is finite. An undecided interval is cut in two. Every zero therefore lies
-//! in an interval that was kept.
+//! The search covers intervals of y = 1/r. It discards an interval if the enclosure of the function excludes 0. An
+//! interval without a pole has at most one zero if the enclosure of the slope excludes 0. The signs at both bounds
+//! then decide. With one pole p, the search encloses the function times y − p, which is finite. An undecided interval
+//! is cut in two. Every zero therefore lies in an interval that was kept.
 
 use super::functions::{Numbers, Pole, Target};
 use frictiongen_kernel::number::dd::Dd;
@@ -12,26 +12,28 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::interval::{Interval, Jet};
 use frictiongen_model::modal::Modal;
 
-/// Largest number of poles in a range. The largest number of intervals is twenty times as many.
+/// Largest number of poles in a range. The search keeps at most twenty times as many intervals.
 pub(super) const MOST_POLES: usize = 20_000;
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
-/// A zero nearer to a pole than this relative distance cancels with the pole. Neither of the two shows in the function.
+/// Relative distance between a zero and a pole of the function below which the two cancel. The search then finds
+/// neither.
 const CANCELLED: f64 = 1e-13;
-/// Two zeros within this distance count as one touch of 0. The distance is relative to y, or to the distance from a
-/// pole.
+/// Distance within which two zeros count as one zero at which the function touches 0. The distance is relative to y,
+/// or to the distance from a pole.
 const TOUCH: f64 = 1e-9;
-/// Touching zeros within this relative distance count as one.
+/// Relative distance within which zeros at which the function touches 0 count as one zero.
 const ONE_TOUCH: f64 = 1e-6;
-/// An interval is cut at this share of its width. The middle itself is often a special point of a symmetric scene.
+/// Share of an interval's width at which the interval is cut. The middle is often a special point of a symmetric
+/// scene.
 const CUT: f64 = 0.487_3;
-/// A bracket is halved to this relative width before Newton's method takes over.
+/// Relative width to which a bracket is halved before Newton's method takes over.
 const NEAR: f64 = 1e-6;
 
-/// The error that a range has too many poles or intervals.
+/// The error that a range has too many poles, or needs too many intervals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Crowded;
 
-/// A function of one motion of a chain, in the number types that the search needs.
+/// A function of frequency for one motion of a chain, in the number types that the search needs.
 pub(super) struct Function<'m> {
     pub target: Target<Dd>,
     modal: &'m Modal,
@@ -42,15 +44,15 @@ pub(super) struct Function<'m> {
     sloped: Numbers<Jet>,
 }
 
-/// A zero of a function.
+/// A zero of a function of y = 1/r.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Zero {
-    /// Position y = 1/r.
+    /// Position of the zero, as y = 1/r.
     pub y: Dd,
     /// Slope df/dy at the zero.
     pub slope: Dd,
-    /// True if the sign changes. False if the function touches 0 to rounding, or if two zeros are too close to
-    /// separate.
+    /// True if the function changes its sign. False if the function touches 0 to rounding, or if two zeros are too
+    /// close to separate.
     pub crosses: bool,
 }
 
@@ -60,7 +62,7 @@ impl Zero {
     }
 }
 
-/// Converts a target to another number type.
+/// Converts the numbers in a target function to another number type.
 fn converted<T>(target: Target<Dd>, to: impl Fn(Dd) -> T) -> Target<T> {
     match target {
         Target::Free => Target::Free,
@@ -75,7 +77,7 @@ fn converted<T>(target: Target<Dd>, to: impl Fn(Dd) -> T) -> Target<T> {
 }
 
 fn enclosed(value: Dd) -> Interval {
-    // An exact 0 stays exact, so that its slope is exactly 0 too.
+    // An exact 0 stays exact, so that the slope is exactly 0 too.
     if value.is_zero() {
         Interval::point(0.0)
     } else {
@@ -101,7 +103,7 @@ impl<'m> Function<'m> {
         self.target.vanishes(&self.exact)
     }
 
-    /// Returns the function at a frequency ratio, times a power of r.
+    /// Returns the function at a frequency ratio r, without the common power of 1/r of its sums.
     pub fn at(&self, r: f64) -> f64 {
         let target = converted(self.target, |beta| beta.to_f64());
         self.plain.value(target, 1.0 / r, None)
@@ -111,7 +113,8 @@ impl<'m> Function<'m> {
         self.held.value(converted(self.target, enclosed), y, None)
     }
 
-    /// Returns enclosures of value and slope. The mean value form tightens the enclosure of the value.
+    /// Returns enclosures of the function and of its slope over an interval of y. The mean value form tightens the
+    /// enclosure of the function.
     fn jet(&self, y: Interval) -> Jet {
         let target = converted(self.target, |beta| Jet::fixed(enclosed(beta)));
         let jet = self.sloped.value(target, Jet::variable(y), None);
@@ -123,14 +126,14 @@ impl<'m> Function<'m> {
         }
     }
 
-    /// Returns the function times y − p over an interval that contains the pole p.
+    /// Returns an enclosure of the function times y − p over an interval of y that contains the pole p.
     fn without_pole(&self, y: Interval, pole: &Pole) -> Option<Interval> {
         let near = self.held.near(y, pole)?;
         let target = converted(self.target, enclosed);
         Some(self.held.value(target, y, Some(&near)))
     }
 
-    /// Returns the poles between two frequencies, as y, ascending in y.
+    /// Returns the poles of the function between two frequency ratios, as values of y = 1/r, ascending in y.
     pub fn poles(&self, [from, to]: [f64; 2]) -> Result<Vec<Pole>, Crowded> {
         let poles = self
             .target
@@ -138,7 +141,7 @@ impl<'m> Function<'m> {
         poles.ok_or(Crowded)
     }
 
-    /// Returns all zeros between two frequencies, ascending in r.
+    /// Returns all zeros of the function between two frequency ratios, ascending in r.
     pub fn zeros(&self, range: [f64; 2]) -> Result<Vec<Zero>, Crowded> {
         if self.vanishes() {
             return Ok(Vec::new());
@@ -166,14 +169,14 @@ impl<'m> Function<'m> {
             last = y;
         }
         zeros.sort_by(|a, b| b.y.to_f64().total_cmp(&a.y.to_f64()));
-        // A zero on the border of two intervals is found from both.
+        // The search finds a zero on the border of two intervals from both sides.
         zeros.dedup_by(|a, b| {
             a.crosses && b.crosses && (a.y - b.y).abs() <= b.y * Dd::from(CANCELLED)
         });
         Ok(zeros)
     }
 
-    /// Returns value and slope in double-double.
+    /// Returns the function and its slope at y in double-double arithmetic.
     fn exactly(&self, y: Dd) -> Dual<Dd> {
         let numbers = Numbers::of(self.modal, self.mass, Dual::fixed);
         let target = converted(self.target, Dual::fixed);
@@ -185,7 +188,7 @@ impl<'m> Function<'m> {
         Zero { y, slope, crosses }
     }
 
-    /// Returns the zero that is at y to rounding.
+    /// Returns the zero that agrees with y to rounding, refined in double-double arithmetic.
     fn polished(&self, y: f64) -> Zero {
         let mut place = Dd::from(y);
         for _ in 0..3 {
@@ -198,7 +201,7 @@ impl<'m> Function<'m> {
         self.zero(place, true)
     }
 
-    /// Returns the zero between two values of y where the function rises or falls throughout.
+    /// Returns the zero between two values of y, between which the function only rises or only falls.
     fn refined(&self, [low, high]: [f64; 2], rising: bool) -> Zero {
         let target = converted(self.target, |beta| beta.to_f64());
         let above = |y: f64| (0.0 < self.plain.value(target, y, None)) == rising;
@@ -245,12 +248,13 @@ impl<'m> Function<'m> {
         }
     }
 
-    /// Returns ∂f/∂p at a zero. The modal analysis `along` and `beta` carry the derivatives with respect to p.
+    /// Returns ∂f/∂p, the derivative of the function at a zero with respect to a parameter p. The modal analysis
+    /// `along` and `beta` carry derivatives with respect to p.
     pub fn moved(&self, zero: &Zero, along: &Modal<Dual<Dd>>, beta: Dual<Dd>) -> Dd {
         let numbers = Numbers::of(along, self.mass, |value| value);
         let target = match self.target {
             Target::Sliding(value) => {
-                // The level keeps the sign that it has in the target.
+                // The friction ratio keeps the sign that it has in the target function.
                 let sign = if value < Dd::ZERO { -Dd::ONE } else { Dd::ONE };
                 Target::Sliding(beta * Dual::fixed(sign))
             }
@@ -297,7 +301,7 @@ impl Search<'_, '_> {
         Ok(())
     }
 
-    /// Treats an interval with one pole.
+    /// Handles an interval that contains one pole: records a zero, discards the interval, or cuts it into `open`.
     fn about(&self, pole: &Pole, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
         let value = self.function.without_pole(Interval::new(low, high), pole);
         let excluded = value.is_some_and(|value| !value.holds_zero());
@@ -316,7 +320,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Treats an interval without a pole.
+    /// Handles an interval without a pole: records a zero, discards the interval, or cuts it into `open`.
     fn between(&mut self, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
         let jet = self.function.jet(Interval::new(low, high));
         if !jet.value.holds_zero() {
@@ -326,7 +330,7 @@ impl Search<'_, '_> {
         if rises != 0 {
             let at = |y: f64| self.function.over(Interval::point(y)).sign();
             match (at(low), at(high)) {
-                // The zero is at the bound, to rounding.
+                // The zero agrees with the bound to rounding.
                 (0, _) => self.zeros.push(self.function.polished(low)),
                 (_, 0) => self.zeros.push(self.function.polished(high)),
                 (first, last) if first != last => {
@@ -353,7 +357,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Returns y, or the distance to the nearest pole if that is less.
+    /// Returns the length scale of an interval: y, or the distance to the nearest pole if that is smaller.
     fn room(&self, low: f64, high: f64) -> f64 {
         let next = self.poles.partition_point(|pole| pole.y < low);
         let above = self.poles.get(next).map_or(high, |pole| pole.y - high);

@@ -1,8 +1,8 @@
 //! The features of a scene's response: thresholds, limits for r → 0 and r → ∞, invariant points, inversions, resonances
 //! of the stuck chain, sliding ranges, regimes along frequency, peaks.
 //!
-//! Zeros of functions in closed form are found by interval arithmetic ([`Certainty::Proven`]). Features that depend on
-//! a search over the half period, or on steady states with stops, are sampled in steps of a stated length and refined
+//! Interval arithmetic finds the zeros of functions in closed form ([`Certainty::Proven`]). Features that depend on a
+//! search over the half period, or on steady states with stops, are sampled in steps of a stated length and refined
 //! ([`Certainty::Sampled`]).
 
 mod functions;
@@ -26,32 +26,32 @@ use sensed::Variations;
 pub use sensed::{ParameterSlope, Sensed};
 pub use sliding::{HeldResonance, SlidingRange};
 
-/// The completeness of a list of features.
+/// The completeness of a list of features: proven complete, or sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Certainty {
-    /// Every feature in the range is found, by a closed form or by interval arithmetic. Two features with a relative
-    /// distance below 1e-9 may count as one. A feature within 1e-13 of a pole does not appear.
+    /// The list contains every feature in the range, found by a closed form or by interval arithmetic. Two features
+    /// with a relative distance below 1e-9 may count as one. A feature within 1e-13 of a pole does not appear.
     Proven,
-    /// The features are sampled and refined. The samples divide the range into `steps` equal steps over 1/r. Every
-    /// interval longer than one step is found.
+    /// The search samples the range in `steps` equal steps over 1/r, and refines what it finds. The search finds every
+    /// interval longer than one step.
     ///
-    /// A shorter interval is found only in two cases. The function comes near its level at the middle one of three
-    /// samples, or the interval is next to a resonance or an odd sub-harmonic of a resonance.
+    /// It finds a shorter interval only in two cases. The sampled function comes near its level at the middle one of
+    /// three samples, or the interval is next to a resonance or an odd sub-harmonic of a resonance.
     Sampled {
-        /// The number of equal steps of the range.
+        /// Number of equal steps of the range.
         steps: u32,
     },
 }
 
 impl Certainty {
-    /// The number of steps of a range that is sampled.
+    /// Number of steps into which a sampled range is divided.
     pub const STEPS: u32 = 8192;
 
-    /// The completeness of every list that is sampled.
+    /// Completeness of every list that is sampled.
     pub const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
 }
 
-/// The reason why there are no features.
+/// The reason why a search for features fails.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FeatureError {
@@ -95,50 +95,51 @@ impl From<isolate::Crowded> for FeatureError {
     }
 }
 
-/// The features of a system, in non-dimensional form or under a load: see [`System::features`].
+/// The features of a system's response, in non-dimensional form or under a load: see [`System::features`].
 ///
-/// Requests take frequencies as r and frictions as β. Every result has r, and a [`Sensed`] number in its unit with
-/// derivatives. Under a load the units are Hz, N and m, at constant forces and lengths. Otherwise they are r, β and
-/// multiples of P/k₁ (for base motion Y), at constant groups.
+/// The methods take frequencies as r and frictions as β. Every result has r, and a [`Sensed`] number in its unit with
+/// derivatives. Under a load the units are Hz, N and m, and the derivatives are at constant forces and lengths.
+/// Otherwise the units are r, β and P/k₁ (for base motion Y), and the derivatives are at constant groups.
 pub struct Features<'s> {
     system: &'s System,
     variations: Variations,
 }
 
-/// A resonance of the chain, with the friction below which it is unbounded.
+/// A resonance of the chain, with its frequency, its damping and the friction below which it is unbounded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resonance {
-    /// Frequency ratio √λ_i.
+    /// Frequency ratio r = √λ_i of the resonance.
     pub r: f64,
     /// Frequency of the resonance, in Hz under a load.
     pub frequency: Sensed,
-    /// Modal damping ratio ζ_i.
+    /// Modal damping ratio ζ_i of the mode at the resonance.
     pub damping_ratio: f64,
     /// Threshold β_n,i (6.2, 6.26) of the chain without its damping. `None` for a mode that the contact does not drive.
     pub threshold: Option<Sensed>,
-    /// β_lim at the resonance, in N under a load. Without damping it equals the threshold. With damping, (7.62) is an
-    /// estimate of it.
+    /// Limit of continuous motion β_lim at the resonance, in N under a load. Without damping β_lim equals the
+    /// threshold. With damping, (7.62) is an estimate of β_lim.
     pub continuous_limit: f64,
 }
 
-/// Both limits for r → 0 or for r → ∞.
+/// The limits β_lim and β*_lim for r → 0 or for r → ∞.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimitsAtEnd {
-    /// Limit of continuous motion, β_lim.
+    /// Limit of continuous motion β_lim, in N under a load.
     pub continuous: Sensed,
-    /// Limit of sliding, β*_lim.
+    /// Limit of sliding β*_lim, in N under a load.
     pub sliding: Sensed,
 }
 
-/// The default range of r begins at `BELOW` times the lowest resonance, but not below `FAR_BELOW` times the highest. It
-/// ends at `ABOVE` times the highest resonance.
+/// Lower bound of the default range, as a factor on the lowest resonance. The range does not begin below `FAR_BELOW`
+/// times the highest resonance, and ends at `ABOVE` times the highest resonance.
 const BELOW: f64 = 0.55;
 const ABOVE: f64 = 1.5;
 const FAR_BELOW: f64 = 0.02;
 
 impl System {
-    /// Returns the default range of r, from below the lowest resonance to above the highest. It begins later where the
-    /// highest resonance is far above the lowest, because sub-harmonics of the highest crowd at low r.
+    /// Returns the default range of r, from below the lowest resonance to above the highest. The range begins later
+    /// where the highest resonance is far above the lowest, because sub-harmonics of the highest resonance crowd at
+    /// low r.
     #[must_use]
     pub fn about_resonances(&self) -> [f64; 2] {
         let all = self.resonances();
@@ -147,7 +148,7 @@ impl System {
         [(BELOW * lowest).max(FAR_BELOW * highest), ABOVE * highest]
     }
 
-    /// Returns the features of the response. Under a load their numbers are in Hz, N and m.
+    /// Returns an object that finds the features of the response. Under a load the results are in Hz, N and m.
     ///
     /// ```
     /// use frictiongen::Of;
@@ -162,12 +163,12 @@ impl System {
     /// }"
     /// .parse()?;
     /// let features = chain.features(None)?;
-    /// // No friction changes the amplitude in the contact at these two frequencies.
+    /// // No friction changes the contact's amplitude at these two frequencies.
     /// let points = features.invariant_points(Of::Contact, Measured::Amplitude, [0.55, 3.0])?;
     /// let places: Vec<f64> = points.iter().map(|point| point.r).collect();
     /// assert!((places[0] - 5_f64.sqrt() / 4.0).abs() < 1e-15);
     /// assert!((places[1] - 5_f64.sqrt() / 2.0).abs() < 1e-15);
-    /// // With its contact stuck, the chain is one mass on one spring.
+    /// // With a stuck contact, the chain is one mass on one spring.
     /// assert!((features.held_resonances()[0].r - 1.0).abs() < 1e-15);
     /// # Ok(())
     /// # }
@@ -184,7 +185,7 @@ impl System {
 }
 
 impl Features<'_> {
-    /// Returns the system.
+    /// Returns the system whose features are found.
     #[must_use]
     pub fn system(&self) -> &System {
         self.system
@@ -219,7 +220,8 @@ impl Features<'_> {
         .collect()
     }
 
-    /// Returns x̄ of every mass for r → 0 at β (6.5), with its derivatives. `None` where the contact is stuck at r = 0.
+    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5), with derivatives. `None`
+    /// where the contact is stuck at r = 0.
     ///
     /// # Errors
     /// [`FeatureError::Friction`].
@@ -240,7 +242,7 @@ impl Features<'_> {
         Ok(Some(each.collect()))
     }
 
-    /// Returns both limits for r → 0. β_lim is 0.
+    /// Returns β_lim, which is 0, and β*_lim for r → 0.
     #[must_use]
     pub fn limits_at_rest(&self) -> LimitsAtEnd {
         let ends = self.system.modal().ends();
@@ -257,7 +259,7 @@ impl Features<'_> {
         }
     }
 
-    /// Returns both limits for r → ∞, β_∞ and β*_∞ (6.28). They are infinite on a moving base.
+    /// Returns β_∞ and β*_∞ (6.28), the limits β_lim and β*_lim for r → ∞. Both are infinite on a moving base.
     #[must_use]
     pub fn limits_at_infinity(&self) -> LimitsAtEnd {
         let ends = self.system.modal().ends();
@@ -285,7 +287,8 @@ impl Features<'_> {
         at.map_or(f64::NAN, |at| at.sliding_limit())
     }
 
-    /// Returns the mass of a motion. `None` for the contact, and for a mass that moves as the contact does.
+    /// Returns the index of the mass to which a motion belongs. `None` for the contact, and for a mass that moves as
+    /// the contact does.
     fn mass_of(&self, of: Of) -> Result<Option<usize>, FeatureError> {
         let modal = self.system.modal();
         match of {
@@ -315,7 +318,7 @@ fn check_friction(beta: f64) -> Result<(), FeatureError> {
     }
 }
 
-/// Converts β to double-double.
+/// Converts a friction ratio to double-double precision.
 fn exact(beta: f64) -> Dd {
     Dd::from(beta)
 }

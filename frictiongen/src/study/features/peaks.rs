@@ -11,59 +11,61 @@ use crate::{Of, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// The largest amplitude near a resonance.
+/// The largest amplitude of a motion near a resonance, over all regimes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TruePeak {
-    /// Frequency ratio r.
+    /// Frequency ratio r of the peak.
     pub r: f64,
-    /// Frequency of the peak, in Hz under a load. It has derivatives where the peak is smooth.
+    /// Frequency of the peak, in Hz under a load. The frequency has derivatives where the peak is smooth.
     pub frequency: Sensed,
-    /// Amplitude at the peak, in m under a load. It is infinite on an undamped resonance below its threshold.
+    /// Amplitude at the peak, in m under a load. The amplitude is infinite on an undamped resonance with less friction
+    /// than the threshold.
     pub amplitude: Sensed,
     /// Regime at the peak. `None` where the amplitude is infinite.
     pub regime: Option<Regime>,
 }
 
-/// The peak of a motion at a resonance of the chain.
+/// The peak of a motion at a resonance of the chain: its estimate and its exact value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResonantPeak {
     /// Index of the mode, counted from 0.
     pub mode: usize,
     /// Frequency ratio √λ_i of the resonance.
     pub resonance: f64,
-    /// Estimate of the peak for small ζ (7.60), in m under a load.
+    /// Amplitude of the peak, estimated for small ζ (7.60), in m under a load.
     ///
     /// `None` without damping, and for the contact's motion between two masses or on a moving base. `None` also where
     /// the estimate is negative, because friction has then removed the peak.
     pub estimate: Option<Sensed>,
     /// The largest amplitude over all regimes, between the midpoints to the neighbouring resonances. `None` if the
-    /// largest amplitude is at a bound of this range, because there is then no peak.
+    /// largest amplitude is at a bound of this range, because the motion then has no peak.
     pub peak: Option<TruePeak>,
 }
 
 /// A frequency at which the exact amplitudes of two frictions are equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossing {
-    /// Frequency ratio r.
+    /// Frequency ratio r of the crossing.
     pub r: f64,
-    /// Frequency of the crossing, in Hz under a load. The derivative with respect to friction is at a constant ratio of
-    /// the two frictions.
+    /// Frequency of the crossing, in Hz under a load. Its derivative with respect to friction keeps the ratio of the
+    /// two frictions constant.
     pub frequency: Sensed,
-    /// The common amplitude, in m under a load.
+    /// The amplitude with either friction at the crossing, in m under a load.
     pub amplitude: f64,
 }
 
-/// Number of samples over each range in which the contact slides all the time with both frictions. The steps of the
-/// whole range are added.
+/// Number of samples over each range in which the contact slides all the time with both frictions. The equal steps of
+/// the whole range are added to the samples.
 const SAMPLES: usize = 128;
 /// Step of a finite difference near a peak, relative to r.
 const BESIDE: f64 = 1e-6;
-/// Near a smooth peak the slope is proportional to the distance from the peak. This is the tolerance of that test.
+/// Tolerance of the test for a smooth peak. Near a smooth peak the slope is proportional to the distance from the
+/// peak.
 const STRAIGHT: f64 = 0.1;
 
 impl Features<'_> {
-    /// Returns the peak of a motion at every resonance of the chain, at β: the estimate (7.60) and the largest
-    /// amplitude over all regimes.
+    /// Returns the peak of a motion at every resonance of the chain at the friction ratio β: the estimate (7.60) and
+    /// the largest amplitude over all regimes.
     ///
     /// The true peaks are sampled and refined. The samples are close together near the resonances of the chain, free
     /// and with its contact stuck, and near sub-harmonics of both. Further samples are evenly spaced in 96 steps. A
@@ -102,7 +104,7 @@ impl Features<'_> {
         Ok(peaks)
     }
 
-    /// Returns the estimate (7.60), if it is positive.
+    /// Returns the estimate (7.60) of a peak's amplitude, if the estimate is positive.
     fn estimated(&self, mode: usize, mass: usize, beta: f64) -> Option<Sensed> {
         let value = self.system.resonant_peak_estimate(mode, mass, beta)?;
         if !(0.0 < value) {
@@ -147,8 +149,8 @@ impl Features<'_> {
         let response = self.system.at(r).ok()?.response(beta).ok()?;
         let scale = self.variations.scale;
         let value = self.variations.length(best.value);
-        // At a peak the amplitude does not change with r. Its derivatives at the peak are therefore those at a constant
-        // r, or at a constant frequency in Hz.
+        // At a peak the amplitude does not change with r. The derivatives of the peak's amplitude are therefore
+        // derivatives at a constant r, or at a constant frequency in Hz.
         let amplitude = self.variations.sensed(value, Some(beta), |variation| {
             let friction = variation.beta(beta, scale);
             let r = Dual::fixed(Dd::from(r));
@@ -163,7 +165,8 @@ impl Features<'_> {
                 amplitude,
                 regime,
             },
-            // A kink is where the regime changes. A peak on a kink follows the boundary, so it gets no derivatives.
+            // A kink occurs where the regime changes. A peak on a kink follows the boundary of the regime, so it has
+            // no derivatives.
             None => TruePeak {
                 r,
                 frequency: self.variations.of_frequency(r, Some(beta), |_| None),
@@ -173,7 +176,7 @@ impl Features<'_> {
         })
     }
 
-    /// Returns the frequency ratio of a smooth peak near r, and the frequency with its derivatives. `None` where the
+    /// Returns the frequency ratio of a smooth peak near r, and its frequency with derivatives. `None` where the
     /// amplitude has a kink.
     ///
     /// At the peak ∂A/∂r is 0, so that dr/dp = −(∂²A/∂r∂p)/(∂²A/∂r²). Second derivatives are finite differences of
@@ -199,8 +202,7 @@ impl Features<'_> {
             return None;
         }
         let bend = (above - below) / (2.0 * step);
-        // The flat amplitude determines the peak to half of the digits only. The zero of its slope determines it
-        // better.
+        // The flat amplitude determines the peak to half of the digits only. The zero of the slope gives more digits.
         let r = r - along(r)? / bend;
         let scale = self.variations.scale;
         let frequency = self.variations.of_frequency(r, Some(beta), |variation| {
@@ -218,8 +220,8 @@ impl Features<'_> {
     /// The list is sampled. Two crossings are separated if their distance over 1/r exceeds one of
     /// [`Certainty::STEPS`](super::Certainty::STEPS) equal steps of the range.
     ///
-    /// Each pair of frictions has its own crossings. For the contact's motion without damping the amplitudes only
-    /// touch, at the [`invariant_points`](Self::invariant_points), which are not listed here.
+    /// Each pair of friction ratios has its own crossings. For the contact's motion without damping the amplitudes
+    /// only touch, at the [`invariant_points`](Self::invariant_points), which are not part of this list.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
@@ -267,7 +269,7 @@ impl Features<'_> {
                 .copied()
                 .filter(|r| stretch.from < *r && *r < stretch.to)
                 .collect();
-            // At the bound of the range another regime begins, so the samples stay just inside.
+            // At the bound of the range another regime begins, so the samples stay slightly inside.
             let ends = [stretch.from * (1.0 + 1e-12), stretch.to * (1.0 - 1e-12)];
             let mut places = samples(ends, SAMPLES, &marks);
             merge(&mut places, &steps);

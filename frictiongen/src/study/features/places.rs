@@ -2,12 +2,13 @@
 
 use super::Certainty;
 
-/// Number of steps of a search for two hidden sign changes. Each step keeps 0.62 of an interval. Three samples of one
-/// sign may hide two changes if the middle one is nearest to 0.
+/// Number of steps of a search for two hidden sign changes between samples. Each step keeps 0.62 of an interval. Three
+/// samples of one sign may hide two changes if the middle sample is nearest to 0.
 const STEPS: usize = 60;
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// Returns samples between `from` and `to`: evenly spaced over r and over 1/r, and close together near each of `marks`.
+/// Returns sample points between `from` and `to`: evenly spaced over r and over 1/r, and close together near each of
+/// `marks`.
 pub(super) fn samples([from, to]: [f64; 2], count: usize, marks: &[f64]) -> Vec<f64> {
     let share = |i: usize| i as f64 / count as f64;
     let mut places = vec![from, to];
@@ -29,7 +30,7 @@ pub(super) fn samples([from, to]: [f64; 2], count: usize, marks: &[f64]) -> Vec<
     places
 }
 
-/// Returns the inner bounds of equal steps of a range over 1/r. Sub-harmonics are evenly spaced over 1/r.
+/// Returns the inner bounds of equal steps of a range of r over 1/r, because sub-harmonics are evenly spaced over 1/r.
 pub(super) fn steps([from, to]: [f64; 2]) -> Vec<f64> {
     let count = Certainty::STEPS;
     let (first, last) = (1.0 / from, 1.0 / to);
@@ -38,7 +39,7 @@ pub(super) fn steps([from, to]: [f64; 2]) -> Vec<f64> {
         .collect()
 }
 
-/// Adds those of `steps` that lie between the first and the last of ascending places.
+/// Adds to the ascending points `places` those of `steps` that lie between the first and the last point.
 pub(super) fn merge(places: &mut Vec<f64>, steps: &[f64]) {
     let (Some(first), Some(last)) = (places.first().copied(), places.last().copied()) else {
         return;
@@ -48,7 +49,8 @@ pub(super) fn merge(places: &mut Vec<f64>, steps: &[f64]) {
     places.dedup();
 }
 
-/// Returns the sign changes of a function between samples, ascending. A sample without a value has no sign.
+/// Returns the sign changes of a function between sample points, ascending. A sample where the function is NaN has no
+/// sign.
 pub(super) fn changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     let values: Vec<f64> = places.iter().map(|r| f(*r)).collect();
     let mut all: Vec<(f64, f64)> = places.iter().copied().zip(values).collect();
@@ -77,7 +79,7 @@ pub(super) fn changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     pairs.collect()
 }
 
-/// Searches for the largest value of f between two places. Returns the first place at which f is positive, if any.
+/// Searches for the largest value of f between two points. Returns the first point at which f is positive, if any.
 fn beyond([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> Option<f64> {
     for _ in 0..STEPS {
         let (a, b) = (high - (high - low) * GOLDEN, low + (high - low) * GOLDEN);
@@ -92,7 +94,7 @@ fn beyond([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> Option<f64> 
     None
 }
 
-/// Bisects a sign change down to neighbouring numbers.
+/// Bisects the interval of a sign change down to neighbouring floating-point numbers.
 fn bisected([mut low, mut high]: [f64; 2], at_low: f64, f: impl Fn(f64) -> f64) -> f64 {
     loop {
         let middle = 0.5 * (low + high);
@@ -111,7 +113,7 @@ fn bisected([mut low, mut high]: [f64; 2], at_low: f64, f: impl Fn(f64) -> f64) 
 mod tests {
     use super::{changes, samples};
 
-    /// Two sign changes between neighbouring samples are found from the sample nearest to them.
+    /// Checks that two sign changes between neighbouring samples are found from the sample nearest to them.
     #[test]
     fn a_narrow_pair() {
         let places = samples([1.0, 2.0], 16, &[]);

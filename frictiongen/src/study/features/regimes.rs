@@ -1,4 +1,4 @@
-//! The regimes along frequency at a given friction.
+//! The regimes along frequency at a given friction ratio.
 
 use super::functions::Target;
 use super::isolate::Function;
@@ -8,40 +8,42 @@ use super::sliding::Bound;
 use super::{Certainty, FeatureError, Features, check_friction, check_range, exact};
 use crate::Regime;
 
-/// The cause that ends a range of one regime.
+/// The reason why a range of one regime ends at its upper bound.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RegimeEnd {
-    /// The requested range ends.
+    /// The requested range of frequencies ends here.
     Range,
-    /// β_lim = β at this frequency, in Hz under a load.
+    /// The limit of continuous motion equals the friction, β_lim = β, at this frequency, in Hz under a load.
     Continuous(Sensed),
-    /// β*_lim = β at this frequency, in Hz under a load.
+    /// The limit of sliding equals the friction, β*_lim = β, at this frequency, in Hz under a load.
     Sliding(Sensed),
 }
 
-/// A range of r in one regime.
+/// A range of the frequency ratio r in which the regime is the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegimeRange {
-    /// Lower bound, as frequency ratio r.
+    /// Lower bound of the range, as frequency ratio r.
     pub from: f64,
-    /// Upper bound, as frequency ratio r.
+    /// Upper bound of the range, as frequency ratio r.
     pub to: f64,
     /// Regime in the range.
     pub regime: Regime,
-    /// Cause of the upper bound.
+    /// Reason why the range ends at its upper bound.
     pub end: RegimeEnd,
 }
 
-/// Number of samples over each interval in which β_lim may exceed β. The steps of the whole range are added.
+/// Number of samples over each interval in which β_lim may exceed β. The equal steps of the whole range are added to
+/// the samples.
 const SAMPLES: usize = 128;
-/// Largest number of odd sub-harmonics near which samples are close together.
+/// Largest number of odd sub-harmonics of a resonance that get additional samples near them.
 const SUBHARMONICS: usize = 12;
 
 impl Features<'_> {
-    /// Returns the regimes along r at β, ascending, and how complete the list is.
+    /// Returns the regimes along r at the friction ratio β, ascending, and how complete the list is.
     ///
     /// The frequencies with β*_lim = β are found by interval arithmetic. β_lim depends on a search over the half
-    /// period. Without damping it is a closed form for r ≥ √λ_N/2, and this form is an upper bound everywhere.
+    /// period. Without damping β_lim has a closed form for r ≥ √λ_N/2, and this closed form is an upper bound on β_lim
+    /// at every r.
     ///
     /// A range above √λ_N/2 is therefore proven without damping. Otherwise the intervals in which the closed form
     /// exceeds β are sampled. An island of a regime may be missed there if it is narrower than one of
@@ -94,7 +96,7 @@ impl Features<'_> {
         Ok((found, certainty))
     }
 
-    /// Returns the frequencies with β_lim = β.
+    /// Returns the frequencies in the range at which β_lim = β, and how complete the list is.
     fn continuous_bounds(
         &self,
         beta: f64,
@@ -108,7 +110,7 @@ impl Features<'_> {
         let fastest = modal.resonances.last().map_or(0.0, |last| last.to_f64());
         let closed = if modal.is_damped() { to } else { 0.5 * fastest };
         let mut bounds = Vec::new();
-        // From `closed` on, β_lim is equal to β_lim without search.
+        // From the frequency ratio `closed` on, β_lim is equal to β_lim without search.
         let function = Function::new(modal, None, Target::Continuous(exact(beta)));
         let mut edges = vec![from];
         let mut marks = Vec::new();
@@ -157,7 +159,7 @@ impl Features<'_> {
                 limits.is_ok_and(|limits| beta < limits.continuous)
             };
             if !modal.is_damped() && !upper(0.5 * (low + high)) {
-                // The upper bound is below β in the whole interval.
+                // The upper bound on β_lim is below β in the whole interval.
                 bounds.push(self.continuous_bound(low, beta));
                 continue;
             }
@@ -178,7 +180,7 @@ impl Features<'_> {
         Ok((bounds, Certainty::SAMPLED))
     }
 
-    /// Returns a frequency at which β_lim may be β, with its derivatives.
+    /// Returns a frequency ratio at which β_lim = β, with the derivatives of the frequency.
     fn continuous_bound(&self, r: f64, beta: f64) -> Bound {
         let frequency = self.variations.of_place(r, beta, |varied, r, beta| {
             let limit = varied.at(r).ok()?.continuous_limit();

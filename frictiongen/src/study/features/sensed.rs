@@ -12,23 +12,23 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::sensitivity::Quantity;
 
-/// The derivative of a number with respect to one parameter.
+/// The derivative of a number X with respect to one parameter p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterSlope {
-    /// The parameter p.
+    /// The parameter p with respect to which the derivative is taken.
     pub parameter: Parameter,
-    /// The value of p, in its own unit.
+    /// The value of the parameter p, in its own unit.
     pub value: f64,
-    /// The derivative dX/dp.
+    /// The derivative dX/dp of the number X with respect to this parameter p.
     pub derivative: f64,
 }
 
-/// A number X with its derivatives, one for each parameter that has one.
+/// A number X with its derivatives dX/dp, one for each parameter p with respect to which X has a derivative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensed {
-    /// The value X.
+    /// The number X whose derivatives `slopes` contains.
     pub value: f64,
-    /// The derivatives dX/dp.
+    /// The derivatives dX/dp of this number X, one for each parameter p.
     pub slopes: Vec<ParameterSlope>,
 }
 
@@ -43,7 +43,7 @@ impl Sensed {
         relative.is_finite().then_some(relative)
     }
 
-    /// Returns the parameter with the largest relative derivative, and this relative derivative.
+    /// Returns the parameter with the largest relative derivative in magnitude, and that relative derivative.
     #[must_use]
     pub fn strongest(&self) -> Option<(Parameter, f64)> {
         let relative = self
@@ -54,7 +54,7 @@ impl Sensed {
     }
 }
 
-/// A derivative counts as 0 if p·dX/dp is below this share of X. 30 digits leave such a remainder by rounding.
+/// Share of X below which the change p·dX/dp counts as 0. With 30 digits rounding leaves such a remainder.
 const NOTHING: f64 = 1e-18;
 
 /// The scene and its units, with derivatives with respect to one parameter.
@@ -62,19 +62,19 @@ pub(super) struct Variation {
     pub parameter: Parameter,
     pub value: f64,
     pub varied: Varied,
-    /// Unit of force: P or k₁Y under a load, else 1.
+    /// Unit of force: P or k₁Y under a load, otherwise 1.
     pub force: Sensitive,
-    /// Unit of length: P/k₁ or Y under a load, else 1.
+    /// Unit of length: P/k₁ or Y under a load, otherwise 1.
     pub length: Sensitive,
-    /// Frequency in Hz over r under a load, else 1.
+    /// Frequency in Hz that belongs to r = 1 under a load, otherwise 1.
     pub frequency: Sensitive,
 }
 
-/// The scene varied by each parameter, under a load or in non-dimensional form.
+/// The scene with derivatives with respect to each parameter in turn, under a load or in non-dimensional form.
 pub(super) struct Variations {
     pub scale: Option<LoadScale>,
     pub all: Vec<Variation>,
-    /// The scene without a varied quantity, for derivatives with respect to r.
+    /// The scene without a varied quantity, for derivatives with respect to the frequency ratio r.
     pub unvaried: Varied,
 }
 
@@ -120,8 +120,8 @@ impl Variations {
         })
     }
 
-    /// Returns a number with the derivatives that follow from the varied scenes. A parameter without a finite
-    /// derivative is left out.
+    /// Returns the number `value` with its derivative with respect to each parameter. `of` computes the derivative
+    /// from the scene varied by that parameter. A parameter without a finite derivative is left out.
     pub fn sensed(
         &self,
         value: f64,
@@ -151,18 +151,18 @@ impl Variations {
         Sensed { value, slopes }
     }
 
-    /// Converts β to N under a load.
+    /// Converts a friction ratio β to a friction force in N under a load. Without a load β stays as it is.
     pub fn friction(&self, beta: f64) -> f64 {
         self.scale.map_or(beta, |scale| scale.friction(beta))
     }
 
-    /// Converts x̄ to m under a load.
+    /// Converts a displacement x̄ to m under a load. Without a load x̄ stays as it is.
     pub fn length(&self, amplitude: f64) -> f64 {
         self.scale
             .map_or(amplitude, |scale| scale.displacement(amplitude))
     }
 
-    /// Returns a friction ratio with its derivatives, in N under a load.
+    /// Returns a friction ratio with its derivatives, as a force in N under a load.
     pub fn of_friction(
         &self,
         value: f64,
@@ -172,7 +172,8 @@ impl Variations {
         self.sensed(self.friction(value), None, of)
     }
 
-    /// Returns the frequency at r with its derivatives, in Hz under a load. `of` returns the derivative of r.
+    /// Returns the frequency that belongs to r, with its derivatives, in Hz under a load. `of` returns the derivative
+    /// of r.
     pub fn of_frequency(
         &self,
         r: f64,
@@ -195,7 +196,7 @@ impl Variations {
         })
     }
 
-    /// Returns the frequency of a zero with its derivatives: dr/dp = r² (∂f/∂p)/(∂f/∂y).
+    /// Returns the frequency of a zero of a function f, with derivatives: dr/dp = r² (∂f/∂p)/(∂f/∂y), where y = 1/r.
     pub fn of_zero(&self, function: &Function<'_>, zero: &Zero, beta: Option<f64>) -> Sensed {
         self.of_frequency(zero.r(), beta, |variation| {
             if !zero.crosses {
@@ -207,7 +208,8 @@ impl Variations {
         })
     }
 
-    /// Returns the frequency at which a function f of r and β is 0, with its derivatives from f.
+    /// Returns the frequency at which a function f of r and β is 0, with its derivatives. They follow from the
+    /// derivatives of f.
     pub fn of_place(
         &self,
         r: f64,
@@ -229,7 +231,8 @@ impl Variations {
 }
 
 impl Variation {
-    /// Returns β with its derivative. Under a load the friction force is constant.
+    /// Returns β with its derivative with respect to the varied parameter. Under a load the friction force is
+    /// constant, so β may vary.
     pub fn beta(&self, beta: f64, scale: Option<LoadScale>) -> Sensitive {
         let own = self.parameter == Parameter::Friction;
         let number = |value: Dd| {
@@ -246,7 +249,8 @@ impl Variation {
     }
 }
 
-/// Returns the units of force (P or k₁Y) and of length (P/k₁ or Y) with their derivatives. Without a load both are 1.
+/// Returns the units of force (P or k₁Y) and of length (P/k₁ or Y) with their derivatives. Without a load both units
+/// are 1.
 fn units(system: &System, load: Option<Load>, parameter: Parameter) -> [Sensitive; 2] {
     let number = |value: f64, own: bool| {
         if own {

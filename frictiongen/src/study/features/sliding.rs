@@ -9,35 +9,37 @@ use frictiongen_kernel::number::dd::Dd;
 /// A resonance of the chain with its contact stuck.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldResonance {
-    /// Undamped frequency ratio r.
+    /// Undamped frequency ratio r of the resonance.
     pub r: f64,
-    /// Frequency, in Hz under a load.
+    /// Frequency of the resonance, in Hz under a load.
     pub frequency: Sensed,
     /// Damping ratio of the mode.
     pub damping_ratio: f64,
-    /// True if the stuck contact changes the mode. False for a mode of the free chain that the contact does not touch.
+    /// True if the stuck contact changes the mode. False for a mode of the chain with a free contact that the contact
+    /// does not touch.
     pub new: bool,
-    /// β*_lim at the resonance, in N under a load. It is infinite where the contact slides whatever the friction.
+    /// Limit of sliding β*_lim at the resonance, in N under a load. The limit is infinite where the contact slides
+    /// with any friction.
     pub sliding_limit: f64,
 }
 
-/// A range of r in which the contact slides at a friction, and at every smaller one.
+/// A range of r in which the contact slides with a given friction, and with every smaller friction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlidingRange {
-    /// Lower bound, as frequency ratio r.
+    /// Lower bound of the range, as frequency ratio r.
     pub from: f64,
     /// Frequency of the lower bound, in Hz under a load. `None` at a bound of the requested range.
     pub from_frequency: Option<Sensed>,
-    /// Upper bound, as frequency ratio r.
+    /// Upper bound of the range, as frequency ratio r.
     pub to: f64,
     /// Frequency of the upper bound, in Hz under a load. `None` at a bound of the requested range.
     pub to_frequency: Option<Sensed>,
 }
 
-/// Relative accuracy of β*_lim on a resonance.
+/// Relative accuracy to which β*_lim on a resonance is compared with β.
 const ON_POLE: f64 = 1e-13;
 
-/// A frequency at which a limit equals β.
+/// A frequency at which β_lim or β*_lim equals β.
 #[derive(Clone, Debug)]
 pub(super) struct Bound {
     pub r: f64,
@@ -45,8 +47,9 @@ pub(super) struct Bound {
 }
 
 impl Features<'_> {
-    /// Returns the resonances of the chain with its contact stuck, ascending. One lies between every two neighbouring
-    /// resonances of modes that the contact drives. The others are the modes that the contact does not touch.
+    /// Returns the resonances of the chain with its contact stuck, ascending. One resonance lies between every two
+    /// neighbouring resonances of modes that the contact drives. The other resonances belong to modes that the contact
+    /// does not touch.
     #[must_use]
     pub fn held_resonances(&self) -> Vec<HeldResonance> {
         let dynamics = self.system.dynamics();
@@ -89,8 +92,9 @@ impl Features<'_> {
         all
     }
 
-    /// Returns β*_lim on a resonance of the stuck chain. Without damping H is only rounding there. The limit then
-    /// counts as infinite if it grows towards the resonance in inverse proportion to the distance.
+    /// Returns β*_lim on a resonance of the chain with its contact stuck. Without damping the receptance H is only
+    /// rounding there. The limit then counts as infinite if it grows towards the resonance in inverse proportion to
+    /// the distance.
     fn held_limit(&self, held: &HeldResonance) -> f64 {
         let limit = self.sliding_limit(held.r);
         if held.damping_ratio > 0.0 || !held.new {
@@ -104,7 +108,7 @@ impl Features<'_> {
         }
     }
 
-    /// Returns all frequencies with β*_lim = β, ascending.
+    /// Returns all frequencies in the range at which β*_lim = β, ascending.
     pub(super) fn sliding_bounds(
         &self,
         beta: f64,
@@ -128,7 +132,7 @@ impl Features<'_> {
                 });
             }
         }
-        // V and H have poles on an undamped resonance. β*_lim may be β there without a zero of V − βμH.
+        // V and H have poles on an undamped resonance, where β*_lim = β is possible without a zero of V − βμH.
         let resonances = modal.resonances.iter().zip(&modal.damping_ratios);
         for (resonance, zeta) in resonances {
             let r = resonance.to_f64();
@@ -144,8 +148,8 @@ impl Features<'_> {
         Ok(bounds)
     }
 
-    /// Returns all ranges of r in which β < β*_lim, ascending (6.13 in general). The contact slides there, all the time
-    /// or with stops, at this friction and at every smaller one.
+    /// Returns all ranges of r in which β < β*_lim, ascending (6.13 in general). In these ranges the contact slides,
+    /// all the time or with stops, with this friction and with every smaller friction.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::Crowded`].
@@ -173,7 +177,7 @@ impl Features<'_> {
                 continue;
             }
             match found.last_mut() {
-                // The limit only touches β at the common bound.
+                // The limit only touches β at the common bound, so two ranges join.
                 Some(last) if last.to == *from => {
                     (last.to, last.to_frequency) = (*to, after.clone());
                 }

@@ -1,4 +1,4 @@
-//! The amplitude to be minimised, at one frequency and one friction ratio.
+//! Computes the amplitude that an optimum minimises, at one frequency ratio and one friction ratio.
 
 use super::places::beside;
 use crate::study::physical::swing;
@@ -9,27 +9,28 @@ use crate::study::{Sensitive, SystemResponse};
 use crate::{Error, NoOrbit, NotContinuous, Of, Regime};
 use std::cell::Cell;
 
-/// The amount of friction.
+/// The amount of friction: a friction ratio, or so much that the contact never slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) enum Friction {
-    /// Friction ratio β.
+    /// A given friction ratio β.
     Ratio(f64),
     /// Enough friction that the contact never slides.
     Locked,
 }
 
-/// The amplitude of one motion of a system, with counts of its evaluations and their work.
+/// The amplitude of one motion of a system as a function of frequency and friction. It counts its evaluations and
+/// their work.
 pub(in crate::study) struct Amplitude<'s> {
     pub system: &'s System,
     pub of: Of,
     unvaried: Varied,
-    /// Number of evaluations.
+    /// Number of evaluations of the amplitude.
     pub asked: Cell<usize>,
-    /// Work of the evaluations.
+    /// Work of all evaluations so far, in units of about 10 µs.
     work: Cell<usize>,
-    /// Bound on the work.
+    /// Bound on the work of all evaluations, in units of about 10 µs.
     most: Cell<usize>,
-    /// Number of evaluations without a result.
+    /// Number of evaluations for which the solvers found no amplitude.
     pub silent: Cell<usize>,
 }
 
@@ -54,12 +55,12 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// Returns true if the work has reached its bound.
+    /// Returns true if the work of the evaluations has reached its bound.
     pub(super) fn is_spent(&self) -> bool {
         self.most.get() <= self.work.get()
     }
 
-    /// Allows this much more work from now on.
+    /// Sets the bound on work to the work done so far plus `work`.
     pub(super) fn allow(&self, work: usize) {
         self.most.set(self.work.get().saturating_add(work));
     }
@@ -72,11 +73,11 @@ impl<'s> Amplitude<'s> {
         self.work.set(self.work.get().saturating_add(work));
     }
 
-    /// Returns the amplitude over P/k₁, for base motion over Y. It is infinite on a resonance that nothing bounds, and
-    /// NaN where there is no response.
+    /// Returns the amplitude in units of P/k₁, for base motion of Y. The amplitude is infinite on a resonance that
+    /// neither friction nor damping bounds, and NaN where there is no response.
     ///
-    /// Below both limits it is the amplitude of the closed form. With μ > 1, motion from rest may end in another state,
-    /// which [`followed`](Self::followed) finds.
+    /// Below both limits the result is the amplitude of the closed form. With μ > 1, motion from rest may end in
+    /// another state, whose amplitude [`followed`](Self::followed) returns.
     pub(super) fn at(&self, r: f64, friction: Friction) -> f64 {
         if let Friction::Ratio(beta) = friction
             && let Ok(at) = self.system.at(r)
@@ -94,7 +95,7 @@ impl<'s> Amplitude<'s> {
         self.followed(r, friction)
     }
 
-    /// Returns the amplitude of the state in which motion from rest ends.
+    /// Returns the amplitude of the steady state in which motion from rest ends, in any regime.
     pub(super) fn followed(&self, r: f64, friction: Friction) -> f64 {
         self.asked.set(self.asked.get() + 1);
         let found = self.response(r, friction);
@@ -118,8 +119,8 @@ impl<'s> Amplitude<'s> {
         swing.map_or(f64::NAN, |swing| swing.amplitude)
     }
 
-    /// Returns the amplitude on an undamped resonance of the chain with its contact stuck. It is finite where the load
-    /// does not drive that mode.
+    /// Returns the amplitude on an undamped resonance of the chain with its contact stuck. The amplitude is finite
+    /// where the load does not drive that mode.
     fn beside_resonance(&self, r: f64, friction: Friction) -> f64 {
         beside(r, |r| {
             let response = self.response(r, friction);
@@ -127,13 +128,14 @@ impl<'s> Amplitude<'s> {
         })
     }
 
-    /// Returns the regime of the response.
+    /// Returns the regime of the response, or `Regime::Stuck` if there is no response.
     pub(super) fn regime(&self, r: f64, friction: Friction) -> Regime {
         self.response(r, friction)
             .map_or(Regime::Stuck, |response| response.regime())
     }
 
-    /// Returns the exact derivatives with respect to r and β, where they exist.
+    /// Returns the exact derivatives of the amplitude with respect to r and β. `None` where a derivative does not
+    /// exist.
     pub(super) fn slopes(&self, r: f64, beta: f64) -> Option<[f64; 2]> {
         let response = self.response(r, Friction::Ratio(beta)).ok()?;
         let (fixed_r, fixed_beta) = (Sensitive::fixed(r.into()), Sensitive::fixed(beta.into()));
@@ -155,8 +157,8 @@ mod tests {
     use crate::Of;
     use crate::study::System;
 
-    /// The contact does not touch the second mode, and nothing damps it. With stops there is no steady state, and the
-    /// counter of missing results increases.
+    /// The contact does not touch the second mode, and nothing damps the second mode. With stops there is no steady
+    /// state, and the counter of missing results increases.
     #[test]
     fn what_has_no_answer_is_counted() {
         let text = "struct Chain { masses: { a: 1, b: 1, c: 1 }, contact: b - wall, excitation: a,

@@ -1,4 +1,4 @@
-//! The best friction over a band.
+//! Result of a search for the best friction over a band of frequencies.
 
 use crate::Regime;
 use crate::study::parameter::Parameter;
@@ -6,89 +6,94 @@ use crate::study::parameter::Parameter;
 /// The reason why the amplitude at the optimum cannot be lower.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptimumKind {
-    /// Two peaks have the same height. More friction raises one of them, less friction the other.
+    /// Two peaks have the same height. More friction raises one peak, and less friction raises the other.
     EqualPeaks,
-    /// One peak is at its own minimum.
+    /// One peak is at its own minimum over friction.
     SinglePeak,
     /// Any friction increases the amplitude.
     NoFriction,
-    /// The contact is best stuck, and more friction changes nothing.
+    /// The smallest amplitude is that of the stuck contact, and more friction changes nothing.
     Stuck,
 }
 
-/// A frequency at which the largest amplitude is reached.
+/// A frequency at which the amplitude reaches its maximum over the band.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OptimumPeak {
-    /// Frequency ratio r.
+    /// Frequency ratio r of the peak.
     pub r: f64,
-    /// Amplitude over P/k₁, for base motion over Y.
+    /// Amplitude at this frequency, in units of P/k₁, for base motion of Y.
     pub amplitude: f64,
-    /// Regime at this frequency.
+    /// Regime at the frequency of the peak.
     pub regime: Regime,
     /// True if the frequency is a bound of the band.
     pub at_end: bool,
-    /// Derivative dX/dβ of this peak. `None` where the contact is stuck or the peak has no derivative.
+    /// Derivative of this peak's amplitude with respect to β. `None` where the contact is stuck or the peak has no
+    /// derivative.
     pub slope: Option<f64>,
 }
 
-/// The interval of friction around the optimum for a given excess of the amplitude.
+/// The interval of friction around the optimum in which the amplitude exceeds the best amplitude by at most a given
+/// fraction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// Largest excess of the amplitude over the best, as a fraction.
+    /// Largest excess of the amplitude over the best amplitude, as a fraction of the best amplitude.
     pub excess: f64,
-    /// Lower bound of β.
+    /// Lower bound of the interval, as friction ratio β.
     pub from: f64,
-    /// Upper bound of β. It is infinite where more friction never exceeds this amplitude.
+    /// Upper bound of β. It is infinite if the amplitude stays below the allowed one for any larger friction.
     pub to: f64,
 }
 
 /// The cause that ended the search for an optimum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptimumEnd {
-    /// The search converged to a minimum. Friction is found to rounding where two peaks cross, and to half of the
-    /// digits where one peak is at its minimum.
+    /// The search converged to a minimum. The friction ratio is exact to rounding where two peaks cross. It has half
+    /// of the digits where one peak is at its minimum.
     Converged,
-    /// The search ended at a jump. On one side of the bracket the motion reaches another steady state with a larger
-    /// amplitude.
+    /// The search ended where the amplitude jumps with friction. On one side of the jump the motion reaches another
+    /// steady state, which has a larger amplitude.
     Jump,
-    /// The search met its bound on work. The result is the best so far.
+    /// The search met its bound on work. The result is the best friction found before.
     WorkSpent,
 }
 
-/// The friction that keeps the largest amplitude smallest.
+/// The best friction: the friction that makes the largest amplitude over a band of frequencies smallest.
 #[derive(Clone, Debug)]
 pub struct Optimum {
     /// Best friction ratio β.
     pub beta: f64,
-    /// Largest amplitude of the band at this friction, over P/k₁, for base motion over Y.
+    /// Largest amplitude over the band with this friction, in units of P/k₁, for base motion of Y.
     pub amplitude: f64,
-    /// The reason why the amplitude cannot be lower.
+    /// The reason why no other friction gives a smaller amplitude.
     pub kind: OptimumKind,
     /// The cause that ended the search.
     pub end: OptimumEnd,
-    /// Interval of β that contains the least, as far as the search went. Where the search did not refine between points
-    /// of the scan, the bounds are the neighbours of the best one.
+    /// Interval of β that contains the best friction, as far as the search refined it. Where the search did not refine
+    /// between points of its scan, the bounds are the neighbours of the best point.
     pub bracket: [f64; 2],
     /// Frequencies at which the largest amplitude is reached.
     pub peaks: Vec<OptimumPeak>,
-    /// β up to which the amplitude at an undamped resonance of the band is unbounded. It is 0 without such a resonance.
+    /// Friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. It is 0 without
+    /// such a resonance.
     pub unbounded_to: f64,
-    /// β up to which the contact never stops anywhere in the band.
+    /// Friction ratio up to which the contact never stops anywhere in the band.
     pub free_of_sticking: f64,
-    /// β from which a stuck state exists over the whole band. It is infinite if no friction keeps the contact stuck on
-    /// a resonance of the stuck chain.
+    /// Friction ratio from which a stuck state exists over the whole band. It is infinite if no friction keeps the
+    /// contact stuck on a resonance of the chain with a stuck contact.
     pub locked: f64,
-    /// Largest amplitude without friction. It is infinite on an undamped resonance.
+    /// Largest amplitude over the band without friction. It is infinite on an undamped resonance.
     pub without_friction: f64,
-    /// Largest amplitude with the contact stuck over the whole band.
+    /// Largest amplitude over the band with the contact stuck at every frequency.
     pub with_contact_locked: f64,
-    /// Intervals of friction for 1, 5 and 10 per cent above the best amplitude. They show how flat the optimum is.
+    /// Intervals of friction in which the amplitude is at most 1, 5 and 10 per cent above the best amplitude. They
+    /// show how flat the optimum is.
     pub tolerances: Vec<Tolerance>,
-    /// Relative derivatives d ln X/d ln p of the optimum's amplitude X, while friction stays optimal. The list has each
-    /// parameter p except friction and frequency. It is empty without a load, and where there are no derivatives.
+    /// Relative derivatives d ln X/d ln p of the optimum's amplitude X with respect to each parameter p except
+    /// friction and frequency, while friction stays optimal. The list is empty without a load, and where there are no
+    /// derivatives.
     pub sensitivities: Vec<(Parameter, f64)>,
-    /// Number of amplitudes that were computed.
+    /// Number of amplitudes that the search computed.
     pub evaluations: usize,
-    /// Number of amplitudes without a result. Either the motion has too many stops in a cycle, or no motion was found.
+    /// Number of amplitudes without a result, because the motion has too many stops in a cycle or no motion was found.
     pub unanswered: usize,
 }

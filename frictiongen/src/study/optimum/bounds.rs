@@ -1,14 +1,15 @@
-//! Frequency ratios of a band at which a limit equals β, and the extremes of both limits.
+//! Finds the frequency ratios of a band at which β_lim or β*_lim equals β, and the extremes of both limits.
 
 use super::line;
 use super::peaks::{Band, PLACE, POLE};
 use super::places::limits;
 
-/// Number of bisection steps for a frequency ratio at which a limit equals β.
+/// Number of bisection steps for a frequency ratio at which β_lim or β*_lim equals β.
 const HALVINGS: usize = 36;
 
 impl Band<'_> {
-    /// Returns both sides of every frequency ratio at which a limit equals β.
+    /// Returns the frequency ratios of the band next to those where β_lim or β*_lim equals β: one just below and one
+    /// just above each crossing.
     pub(super) fn bounds(&self, beta: f64) -> Vec<f64> {
         let system = self.amplitude.system;
         let mut bounds = Vec::new();
@@ -37,8 +38,8 @@ impl Band<'_> {
         bounds
     }
 
-    /// Returns two friction ratios. From the first on, the contact stops somewhere in the band. From the second on, a
-    /// stuck state exists over the whole band.
+    /// Returns two friction ratios. Beyond the first one the contact stops somewhere in the band. From the second one
+    /// on, a stuck state exists over the whole band.
     pub(super) fn limits(&self) -> [f64; 2] {
         let system = self.amplitude.system;
         let extreme = |sign: f64, of: &dyn Fn(&[f64; 2]) -> f64| {
@@ -72,7 +73,8 @@ impl Band<'_> {
         ]
     }
 
-    /// Returns the median of the finite sliding limits over the places, or 1 if it is not positive.
+    /// Returns the median of the finite limits of sliding β*_lim over the sampled frequencies, or 1 if the median is
+    /// not positive.
     pub(super) fn middle_limit(&self) -> f64 {
         let limits = self.places.iter().map(|place| place.limits[1]);
         let mut limits: Vec<f64> = limits.filter(|limit| limit.is_finite()).collect();

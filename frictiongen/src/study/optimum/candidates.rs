@@ -1,19 +1,19 @@
-//! Friction ratios that may be the best, and intervals of a scan that may contain better ones.
+//! Selects friction ratios that may be the best, and intervals of a scan over friction that may contain better ones.
 
 use super::creep::meeting;
 use super::scan::Scanned;
 use std::cmp::Ordering;
 
-/// An interval of the scan is searched if its tangents meet below this factor of the best.
+/// An interval of the scan is searched if its tangents meet below this factor times the best amplitude.
 const WORTH: f64 = 1.05;
-/// Largest number of intervals that are searched, in the order of their promise.
+/// Largest number of intervals that are searched. Those with the smallest expected amplitude come first.
 const MOST_LOOKED_INTO: usize = 6;
-/// No minimum is expected below this share of the values next to it.
+/// Fraction of the smaller amplitude at the ends of an interval. No minimum in the interval is expected to be lower.
 const SHARE: f64 = 0.7;
-/// A closer look has found a higher peak only if the value rises by more than this share.
+/// Relative rise of the amplitude above which a closer evaluation of the band has found a higher peak.
 pub(super) const HOLDS: f64 = 1e-9;
 
-/// A friction ratio that may be the best.
+/// A friction ratio that may be the best, with its largest amplitude over the band.
 #[derive(Clone, Debug)]
 pub(super) struct Candidate {
     pub at: Scanned,
@@ -35,20 +35,20 @@ pub(super) fn of_scan(scan: &[Scanned]) -> Vec<Candidate> {
     complete.map(candidate).collect()
 }
 
-/// Returns the least friction ratio of the scan from which on the amplitude no longer changes, with the amplitude.
+/// Returns the least friction ratio of the scan from which on the amplitude no longer changes, with that amplitude.
 pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
     let last = scan.last().filter(|last| last.complete)?;
     let same = |scanned: &&Scanned| {
         scanned.complete && (scanned.value - last.value).abs() <= HOLDS * last.value
     };
     let first = scan.iter().rev().take_while(same).last()?;
-    // A whole last point has the friction that keeps the contact stuck over the band. Otherwise the first of the equal
-    // points counts.
+    // If the last point evaluated the whole band, its friction keeps the contact stuck over the band. Otherwise the
+    // first of the equal points is returned.
     Some((if last.whole { last.beta } else { first.beta }, last.value))
 }
 
-/// Orders candidates by amplitude. Among equal ones, the friction from which on nothing changes comes first, then the
-/// least friction.
+/// Orders candidates by amplitude. Among candidates of equal amplitude, the friction from which on nothing changes
+/// comes first, then the least friction.
 pub(super) fn before(a: &Candidate, b: &Candidate, stays: Option<(f64, f64)>) -> Ordering {
     let rank = |candidate: &Candidate| {
         let Scanned { beta, value, .. } = candidate.at;
@@ -67,7 +67,7 @@ pub(super) fn before(a: &Candidate, b: &Candidate, stays: Option<(f64, f64)>) ->
     order.then(a.2.total_cmp(&b.2))
 }
 
-/// Returns neighbours of the scan between which there is a minimum that may be the least.
+/// Returns pairs of neighbours of the scan between which there is a minimum that may be the least.
 pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
     let pairs = scan.windows(2).filter_map(|pair| match pair {
         [below, above] => Some((below, above)),
@@ -83,9 +83,10 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
                 return Some((0.0, (below.clone(), above.clone())));
             }
             let falls = below.slope < 0.0;
-            // Where steady states change, the slope at one point says nothing about the next.
+            // Where the steady state changes to another one, the slope at one point says nothing about the next point.
             let least = SHARE * below.value.min(above.value);
-            // If the tangents do not meet in the interval, the amplitude is not convex and its tangents give no bound.
+            // If the tangents do not meet in the interval, the amplitude is not convex, and its tangents give no
+            // bound.
             let low = meeting(below, above).map_or(least, |(_, value)| value.max(least));
             (falls && low <= WORTH * best).then(|| (low, (below.clone(), above.clone())))
         })
@@ -98,7 +99,8 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
         .collect()
 }
 
-/// Returns friction ratios of the scan that are no worse than their neighbours and may be the best.
+/// Returns friction ratios of the scan, each with both neighbours, that are no worse than their neighbours and may be
+/// the best.
 pub(super) fn valleys(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned, Scanned)> {
     let triples = scan.windows(3).filter_map(|triple| match triple {
         [below, at, above] => {

@@ -1,4 +1,5 @@
-//! Finds the friction ratio between two others at which their peaks are smallest. Each peak is followed as it moves.
+//! Finds the friction ratio between two others at which the highest peak is smallest. The search follows each peak as
+//! the peak moves.
 
 use super::amplitude::Friction;
 use super::look::Look;
@@ -9,10 +10,10 @@ use super::scan::{Scanned, slope, with_slope};
 const MOST_FOLLOWED: usize = 6;
 /// Largest number of steps towards a minimum.
 const STEPS: usize = 40;
-/// Peaks within this share count as equal.
+/// Relative difference within which the heights of two peaks count as equal.
 const EQUAL: f64 = 2e-13;
 
-/// Returns the friction ratio at which the tangents meet, and the value there.
+/// Returns the friction ratio at which the tangents of two points of the scan meet, and the amplitude there.
 pub(super) fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
     let rise = below.slope - above.slope;
     let beta =
@@ -21,17 +22,17 @@ pub(super) fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
     (below.beta < beta && beta < above.beta).then_some((beta, value))
 }
 
-/// The result of following the peaks of both sides.
+/// The result of a search that follows the peaks from both sides of a minimum.
 pub(super) struct Crept {
     pub best: Scanned,
-    /// Last friction ratios at which the amplitude falls, and at which it rises.
+    /// The last friction ratio from which the amplitude falls (`below`), and the last one to which it rises (`above`).
     pub below: Scanned,
     pub above: Scanned,
     /// True if the best friction ratio is the minimum of these peaks.
     pub done: bool,
 }
 
-/// Returns the minimum of the peaks of both sides.
+/// Returns the friction ratio between two others at which the highest of their peaks is smallest.
 pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option<Crept> {
     let (mut below, mut above) = (below.clone(), above.clone());
     let mut best: Option<Scanned> = None;
@@ -44,7 +45,8 @@ pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option
         }
         let inside = |beta: &f64| below.beta < *beta && *beta < above.beta;
         let met = meeting(&below, &above);
-        // One peak on both sides has its minimum at the zero of its slope. Two peaks have it where they are equal.
+        // A single peak on both sides has its minimum at the zero of its slope. Two peaks have their minimum where
+        // their heights are equal.
         let (a, b) = (below.peaks.first(), above.peaks.first());
         let one = matches!((a, b), (Some(a), Some(b)) if (a.r - b.r).abs() <= 0.02 * a.r);
         let zero = below.beta - below.slope * width / (above.slope - below.slope);
@@ -82,7 +84,7 @@ pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option
             break;
         }
         let falls = here.slope < 0.0 || !here.value.is_finite();
-        // The partner moves against the highest peak. The minimum is where both are equal.
+        // The partner is the peak that grows when the highest peak falls. The minimum is where both heights are equal.
         let other = if falls { &above } else { &below };
         let partner = other.peaks.first().and_then(|known| {
             let distance = |peak: &&Peak| (peak.r - known.r).abs();
@@ -103,7 +105,7 @@ pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option
                 next = Some(beta - apart / (here.slope - other_slope));
             }
         } else if one {
-            // The next step uses the zero of the slope instead.
+            // The next step uses the zero of the slope instead of the crossing.
             next = None;
         }
         let before = width;
@@ -134,7 +136,7 @@ pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option
     })
 }
 
-/// Removes frequency ratios that probably lead to the same peak as another.
+/// Removes frequency ratios that are so close to another one that they probably lead to the same peak.
 fn distinct(mut places: Vec<f64>) -> Vec<f64> {
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| (*a - *b).abs() <= 1e-3 * a.abs());

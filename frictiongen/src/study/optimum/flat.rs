@@ -1,4 +1,4 @@
-//! The intervals of friction around an optimum, which show how flat it is.
+//! Computes the intervals of friction around an optimum, which show how flat the optimum is.
 
 use super::amplitude::Friction;
 use super::answer::Tolerance;
@@ -8,21 +8,21 @@ use super::search::{End, Least};
 
 /// Largest number of steps towards a bound of an interval.
 const STEPS: usize = 40;
-/// Relative tolerance of a bound in β.
+/// Relative tolerance, in β, of a bound of an interval.
 const NEAR: f64 = 1e-8;
-/// Relative tolerance of a bound where the optimum itself is not known to all digits.
+/// Relative tolerance, in β, of a bound where the optimum itself is not known to all digits.
 const ROUGHLY: f64 = 1e-3;
-/// Number of peaks that are followed from each known friction ratio.
+/// Number of peaks that are followed from each friction ratio whose peaks are known.
 const MOST_FOLLOWED: usize = 3;
-/// Bound on the work for one bound of an interval.
+/// Bound on the work of finding one bound of an interval.
 const WORK: usize = 12_000;
 
-/// Returns the interval of friction around the optimum in which the largest amplitude is at most `excess` above the
-/// best.
+/// Returns the interval of friction around the optimum in which the largest amplitude exceeds the best amplitude by at
+/// most the fraction `excess`.
 pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Tolerance {
     let level = least.at.value * (1.0 + excess);
     if level == 0.0 {
-        // The optimum is rest, and a share of 0 is 0.
+        // The best amplitude is 0, so any fraction of it is 0 too.
         let (from, to) = (least.at.beta, f64::INFINITY);
         return Tolerance { excess, from, to };
     }
@@ -39,7 +39,8 @@ pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Toleranc
     let mut above = above.filter(|scanned| least.at.beta < scanned.beta);
     let to = match edge(band, &least.at, &mut above, (level, near)) {
         Some(to) => to,
-        // No point of the scan beyond is above the level. The contact stuck over the whole band is not above it either.
+        // The amplitude exceeds the level at no further point of the scan, and not with the contact stuck over the
+        // whole band.
         None if least.locked_from.is_finite() => f64::INFINITY,
         None => least
             .scan
@@ -51,7 +52,7 @@ pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Toleranc
     Tolerance { excess, from, to }
 }
 
-/// Returns the friction ratio at which the amplitude reaches the level, on the way from the optimum outwards.
+/// Returns the friction ratio at which the amplitude reaches a level, searching from the optimum outwards.
 fn edge<'a>(
     band: &Band<'_>,
     best: &'a Scanned,
@@ -79,7 +80,7 @@ fn edge<'a>(
     };
     let (mut a, mut at_a) = (inside.beta, inside.value - level);
     let (mut b, mut at_b) = (outside.beta, outside.value - level);
-    // Regula falsi with the Illinois rule. Towards an unbounded amplitude it bisects.
+    // The search uses regula falsi with the Illinois rule. Towards an unbounded amplitude it bisects.
     for _ in 0..STEPS {
         if (b - a).abs() <= near * b.abs() || band.amplitude.is_spent() {
             break;

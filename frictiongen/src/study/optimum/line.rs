@@ -1,13 +1,13 @@
 //! Finds the largest value of a function of one variable in an interval.
 
-/// The smaller share of a golden section.
+/// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// Largest number of steps. A golden section keeps at most 0.62 of the interval.
 const STEPS: usize = 90;
 
-/// Returns the position and value of a function's maximum on [a, b], by Brent's method from a position within. The
-/// method fits parabolas, and uses golden sections where they fail. `relative` is the tolerance of the position. `f`
-/// returns −∞ where it has no value.
+/// Returns the position and height of a function's maximum on [a, b], by Brent's method from a starting position
+/// within the interval. The method fits parabolas, and uses golden sections where parabolas fail. `relative` is the
+/// tolerance of the position. `f` must return −∞ where it is undefined.
 pub(super) fn largest(
     mut f: impl FnMut(f64) -> f64,
     [mut a, mut b]: [f64; 2],

@@ -1,48 +1,52 @@
-//! Looks at a band. A look evaluates the amplitude over the band at one friction ratio and finds its local maxima.
+//! Evaluates the amplitude over a band of frequencies at one friction ratio and finds its local maxima. One such
+//! evaluation is called a look.
 //!
-//! The first look at a friction ratio takes some places only. A whole look takes all of them.
+//! The first look at a friction ratio follows motions at some frequencies of the band only. A whole look evaluates all
+//! of them.
 
 use super::amplitude::Friction;
 use super::peaks::{PLACE, Peak};
 use super::places::Place;
 
-/// Largest ratio of two friction ratios for which the second number, a factor, bounds the expected change of amplitude.
+/// A ratio of two friction ratios, and the factor by which the amplitude is expected to change at most within that
+/// ratio.
 const FIRST: [f64; 2] = [1.5, 2.0];
-/// The same two numbers as in `FIRST`, for a whole look.
+/// Ratio and factor as in `FIRST`, for an evaluation of the whole band.
 const WHOLE: [f64; 2] = [1.1, 4.0];
-/// Factor for an amplitude that is known only at a more distant friction ratio.
+/// Factor for the expected amplitude where the amplitude is known only at a more distant friction ratio.
 const UNKNOWN: f64 = 5.0;
 
-/// The precision of a look at a band.
+/// The precision with which the amplitude over a band is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Closely {
-    /// Enough to compare friction ratios.
+    /// Precise enough to compare friction ratios: motions are followed at some frequencies only.
     First,
-    /// All places, with each maximum to rounding.
+    /// All frequencies of the band are evaluated, and each maximum is found to rounding.
     Whole,
 }
 
-/// The result of a look at a band.
+/// The local maxima of the amplitude over a band at one friction ratio.
 #[derive(Clone, Debug)]
 pub(super) struct Look {
-    /// The local maxima found, in descending order.
+    /// The local maxima that were found, in descending order.
     pub peaks: Vec<Peak>,
-    /// True if the look was completed. Otherwise the largest amplitude exceeds the cutoff, or the work was spent.
+    /// True if the evaluation was completed. False if the largest amplitude exceeds the cutoff, or if the work was
+    /// spent.
     pub complete: bool,
 }
 
-/// The amplitude at a place that is known before the motion is followed.
+/// The most recent known amplitude at one frequency, from which the amplitude at another friction ratio is estimated.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known {
-    /// The friction ratio of the last followed motion at this place. NaN before the first.
+    /// The friction ratio of the last motion that was followed at this frequency. NaN before the first motion.
     pub beta: f64,
-    /// The amplitude of that motion. Before the first, it is the larger amplitude of the chain without friction and
-    /// with its contact stuck.
+    /// The amplitude of the last motion that was followed. Before the first motion, the larger of two amplitudes:
+    /// without friction, and with the contact stuck.
     pub value: f64,
 }
 
 impl Known {
-    /// Returns the largest amplitude that is expected at another friction ratio.
+    /// Returns the largest amplitude that is expected at another amount of friction.
     pub fn promise(self, friction: Friction, closely: Closely) -> f64 {
         let Friction::Ratio(beta) = friction else {
             return self.value;
@@ -59,7 +63,7 @@ impl Known {
     }
 }
 
-/// A place with its amplitude, NaN before the motion is followed.
+/// A frequency of the band with its amplitude. The amplitude is NaN before the motion is followed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seen {
     pub place: Place,
@@ -67,31 +71,32 @@ pub(super) struct Seen {
     pub closed: bool,
 }
 
-/// A band at one friction ratio, before any motion is followed.
+/// The amplitude over a band at one friction ratio, as far as closed forms give it. No motion has been followed yet.
 pub(super) struct Open {
     pub friction: Friction,
     pub seen: Vec<Seen>,
     pub peaks: Vec<Peak>,
-    /// The largest amplitude of the closed form, a lower bound on the largest of all.
+    /// The largest amplitude that a closed form gives. It is a lower bound on the largest amplitude over the band.
     pub floor: f64,
-    /// Estimate of the largest amplitude. It is the larger of `floor` and the stuck amplitudes at places where a stuck
-    /// state exists.
+    /// Estimate of the largest amplitude over the band. It is the larger of `floor` and the stuck amplitudes at
+    /// frequencies where a stuck state exists.
     pub expected: f64,
 }
 
 impl Open {
-    /// Returns the largest known amplitude.
+    /// Returns the largest amplitude that is known at any frequency of the band.
     pub fn most(&self) -> f64 {
         let values = self.seen.iter().map(|seen| seen.value);
         values.fold(0.0, f64::max)
     }
 }
 
-/// A local maximum: the two places that enclose it, `None` on a plateau, and its own place with the value.
+/// A local maximum: the two frequency ratios that enclose it (`None` on a plateau), then its frequency ratio and
+/// amplitude.
 pub(super) type Top = (Option<[f64; 2]>, (f64, f64));
 
-/// Returns the local maxima of at least `least`. With `closed` they are those between closed forms, otherwise the
-/// others.
+/// Returns the local maxima whose amplitude is at least `least`. If `closed` is true, these are maxima between
+/// frequencies with a closed form. Otherwise these are all other maxima.
 pub(super) fn tops(seen: &[Seen], least: f64, closed: bool) -> Vec<Top> {
     let mut found = Vec::new();
     for (index, own) in seen.iter().enumerate() {
@@ -110,7 +115,7 @@ pub(super) fn tops(seen: &[Seen], least: f64, closed: bool) -> Vec<Top> {
     found
 }
 
-/// Returns the peaks in descending order, without duplicates.
+/// Returns the peaks in descending order of amplitude, without duplicates and without NaN.
 pub(super) fn sorted(mut peaks: Vec<Peak>) -> Vec<Peak> {
     peaks.retain(|peak| !peak.value.is_nan());
     peaks.sort_by(|a, b| b.value.total_cmp(&a.value));

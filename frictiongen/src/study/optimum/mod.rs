@@ -1,4 +1,4 @@
-//! The friction that keeps the largest amplitude over a band of frequencies smallest, over all regimes.
+//! Finds the friction that makes the largest amplitude over a band of frequencies smallest, over all regimes.
 
 mod amplitude;
 mod answer;
@@ -27,22 +27,22 @@ pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 const WORK: usize = 1_000_000;
 
 impl System {
-    /// Returns the friction that keeps the largest amplitude of a motion over a band of frequencies smallest. All
-    /// regimes count: the closed form where the contact slides all the time, steady states with stops, and the stuck
-    /// response.
+    /// Returns the friction that makes the largest amplitude of a motion over a band of frequencies smallest. The
+    /// amplitude is that of the closed form where the contact slides all the time, of the steady state with stops, or
+    /// of the stuck response.
     ///
-    /// At one friction ratio the search evaluates the amplitude near every resonance of the chain, free and with its
-    /// contact stuck. It also evaluates sub-harmonics, both sides of regime changes and a grid. A scan over friction,
-    /// from none to so much that nothing slides, finds the least of the largest amplitudes. Closed forms are evaluated
-    /// first. If they exceed the best amplitude so far by a margin, the friction ratio is rejected. Motions are
-    /// followed only where they may be the largest.
+    /// At one friction ratio the search evaluates the amplitude near every resonance of the chain, both with a free
+    /// and with a stuck contact. It also evaluates sub-harmonics, both sides of regime changes and a grid of
+    /// frequencies. A scan over friction, from none to so much that nothing slides, finds the smallest of the largest
+    /// amplitudes. Closed forms are evaluated first. If they exceed the best amplitude so far by a margin, the
+    /// friction ratio is rejected. Motions are followed in time only where their amplitude may be the largest.
     ///
-    /// The work of a search is bounded and counted, so the result is the same on every machine. Motions that jump and
-    /// do not settle take most work. [`Optimum::end`] reports whether the search met the bound, or ended at a jump to
+    /// The work of a search is bounded and counted, so the result is the same on every machine. Motions that do not
+    /// settle take most of the work. [`Optimum::end`] reports whether the search met the bound, or ended at a jump to
     /// another steady state. [`Optimum::bracket`] then contains the best friction ratio.
     ///
-    /// With μ > 1 the search takes the closed form where β is below both limits. It follows the motion from rest at the
-    /// largest peaks of the result.
+    /// With μ > 1 the search takes the closed form where β is below both limits. At the largest peaks of the result it
+    /// follows the motion from rest instead.
     ///
     /// ```
     /// use frictiongen::study::{FrequencyBand, Load, OptimumKind, OptimumRequest, System};
@@ -73,8 +73,8 @@ impl System {
         self.optimum_within(request, WORK)
     }
 
-    /// Searches as [`optimum`](Self::optimum) does, with another bound on the work, in units of about 10 µs. A search
-    /// that meets the bound ends with [`OptimumEnd::WorkSpent`].
+    /// Searches as [`optimum`](Self::optimum) does, but with a given bound on the work, in units of about 10 µs. A
+    /// search that meets the bound ends with [`OptimumEnd::WorkSpent`].
     ///
     /// # Errors
     /// Same errors as [`optimum`](Self::optimum).

@@ -1,11 +1,11 @@
-//! The largest amplitude over a band of frequencies at one friction ratio.
+//! Finds the largest amplitude over a band of frequencies at one friction ratio.
 //!
-//! The band is evaluated where an amplitude can bend. Places are close together near the resonances of the chain, free
-//! and with its contact stuck, and near their sub-harmonics. They are on both sides of every point where a limit is
-//! equal to β, and on a grid.
+//! The amplitude is evaluated where it can change quickly with frequency. Frequencies are close together near the
+//! resonances of the chain, both with a free and with a stuck contact, and near their sub-harmonics. Further
+//! frequencies are on both sides of every point where a limit is equal to β, and on a grid.
 //!
-//! A look at the band evaluates closed forms first. If they exceed the cutoff, no motion is followed. Every local
-//! maximum that may be the largest is refined.
+//! An evaluation of the band begins with closed forms. If a closed form exceeds the cutoff, no motion is followed.
+//! Every local maximum that may be the largest is refined.
 
 use super::amplitude::{Amplitude, Friction};
 use super::line;
@@ -15,27 +15,27 @@ use crate::Of;
 use crate::study::system::System;
 use std::cell::{Cell, RefCell};
 
-/// A local maximum of the places below this share of the largest is not refined.
+/// Share of the largest amplitude below which a local maximum is not refined.
 const WORTH: f64 = 0.7;
-/// A local maximum below this share of the largest is not refined finely.
+/// Share of the largest amplitude below which a local maximum is refined roughly only.
 const WORTH_FINELY: f64 = 0.95;
-/// Largest number of local maxima of followed motions that are refined.
+/// Largest number of local maxima of followed motions (outside the closed forms) that are refined.
 const MOST_TOPS: usize = 8;
-/// Relative tolerance in r of a refined maximum. The value of the maximum is then right to rounding.
+/// Relative tolerance in r of a refined maximum. The amplitude at the maximum is then exact to rounding.
 pub(super) const PLACE: f64 = 2e-9;
-/// Relative tolerance in r where many friction ratios are compared.
+/// Relative tolerance in r of a maximum while many friction ratios are compared.
 const NEARLY: f64 = 1e-5;
-/// Relative tolerance in r before it is known which maximum is the largest.
+/// Relative tolerance in r of a maximum before the largest maximum is known.
 const ROUGHLY: f64 = 1e-3;
-/// Relative width of the first bracket of a maximum that moves with friction.
+/// Relative width of the first bracket of a maximum whose position at another friction ratio is known.
 const NEIGHBOUR: f64 = 2e-3;
-/// An amplitude from this value on counts as infinite.
+/// Amplitude from which on an amplitude counts as infinite.
 pub(super) const POLE: f64 = 1e9;
 
-/// Amplitudes count as equal within this share.
+/// Relative difference within which two amplitudes count as equal.
 const SAME: f64 = 1e-9;
 
-/// A local maximum over the band.
+/// A local maximum of the amplitude over the band.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::study) struct Peak {
     pub r: f64,
@@ -44,18 +44,18 @@ pub(in crate::study) struct Peak {
     pub edge: bool,
 }
 
-/// A band of frequencies, with what is known of the amplitude in it.
+/// A band of frequencies, with all amplitudes that are already known in the band.
 pub(in crate::study) struct Band<'s> {
     pub amplitude: Amplitude<'s>,
     from: f64,
     to: f64,
-    /// Places that are evaluated whatever the friction is, ascending.
+    /// Frequencies that are evaluated at any friction, ascending.
     pub(super) places: Vec<Place>,
-    /// Amplitudes at the places with the contact stuck.
+    /// Amplitude at each of `places` with the contact stuck.
     held: Vec<f64>,
-    /// Last known amplitudes at the places.
+    /// Last known amplitude at each of `places`.
     known: Vec<Cell<Known>>,
-    /// Frequency ratios of peaks that the first look passed over.
+    /// Frequency ratios of peaks that a first, incomplete evaluation of the band had missed.
     learned: RefCell<Vec<f64>>,
 }
 
@@ -92,18 +92,18 @@ impl<'s> Band<'s> {
         [self.from, self.to]
     }
 
-    /// Adds a frequency ratio to all further first looks.
+    /// Adds a frequency ratio to all further first evaluations of the band.
     pub(super) fn learn(&self, r: f64) {
         self.learned.borrow_mut().push(r);
     }
 
-    /// Returns the local maxima of the band in descending order.
+    /// Returns the local maxima of the amplitude over the band, in descending order.
     pub(in crate::study) fn peaks(&self, friction: Friction) -> Vec<Peak> {
         let open = self.open(friction);
         self.look(open, f64::INFINITY, Closely::Whole).peaks
     }
 
-    /// Returns the band at one friction ratio, evaluated where the response has a closed form.
+    /// Evaluates the band at one friction ratio, but only at frequencies where the response has a closed form.
     pub(super) fn open(&self, friction: Friction) -> Open {
         let seen = |place: Place| {
             let closed = place.is_closed(friction);
@@ -142,7 +142,7 @@ impl<'s> Band<'s> {
         };
         let most = open.most();
         open.floor = most;
-        // On an undamped resonance of the stuck chain, only rounding bounds the amplitude.
+        // On an undamped resonance of the chain with its contact stuck, only rounding bounds the amplitude.
         let pole = friction == Friction::Locked && POLE <= most;
         if most.is_infinite() || pole {
             self.poles(&mut open, most);
@@ -150,7 +150,7 @@ impl<'s> Band<'s> {
             for (ends, start) in tops(&open.seen, WORTH * most, true) {
                 let peak = match ends {
                     Some(ends) => self.climbed(ends, start, friction, PLACE),
-                    // On a plateau every place is as good as any other.
+                    // On a plateau every frequency gives the same amplitude.
                     None if open.peaks.is_empty() => self.peak(start.0, start.1),
                     None => continue,
                 };
@@ -170,7 +170,7 @@ impl<'s> Band<'s> {
         open.floor = f64::INFINITY;
     }
 
-    /// Follows motions where there is no closed form, until an amplitude exceeds `cutoff`.
+    /// Follows motions at frequencies without a closed form, until an amplitude exceeds `cutoff`.
     pub(super) fn look(&self, mut open: Open, cutoff: f64, closely: Closely) -> Look {
         let friction = open.friction;
         if open.floor.is_infinite() {
@@ -200,7 +200,7 @@ impl<'s> Band<'s> {
                 continue;
             };
             if promise < most {
-                // The order is descending, so no later place promises more.
+                // The list is in descending order, so no later frequency has a larger expected amplitude.
                 break;
             }
             let r = seen.place.r;
@@ -242,8 +242,8 @@ impl<'s> Band<'s> {
         }
     }
 
-    /// Follows motion from rest at the largest peaks. With μ > 1 it decides the state also where the closed form
-    /// exists.
+    /// Follows motion from rest at the largest peaks. With μ > 1 this decides which steady state occurs, also where
+    /// the closed form exists.
     fn follow_largest(&self, peaks: &mut Vec<Peak>, friction: Friction) {
         let most = peaks.first().map_or(0.0, |peak| peak.value);
         let largest = peaks.iter_mut().take(MOST_TOPS);
@@ -256,7 +256,8 @@ impl<'s> Band<'s> {
         *peaks = sorted(std::mem::take(peaks));
     }
 
-    /// Refines local maxima between their neighbours: all of them roughly, and those that may be the largest finely.
+    /// Refines local maxima between their neighbouring frequencies: all of them roughly, and those that may be the
+    /// largest finely.
     fn refined(&self, tops: Vec<Top>, friction: Friction, finely: f64, cutoff: f64) -> Vec<Peak> {
         let mut roughly: Vec<([f64; 2], Peak)> = Vec::new();
         for (ends, start) in tops {
@@ -285,8 +286,8 @@ impl<'s> Band<'s> {
         roughly.into_iter().map(finely).collect()
     }
 
-    /// Returns places at which the motion has to be followed, with the largest amplitude expected there, in descending
-    /// order.
+    /// Returns the frequencies at which a motion has to be followed, with the largest amplitude expected there, in
+    /// descending order of that amplitude.
     fn promising(
         &self,
         open: &Open,
@@ -322,8 +323,9 @@ impl<'s> Band<'s> {
         }
     }
 
-    /// Returns the amplitudes at both bounds, and the largest local maxima. Each maximum is followed from a frequency
-    /// ratio in `seeds`, its position at a similar friction ratio. The search ends when an amplitude exceeds `cutoff`.
+    /// Returns the amplitudes at both bounds of the band, and the largest local maxima. Each maximum is searched for
+    /// from a frequency ratio in `seeds`, its position at a similar friction ratio. The search ends when an amplitude
+    /// exceeds `cutoff`.
     pub(super) fn followed(&self, friction: Friction, seeds: &[f64], cutoff: f64) -> Vec<Peak> {
         let value = |r: f64| self.amplitude.at(r, friction);
         let mut peaks: Vec<Peak> = [self.from, self.to]
@@ -331,7 +333,7 @@ impl<'s> Band<'s> {
             .to_vec();
         let mut tops: Vec<Top> = Vec::new();
         for seed in seeds.iter().filter(|seed| !self.is_edge(**seed)) {
-            // Climbs until there is a lower amplitude on both sides.
+            // Climbs until the amplitude is lower on both sides.
             let (mut middle, mut width) = (*seed, NEIGHBOUR * seed);
             let mut own = value(middle);
             let mut ends = [middle, middle];

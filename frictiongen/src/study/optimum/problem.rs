@@ -1,4 +1,4 @@
-//! A valid request of an optimum, and the report of the friction that was found.
+//! A checked request of an optimum, and the full result for the friction that was found.
 
 use super::amplitude::Friction;
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
@@ -13,14 +13,14 @@ use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 use crate::{Of, Regime};
 
-/// Bound on the work of the report of an optimum.
+/// Bound on the work of completing the result of an optimum.
 const WORK_OF_A_REPORT: usize = 60_000;
-/// Excesses over the best amplitude for which the report has a tolerance.
+/// Excesses over the best amplitude, as fractions, for which the result has an interval of friction.
 const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
-/// Peaks within this share of the largest count as equal.
+/// Relative difference within which a peak counts as equal to the largest peak.
 const EQUAL: f64 = 1e-9;
 
-/// A valid request of an optimum.
+/// A request for the best friction after all checks, with the system and the band of frequencies.
 pub(super) struct Problem<'s> {
     pub system: &'s System,
     of: Of,
@@ -73,7 +73,7 @@ impl<'s> Problem<'s> {
         Band::new(self.system, self.of, self.ends)
     }
 
-    /// Returns the least over all friction, found within a bound on work.
+    /// Returns the friction with the smallest largest amplitude, found over all friction within a bound on work.
     pub(super) fn least(band: &Band<'_>, work: usize) -> Result<Least, OptimumError> {
         search::least(band, work).ok_or_else(|| {
             if band.amplitude.is_spent() {
@@ -90,7 +90,7 @@ impl<'s> Problem<'s> {
         self.told(&band, &least)
     }
 
-    /// Returns the full report of a friction that was found.
+    /// Returns the full result for a friction that was found: peaks, limits, intervals and derivatives.
     pub(super) fn told(&self, band: &Band<'_>, least: &Least) -> Result<Optimum, OptimumError> {
         let largest = |friction: Friction| {
             let peaks = band.peaks(friction);
@@ -111,7 +111,8 @@ impl<'s> Problem<'s> {
         let peaks = equal_peaks(band, (&least.at, least.kind), friction);
         let sensitivities = match least.end {
             End::Converged => self.sensitivities(beta, &peaks).unwrap_or_default(),
-            // The derivatives assume a minimum that moves smoothly with a parameter. A jump does not.
+            // The derivatives are valid only for a minimum that moves smoothly with a parameter. A minimum at a jump
+            // does not.
             End::Jump | End::Spent => Vec::new(),
         };
         let tolerances = EXCESSES
@@ -147,8 +148,8 @@ impl<'s> Problem<'s> {
         })
     }
 
-    /// Returns d ln X/d ln p at the optimum. For one peak it is the derivative of the peak. For two equal peaks it is
-    /// their common derivative, while friction keeps the peaks equal.
+    /// Returns the relative derivatives d ln X/d ln p of the optimum's amplitude X. For one peak it is the derivative
+    /// of the peak. For two equal peaks it is their common derivative, while friction keeps the peaks equal.
     fn sensitivities(&self, beta: f64, peaks: &[OptimumPeak]) -> Option<Vec<(Parameter, f64)>> {
         let all = self.slopes(self.load?, beta, peaks)?;
         let weights = weights(&all)?;
@@ -166,7 +167,7 @@ impl<'s> Problem<'s> {
         .collect()
     }
 
-    /// Returns the derivatives of each peak under a load.
+    /// Returns the derivatives of the amplitude at each peak with respect to all parameters, under a load.
     pub(super) fn slopes(
         &self,
         load: Load,
@@ -187,15 +188,14 @@ impl<'s> Problem<'s> {
     }
 }
 
-/// Returns the derivative of a peak with respect to a parameter, with the parameter's value.
+/// Returns two things: the value of `parameter`, and a peak's amplitude with its derivative by that parameter.
 pub(super) fn slope(of: &ResponseSensitivities, parameter: Parameter) -> Option<(f64, Slope)> {
     let mut found = of.parameters.iter();
     let found = found.find(|of| of.parameter == parameter)?;
     Some((found.value, found.amplitude))
 }
 
-/// Returns the weights with which the derivatives of equal peaks add to the derivative of their common height, while
-/// friction keeps the peaks equal.
+/// Returns the weights of the peaks in the derivative of their common height, while friction keeps the peaks equal.
 pub(super) fn weights(all: &[ResponseSensitivities]) -> Option<Vec<f64>> {
     let along_friction = |of: &ResponseSensitivities| {
         let (value, slope) = slope(of, Parameter::Friction)?;
@@ -211,13 +211,13 @@ pub(super) fn weights(all: &[ResponseSensitivities]) -> Option<Vec<f64>> {
     }
 }
 
-/// Returns the peaks that are as high as the highest.
+/// Returns the peaks that are as high as the highest peak, up to rounding.
 pub(super) fn equal_peaks(
     band: &Band<'_>,
     (at, kind): (&Scanned, Kind),
     friction: Friction,
 ) -> Vec<OptimumPeak> {
-    // A stuck contact may move with the base over a whole range, where all places are equal peaks.
+    // A stuck contact may move with the base over a whole range, in which the amplitude is the same everywhere.
     let most = if kind == Kind::Held { 1 } else { 8 };
     let equal = at.peaks.iter();
     let equal = equal.filter(|peak| at.value * (1.0 - EQUAL) <= peak.value);

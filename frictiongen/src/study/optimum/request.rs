@@ -1,4 +1,4 @@
-//! The request of an optimum.
+//! The request of a search for the best friction.
 
 use crate::Of;
 use crate::study::error::{InvalidScene, UnknownMass};
@@ -7,24 +7,24 @@ use crate::study::units::{Load, LoadError};
 /// A band of frequencies, in frequency ratios or in Hz.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrequencyBand {
-    /// Frequency ratios r of the scene as it is described.
+    /// Lowest and highest frequency ratio r of the scene as it is described.
     Ratio(f64, f64),
-    /// Frequencies in Hz.
+    /// Lowest and highest frequency in Hz.
     Hertz(f64, f64),
 }
 
-/// The motion, band and load of an optimum.
+/// The motion, band and load for which the best friction is wanted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OptimumRequest {
     /// The motion whose amplitude is kept small.
     pub of: Of,
-    /// The band of frequencies, both ends included, above 0 and finite.
+    /// The band of frequencies, both bounds included, above 0 and finite.
     pub band: FrequencyBand,
-    /// The load, if forces in N and lengths in m are wanted.
+    /// The load. It is needed for forces in N and lengths in m.
     pub load: Option<Load>,
 }
 
-/// The reason why there is no optimum.
+/// The reason why no best friction is found.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum OptimumError {
@@ -32,20 +32,22 @@ pub enum OptimumError {
     Band,
     /// The band has no width, or its upper bound is below its lower bound.
     Width,
-    /// There is no such mass.
+    /// The scene has no mass with the requested name or index.
     UnknownMass(UnknownMass),
     /// The load does not fit the scene.
     Load(LoadError),
-    /// Nothing damps this mode, counted from 0. The contact does not touch it, and the load drives it.
+    /// The mode with this index, counted from 0, is driven by the load, and neither damping nor the contact acts on
+    /// it.
     Undamped(usize),
     /// A resonance within the band is unbounded at every friction.
     Unbounded,
-    /// The motion does not depend on friction and is at rest.
+    /// The requested motion does not depend on friction and is at rest.
     AtRest,
-    /// The bound on the work of [`System::optimum`](crate::study::System::optimum) was met before any friction was
-    /// found that bounds the amplitude.
+    /// The bound on the work of [`System::optimum`](crate::study::System::optimum) was met before the search found any
+    /// friction that bounds the amplitude.
     TooLong,
-    /// The interval of a tuned number is not finite, has no width, or its upper bound is below its lower bound.
+    /// The interval of a tuned number is invalid: not finite, without width, or with an upper bound below the lower
+    /// bound.
     Interval,
     /// The scene is invalid with a tuned number at a bound of its interval.
     Scene(InvalidScene),

@@ -1,60 +1,62 @@
-//! Computes the largest amplitude over a band, with its slope, at friction ratios from none to so much that nothing
-//! slides.
+//! Computes the largest amplitude over a band, and its slope over friction, at friction ratios from none to so much
+//! that nothing slides.
 
 use super::amplitude::Friction;
 use super::look::{Closely, Look, Open};
 use super::peaks::{Band, Peak};
 use crate::study::system::System;
 
-/// Number of intervals of the scan over friction. They are shorter near zero.
+/// Number of intervals of the scan over friction. The intervals are shorter near zero friction.
 const SCAN: usize = 40;
-/// Number of additional friction ratios in geometric steps. The first one is `LEAST` times the middle sliding limit.
+/// Number of additional friction ratios in geometric steps. The first one is `LEAST` times the median of β*_lim over
+/// the band.
 const GEOMETRIC: usize = 24;
 const LEAST: f64 = 0.02;
-/// With μ > 1 a motion from rest may slide although a stuck state exists. The scan therefore continues beyond the
-/// friction from which a stuck state exists over the whole band, to these multiples of it.
+/// Multiples of the friction from which a stuck state exists over the whole band, for friction ratios beyond it. With
+/// μ > 1 a motion from rest may slide although a stuck state exists.
 const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
-/// Relative step of a finite difference of a peak that moves.
+/// Relative step in β of a finite difference for a peak that moves with friction.
 const DIFFERENCE: f64 = 1e-6;
 /// Largest number of times that a scan without an upper bound doubles its range.
 const LONGER: usize = 12;
-/// A scan without an upper bound stops when each of its last four values rises with friction or exceeds the best by
-/// this factor.
+/// A scan without an upper bound stops when each of its last four amplitudes rises with friction or exceeds the best
+/// amplitude by this factor.
 const FAR_ABOVE: f64 = 2.0;
-/// Friction ratios of the scan above the friction that bounds all resonances, as shares of it.
+/// Additional friction ratios above the friction that bounds all resonances. Each one is higher by this fraction.
 const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
-/// A relative difference above this multiple of the relative change of friction is across a jump.
+/// Largest plausible relative change of the amplitude, in units of the relative change of friction. A larger change is
+/// a jump.
 const STEEPEST: f64 = 50.0;
-/// Number of times that intervals of the scan which may hide a minimum are halved.
+/// Number of rounds in which intervals of the scan are halved if they may hide a minimum.
 const CLOSER: usize = 5;
-/// An interval is halved only if the lower of its two values is within this factor of the best.
+/// An interval is halved only if the lower amplitude at its ends is within this factor of the best amplitude.
 const NEARLY: f64 = 1.2;
 /// Largest number of intervals that are halved in one round.
 const MOST_CLOSER: usize = 8;
 /// Number of rounds in which the scan is refined around the best friction ratio.
 const ABOUT: usize = 2;
-/// Number of parts into which a round cuts the interval on each side.
+/// Number of equal pieces into which a round cuts the interval on each side of the best friction ratio.
 const PARTS: u32 = 5;
 /// A friction ratio is rejected as soon as an amplitude exceeds the best so far by this factor. The factor exceeds
-/// every excess of a tolerance.
+/// every excess for which a tolerance is computed.
 const MARGIN: f64 = 1.2;
 
-/// The largest amplitude over the band at one friction ratio.
+/// The largest amplitude over the band at one friction ratio, with its slope and its peaks.
 #[derive(Clone, Debug)]
 pub(super) struct Scanned {
     pub beta: f64,
-    /// Largest amplitude. It is a lower bound where the look is not complete.
+    /// Largest amplitude over the band. It is only a lower bound if `complete` is false.
     pub value: f64,
-    /// Derivative with respect to β. NaN where the amplitude is unbounded.
+    /// Derivative of the largest amplitude with respect to β. NaN where the amplitude is unbounded.
     pub slope: f64,
     pub peaks: Vec<Peak>,
     pub complete: bool,
-    /// True if all places of the band were evaluated.
+    /// True if the amplitude was evaluated at all frequencies of the band.
     pub whole: bool,
 }
 
-/// Returns the friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. It is 0
-/// without such a resonance.
+/// Returns the friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. The result
+/// is 0 without such a resonance.
 pub(super) fn unbounded_to(system: &System, [from, to]: [f64; 2]) -> f64 {
     let modal = system.modal();
     let modes = modal.damping_ratios.iter().zip(system.resonances());
@@ -65,13 +67,13 @@ pub(super) fn unbounded_to(system: &System, [from, to]: [f64; 2]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Returns the least value of complete looks, or infinity if none is complete.
+/// Returns the smallest amplitude of all completed points of the scan, or infinity if no point is completed.
 pub(super) fn best(scan: &[Scanned]) -> f64 {
     let complete = scan.iter().filter(|scanned| scanned.complete);
     complete.fold(f64::INFINITY, |best, scanned| best.min(scanned.value))
 }
 
-/// Returns the scan over friction.
+/// Computes the scan: the largest amplitude over the band at friction ratios from none to so much that nothing slides.
 pub(super) fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
     let system = band.amplitude.system;
     let unbounded_to = unbounded_to(system, band.ends());
@@ -94,8 +96,8 @@ pub(super) fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Sc
         .filter(|beta| *beta < top);
     add(band, &mut scan, betas);
     if !locked_from.is_finite() {
-        // Next to a resonance of the stuck chain no friction holds the contact. The scan ends where more friction no
-        // longer helps.
+        // Next to a resonance of the chain with its contact stuck, no friction stops the contact. The scan ends where
+        // more friction no longer helps.
         for _ in 0..LONGER {
             let more = [1.0, 1.25, 1.5, 1.75].map(|share| top * share);
             add(band, &mut scan, more.into_iter());
@@ -124,8 +126,8 @@ pub(super) fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Sc
     scan
 }
 
-/// Adds friction ratios to the scan, in the order of their expected amplitude. With a low amplitude known first, the
-/// closed form alone then rejects most others.
+/// Adds friction ratios to the scan, in the order of their expected amplitude. Once a low amplitude is known, closed
+/// forms alone reject most other friction ratios.
 pub(super) fn add(band: &Band<'_>, scan: &mut Vec<Scanned>, betas: impl Iterator<Item = f64>) {
     let opened = betas.map(|beta| (beta, band.open(Friction::Ratio(beta))));
     let mut opened: Vec<(f64, Open)> = opened.collect();
@@ -143,8 +145,8 @@ pub(super) fn add(band: &Band<'_>, scan: &mut Vec<Scanned>, betas: impl Iterator
     scan.dedup_by(|a, b| a.beta == b.beta);
 }
 
-/// Adds friction ratios where a minimum may be hidden. The amplitude falls from one of two neighbours, and the second
-/// is higher although the amplitude falls there too. The mirrored case counts as well.
+/// Adds friction ratios where a minimum may be hidden between neighbours of the scan. The amplitude falls from one of
+/// two neighbours, and the second is higher although the amplitude falls there too. The mirrored case counts as well.
 pub(super) fn closer(band: &Band<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..CLOSER {
         let best = best(scan);
@@ -170,7 +172,7 @@ pub(super) fn closer(band: &Band<'_>, scan: &mut Vec<Scanned>) {
 }
 
 /// Adds friction ratios around the best one, up to its neighbours on both sides. With μ > 1 the amplitude jumps with
-/// friction, and slopes do not show its values between points of the scan.
+/// friction, so slopes do not predict amplitudes between points of the scan.
 pub(super) fn about_best(band: &Band<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..ABOUT {
         let best = best(scan);
@@ -197,7 +199,8 @@ pub(super) fn about_best(band: &Band<'_>, scan: &mut Vec<Scanned>) {
     }
 }
 
-/// Returns the result at one friction ratio. The look ends when an amplitude exceeds `cutoff`.
+/// Evaluates the band at one friction ratio and returns the largest amplitude. The evaluation ends when an amplitude
+/// exceeds `cutoff`.
 pub(super) fn scanned_at(band: &Band<'_>, beta: f64, cutoff: f64) -> Scanned {
     let open = band.open(Friction::Ratio(beta));
     let look = band.look(open, cutoff, Closely::First);
@@ -221,14 +224,15 @@ pub(super) fn with_slope(beta: f64, look: Look, slope: impl Fn(&Peak) -> f64) ->
     }
 }
 
-/// Returns the derivative of a peak's height with respect to β.
+/// Returns the derivative of a peak's amplitude with respect to β.
 pub(super) fn slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
     if let Some([along_r, along_beta]) = band.amplitude.slopes(peak.r, beta)
         && (peak.edge || is_smooth(band, beta, peak, along_r))
     {
         return along_beta;
     }
-    // The peak is on a jump, and moves with the jump. A finite difference therefore follows it.
+    // The peak is on a jump of the amplitude over frequency, and moves with the jump. A finite difference therefore
+    // follows the peak.
     let h = DIFFERENCE * beta;
     let at = |beta: f64| {
         let peaks = band.followed(Friction::Ratio(beta), &[peak.r], f64::INFINITY);
@@ -241,7 +245,8 @@ pub(super) fn slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
     (at(beta + h) - at(beta - h)) / (h + h)
 }
 
-/// Returns true if the amplitude is smooth at a maximum. At a kink a tangent says nothing about the peak.
+/// Returns true if the amplitude is smooth over frequency at a maximum. At a kink, derivatives do not describe the
+/// peak.
 fn is_smooth(band: &Band<'_>, beta: f64, peak: &Peak, along_r: f64) -> bool {
     if along_r.abs() * peak.r <= 1e-7 * peak.value {
         return true;
@@ -252,7 +257,8 @@ fn is_smooth(band: &Band<'_>, beta: f64, peak: &Peak, along_r: f64) -> bool {
     along_r.abs() * step <= 0.1 * fallen
 }
 
-/// Returns the derivative from a finite difference at the peak's frequency. NaN across a jump.
+/// Returns the derivative of the amplitude with respect to β from a finite difference at the peak's frequency. NaN
+/// across a jump.
 fn rough_slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
     let at = |beta: f64| band.amplitude.at(peak.r, Friction::Ratio(beta));
     if beta == 0.0 {

@@ -1,12 +1,12 @@
 //! Finds the friction ratio at which the largest amplitude over a band is smallest.
 //!
 //! The largest amplitude is the maximum of smooth branches, one for each peak. It jumps where the motion reaches
-//! another steady state. A scan over friction gives value and slope. Where the slope changes from falling to rising,
-//! there is a minimum.
+//! another steady state. A scan over friction gives the amplitude and its slope. Between two points where the slope
+//! changes from falling to rising, there is a minimum.
 //!
 //! A minimum is either a crossing of two peaks or one peak's own minimum. Newton's method on the difference of the
-//! peaks finds a crossing. The zero of the slope is a peak's own minimum. Where neither is found, golden sections,
-//! which need no slopes, narrow the bracket around the least.
+//! peaks' heights finds a crossing. The zero of the slope is a peak's own minimum. Where neither is found, golden
+//! sections, which need no slopes, narrow the bracket around the best friction ratio.
 
 use super::amplitude::Friction;
 use super::candidates::{Candidate, HOLDS, before, between, of_scan, stays, valleys};
@@ -16,36 +16,39 @@ use super::peaks::{Band, Peak};
 use super::scan::{Scanned, about_best, add, best, closer, scanned, scanned_at, slope, with_slope};
 use crate::Regime;
 
-/// Largest number of attempts at one minimum. A further attempt follows if a higher peak appears in the minimum.
+/// Largest number of attempts at one minimum. A further attempt follows if the previous one finds a higher peak at the
+/// minimum.
 const AGAIN: usize = 4;
-/// Largest number of checks of the least over the whole band. A further check follows if a check finds a higher peak.
+/// Largest number of checks of the best friction ratio over the whole band. A further check follows if a check finds a
+/// higher peak.
 const CHECKS: usize = 6;
 /// Largest number of golden-section steps, down to the relative width `NARROW` of a bracket.
 const SECTIONS: usize = 40;
 const NARROW: f64 = 1e-7;
-/// The smaller share of a golden section.
+/// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
-/// A peak counts as stationary if its relative change is below this multiple of the relative change of friction.
+/// A peak counts as stationary in friction if its relative change is below this multiple of the relative change of
+/// friction.
 const STATIONARY: f64 = 1e-4;
-/// Bound on the work of one of the many searches of a tuning, a few seconds.
+/// Bound on the work of one of the many searches of a tuned optimum. It amounts to a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
-/// The final check may take the bound of the search divided by this number, in addition to the search.
+/// The final check may use, in addition, the work bound of the search divided by this number.
 const OF_A_CHECK: usize = 6;
 
-/// The kind of a minimum over friction.
+/// The kind of a minimum of the largest amplitude over friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// Two peaks are equal. One falls with friction, the other rises.
+    /// Two peaks have equal height. With more friction one falls and the other rises.
     Crossing,
-    /// One peak is at its own minimum, or jumps.
+    /// One peak is at its own minimum over friction, or at a jump.
     Smooth,
-    /// The minimum is at zero friction.
+    /// The smallest amplitude occurs without friction.
     Without,
     /// The contact is stuck at the frequency of the peak, or over the whole band.
     Held,
 }
 
-/// The cause that ended the search.
+/// The cause that ended the search: convergence, a jump, or spent work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
     Converged,
@@ -53,21 +56,21 @@ pub(super) enum End {
     Spent,
 }
 
-/// The friction ratio that the search found.
+/// The best friction ratio that the search found, with the scan over friction.
 #[derive(Clone, Debug)]
 pub(super) struct Least {
     pub at: Scanned,
     pub kind: Kind,
     pub end: End,
-    /// Interval of β that contains the least, as far as the search went.
+    /// Interval of β that contains the best friction ratio, as far as the search refined it.
     pub bracket: [f64; 2],
     pub scan: Vec<Scanned>,
-    /// β from which a stuck state exists over the whole band.
+    /// Friction ratio from which a stuck state exists over the whole band.
     pub locked_from: f64,
     pub free_to: f64,
 }
 
-/// Returns the least over all friction, if some friction bounds the amplitude.
+/// Searches all friction for the smallest largest amplitude. `None` if no friction bounds the amplitude.
 pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     band.amplitude.allow(work);
     let [free_to, locked_from] = band.limits();
@@ -78,7 +81,8 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     }
     let mut candidates = of_scan(&scan);
     let top = best(&scan);
-    // No amplitude is below 0. Just below the friction that holds the contact, motions too small to settle approach 0.
+    // No amplitude is below 0. Just below the friction that stops the contact, amplitudes of motions too small to
+    // settle approach 0.
     if 0.0 < top {
         let mut top = top;
         for (below, above) in between(&scan, top) {
@@ -115,7 +119,8 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     })
 }
 
-/// Returns the least between two nearby friction ratios, if the amplitude falls from the first and rises to the second.
+/// Searches between two nearby friction ratios for the smallest largest amplitude. `None` unless the amplitude falls
+/// from the first and rises to the second.
 pub(super) fn near(band: &Band<'_>, ends: [f64; 2]) -> Option<Least> {
     band.amplitude.allow(WORK_OF_ONE);
     let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));
@@ -136,13 +141,13 @@ pub(super) fn near(band: &Band<'_>, ends: [f64; 2]) -> Option<Least> {
     })
 }
 
-/// Extends the bracket to contain β. At a stationary minimum both bounds may be nearer to each other than the accuracy
-/// of β.
+/// Extends the bracket so that it contains β. At a stationary minimum both bounds may be nearer to each other than the
+/// accuracy of β.
 fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
     [from.min(beta), to.max(beta)]
 }
 
-/// Returns the least of the candidates, after a look at all places of the band.
+/// Returns the best of the candidates, after an evaluation at all frequencies of the band.
 fn checked(
     band: &Band<'_>,
     scan: &mut Vec<Scanned>,
@@ -173,7 +178,7 @@ fn checked(
         if holds || spent {
             continue;
         }
-        // The first look passed over these peaks.
+        // The first, incomplete evaluation missed these peaks.
         for peak in &least.at.peaks {
             band.learn(peak.r);
         }
@@ -190,8 +195,8 @@ fn checked(
     least.filter(|least| least.at.value.is_finite())
 }
 
-/// Returns the minimum between two friction ratios after another look at the whole band. `None` if the minimum is not
-/// below `best`.
+/// Returns the minimum between two friction ratios, after another evaluation of the whole band. `None` if its
+/// amplitude is not below `best`.
 fn minimum(
     band: &Band<'_>,
     mut below: Scanned,
@@ -227,7 +232,7 @@ fn minimum(
             let seen = look.complete.then_some(found.best);
             return Some(narrowed(band, (&found.below, &found.above), seen));
         }
-        // The look found a peak that neither side has.
+        // The evaluation found a peak that was known on neither side of the bracket.
         let look = Look {
             complete: look.complete,
             peaks: look.peaks,
@@ -255,10 +260,10 @@ fn minimum(
     found.at.complete.then_some(found)
 }
 
-/// Returns the least between two friction ratios, by golden sections around the best one so far.
+/// Narrows an interval of friction ratios around the best one so far by golden sections, and returns the best.
 ///
 /// Where steady states appear and disappear, peaks cannot be followed and slopes are useless. A friction ratio is
-/// rejected as soon as one amplitude shows that it is no better.
+/// rejected as soon as one amplitude shows that it is not better.
 fn narrowed(
     band: &Band<'_>,
     (below, above): (&Scanned, &Scanned),

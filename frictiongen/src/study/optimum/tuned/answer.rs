@@ -1,47 +1,48 @@
-//! The request and the result of the best friction together with one number.
+//! The request and the result of a search for the best friction together with one number of the description.
 
 use super::number::Tunable;
 use crate::study::optimum::Optimum;
 use crate::study::system::System;
 
-/// A number that is chosen together with the friction, and its interval.
+/// A number of the description that is optimised together with the friction, and the interval of its values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tuning {
-    /// The number that is chosen.
+    /// The number that is optimised.
     pub of: Tunable,
-    /// The smallest value, in the number's own unit.
+    /// Lower bound of the interval, in the own unit of the optimised number.
     pub from: f64,
-    /// The largest value, in the number's own unit.
+    /// Upper bound of the interval, in the own unit of the optimised number.
     pub to: f64,
 }
 
-/// The best friction at one value of the number.
+/// The best friction for one value of the optimised number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TunedPoint {
-    /// The value of the number.
+    /// The value of the optimised number.
     pub value: f64,
-    /// The best friction, as β of the scene as it is described. NaN where there is none.
+    /// The best friction ratio β, in the groups of the scene as it is described. NaN where there is no best friction.
     pub beta: f64,
-    /// The largest amplitude with this friction, over P/k₁ of the scene as it is described, for base motion over Y. It
-    /// is infinite where no friction bounds the amplitude. NaN means that the search met its bound on work before it
-    /// found any friction.
+    /// The largest amplitude over the band with this friction, in units of P/k₁ (for base motion Y) of the scene as it
+    /// is described. It is infinite where no friction bounds the amplitude. NaN means that the search met its bound on
+    /// work before it found any friction.
     pub amplitude: f64,
 }
 
-/// The friction and the value of one number that keep the largest amplitude smallest.
+/// The friction and the value of one number that together make the largest amplitude over a band smallest.
 #[derive(Clone, Debug)]
 pub struct TunedOptimum {
-    /// The best value of the number.
+    /// The best value of the optimised number.
     pub value: f64,
     /// True if the best value is a bound of the interval. A value beyond the bound may be better.
     pub at_end: bool,
-    /// The scene with this value.
+    /// The scene with the best value of the optimised number.
     pub system: System,
-    /// The best friction with this value. Its groups are those of the scene as it is *described*. That scene's m₁ and
+    /// The best friction with the best value. Its groups refer to the scene as it is *described*. The described m₁ and
     /// k₁ convert r, β and amplitudes to Hz, N and m.
     pub optimum: Optimum,
-    /// The best friction at the values of the scan, ascending. It shows how much the number matters.
+    /// The best friction at all scanned values of the optimised number, ascending. The list shows how much the number
+    /// matters.
     pub scan: Vec<TunedPoint>,
-    /// Total number of amplitudes that were computed.
+    /// Total number of amplitudes that the search computed.
     pub evaluations: usize,
 }

@@ -1,4 +1,4 @@
-//! The numbers of a description that may be chosen together with the friction.
+//! The numbers of a description that an optimum can vary together with the friction.
 
 use crate::study::error::InvalidScene;
 use crate::study::parameter::symbol;
@@ -7,7 +7,7 @@ use crate::study::system::System;
 use frictiongen_model::scene::{Damping, Scene, Spring};
 use frictiongen_model::sensitivity::Quantity;
 
-/// A number of a description that may be chosen together with the friction.
+/// A number of a description that an optimum can vary together with the friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Tunable {
     /// A mass, a stiffness, μ, the damping ratio of one mode, or a factor of C = aM + bK.
@@ -16,12 +16,12 @@ pub enum Tunable {
     DampingRatios,
 }
 
-/// The error that no number of the description has this name.
+/// The error that no variable number of the description has the requested name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownTunable {
-    /// The name in the request.
+    /// The requested name, which no number of the description has.
     pub name: String,
-    /// The names of all numbers.
+    /// The names of all numbers that can vary.
     pub known: Vec<String>,
 }
 
@@ -39,8 +39,8 @@ impl std::fmt::Display for UnknownTunable {
 impl std::error::Error for UnknownTunable {}
 
 impl Tunable {
-    /// Returns the symbol, as derivatives have it: `m upper`, `k base - lower`, `zeta 1`, `a`, `mu`. The symbol of the
-    /// common damping ratio is `zeta`.
+    /// Returns the symbol of the number, as in lists of derivatives: for example `m upper`, `k base - lower`, `zeta
+    /// 1`, `a` or `mu`. The symbol of the common damping ratio is `zeta`.
     #[must_use]
     pub fn symbol(&self, scene: &Scene) -> String {
         match self {
@@ -49,7 +49,7 @@ impl Tunable {
         }
     }
 
-    /// Returns the SI unit. The unit of a ratio is empty.
+    /// Returns the SI unit of the number. The text is empty for a ratio.
     #[must_use]
     pub fn unit(&self) -> &'static str {
         match self {
@@ -61,7 +61,7 @@ impl Tunable {
         }
     }
 
-    /// Returns the quantities that vary with this number.
+    /// Returns all quantities of the description that vary with this number.
     pub(super) fn quantities(self, scene: &Scene) -> Vec<Quantity> {
         match self {
             Self::Quantity(quantity) => vec![quantity],
@@ -71,7 +71,7 @@ impl Tunable {
         }
     }
 
-    /// Returns the scene with this value. `None` if the description does not have such a number.
+    /// Returns the scene with another value of this number. `None` if the description does not have such a number.
     fn applied(self, scene: &Scene, value: f64) -> Option<Scene> {
         let mut scene = scene.clone();
         match self {
@@ -105,7 +105,7 @@ impl Tunable {
     }
 }
 
-/// Returns a and b of C = aM + bK. `None` for a scene with damping ratios.
+/// Returns the factors a and b of the damping C = aM + bK. `None` for a scene with damping ratios.
 fn factors(scene: &Scene) -> Option<[f64; 2]> {
     match scene.damping {
         Damping::None => Some([0.0; 2]),
@@ -114,7 +114,7 @@ fn factors(scene: &Scene) -> Option<[f64; 2]> {
     }
 }
 
-/// Returns the damping ratio of each mode. `None` for a scene with C = aM + bK.
+/// Returns the damping ratio of each mode. `None` for a scene with the damping C = aM + bK.
 fn ratios(scene: &Scene) -> Option<Vec<f64>> {
     let masses = scene.masses.len();
     match &scene.damping {
@@ -126,8 +126,9 @@ fn ratios(scene: &Scene) -> Option<Vec<f64>> {
 }
 
 impl System {
-    /// Returns the numbers that may be chosen together with the friction: masses, springs, damping and μ. An undamped
-    /// description allows both damping ratios and C = aM + bK. A damped one allows its own kind of damping only.
+    /// Returns all numbers of the description that an optimum can vary: masses, springs, damping and μ. An undamped
+    /// description allows both damping ratios and C = aM + bK. A damped description allows its own kind of damping
+    /// only.
     #[must_use]
     pub fn tunables(&self) -> Vec<Tunable> {
         let scene = self.scene();
@@ -148,9 +149,9 @@ impl System {
         all
     }
 
-    /// Returns the number with this symbol: `m upper`, `k base - lower`, `zeta` of all modes, `zeta 1`, `a`, `b`, `mu`.
-    /// The two nodes of a spring may be in either order. `k2` is the second spring of the description, and `m1` its
-    /// first mass.
+    /// Returns the number with the symbol `name`: `m upper`, `k base - lower`, `zeta` of all modes, `zeta 1`, `a`, `b`
+    /// or `mu`. The two nodes of a spring may be in either order. `k2` means the second spring of the description,
+    /// `m1` its first mass.
     ///
     /// # Errors
     /// [`UnknownTunable`] if no number has this symbol.
@@ -183,7 +184,8 @@ impl System {
         })
     }
 
-    /// Returns the same scene with another value of one number. Each damping ratio stays with the order of its mode.
+    /// Returns the same scene with another value of one number. Damping ratios belong to the modes in ascending order
+    /// of frequency, before and after the change.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -221,7 +223,7 @@ fn reversed(scene: &Scene, spring: &Spring) -> String {
     format!("k {to} - {from}")
 }
 
-/// Returns the name with one space between words and on either side of a hyphen.
+/// Returns a name with one space between words and one on either side of a hyphen.
 fn spaced(name: &str) -> String {
     let name = name.replace('-', " - ");
     name.split_whitespace().collect::<Vec<_>>().join(" ")

@@ -1,4 +1,5 @@
-//! Finds the value of the number at which the least amplitude over all friction is smallest.
+//! Finds the value of one number of the description at which the smallest largest amplitude, over all friction, is
+//! smallest.
 
 use super::answer::{TunedOptimum, TunedPoint, Tuning};
 use super::tried::{Groups, Search, Tried, near};
@@ -8,17 +9,17 @@ use crate::study::optimum::problem::Problem;
 use crate::study::optimum::search::{Least, WORK_OF_ONE};
 use std::sync::atomic::Ordering;
 
-/// Number of intervals of the scan.
+/// Number of intervals of the scan over the number.
 const STEPS: usize = 16;
-/// An interval of the scan is searched if its tangents meet below this factor of the best.
+/// An interval of the scan is searched if its tangents meet below this factor times the best amplitude.
 const WORTH: f64 = 1.05;
-/// Largest number of intervals that are searched, in the order of their promise.
+/// Largest number of intervals that are searched. Those with the smallest expected amplitude come first.
 const MOST_LOOKED_INTO: usize = 3;
 /// Largest number of steps towards a minimum.
 const MOST_STEPS: usize = 40;
-/// Tolerance of a minimum, relative to an interval of the scan.
+/// Tolerance of the position of a minimum, relative to an interval of the scan.
 const NEAR: f64 = 1e-10;
-/// The search ends if the amplitude cannot fall by more than this share.
+/// Relative gain of the amplitude below which the search ends.
 const GAIN: f64 = 2e-13;
 /// Largest number of repeated searches. A search repeats if another friction is better at the minimum found.
 const AGAIN: usize = 3;
@@ -37,7 +38,7 @@ impl Search<'_> {
             let varied = self.with(best.value)?;
             let problem = Problem::new(&varied, &self.request_for(&varied))?;
             let band = problem.band();
-            // This search covers all friction, whatever the neighbours had.
+            // This search covers all friction, not only the surroundings of the neighbours' best friction.
             let mut least = Problem::least(&band, WORK_OF_ONE)?;
             self.count(band.amplitude.asked.get());
             if let Some(found) = best.found.clone()
@@ -100,7 +101,7 @@ impl Search<'_> {
         }
     }
 
-    /// Returns the least of all tried values and of the minima between them.
+    /// Returns the best of all scanned values and of the minima between them.
     fn best(&self, tried: &[Tried]) -> Option<Tried> {
         let finite = tried.iter().filter(|tried| tried.amplitude.is_finite());
         let mut best = finite
@@ -128,7 +129,8 @@ impl Search<'_> {
         Some(best)
     }
 
-    /// Returns the minimum between a value from which the amplitude falls and a value to which it rises.
+    /// Returns the minimum between two values of the number. The amplitude falls from the first value and rises to the
+    /// second.
     fn crept(&self, mut below: Tried, mut above: Tried) -> Tried {
         let width = above.value - below.value;
         let mut best = if below.amplitude < above.amplitude {
@@ -147,8 +149,8 @@ impl Search<'_> {
             if left <= NEAR * width || enough {
                 break;
             }
-            // One branch has its minimum at the zero of its derivative. Two branches have it at their crossing. If one
-            // side stays, the step goes a little beyond the crossing.
+            // A single branch has its minimum at the zero of its derivative. Two branches have their minimum at their
+            // crossing. If one side of the bracket does not move, the step goes slightly beyond the crossing.
             let one = below.peaks.len() == above.peaks.len()
                 && below
                     .peaks
@@ -180,7 +182,7 @@ impl Search<'_> {
             } else {
                 above = here;
             }
-            // After two steps on one side, the next step passes the minimum by the error of this step.
+            // After two steps on the same side, the next step passes the minimum by the error of this step.
             beyond = match meeting(&below, &above) {
                 Some((next, _)) if last == Some(side) => next - value,
                 _ => 0.0,
@@ -207,7 +209,7 @@ fn rises(tried: &Tried) -> bool {
     0.0 < tried.slope
 }
 
-/// Returns the value at which the tangents meet, and the amplitude there.
+/// Returns the value of the number at which the tangents of two scanned values meet, and the amplitude there.
 fn meeting(below: &Tried, above: &Tried) -> Option<(f64, f64)> {
     let rise = below.slope - above.slope;
     let sum =
@@ -217,7 +219,7 @@ fn meeting(below: &Tried, above: &Tried) -> Option<(f64, f64)> {
     (below.value < value && value < above.value).then_some((value, low))
 }
 
-/// Returns the amplitude at which the tangents meet, but at least half of the smaller amplitude.
+/// Returns the amplitude at which the tangents of two scanned values meet, but at least half of the smaller amplitude.
 fn promised(below: &Tried, above: &Tried) -> f64 {
     let least = 0.5 * below.amplitude.min(above.amplitude);
     meeting(below, above).map_or(least, |(_, low)| low.max(least))

@@ -1,4 +1,5 @@
-//! The best friction at one value of the number, and the derivative of its amplitude with respect to the number.
+//! The best friction at one value of a number of the description, and the derivative of the best amplitude with
+//! respect to that number.
 
 use super::answer::Tuning;
 use crate::study::optimum::amplitude::Friction;
@@ -12,14 +13,15 @@ use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A peak has a derivative only if its relative slope along a variable that should be stationary is below this value.
+/// Largest relative slope of a peak along a variable in which it should be stationary. A steeper peak has no
+/// derivative.
 const STATIONARY: f64 = 1e-4;
-/// Step of a finite difference, relative to the value.
+/// Step of a finite difference, relative to the number's value.
 const DIFFERENCE: f64 = 1e-5;
-/// Smallest relative margin beyond the frictions of both neighbours in which friction is searched for.
+/// Smallest relative margin of the searched friction interval beyond the best frictions of both neighbours.
 const MARGIN: f64 = 1e-3;
 
-/// A valid request of a tuned optimum.
+/// A request, after all checks, for the best friction together with one number of the description.
 pub(super) struct Search<'s> {
     pub(super) described: &'s System,
     request: &'s OptimumRequest,
@@ -27,21 +29,21 @@ pub(super) struct Search<'s> {
     pub(super) asked: AtomicUsize,
 }
 
-/// The best friction at one value of the number.
+/// The best friction at one value of the varied number.
 #[derive(Clone, Debug)]
 pub(super) struct Tried {
     pub value: f64,
     pub amplitude: f64,
-    /// Derivative of the amplitude with respect to the value. NaN where it is not known.
+    /// Derivative of the smallest amplitude with respect to the number. NaN where the derivative is not known.
     pub slope: f64,
-    /// Friction ratio β of the scene as the description gives it.
+    /// Best friction ratio β, in the groups of the scene as it is described.
     pub beta: f64,
-    /// Frequencies of the peaks, as frequency ratios r of the scene as the description gives it.
+    /// Frequency ratios r of the peaks, in the groups of the scene as it is described.
     pub peaks: Vec<f64>,
     pub found: Option<Least>,
 }
 
-/// Ratios of the groups of the scene as it is described to those of the scene with another value of the number.
+/// Ratios that convert groups of the scene as it is described to groups of the scene with another value of the number.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Groups {
     pub r: f64,
@@ -99,7 +101,7 @@ impl<'s> Search<'s> {
         for end in [from, to] {
             described.with_value(of, end).map_err(OptimumError::Scene)?;
         }
-        // Other faults of the request do not depend on the value of the number.
+        // The other faults of a request do not depend on the value of the number.
         if let Err(error) = Problem::new(described, request)
             && !matches!(error, OptimumError::Undamped(_))
         {
@@ -122,7 +124,7 @@ impl<'s> Search<'s> {
         varied.map_err(OptimumError::Scene)
     }
 
-    /// Returns the request with the same band in the groups of another value.
+    /// Returns the request with the same band in the groups of the scene with another value of the number.
     pub(super) fn request_for(&self, varied: &System) -> OptimumRequest {
         let groups = Groups::new(self.described, varied);
         let ratio = |r: f64| r / groups.r;
@@ -137,7 +139,7 @@ impl<'s> Search<'s> {
         }
     }
 
-    /// Returns the requested load, or one of amplitude 1. The optimum does not depend on it.
+    /// Returns the requested load, or a load of amplitude 1. The optimum does not depend on this amplitude.
     fn load(&self) -> Load {
         self.request
             .load
@@ -147,7 +149,7 @@ impl<'s> Search<'s> {
             })
     }
 
-    /// Returns the best friction at a value, over all friction or within a window.
+    /// Returns the best friction at a value of the number. The search covers all friction, or the interval `window`.
     pub(super) fn tried(
         &self,
         value: f64,
@@ -165,7 +167,8 @@ impl<'s> Search<'s> {
         Ok(tried)
     }
 
-    /// Returns the best friction at a value. The slope is NaN where there is no exact derivative.
+    /// Returns the best friction at a value of the number, without the derivative from finite differences. The slope
+    /// is NaN where there is no exact derivative.
     fn height(&self, value: f64, window: Option<[f64; 2]>) -> Result<Tried, OptimumError> {
         let mut tried = Tried {
             value,
@@ -206,12 +209,12 @@ impl<'s> Search<'s> {
         Ok(tried)
     }
 
-    /// Returns the derivative of the least amplitude with respect to the value, while friction stays optimal.
+    /// Returns the derivative of the smallest amplitude with respect to the number, while friction stays optimal.
     fn slope(&self, problem: &Problem<'_>, band: &Band<'_>, least: &Least) -> Option<f64> {
         let held = least.kind == Kind::Held;
         let beta = least.at.beta;
         let peaks = equal_peaks(band, (&least.at, least.kind), Friction::Ratio(beta));
-        // More friction changes nothing here, and makes the regime certain.
+        // More friction changes nothing for a stuck contact, and makes the regime certain.
         let beta = if held && least.locked_from <= beta {
             2.0 * beta
         } else {
@@ -230,14 +233,14 @@ impl<'s> Search<'s> {
         }
         let weights = weights(&all)?;
         match weights.as_slice() {
-            // A peak at its own minimum must be stationary in friction. Otherwise there is no derivative.
+            // A single peak at its own minimum must be stationary in friction. Otherwise there is no derivative.
             [_] if least.kind == Kind::Smooth => {
                 if STATIONARY < relative(0, Parameter::Friction)?.abs() {
                     return None;
                 }
             }
             [_] => {}
-            // One peak falls with friction and the other rises.
+            // One peak falls with friction and the other rises, so both weights are positive.
             weights if weights.iter().all(|weight| 0.0 <= *weight) => {}
             _ => return None,
         }
@@ -252,7 +255,7 @@ impl<'s> Search<'s> {
     }
 }
 
-/// Returns the window of frictions that is searched between two values.
+/// Returns the interval of frictions to search for a value of the number between two known values.
 pub(super) fn near(below: &Tried, above: &Tried) -> [f64; 2] {
     let [low, high] = [below.beta.min(above.beta), below.beta.max(above.beta)];
     let margin = (0.25 * (high - low)).max(MARGIN * high);
