@@ -35,6 +35,8 @@ class Limits(Table):
     sliding_limit_N: Floats
     continuous_limit_without_search: Floats
     continuous_limit_per_mode: Floats
+    continuous_limit_without_search_N: Floats
+    continuous_limit_per_mode_N: Floats
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draws both limits over frequency, in N if a load was given.
