@@ -303,7 +303,7 @@ mod tests {
             }
         }
         assert_eq!(metres.convert(Dimension::Force, 1.0, 0.0), 5.0);
-        assert_eq!(metres.convert(Dimension::Acceleration, 1.0, 3.0), 0.9);
+        assert_eq!(metres.convert(Dimension::Acceleration, 1.0, 2.0), 0.4);
         assert_eq!(groups.convert(Dimension::Acceleration, 1.0, 3.0), 1.0);
     }
 }

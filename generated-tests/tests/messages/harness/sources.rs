@@ -3,11 +3,17 @@
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::path::{Path, PathBuf};
 
-/// Texts that no description can cause, with the reason.
-const NEVER_TOLD: [(&str, &str); 1] = [(
-    "this is not a scene",
-    "stands in for a list of errors, were it empty",
-)];
+/// First words of texts that no description can cause here, with the reason.
+const NEVER_TOLD: [(&str, &str); 2] = [
+    (
+        "this is not a scene",
+        "stands in for a list of errors, were it empty",
+    ),
+    (
+        "`proof: whole` needs the feature `proof`",
+        "these tests have the feature; tables/declared/proven.rs reads a scene without it",
+    ),
+];
 
 /// A string literal that is a message or part of one.
 pub struct Text {
@@ -122,7 +128,7 @@ fn is_message(file: &str, text: &str) -> bool {
             .iter()
             .any(|piece| piece.contains(char::is_alphabetic));
     let documents = file.contains("/emit/") || file.contains("/standalone/");
-    words && !documents && !NEVER_TOLD.iter().any(|(never, _)| *never == text)
+    words && !documents && !NEVER_TOLD.iter().any(|(never, _)| text.starts_with(never))
 }
 
 fn sources(folder: &Path, files: &mut Vec<PathBuf>) {
