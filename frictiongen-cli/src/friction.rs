@@ -6,8 +6,8 @@ use crate::frequency::Frequencies;
 use crate::grid::{self, MOST_POINTS, Quantity};
 use crate::measure::{self, Measure};
 use crate::number::survives;
-use frictiongen::study::LoadScale;
 use frictiongen::study::columns::Friction;
+use frictiongen::study::units::LoadScale;
 
 /// A grid of friction ratios or forces.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@ use crate::asked::number;
 use crate::failure::Failure;
 use frictiongen::System;
 pub use frictiongen::study::columns::{Dimension, Measure};
-use frictiongen::study::{Load, LoadError};
+use frictiongen::study::units::{Load, LoadError};
 
 /// Makes the units from the load options, if a load is given.
 pub fn of(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure> {

@@ -9,7 +9,7 @@ use crate::output::{self, Table, Visitor};
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::study::columns::{Column, OptimumLine, OptimumTable, Setting, Tuned};
-use frictiongen::study::{
+use frictiongen::study::optimum::{
     FrequencyBand, Optimum, OptimumError, OptimumRequest, Tunable, TunedOptimum, Tuning,
 };
 use frictiongen_codegen::Limits;

@@ -5,7 +5,10 @@
 //! and the reason of each. STEPPER is the stepper with steps a tenth as long.
 
 use frictiongen::kernel::simulation::Event;
-use frictiongen::study::{Map, MapPoint, MapRequest, SystemResponse};
+use frictiongen::study::{
+    map::{Map, MapPoint, MapRequest},
+    response::SystemResponse,
+};
 use frictiongen::{Error, NoOrbit, NotContinuous, System};
 use std::collections::BTreeMap;
 use std::io::Write as _;
@@ -77,7 +80,7 @@ fn reason(
         at.response(beta + shift)
     };
     let pattern = |response: &Result<SystemResponse<'_>, Error>| match response {
-        Ok(response) => Some(frictiongen::study::Pattern::of(response)),
+        Ok(response) => Some(frictiongen::study::map::Pattern::of(response)),
         Err(_) => None,
     };
     match ours {

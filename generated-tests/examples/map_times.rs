@@ -1,7 +1,7 @@
 //! Times of maps: a damped frame of five masses, 200 × 200 points with regimes, then over the number of cores and of
 //! masses. `cargo run --release -p generated-tests --features tools --example map_times`
 
-use frictiongen::study::{Map, MapRequest};
+use frictiongen::study::map::{Map, MapRequest};
 use frictiongen::{Of, System};
 use std::collections::BTreeMap;
 use std::time::Instant;

@@ -6,7 +6,7 @@ use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::study::columns::{Column, OptimumTable};
-use frictiongen::study::{FrequencyBand, OptimumRequest};
+use frictiongen::study::optimum::{FrequencyBand, OptimumRequest};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -10,7 +10,7 @@ use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::System;
 use frictiongen::study::columns::HistoryTable;
-use frictiongen::study::{HistoryError, HistoryRequest, MOST_SAMPLES};
+use frictiongen::study::history::{HistoryError, HistoryRequest, MOST_SAMPLES};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

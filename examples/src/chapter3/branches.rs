@@ -1,7 +1,7 @@
 //! Figure 3.15: coexisting steady states over the frequency ratio.
 
 use crate::{MASS, drawn, joined};
-use frictiongen::study::{SystemAt, SystemOrbit};
+use frictiongen::study::{SystemAt, orbit::SystemOrbit};
 use frictiongen::{Of, Regime, System};
 use frictiongen_examples::draw::{Responses, only_regimes, variant_colour};
 use frictiongen_plot::desk::{self, Drawn, Reading, Scales};

@@ -2,7 +2,7 @@
 
 use crate::{drawn, joined};
 use frictiongen::System;
-use frictiongen::study::MapRequest;
+use frictiongen::study::map::MapRequest;
 use frictiongen_examples::draw::{part_colour, tidy};
 use frictiongen_plot::desk::{self, Scales, Shade, map_panel};
 use frictiongen_plot::{

@@ -4,7 +4,7 @@ use crate::{PLATE, drawn, fixed};
 use frictiongen::Complex;
 use frictiongen::System;
 use frictiongen::measure::Measured;
-use frictiongen::study::SystemResponse;
+use frictiongen::study::response::SystemResponse;
 use frictiongen_examples::draw::{Times, cycle, from_rest, part_colour};
 use frictiongen_examples::rig::{LENGTH, NATURAL, Noise, one_storey, recording};
 use frictiongen_plot::{

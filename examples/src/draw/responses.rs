@@ -4,7 +4,7 @@ use super::colours::beta_colour;
 use super::limit::at_limit;
 use super::simulated::simulated;
 use super::stuck::stuck;
-use frictiongen::study::{Curve, CurveError, CurvePoint, CurveRequest, End, Piece};
+use frictiongen::study::curve::{Curve, CurveError, CurvePoint, CurveRequest, End, Piece};
 use frictiongen::{Of, Regime, System};
 use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
 use frictiongen_plot::{Colour, Layer, Line, Marker, Markers, Panel, Point};
@@ -86,7 +86,8 @@ impl<'a> Responses<'a> {
     #[must_use]
     pub fn continuous(mut self) -> Self {
         for curve in &mut self.curves {
-            let continuous = |piece: &frictiongen::study::Piece| piece.regime == Regime::Continuous;
+            let continuous =
+                |piece: &frictiongen::study::curve::Piece| piece.regime == Regime::Continuous;
             curve.pieces.retain(continuous);
         }
         self.continuous = true;

@@ -1,7 +1,7 @@
 //! Panels of motions over time.
 
 use super::simulated::from_rest;
-use frictiongen::study::SystemResponse;
+use frictiongen::study::response::SystemResponse;
 use frictiongen::{Of, System};
 use frictiongen_plot::{
     Axis, Colour, Fill, Key, Label, Line, Marker, Markers, Panel, Region, Stroke,

@@ -4,7 +4,12 @@
 //! its test fails.
 
 pub use crate::draw::chain;
-use frictiongen::study::{Features, Measured, RegimeRange, System, SystemMotion, SystemOrbit};
+use frictiongen::study::{
+    System,
+    features::{Features, Measured, RegimeRange},
+    orbit::SystemOrbit,
+    response::SystemMotion,
+};
 use frictiongen::{Of, Regime};
 
 /// Returns a chain of equal masses and equal springs.

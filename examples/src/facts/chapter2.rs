@@ -3,7 +3,7 @@
 use super::ask::{base, limit, orbit, orbit_amplitude, wall};
 use super::row::{Entry, ROUNDING, Row, added, claim, formula, formula_at, number, words};
 use crate::two_stops::TwoStops;
-use frictiongen::study::{System, SystemOrbit};
+use frictiongen::study::{System, orbit::SystemOrbit};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 pub(super) fn rows() -> Vec<Row> {

@@ -5,7 +5,7 @@ use super::ask::{
 };
 use super::row::{ROUNDING, Row, formula, number, words};
 use frictiongen::Of;
-use frictiongen::study::Measured;
+use frictiongen::study::features::Measured;
 use std::f64::consts::TAU;
 
 pub(super) fn rows() -> Vec<Row> {

@@ -6,7 +6,7 @@ use super::row::{Row, added, claim, formula, number, words};
 use super::walls::thresholds;
 use crate::rig::STOREYS;
 use frictiongen::Of;
-use frictiongen::study::{Measured, System};
+use frictiongen::study::{System, features::Measured};
 use std::f64::consts::TAU;
 
 /// Mass ratio γ = m₂/m₁ of the two-storey rig, as printed.

@@ -7,7 +7,10 @@ use super::ask::{
 use super::row::{Entry, ROUNDING, Row, added, formula, formula_at, number, words};
 use crate::rig::STOREYS;
 use frictiongen::Of;
-use frictiongen::study::{Condition, Measured, System};
+use frictiongen::study::{
+    System,
+    features::{Condition, Measured},
+};
 use std::f64::consts::SQRT_2;
 
 const CONTACT: Of = Of::Contact;

@@ -7,7 +7,7 @@ pub use decay::decay;
 pub use read::{Point, frequencies, points};
 
 use frictiongen::measure::{Channel, Recording, Unit};
-use frictiongen::study::SystemSimulation;
+use frictiongen::study::simulation::SystemSimulation;
 use frictiongen::{Of, System};
 use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;

@@ -4,7 +4,7 @@ use super::report::CurveReport;
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::picture;
-use frictiongen::study::CurveStart;
+use frictiongen::study::curve::CurveStart;
 use frictiongen_plot::desk::{Drawn, curve_figure};
 use frictiongen_plot::{Colour, Label};
 use std::io::Write;

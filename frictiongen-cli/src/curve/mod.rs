@@ -17,7 +17,10 @@ use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::study::columns::Friction;
-use frictiongen::study::{CurveRequest, CurveStart, words};
+use frictiongen::study::{
+    curve::{CurveRequest, CurveStart},
+    words,
+};
 use frictiongen_codegen::Limits;
 use report::CurveReport;
 use std::io::Write;

@@ -9,7 +9,7 @@ use crate::measure::Measure;
 use crate::output::{Table, Visitor};
 use frictiongen::System;
 use frictiongen::study::columns::{Column, CurveRow, CurveTable, Friction, Setting};
-use frictiongen::study::{Curve, CurveRequest};
+use frictiongen::study::curve::{Curve, CurveRequest};
 
 /// The curves with everything needed to write them.
 pub struct CurveReport {

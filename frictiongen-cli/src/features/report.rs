@@ -6,8 +6,8 @@ use crate::measure::Measure;
 use crate::number::{Cell, Exact as _, computed};
 use crate::output::{Table, Visitor};
 use frictiongen::System;
-use frictiongen::study::Sensed;
 use frictiongen::study::columns::{Column, FeatureLine, FeatureTable, Part, Setting};
+use frictiongen::study::features::Sensed;
 use serde_json::{Value as Json, json};
 
 /// The features with everything needed to write them.

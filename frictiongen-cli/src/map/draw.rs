@@ -5,7 +5,7 @@ use crate::args::Shade;
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::picture;
-use frictiongen::study::Boundary;
+use frictiongen::study::map::Boundary;
 use frictiongen_plot::Label;
 use frictiongen_plot::desk::{self, map_figure};
 use std::io::Write;

@@ -19,7 +19,7 @@ use crate::output;
 use crate::progress::Progress;
 use crate::summary::Summary;
 use frictiongen::System;
-use frictiongen::study::MapRequest;
+use frictiongen::study::map::MapRequest;
 use frictiongen_codegen::Limits;
 use points::{BoundaryReport, MapReport};
 use std::io::Write;

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::grids::Grids;
 use crate::output::{Table, Visitor};
 use frictiongen::study::columns::{BoundaryRow, Column, MapRow, MapTable};
-use frictiongen::study::{Boundary, Map};
+use frictiongen::study::map::{Boundary, Map};
 
 /// The map with everything needed to write it.
 pub struct MapReport<'m> {

@@ -6,7 +6,10 @@ use super::words::{Words, number, object};
 use crate::asked::Part;
 use crate::measure::Dimension;
 use frictiongen::Of;
-use frictiongen::study::{FrequencyBand, Optimum, OptimumEnd, OptimumKind, OptimumRequest, words};
+use frictiongen::study::{
+    optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumKind, OptimumRequest},
+    words,
+};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 

@@ -1,7 +1,10 @@
 //! The motion at one frequency and one friction, and questions that are answered in parallel.
 
 use super::asked::Asked;
-use frictiongen::study::{Swing, SystemResponse, units};
+use frictiongen::study::{
+    response::{Swing, SystemResponse},
+    units,
+};
 use frictiongen::{Error, Of, Regime};
 
 /// Friction ratio at which nothing slides except near a resonance of the chain with its contact stuck.

@@ -5,7 +5,10 @@ use super::plot::{Across, Axes, Plot, Series};
 use super::words::{digits, number, object, rounded};
 use crate::failure::Failure;
 use frictiongen::Limits;
-use frictiongen::study::{LimitLines, Map, MapRequest, Pattern, words};
+use frictiongen::study::{
+    map::{LimitLines, Map, MapRequest, Pattern},
+    words,
+};
 use frictiongen_plot::desk::{Shade, limit_lines, map_panel, regimes};
 use frictiongen_plot::{Across as Line, Colour, Figure, Guide, Layer, Panel};
 use maud::{Markup, html};

@@ -9,7 +9,10 @@ use crate::failure::Failure;
 use crate::features::draw::marks;
 use crate::measure::Dimension;
 use frictiongen::study::columns::FeatureLine;
-use frictiongen::study::{Curve, CurveRequest, End, words};
+use frictiongen::study::{
+    curve::{Curve, CurveRequest, End},
+    words,
+};
 use frictiongen::{Of, Regime};
 use frictiongen_plot::desk::{Drawn, Reading, keys, lines};
 use frictiongen_plot::{Axis, Colour, Figure, Label, Layer, Markers, Panel};

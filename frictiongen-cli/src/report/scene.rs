@@ -2,8 +2,8 @@
 
 use super::asked::Asked;
 use super::words::digits;
-use frictiongen::study::Load;
 use frictiongen::study::scene::{Damping, Excitation, Node, Scene};
+use frictiongen::study::units::Load;
 use frictiongen_plot::{Excitation as Drawn, Label, Sketch, desk};
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};

@@ -7,7 +7,10 @@ use super::modes::Modes;
 use super::response::Responses;
 use super::words::digits;
 use frictiongen::study::scene::Excitation;
-use frictiongen::study::{Load, OptimumEnd, OptimumKind};
+use frictiongen::study::{
+    optimum::{OptimumEnd, OptimumKind},
+    units::Load,
+};
 use maud::{Markup, html};
 
 /// Largest number of resonances that are named.

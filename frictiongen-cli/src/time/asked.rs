@@ -5,7 +5,7 @@ use crate::args::TimeArguments;
 use crate::asked::whole;
 use crate::failure::Failure;
 use frictiongen::System;
-use frictiongen::study::MOST_SAMPLES;
+use frictiongen::study::history::MOST_SAMPLES;
 
 /// Largest number of cycles, of skipped cycles and of samples in a cycle.
 const MOST: u32 = MOST_SAMPLES as u32;

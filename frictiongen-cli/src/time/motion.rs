@@ -5,7 +5,10 @@ use super::course::Course;
 use crate::asked::MOST_HARMONICS;
 use crate::failure::Failure;
 use crate::number::{Cell, Exact as _, computed};
-use frictiongen::study::{History, HistoryError, HistoryRequest, Spectrum, words};
+use frictiongen::study::{
+    history::{History, HistoryError, HistoryRequest, Spectrum},
+    words,
+};
 use frictiongen::{NoOrbit, Of};
 use serde_json::{Value as Json, json};
 

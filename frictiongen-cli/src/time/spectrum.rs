@@ -4,8 +4,8 @@ use super::motion::Motion;
 use crate::failure::Failure;
 use crate::layout::Layout;
 use crate::output::{Table, Visitor};
-use frictiongen::study::Spectrum;
 use frictiongen::study::columns::{Column, SpectrumRow};
+use frictiongen::study::history::Spectrum;
 use serde_json::Value as Json;
 use std::borrow::Cow;
 

@@ -216,7 +216,7 @@ fn a_drive_that_drifts() {
 /// A steady recording of the plate with μ = 1 and F = 0.4 k Y, made from the library's response with noise.
 fn made(scene: &str, hertz: f64, late: f64) -> String {
     let system: frictiongen::System = scene.parse().unwrap();
-    let load = frictiongen::study::Load::Base(1.75e-3);
+    let load = frictiongen::study::units::Load::Base(1.75e-3);
     let beta = system.load_scale(load).unwrap().friction_ratio(0.53);
     let at = system.at(system.frequency_ratio_at_hertz(hertz)).unwrap();
     let response = at.response(beta).unwrap();

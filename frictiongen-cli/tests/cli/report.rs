@@ -8,7 +8,7 @@
 
 use crate::common::{BLOCK, FRAME, failure, json, output};
 use frictiongen::System;
-use frictiongen::study::{FrequencyBand, OptimumRequest};
+use frictiongen::study::optimum::{FrequencyBand, OptimumRequest};
 use frictiongen::{Of, Regime};
 use serde_json::Value;
 

@@ -9,7 +9,7 @@
 )]
 
 use crate::common::{BLOCK, FRAME, cells, column, failure, json, output, texts};
-use frictiongen::study::{HistoryRequest, Load};
+use frictiongen::study::{history::HistoryRequest, units::Load};
 use frictiongen::{Of, System};
 use std::f64::consts::{PI, TAU};
 use std::fs;

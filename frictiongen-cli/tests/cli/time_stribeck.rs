@@ -8,7 +8,7 @@
 )]
 
 use crate::common::{cells, column, failure, output};
-use frictiongen::study::HistoryRequest;
+use frictiongen::study::history::HistoryRequest;
 use frictiongen::{Of, System};
 
 /// Returns the description of a frame with a given friction law.
@@ -41,7 +41,7 @@ fn samples_and_events_are_those_of_the_library() {
     let csv = output(&text, &words(line));
     let system: System = text.parse().unwrap();
     let r = system.frequency_ratio_at_hertz(1.2);
-    let load = frictiongen::study::Load::Base(0.002);
+    let load = frictiongen::study::units::Load::Base(0.002);
     let scale = system.load_scale(load).unwrap();
     let omega = system.angular_frequency(r);
     let request = HistoryRequest {

@@ -3,8 +3,8 @@
 use super::scales::Scales;
 use crate::{Axis, Colour, Figure, Key, Label, Line, Marker, Markers, Panel, Point, Stroke};
 use frictiongen::Regime;
+use frictiongen::study::curve::{Curve, CurvePoint, End, Piece};
 use frictiongen::study::units::polar;
-use frictiongen::study::{Curve, CurvePoint, End, Piece};
 
 /// The quantity of a motion that a curve shows: amplitude, phase, or one harmonic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -326,7 +326,7 @@ pub fn curve_figure(
 #[cfg(test)]
 mod tests {
     use super::{Reading, Scales, traced};
-    use frictiongen::study::CurveRequest;
+    use frictiongen::study::curve::CurveRequest;
     use frictiongen::{Of, System};
 
     /// A phase has a line as far as it has numbers. The last mass of a long chain hardly moves at high frequency.

@@ -3,7 +3,7 @@
 use super::regimes::limit_lines;
 use super::scales::{Scales, short};
 use crate::{Axis, Cells, Colour, Figure, Fill, Label, Line, Panel, Point, Raster, Stroke};
-use frictiongen::study::{Boundary, LimitLines, Map, MapPoint, Pattern};
+use frictiongen::study::map::{Boundary, LimitLines, Map, MapPoint, Pattern};
 use frictiongen::{Error, Regime};
 
 /// The quantity that the colours of a map show.

@@ -2,7 +2,7 @@
 
 use super::scales::Scales;
 use crate::{Across, Axis, Colour, Figure, Guide, Label, Line, Panel, Point, Stroke};
-use frictiongen::study::{History, Spectrum, Track};
+use frictiongen::study::history::{History, Spectrum, Track};
 use std::f64::consts::PI;
 
 /// Smallest spectral line that is drawn, relative to the largest one.

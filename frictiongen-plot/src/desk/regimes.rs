@@ -2,7 +2,7 @@
 
 use super::scales::Scales;
 use crate::{Axis, Colour, Fill, Label, Line, Panel, Point, Region, Stroke};
-use frictiongen::study::LimitLines;
+use frictiongen::study::map::LimitLines;
 
 /// Name of the regime above β*_lim and below β_lim, where the initial state decides.
 const BISTABLE: &str = "sliding or stuck, by the start";

@@ -2,7 +2,7 @@
 
 use crate::Label;
 use frictiongen::System;
-use frictiongen::study::{LoadScale, scene::Excitation};
+use frictiongen::study::{scene::Excitation, units::LoadScale};
 
 /// Units in which a figure shows frequencies, frictions, displacements and times.
 #[derive(Clone, Copy, Debug, PartialEq)]

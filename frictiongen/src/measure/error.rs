@@ -1,6 +1,6 @@
 //! Errors of measurements.
 
-use crate::study::{InvalidScene, LoadError};
+use crate::study::{InvalidScene, units::LoadError};
 use crate::{Error, OutOfDomain};
 
 /// Reason why a measurement gives no result.

@@ -12,7 +12,7 @@ use frictiongen_model::validate::{Checks, validate_known};
 /// Builds a scene in code. A node is named as in a description: the name of a mass, `base` or `wall`.
 ///
 /// ```
-/// use frictiongen::study::{Damping, System};
+/// use frictiongen::study::{System, scene::Damping};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let frame: System = System::builder()

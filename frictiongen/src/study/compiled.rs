@@ -1,5 +1,6 @@
 //! A run-time system with tables, as the field `accuracy` of a description emits them.
 
+pub use super::compiled_stuck::CompiledStuck;
 use super::error::UnknownMass;
 use super::system::System;
 use crate::system::FrictionSystem;

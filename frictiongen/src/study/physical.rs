@@ -10,7 +10,10 @@ use super::parameter::{OperatingPoint, Parameter, Slope, parameters_of};
 use super::sensitivity::{Sensitive, Varied};
 use super::system::System;
 use super::units::{Load, angular_frequency, reversed_phase};
-use super::{NoDerivative, SystemHeld, SystemResponse};
+use super::{
+    response::{SystemHeld, SystemResponse},
+    sensitivity::NoDerivative,
+};
 use crate::{Given, Of, OutOfDomain, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
@@ -89,7 +92,7 @@ impl System {
     /// k₁ also changes the non-dimensional groups.
     ///
     /// ```
-    /// use frictiongen::study::{Load, OperatingPoint, Parameter, Quantity, System};
+    /// use frictiongen::study::{System, units::Load, sensitivity::{OperatingPoint, Parameter, Quantity}};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let block: System = "struct Block {

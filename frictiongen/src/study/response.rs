@@ -1,7 +1,7 @@
 //! The steady response in any regime: continuous, stick-slip or stuck.
 
-use super::held::SystemHeld;
-use super::motion::SystemMotion;
+pub use super::held::SystemHeld;
+pub use super::motion::{SystemMotion, SystemSteady, SystemStuck};
 use super::orbit::SystemOrbit;
 use super::system::System;
 use super::units::{fundamental_phase, polar, reversed_phase};

@@ -3,17 +3,20 @@
 
 use super::at::SystemAt;
 use super::orbit::SystemOrbit;
+pub use super::parameter::{OperatingPoint, Parameter, Slope};
+pub use super::physical::{ParameterSensitivity, ResponseSensitivities};
 use super::system::System;
 use crate::OutOfDomain;
 use crate::system::FrictionSystem;
 use frictiongen_kernel::motion::Part;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
-use frictiongen_kernel::orbit::{self, CarryingStorage, NoDerivative, Orbit};
+pub use frictiongen_kernel::orbit::NoDerivative;
+use frictiongen_kernel::orbit::{self, CarryingStorage, Orbit};
 use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Damping, Scene};
-use frictiongen_model::sensitivity::Quantity;
+pub use frictiongen_model::sensitivity::Quantity;
 use frictiongen_model::transient::Transient;
 use std::sync::OnceLock;
 
@@ -28,7 +31,7 @@ pub type Sensitive = Dual<Dd>;
 /// [`frequency_ratio`](Self::frequency_ratio), which varies with the first mass and the first spring.
 ///
 /// ```
-/// use frictiongen::study::{Quantity, Sensitive, System};
+/// use frictiongen::study::{System, sensitivity::{Quantity, Sensitive}};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let frame: System = "struct Frame {
@@ -88,7 +91,7 @@ impl Varied {
     /// excitation's maximum, or 0 if the maximum falls within the stop.
     ///
     /// ```
-    /// use frictiongen::study::{Quantity, Sensitive, System};
+    /// use frictiongen::study::{System, sensitivity::{Quantity, Sensitive}};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let block: System = "struct Block {
@@ -224,7 +227,7 @@ impl<S: Float> System<S> {
     /// The first error that `question` returns.
     ///
     /// ```
-    /// use frictiongen::study::{Quantity, Sensitive, System};
+    /// use frictiongen::study::{System, sensitivity::{Quantity, Sensitive}};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let block: System = "struct Block {

@@ -117,7 +117,7 @@ pub fn seconds<S: Float>(tau: S, omega: S) -> S {
 ///
 /// The result is not exact for a contact that stops at its largest displacement, because the contact keeps that
 /// displacement during the whole stop. Use
-/// [`SystemOrbit::reversed_contact_phase`](super::SystemOrbit::reversed_contact_phase) for such a contact.
+/// [`SystemOrbit::reversed_contact_phase`](super::orbit::SystemOrbit::reversed_contact_phase) for such a contact.
 #[must_use]
 pub fn reversed_phase<S: Float>(lag: S) -> S {
     if S::constant(0.0) < lag {
@@ -150,7 +150,7 @@ impl<S: Float> System<S> {
     /// Returns the units of length and force that a load gives to the non-dimensional results.
     ///
     /// ```
-    /// use frictiongen::study::{Load, System};
+    /// use frictiongen::study::{System, units::Load};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let system: System = "struct Block {

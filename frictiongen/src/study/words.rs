@@ -1,11 +1,18 @@
 //! Words for regimes, answers, events and features. Each has one word in tables, files and every language.
 
 use super::{
-    Certainty, Condition, Edge, InvariantPoint, Measured, NoDerivative, OptimumEnd, OptimumKind,
-    StudyError, SystemAt, SystemOrbit, SystemResponse,
+    StudyError, SystemAt,
+    features::{Certainty, Condition, Edge, InvariantPoint, Measured},
+    optimum::{OptimumEnd, OptimumKind},
+    orbit::SystemOrbit,
+    response::SystemResponse,
+    sensitivity::NoDerivative,
 };
 #[cfg(feature = "desk")]
-use super::{CurvePoint, CurveStart, Pattern};
+use super::{
+    curve::{CurvePoint, CurveStart},
+    map::Pattern,
+};
 use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, Unsupported};
 use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]

@@ -5,7 +5,7 @@
 
 use super::response::SystemResponse;
 use super::system::System;
-use crate::study::Damping;
+use crate::study::scene::Damping;
 use crate::{Error, NoOrbit};
 
 /// Work of a motion from rest that was followed to its last cycle without settling. The number is multiplied by the

@@ -3,7 +3,7 @@
 use crate::scenes::{BLOCK, DAMPED, system};
 use frictiongen::Of;
 use frictiongen::kernel::simulation::Contact;
-use frictiongen::study::HistoryRequest;
+use frictiongen::study::history::HistoryRequest;
 use std::f64::consts::TAU;
 
 #[test]

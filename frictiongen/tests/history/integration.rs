@@ -2,8 +2,8 @@
 
 use crate::scenes::{SCENES, all, system};
 use frictiongen::kernel::simulation::Contact;
+use frictiongen::study::history::{History, HistoryRequest};
 use frictiongen::study::scene::{Damping, Excitation, Node, Scene};
-use frictiongen::study::{History, HistoryRequest};
 use std::f64::consts::TAU;
 
 /// The equations of motion ω²Mx″ + ωCx′ + Kx + wf = p cos τ, with m₁ = k₁ = 1, so that ω = r.

@@ -1,7 +1,7 @@
 //! Requests for a history that must fail.
 
 use crate::scenes::{BLOCK, FRAME, system};
-use frictiongen::study::{HistoryError, HistoryRequest, MOST_SAMPLES};
+use frictiongen::study::history::{HistoryError, HistoryRequest, MOST_SAMPLES};
 use frictiongen::{Error, NoOrbit, Of};
 
 #[test]

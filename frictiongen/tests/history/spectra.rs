@@ -1,7 +1,7 @@
 //! The discrete transform of a steady run, compared with the exact harmonics.
 
 use crate::scenes::{BETWEEN, DAMPED, FRAME, SHAKEN, all, system};
-use frictiongen::study::HistoryRequest;
+use frictiongen::study::history::HistoryRequest;
 use frictiongen::{Of, Regime};
 
 /// The acceleration jumps at events, so harmonics fall with the third power of their order. Aliasing onto the orders up

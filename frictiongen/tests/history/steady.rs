@@ -2,7 +2,7 @@
 
 use crate::scenes::{BETWEEN, DAMPED, FRAME, SHAKEN, all, system};
 use frictiongen::kernel::simulation::Event;
-use frictiongen::study::{HistoryRequest, SystemResponse};
+use frictiongen::study::{history::HistoryRequest, response::SystemResponse};
 use frictiongen::{Of, Regime};
 
 #[test]

@@ -1,7 +1,7 @@
 //! A history depends neither on its number of samples nor on the instant of its first sample.
 
 use crate::scenes::{SCENES, all, system};
-use frictiongen::study::{History, HistoryRequest};
+use frictiongen::study::history::{History, HistoryRequest};
 
 /// Returns the largest difference of two histories at their common instants, and the number of compared values.
 fn apart(coarse: &History, fine: &History, offset: usize) -> (f64, usize) {

@@ -4,7 +4,7 @@ use crate::made::{How, NATURAL, Noise, RATE, Y, motions, recording, rig};
 use frictiongen::measure::{
     Datum, Identified, IdentifyRequest, Measured, Observation, Unknown, Using, Verdict,
 };
-use frictiongen::study::{Load, Quantity};
+use frictiongen::study::{sensitivity::Quantity, units::Load};
 use frictiongen::{Of, Regime, System};
 
 /// Returns the observation at r and β, without noise but with a stated deviation.

@@ -5,7 +5,7 @@ use crate::force::{scale, seen};
 use crate::made::{Noise, rig};
 use frictiongen::System;
 use frictiongen::measure::{Identified, IdentifyRequest, Observation, Unknown, Verdict};
-use frictiongen::study::Quantity;
+use frictiongen::study::sensitivity::Quantity;
 
 /// Deviation of 1e-3 of the base's amplitude, which is 60 dB.
 const DEVIATION: f64 = 1e-3;

@@ -8,7 +8,7 @@ use frictiongen::measure::{
     Channel, Datum, Estimate, Identified, IdentifyRequest, Observation, Recording, SweepPoint,
     Unit, Unknown,
 };
-use frictiongen::study::Load;
+use frictiongen::study::units::Load;
 use frictiongen::{Complex, Of, System};
 
 /// Student's two-sided 95 % quantile for seven degrees of freedom, and the normal one.

@@ -1,7 +1,7 @@
 //! A builder reports all errors of a description together, and needs no type annotation.
 
 use frictiongen::System;
-use frictiongen::study::{Damping, InvalidScene, StudyError};
+use frictiongen::study::{InvalidScene, StudyError, scene::Damping};
 
 fn lines(error: &InvalidScene) -> Vec<String> {
     error.to_string().lines().map(str::to_owned).collect()

@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use frictiongen::kernel::Plain;
 use frictiongen::kernel::simulation::{Contact, Event};
-use frictiongen::study::SystemSimulation;
+use frictiongen::study::simulation::SystemSimulation;
 use frictiongen::{Given, OutOfDomain, System, friction_system};
 use fuzzing::Random;
 

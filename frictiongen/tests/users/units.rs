@@ -2,7 +2,10 @@
 
 use frictiongen::System;
 use frictiongen::study::units::{angular_frequency, hertz, reversed_phase};
-use frictiongen::study::{Load, LoadError, StudyError};
+use frictiongen::study::{
+    StudyError,
+    units::{Load, LoadError},
+};
 use std::f64::consts::{PI, TAU};
 
 fn block(contact: &str, excitation: &str) -> System {

@@ -6,7 +6,8 @@
 
 use frictiongen::Of;
 use frictiongen::study::{
-    FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest, System,
+    System,
+    optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest},
 };
 use std::f64::consts::FRAC_PI_4;
 use std::time::Instant;

@@ -2,7 +2,10 @@
 
 use frictiongen::Of;
 use frictiongen::study::{
-    FrequencyBand, Load, Optimum, OptimumKind, OptimumRequest, Parameter, Quantity, System,
+    System,
+    optimum::{FrequencyBand, Optimum, OptimumKind, OptimumRequest},
+    sensitivity::{Parameter, Quantity},
+    units::Load,
 };
 
 fn optimum(text: &str, name: &str, band: [f64; 2]) -> (System, Of, Optimum) {

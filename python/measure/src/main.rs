@@ -1,7 +1,7 @@
 //! Times the map of `measure.py` in Rust. `measure SCENE` prints the seconds of one map after a first one. It also
 //! prints the number of stuck points, which shows that both sides computed the same.
 
-use frictiongen::study::MapRequest;
+use frictiongen::study::map::MapRequest;
 use frictiongen::{Of, Regime, System};
 use std::time::Instant;
 

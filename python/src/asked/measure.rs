@@ -4,7 +4,7 @@ use super::numbers::one;
 use crate::errors::domain;
 use frictiongen::System;
 pub use frictiongen::study::columns::Measure;
-use frictiongen::study::{Load, LoadError};
+use frictiongen::study::units::{Load, LoadError};
 use pyo3::prelude::*;
 
 /// The arguments `force` and `base`.

@@ -2,7 +2,7 @@
 
 use crate::Of;
 use crate::study::columns::{CONTACT, Column, Columns, Dimension, Head, Measure, Part, Row};
-use crate::study::{System, SystemStepper, words};
+use crate::study::{System, stepper::SystemStepper, words};
 use frictiongen_kernel::simulation::Contact;
 
 /// The motion of some parts at every sample of an input.

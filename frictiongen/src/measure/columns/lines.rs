@@ -5,7 +5,7 @@ use super::once::scaled;
 use crate::measure::{Estimate, Explained, FreeDecay, Identified, Observation, SweepFit, Unknown};
 use crate::study::columns::{Cell, Column, Columns, Head, Kind, Measure, Row, Shown};
 use crate::study::units::{hertz, polar};
-use crate::study::{Load, System, words};
+use crate::study::{System, units::Load, words};
 use std::f64::consts::TAU;
 
 /// A row: a quantity with its value, interval and unit.

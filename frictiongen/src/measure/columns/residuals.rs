@@ -5,7 +5,7 @@ use crate::Complex;
 use crate::measure::{Datum, Explained, FreeDecay, Identified, Observation, SweepFit, SweepPoint};
 use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
 use crate::study::units::polar;
-use crate::study::{Load, System, words};
+use crate::study::{System, units::Load, words};
 
 /// The quantities of a motion that were measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

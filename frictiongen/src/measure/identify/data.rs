@@ -2,7 +2,7 @@
 
 use super::observation::{Datum, Observation, Using};
 use crate::Complex;
-use crate::study::Load;
+use crate::study::units::Load;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 

@@ -29,7 +29,7 @@ impl System {
     ///
     /// ```
     /// use frictiongen::measure::{Datum, IdentifyRequest, Observation, Verdict};
-    /// use frictiongen::study::Load;
+    /// use frictiongen::study::units::Load;
     /// use frictiongen::{Of, System};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

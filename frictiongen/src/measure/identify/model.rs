@@ -4,7 +4,12 @@ use super::observation::Observation;
 use super::request::Unknown;
 use crate::study::scene::{Damping, Scene};
 use crate::study::units::angular_frequency;
-use crate::study::{Load, Quantity, Sensitive, System, SystemResponse, Varied};
+use crate::study::{
+    System,
+    response::SystemResponse,
+    sensitivity::{Quantity, Sensitive, Varied},
+    units::Load,
+};
 use crate::{Complex, Of, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;

@@ -3,7 +3,7 @@
 use crate::Complex;
 use crate::measure::Measured;
 use crate::study::scene::Excitation;
-use crate::study::{Load, System};
+use crate::study::{System, units::Load};
 
 /// The measured motions at one frequency.
 #[derive(Clone, Debug, PartialEq)]

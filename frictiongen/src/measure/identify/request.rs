@@ -1,7 +1,7 @@
 //! Options of an identification.
 
 use super::observation::Using;
-use crate::study::{Quantity, System};
+use crate::study::{System, sensitivity::Quantity};
 
 /// An unknown that is fitted together with the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -25,8 +25,9 @@ impl Unknown {
             Self::Frequencies => "frequency factor".to_owned(),
             Self::Damping => "zeta".to_owned(),
             Self::Quantity(quantity) => {
-                let point = crate::study::OperatingPoint::Groups { r: 1.0, beta: 0.0 };
-                crate::study::Parameter::Quantity(*quantity).symbol(system.scene(), &point)
+                let point = crate::study::sensitivity::OperatingPoint::Groups { r: 1.0, beta: 0.0 };
+                crate::study::sensitivity::Parameter::Quantity(*quantity)
+                    .symbol(system.scene(), &point)
             }
         }
     }

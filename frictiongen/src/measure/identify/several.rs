@@ -9,7 +9,7 @@ use crate::Complex;
 use crate::measure::MeasureError;
 use crate::measure::least_squares::{Fit, Linearised, minimise};
 use crate::measure::statistics::{NORMAL, excess, is_chance};
-use crate::study::{Quantity, System};
+use crate::study::{System, sensitivity::Quantity};
 use nalgebra::{DMatrix, DVector};
 
 /// Step of a finite difference relative to the value, where there is no derivative.

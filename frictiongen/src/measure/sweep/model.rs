@@ -5,7 +5,7 @@ use crate::Complex;
 use crate::measure::least_squares::Linearised;
 use crate::study::scene::Damping;
 use crate::study::units::angular_frequency;
-use crate::study::{Quantity, System};
+use crate::study::{System, sensitivity::Quantity};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::{Float, Scalar};
@@ -231,7 +231,10 @@ fn free<F: Float, T: Scalar>(
 mod tests {
     use super::{free, plain};
     use crate::Of;
-    use crate::study::{Quantity, Sensitive, System};
+    use crate::study::{
+        System,
+        sensitivity::{Quantity, Sensitive},
+    };
     use frictiongen_kernel::number::dual::Dual;
 
     /// Compares the modal sum, and its derivatives, with the fundamental of the continuous motion.

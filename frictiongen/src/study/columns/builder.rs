@@ -3,7 +3,7 @@
 use super::cell::Cell;
 use super::column::{Axis, Column, Head, Kind, Read, Row, Shown};
 use super::measure::{Dimension, Measure};
-use crate::study::Sensed;
+use crate::study::features::Sensed;
 
 /// The columns of a table, in order.
 pub struct Columns<'a, R> {

@@ -2,7 +2,7 @@
 
 use super::cell::Cell;
 use super::measure::Dimension;
-use crate::study::Sensed;
+use crate::study::features::Sensed;
 use std::borrow::Cow;
 
 /// The kind of a column's values.

@@ -6,7 +6,10 @@ use super::measure::Dimension;
 use super::motion::{Extent, Moving, PartMotion, motions};
 use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
 use crate::Error;
-use crate::study::{Curve, CurvePoint, CurveStart, words};
+use crate::study::{
+    curve::{Curve, CurvePoint, CurveStart},
+    words,
+};
 
 /// A row: a point of a piece, or an end point of a gap.
 #[derive(Clone, Debug)]

@@ -5,7 +5,10 @@ use super::column::{Column, Head, Row};
 use super::measure::Dimension;
 use super::setting::{CONTACT, Frequency, Setting};
 use crate::study::units::{hertz, polar, seconds};
-use crate::study::{History, HistoryEvent, Spectrum, words};
+use crate::study::{
+    history::{History, HistoryEvent, Spectrum},
+    words,
+};
 use crate::{Complex, Of};
 use frictiongen_kernel::simulation::Contact;
 

@@ -4,7 +4,10 @@ use super::builder::Columns;
 use super::column::{Axis, Column, Head, Row};
 use super::measure::Dimension;
 use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
-use crate::study::{Boundary, Map, MapColumn, MapPoint, words};
+use crate::study::{
+    map::{Boundary, Map, MapColumn, MapPoint},
+    words,
+};
 use crate::{Error, Limits};
 use std::borrow::Cow;
 

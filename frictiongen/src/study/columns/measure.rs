@@ -2,7 +2,10 @@
 
 use crate::Of;
 use crate::study::scene::Excitation;
-use crate::study::{Load, LoadError, LoadScale, System};
+use crate::study::{
+    System,
+    units::{Load, LoadError, LoadScale},
+};
 use std::f64::consts::TAU;
 
 /// The physical quantity of a number. It gives the unit of a column.
@@ -253,7 +256,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
     use super::{Dimension, Measure};
-    use crate::study::{Load, System};
+    use crate::study::{System, units::Load};
 
     #[test]
     fn names_units_and_headings() {

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use frictiongen::study::columns::{CurveTable, FrequencyUnit, Friction, Measure, Part, Setting};
-//! use frictiongen::study::{CurveRequest, CurveStart, System};
+//! use frictiongen::study::{System, curve::{CurveRequest, CurveStart}};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let system: System = "struct Block {

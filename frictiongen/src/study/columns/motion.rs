@@ -5,7 +5,7 @@ use super::column::{Head, Row, Shown};
 use super::measure::Dimension;
 use super::setting::Part;
 use crate::Complex;
-use crate::study::Swing;
+use crate::study::response::Swing;
 use crate::study::units::polar;
 
 /// The motion of a part, in groups. Missing quantities are `None`.

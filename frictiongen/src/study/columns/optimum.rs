@@ -9,7 +9,9 @@ use super::column::{Column, Head, Row};
 use super::measure::Dimension;
 use super::setting::{AtFrequency, Frequency, Setting};
 use crate::study::{
-    OperatingPoint, Optimum, OptimumEnd, OptimumPeak, Parameter, Tolerance, TunedPoint, words,
+    optimum::{Optimum, OptimumEnd, OptimumPeak, Tolerance, TunedPoint},
+    sensitivity::{OperatingPoint, Parameter},
+    words,
 };
 
 /// The tables of the best friction.

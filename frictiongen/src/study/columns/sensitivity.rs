@@ -5,7 +5,9 @@ use super::column::{Column, Head, Row, Shown};
 use super::measure::Dimension;
 use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
 use crate::study::{
-    OperatingPoint, ParameterSensitivity, ResponseSensitivities, Slope, StudyError, words,
+    StudyError,
+    sensitivity::{OperatingPoint, ParameterSensitivity, ResponseSensitivities, Slope},
+    words,
 };
 
 /// Name of the row with the answers themselves.

@@ -4,7 +4,10 @@ use super::builder::Columns;
 use super::column::{Axis, Column, Head, Row};
 use super::measure::{Dimension, Measure};
 use crate::Of;
-use crate::study::{LoadScale, System, units};
+use crate::study::{
+    System,
+    units::{self, LoadScale},
+};
 
 /// Name of the contact, which no mass can have.
 pub const CONTACT: &str = "contact";

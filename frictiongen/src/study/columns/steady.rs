@@ -9,7 +9,10 @@ pub use response::{ResponseRow, ResponseTable};
 use super::motion::PartMotion;
 use crate::Complex;
 use crate::study::units::{fundamental_phase, reversed_phase};
-use crate::study::{Swing, SystemOrbitMotion, SystemResponse};
+use crate::study::{
+    orbit::SystemOrbitMotion,
+    response::{Swing, SystemResponse},
+};
 use crate::{Of, Regime};
 
 /// The motion of a part, in groups. Missing quantities are `None`.

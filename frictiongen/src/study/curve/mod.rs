@@ -26,7 +26,7 @@ impl System {
     /// contact slides all the time, from steady states with stops, and from the stuck response.
     ///
     /// ```
-    /// use frictiongen::study::CurveRequest;
+    /// use frictiongen::study::curve::CurveRequest;
     /// use frictiongen::{Of, Regime, System};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -53,7 +53,7 @@ impl System {
     /// another one.
     ///
     /// ```
-    /// use frictiongen::study::{CurveRequest, CurveStart};
+    /// use frictiongen::study::curve::{CurveRequest, CurveStart};
     /// use frictiongen::{Of, Regime, System};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

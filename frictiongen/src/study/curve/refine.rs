@@ -9,7 +9,7 @@ use super::places::Place;
 use super::point::CurvePoint;
 use super::request::CurveRequest;
 use super::straight::{Straight, alike};
-use crate::study::Damping;
+use crate::study::scene::Damping;
 use crate::study::system::System;
 use crate::study::work::work;
 use crate::{Error, OutOfDomain, Regime};

@@ -152,7 +152,7 @@ impl System {
     ///
     /// ```
     /// use frictiongen::Of;
-    /// use frictiongen::study::{Measured, System};
+    /// use frictiongen::study::{System, features::Measured};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let chain: System = "struct Chain {

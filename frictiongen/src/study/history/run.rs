@@ -4,7 +4,7 @@ use super::{
     History, HistoryError, HistoryEvent, HistoryRequest, MOST_EVENTS, MOST_SAMPLES, check,
 };
 use crate::Of;
-use crate::study::{System, SystemSimulation};
+use crate::study::{System, simulation::SystemSimulation};
 use frictiongen_kernel::simulation::Event;
 use std::f64::consts::TAU;
 
@@ -16,7 +16,7 @@ impl System {
     ///
     /// ```
     /// use frictiongen::kernel::simulation::Event;
-    /// use frictiongen::study::HistoryRequest;
+    /// use frictiongen::study::history::HistoryRequest;
     /// use frictiongen::{Of, System};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -1,7 +1,7 @@
 //! Spectra of motions. They are exact for a steady state, and come from samples for a run.
 
 use super::History;
-use crate::study::SystemResponse;
+use crate::study::response::SystemResponse;
 use crate::study::units::polar;
 use crate::{Complex, Of};
 use rustfft::FftPlanner;
@@ -50,7 +50,7 @@ impl History {
     /// state, [`SystemResponse::spectrum`] is exact.
     ///
     /// ```
-    /// use frictiongen::study::HistoryRequest;
+    /// use frictiongen::study::history::HistoryRequest;
     /// use frictiongen::{Of, System};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

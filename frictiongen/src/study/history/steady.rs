@@ -1,7 +1,10 @@
 //! One period of a steady state, from the closed form, from the steady state with stops or from the stuck response.
 
 use super::{History, HistoryError, HistoryEvent, check, phase};
-use crate::study::{SystemHeld, SystemMotion, SystemOrbit, SystemResponse};
+use crate::study::{
+    orbit::SystemOrbit,
+    response::{SystemHeld, SystemMotion, SystemResponse},
+};
 use crate::{Complex, Given, NoOrbit, Of, OutOfDomain};
 use frictiongen_kernel::simulation::{Contact, Event};
 use std::f64::consts::{PI, TAU};

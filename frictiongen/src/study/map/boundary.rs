@@ -38,7 +38,7 @@ impl System {
     /// Close to a boundary a motion settles slowly, so more digits take much longer.
     ///
     /// ```
-    /// use frictiongen::study::MapRequest;
+    /// use frictiongen::study::map::MapRequest;
     /// use frictiongen::System;
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -134,7 +134,7 @@ impl System {
     /// returns it. Neighbouring points have no influence. With μ > 1 other steady states may exist at the same point.
     ///
     /// ```
-    /// use frictiongen::study::MapRequest;
+    /// use frictiongen::study::map::MapRequest;
     /// use frictiongen::{Of, Regime, System};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -5,7 +5,7 @@ use crate::study::physical::swing;
 use crate::study::sensitivity::Varied;
 use crate::study::system::System;
 use crate::study::work::work;
-use crate::study::{Sensitive, SystemResponse};
+use crate::study::{response::SystemResponse, sensitivity::Sensitive};
 use crate::{Error, NoOrbit, NotContinuous, Of, Regime};
 use std::cell::Cell;
 

@@ -45,7 +45,7 @@ impl System {
     /// follows the motion from rest instead.
     ///
     /// ```
-    /// use frictiongen::study::{FrequencyBand, Load, OptimumKind, OptimumRequest, System};
+    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, units::Load};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let frame: System = "struct Frame {

@@ -4,7 +4,11 @@
 //! and one of two sets. The modal data are the inputs of the closed forms. Masses, springs, damping and μ are the
 //! inputs of a description.
 
-use frictiongen::study::{Damping, Quantity, Sensitive, System};
+use frictiongen::study::{
+    System,
+    scene::Damping,
+    sensitivity::{Quantity, Sensitive},
+};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;

@@ -7,7 +7,7 @@ use crate::edges::condition::{
     Asked, Question, along, along_place, modal_condition, scene_condition,
 };
 use crate::edges::scenes::{SCENES, system};
-use frictiongen::study::{Damping, Quantity, System};
+use frictiongen::study::{System, scene::Damping, sensitivity::Quantity};
 use frictiongen_kernel::number::dd::Dd;
 
 const ROUNDINGS: f64 = 8.0;

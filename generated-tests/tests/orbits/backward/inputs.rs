@@ -1,6 +1,6 @@
 //! A scene in double-double, and its derivatives with respect to each number of its description.
 
-use frictiongen::study::{Quantity, System};
+use frictiongen::study::{System, sensitivity::Quantity};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;

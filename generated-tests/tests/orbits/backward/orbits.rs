@@ -8,7 +8,7 @@ use crate::backward::fit::fit;
 use crate::backward::judge::angle;
 use crate::backward::property::BAR;
 use crate::backward::random::scene;
-use frictiongen::study::{System, SystemOrbit};
+use frictiongen::study::{System, orbit::SystemOrbit};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Float, Plain};
 use frictiongen_model::scene::{Damping, Scene};

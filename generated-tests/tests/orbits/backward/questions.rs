@@ -3,7 +3,7 @@
 use crate::backward::asked::{Asked, Of, Watched, motion};
 use crate::backward::instant::{acceleration, constraining, largest};
 use crate::backward::judge::{Answer, Judge, modulus};
-use frictiongen::study::{SystemAt, SystemMotion};
+use frictiongen::study::{SystemAt, response::SystemMotion};
 use frictiongen_kernel::modal_sum::search::Peak;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
@@ -247,7 +247,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
 
     fn mass(
         &mut self,
-        of_mass: &frictiongen::study::SystemSteady<'_, S>,
+        of_mass: &frictiongen::study::response::SystemSteady<'_, S>,
         place: &MassPlace<'_>,
         tau: S,
     ) {

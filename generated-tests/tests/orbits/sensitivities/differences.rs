@@ -6,7 +6,7 @@
 //! 2^-100, even where the terms cancel to 0.
 
 use crate::sensitivities::answers::{Answers, is_phase};
-use frictiongen::study::Sensitive;
+use frictiongen::study::sensitivity::Sensitive;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 

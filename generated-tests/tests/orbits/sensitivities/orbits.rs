@@ -7,7 +7,11 @@
 use crate::sensitivities::answers::Answers;
 use crate::sensitivities::differences::{Outcome, Side, compare};
 use crate::sensitivities::scene::{moved, quantities, shortened};
-use frictiongen::study::{NoDerivative, Sensitive, System, SystemOrbit};
+use frictiongen::study::{
+    System,
+    orbit::SystemOrbit,
+    sensitivity::{NoDerivative, Sensitive},
+};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;

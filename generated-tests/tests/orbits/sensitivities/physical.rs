@@ -5,7 +5,10 @@ use crate::sensitivities::scene::moved;
 use frictiongen::study::scene::Scene;
 use frictiongen::study::units::reversed_phase;
 use frictiongen::study::{
-    Damping, Load, OperatingPoint, Parameter, ParameterSensitivity, Quantity, System,
+    System,
+    scene::Damping,
+    sensitivity::{OperatingPoint, Parameter, ParameterSensitivity, Quantity},
+    units::Load,
 };
 use frictiongen::{NotContinuous, Of, Regime};
 

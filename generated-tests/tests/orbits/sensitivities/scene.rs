@@ -4,7 +4,11 @@
 use crate::sensitivities::answers::{Answers, of_system};
 use crate::sensitivities::differences::{Outcome, Side, compare};
 use frictiongen::study::scene::Scene;
-use frictiongen::study::{Damping, Quantity, Sensitive, System};
+use frictiongen::study::{
+    System,
+    scene::Damping,
+    sensitivity::{Quantity, Sensitive},
+};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;

@@ -4,7 +4,7 @@
 use crate::sensitivities::answers::{of_data, of_system};
 use crate::sensitivities::differences::{Outcome, Side, compare};
 use crate::sensitivities::scene::{SCENES, place};
-use frictiongen::study::{Quantity, System};
+use frictiongen::study::{System, sensitivity::Quantity};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;

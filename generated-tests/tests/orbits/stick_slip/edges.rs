@@ -3,7 +3,7 @@
 
 use frictiongen::System;
 use frictiongen::kernel::simulation::{Contact, Event};
-use frictiongen::study::SystemOrbit;
+use frictiongen::study::orbit::SystemOrbit;
 use std::f64::consts::{PI, TAU};
 
 fn system(text: &str) -> System {

@@ -2,7 +2,7 @@
 
 use frictiongen::System;
 use frictiongen::kernel::simulation::Contact;
-use frictiongen::study::SystemOrbit;
+use frictiongen::study::orbit::SystemOrbit;
 use std::f64::consts::{PI, TAU};
 
 /// Nodes and weights of Gauss's rule with eight points.

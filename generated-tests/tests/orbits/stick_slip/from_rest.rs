@@ -1,7 +1,7 @@
 //! States that motion from rest reaches, above β*_lim and below, compared with [`Plain`] runs.
 
 use super::plain::Plain;
-use frictiongen::study::{SystemAt, SystemOrbit};
+use frictiongen::study::{SystemAt, orbit::SystemOrbit};
 use frictiongen::{Of, Regime, System};
 use fuzzing::Random;
 use nalgebra::DVector;

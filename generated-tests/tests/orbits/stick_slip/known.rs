@@ -1,6 +1,6 @@
 //! Steady states that an implementation easily gets wrong.
 
-use frictiongen::study::SystemOrbit;
+use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{NoOrbit, System};
 use std::f64::consts::TAU;
 

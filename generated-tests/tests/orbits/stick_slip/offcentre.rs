@@ -1,7 +1,7 @@
 //! States with an offset: a contact that comes to rest off its centre, and members of a continuum. The file also tests
 //! the phase of a contact that stops at its largest displacement.
 
-use frictiongen::study::{OperatingPoint, Parameter};
+use frictiongen::study::sensitivity::{OperatingPoint, Parameter};
 use frictiongen::{Of, Regime, Run as _, System};
 use std::f64::consts::TAU;
 

@@ -1,7 +1,7 @@
 //! Steady states that repeat after several cycles of the excitation, compared with a run in time, emitted and at run
 //! time.
 
-use frictiongen::study::SystemOrbit;
+use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{Complex, Of, SteadyState, System};
 use std::f64::consts::TAU;
 
@@ -98,7 +98,7 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
         .collect();
     let masses = names.len();
     let mut run = system.simulation(r, beta).expect("a run");
-    let on = |run: &mut frictiongen::study::SystemSimulation<'_>, mut left: f64| {
+    let on = |run: &mut frictiongen::study::simulation::SystemSimulation<'_>, mut left: f64| {
         while left > 0.0 {
             left -= run.advance(left).expect("a reach").length;
         }

@@ -1,7 +1,7 @@
 //! Steady states that motion from rest reaches more slowly than the search follows it. They lie near a resonance of
 //! masses that the contact does not move.
 
-use frictiongen::study::SystemOrbit;
+use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{SteadyState, System};
 use std::f64::consts::TAU;
 

@@ -1,6 +1,9 @@
 //! Random frames of one to six masses with μ from 1 to 2, and with all kinds of contact, damping and excitation.
 
-use frictiongen::study::{FrequencyBand, OptimumRequest, System};
+use frictiongen::study::{
+    System,
+    optimum::{FrequencyBand, OptimumRequest},
+};
 use fuzzing::Random;
 
 /// A random frame, reproducible from its seed.

@@ -11,8 +11,11 @@ mod map;
 use frames::{Frame, frame};
 use frictiongen::Of;
 use frictiongen::study::{
-    CurveRequest, FrequencyBand, Load, OptimumEnd, OptimumError, OptimumKind, OptimumRequest,
-    System, SystemResponse,
+    System,
+    curve::CurveRequest,
+    optimum::{FrequencyBand, OptimumEnd, OptimumError, OptimumKind, OptimumRequest},
+    response::SystemResponse,
+    units::Load,
 };
 use std::time::Instant;
 
@@ -263,7 +266,7 @@ fn a_bound_on_the_work_of_a_curve_is_told() {
     let whole = system.curve(&request, 0.3).expect("a curve");
     request.work = 0;
     let coarse = system.curve(&request, 0.3).expect("a curve");
-    let points = |curve: &frictiongen::study::Curve| -> usize {
+    let points = |curve: &frictiongen::study::curve::Curve| -> usize {
         curve.pieces.iter().map(|piece| piece.points.len()).sum()
     };
     assert!(whole.refined && !coarse.refined);

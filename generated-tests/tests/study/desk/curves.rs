@@ -1,7 +1,10 @@
 //! Tests of curves, between their points and at their cuts, against dense sampling.
 
 use crate::desk::{SCENES, system};
-use frictiongen::study::{CurveError, CurveRequest, Damping, End};
+use frictiongen::study::{
+    curve::{CurveError, CurveRequest, End},
+    scene::Damping,
+};
 use frictiongen::{Of, Regime};
 use std::f64::consts::TAU;
 

@@ -1,7 +1,7 @@
 //! Tests of maps: their points, their boundaries, and the content of a cancelled map.
 
 use crate::desk::{SCENES, system};
-use frictiongen::study::{MapRequest, Pattern};
+use frictiongen::study::map::{MapRequest, Pattern};
 use frictiongen::{Given, Of, OutOfDomain, Regime, Unsupported};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -175,7 +175,7 @@ fn several_boundaries_between_two_frictions() {
             for place in inner {
                 if kind(place) != kind(place + 1) || place + 1 == (step + 1) * FINER {
                     if place - start >= FINER / 4 {
-                        let known = |one: &&&frictiongen::study::Boundary| {
+                        let known = |one: &&&frictiongen::study::map::Boundary| {
                             one.below == kind(start) || one.above == kind(start)
                         };
                         let whole = outer[0] == kind(start);

@@ -1,8 +1,8 @@
 //! Tests of energy, rates and forces of a response, against the work of the load and against its own displacements.
 
 use crate::desk::{SCENES, system};
+use frictiongen::study::response::{Size, SystemResponse};
 use frictiongen::study::scene::{Damping, Excitation, Node};
-use frictiongen::study::{Size, SystemResponse};
 use frictiongen::{Of, System};
 use std::f64::consts::{PI, TAU};
 

@@ -1,6 +1,6 @@
 //! Tests of coexisting steady states, at run time and emitted.
 
-use frictiongen::study::SystemOrbit;
+use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{System, friction_system};
 
 friction_system! {

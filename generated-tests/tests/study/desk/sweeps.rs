@@ -1,7 +1,7 @@
 //! Tests of sweeps up and down: the frequency at which a state ends, against the closed forms of one undamped mass on a
 //! moving base.
 
-use frictiongen::study::{Curve, CurveRequest, CurveStart, End, Piece};
+use frictiongen::study::curve::{Curve, CurveRequest, CurveStart, End, Piece};
 use frictiongen::{Of, Regime, System};
 use std::f64::consts::PI;
 

@@ -1,7 +1,10 @@
 //! Tests of zeros next to a pole, and of common zeros of two functions.
 
 use crate::features::scenes::unit;
-use frictiongen::study::{Edge, Measured, System};
+use frictiongen::study::{
+    System,
+    features::{Edge, Measured},
+};
 use frictiongen::{Of, Regime};
 
 /// Two weakly coupled oscillators. In the receptance of the first, the second causes a zero at its own frequency, and a

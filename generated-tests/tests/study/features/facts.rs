@@ -2,7 +2,10 @@
 //! extended precision.
 
 use crate::features::scenes::{base, chain, unit, wall};
-use frictiongen::study::{Certainty, Condition, Edge, InvariantPoint, Measured, RegimeEnd, System};
+use frictiongen::study::{
+    System,
+    features::{Certainty, Condition, Edge, InvariantPoint, Measured, RegimeEnd},
+};
 use frictiongen::{Of, Regime};
 use std::f64::consts::{FRAC_PI_4, PI, SQRT_2};
 
@@ -287,7 +290,7 @@ fn f29_peaks() {
         close(features.resonances()[0].continuous_limit, limit, 1e-4);
         assert!(matches!(
             features.invariant_points(M1, Measured::Amplitude, [0.5, 2.0]),
-            Err(frictiongen::study::FeatureError::Damped)
+            Err(frictiongen::study::features::FeatureError::Damped)
         ));
     }
 }

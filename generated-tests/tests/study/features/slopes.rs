@@ -1,7 +1,10 @@
 //! Tests of derivatives of features, against differences of the features of changed scenes.
 
 use frictiongen::study::{
-    Features, Load, Measured, Parameter, Quantity, RegimeEnd, Sensed, System,
+    System,
+    features::{Features, Measured, RegimeEnd, Sensed},
+    sensitivity::{Parameter, Quantity},
+    units::Load,
 };
 use frictiongen::{Of, Regime};
 
@@ -106,7 +109,8 @@ fn changed(text: &str, load: Load, parameter: Parameter, factor: f64) -> (System
         }
         Parameter::Quantity(Quantity::Stiction) => scene.stiction *= factor,
         Parameter::Quantity(quantity) => {
-            let frictiongen::study::Damping::Rayleigh { mass, stiffness } = &mut scene.damping
+            let frictiongen::study::scene::Damping::Rayleigh { mass, stiffness } =
+                &mut scene.damping
             else {
                 panic!("{quantity:?}");
             };

@@ -4,7 +4,7 @@
 use crate::fuzz::functions::{Asked, Seen, answered, is_number, promise, question};
 use crate::fuzz::{long, moving, none, once_in};
 use frictiongen::kernel::Plain;
-use frictiongen::study::Sensitive;
+use frictiongen::study::sensitivity::Sensitive;
 use frictiongen::{FrictionSystem, System};
 use fuzzing::{Random, bits};
 

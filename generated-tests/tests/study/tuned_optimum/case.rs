@@ -1,6 +1,10 @@
 //! Chains, and the number of each that is varied.
 
-use frictiongen::study::{FrequencyBand, Load, OptimumRequest, System, TunedOptimum, Tuning};
+use frictiongen::study::{
+    System,
+    optimum::{FrequencyBand, OptimumRequest, TunedOptimum, Tuning},
+    units::Load,
+};
 
 /// A chain with the number that is varied.
 pub struct Case {

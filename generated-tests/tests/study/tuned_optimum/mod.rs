@@ -13,7 +13,9 @@ mod numbers;
 
 use brute_force::{Tried, golden};
 use case::{ABSORBER, BLOCK, FIRST_SPRING, SHARP};
-use frictiongen::study::{FrequencyBand, OptimumError, OptimumKind, OptimumRequest, Tuning};
+use frictiongen::study::optimum::{
+    FrequencyBand, OptimumError, OptimumKind, OptimumRequest, Tuning,
+};
 use std::time::Instant;
 
 fn off(a: f64, b: f64) -> f64 {

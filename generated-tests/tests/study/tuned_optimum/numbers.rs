@@ -1,6 +1,6 @@
 //! Tests each number of a description that may be varied. A new value changes that number and nothing else.
 
-use frictiongen::study::{Quantity, System, Tunable};
+use frictiongen::study::{System, optimum::Tunable, sensitivity::Quantity};
 
 /// Returns a description of two masses with a given damping and given numbers.
 fn described(damping: &str, numbers: [f64; 5]) -> System {

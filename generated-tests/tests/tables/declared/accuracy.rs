@@ -8,7 +8,7 @@ use super::exact::{Exact, turn};
 use super::random;
 use super::scenes::scenes;
 use frictiongen::System;
-use frictiongen::study::CompiledSystem;
+use frictiongen::study::compiled::CompiledSystem;
 use frictiongen::study::table::{FRICTION_SHARES, TableError};
 use frictiongen_kernel::Float;
 use fuzzing::Random;

@@ -3,7 +3,7 @@
 use crate::stepper::independent::loads;
 use crate::stepper::rig::{Load, scene};
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, WALL, WALL_BASE, sticky};
-use frictiongen::study::SystemStepper;
+use frictiongen::study::stepper::SystemStepper;
 use frictiongen::{StepLoad, Stepping, System};
 use frictiongen_kernel::simulation::Contact;
 use frictiongen_model::scene::Node;

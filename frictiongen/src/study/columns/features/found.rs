@@ -2,7 +2,7 @@
 
 use crate::study::columns::column::Row;
 use crate::study::columns::setting::Part;
-use crate::study::{
+use crate::study::features::{
     Antiresonance, Certainty, Crossing, FeatureError, Features, HeldResonance, InvariantPoint,
     Inversion, LimitsAtEnd, Measured, RegimeRange, Resonance, ResonantPeak, Sensed, SlidingRange,
 };

@@ -3,7 +3,9 @@
 use crate::study::columns::column::Row;
 use crate::study::columns::setting::{Part, Setting};
 use crate::study::{
-    Certainty, FeatureError, Features, Measured, Parameter, RegimeEnd, Sensed, words,
+    features::{Certainty, FeatureError, Features, Measured, RegimeEnd, Sensed},
+    sensitivity::Parameter,
+    words,
 };
 
 /// The method that found a feature, which tells how certain it is.

@@ -5,8 +5,11 @@ use super::sheet::Sheet;
 use crate::study::columns::column::{Column, Row};
 use crate::study::columns::setting::Setting;
 use crate::study::{
-    Certainty, Crossing, HeldResonance, InvariantPoint, Inversion, Measured, RegimeEnd,
-    RegimeRange, ResonantPeak, Sensed, SlidingRange, words,
+    features::{
+        Certainty, Crossing, HeldResonance, InvariantPoint, Inversion, Measured, RegimeEnd,
+        RegimeRange, ResonantPeak, Sensed, SlidingRange,
+    },
+    words,
 };
 
 /// Receiver of the lists of features, whose rows have different types.
@@ -89,9 +92,9 @@ fn ends<'a>(setting: &Setting<'a>) -> Vec<Column<'a, EndRow>> {
 
 fn antiresonances<'a>(
     setting: &Setting<'a>,
-) -> Vec<Column<'a, Named<crate::study::Antiresonance>>> {
+) -> Vec<Column<'a, Named<crate::study::features::Antiresonance>>> {
     let mut sheet = Sheet::new(setting);
-    sheet.of(|zero: &Named<crate::study::Antiresonance>| &zero.of);
+    sheet.of(|zero: &Named<crate::study::features::Antiresonance>| &zero.of);
     sheet.places("", |zero| Some(zero.it.r));
     sheet.places_move(|zero| Some(&zero.it.frequency));
     sheet.columns.done()

@@ -1,10 +1,10 @@
 //! Columns that several lists of features have.
 
-use crate::study::Sensed;
 use crate::study::columns::builder::Columns;
 use crate::study::columns::column::{Head, Row};
 use crate::study::columns::measure::Dimension;
 use crate::study::columns::setting::Setting;
+use crate::study::features::Sensed;
 
 /// The columns of a list of features. Under a load features have their units already.
 pub(super) struct Sheet<'a, R> {

@@ -5,7 +5,10 @@ use crate::study::columns::builder::Columns;
 use crate::study::columns::column::{Column, Head, Kind, Shown};
 use crate::study::columns::measure::Dimension;
 use crate::study::columns::setting::Setting;
-use crate::study::{FeatureError, Features, OperatingPoint, Parameter};
+use crate::study::{
+    features::{FeatureError, Features},
+    sensitivity::{OperatingPoint, Parameter},
+};
 
 /// The table of the features of a scene.
 #[derive(Clone, Copy)]

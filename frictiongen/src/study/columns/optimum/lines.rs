@@ -5,7 +5,7 @@ use crate::study::columns::builder::Columns;
 use crate::study::columns::cell::Cell;
 use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
 use crate::study::columns::measure::Dimension;
-use crate::study::{Optimum, Tunable, TunedOptimum, TunedPoint};
+use crate::study::optimum::{Optimum, Tunable, TunedOptimum, TunedPoint};
 
 /// A row: one value of the answer.
 #[derive(Clone, Debug)]

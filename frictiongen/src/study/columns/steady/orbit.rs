@@ -6,7 +6,7 @@ use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
 use crate::study::columns::measure::Dimension;
 use crate::study::columns::motion::{Extent, Moving, PartMotion, motions};
 use crate::study::columns::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
-use crate::study::{SystemAt, SystemOrbit, words};
+use crate::study::{SystemAt, orbit::SystemOrbit, words};
 use crate::{Complex, NoOrbit, Of, OutOfDomain};
 
 /// A row: the steady state at one frequency and one friction.

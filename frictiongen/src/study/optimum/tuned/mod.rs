@@ -32,7 +32,7 @@ impl System {
     /// takes several times as long as [`optimum`](Self::optimum).
     ///
     /// ```no_run
-    /// use frictiongen::study::{FrequencyBand, OptimumRequest, System, Tuning};
+    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumRequest, Tuning}};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// // The base drives the block and is its contact partner. A stiffer spring to the wall reduces the motion.

@@ -1,6 +1,6 @@
 //! The references, each with its system.
 
-use frictiongen::study::SystemOrbit;
+use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{NoOrbit, System};
 use serde_json::Value;
 

@@ -1,7 +1,7 @@
 //! Comparison of a steady state with its reference, value by value.
 
 use super::points::{Point, count, number};
-use frictiongen::study::{SystemOrbit, SystemOrbitMotion};
+use frictiongen::study::orbit::{SystemOrbit, SystemOrbitMotion};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};

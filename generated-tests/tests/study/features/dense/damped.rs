@@ -2,7 +2,7 @@
 
 use super::dense;
 use crate::features::scenes::{random, shown};
-use frictiongen::study::{Certainty, System};
+use frictiongen::study::{System, features::Certainty};
 use frictiongen::{LimitsAt, Of, Regime};
 use fuzzing::Random;
 

@@ -2,7 +2,7 @@
 
 use super::dense;
 use crate::features::scenes::{random, shown};
-use frictiongen::study::{Edge, Measured};
+use frictiongen::study::features::{Edge, Measured};
 use frictiongen::{LimitsAt, Of};
 use fuzzing::Random;
 

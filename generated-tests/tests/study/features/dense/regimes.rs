@@ -2,7 +2,7 @@
 
 use super::{DENSE, dense};
 use crate::features::scenes::{random, shown};
-use frictiongen::study::{Certainty, RegimeEnd};
+use frictiongen::study::features::{Certainty, RegimeEnd};
 use frictiongen::{FrictionSystem, LimitsAt, Regime};
 use fuzzing::Random;
 

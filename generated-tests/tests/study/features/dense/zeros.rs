@@ -4,7 +4,7 @@ use super::count::{Count, sign_changes};
 use super::sums::Modes;
 use super::{DENSE, dense};
 use crate::features::scenes::{random, shown};
-use frictiongen::study::Measured;
+use frictiongen::study::features::Measured;
 use frictiongen::{LimitsAt, Of};
 use fuzzing::Random;
 

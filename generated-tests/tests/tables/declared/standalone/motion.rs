@@ -2,7 +2,7 @@
 
 use super::super::scenes::scene;
 use super::{POINTS, cc, folder, ratios, run, rustc};
-use frictiongen::study::CompiledSystem;
+use frictiongen::study::compiled::CompiledSystem;
 use frictiongen::{NotContinuous, Regime, System};
 use frictiongen_codegen::standalone::{c_header, c_source, rust_source};
 use frictiongen_kernel::Float;
