@@ -6,8 +6,8 @@
 //! (cos φ, sin φ) = ∓(E, −D)/√(D² + E²) and 2β = ±[D² + E² + E(1 + cos(τ₀/r))]/√(D² + E²).
 //! The program inverts this β, which is a function of the sliding time τ₀.
 
-use frictiongen::kernel::Scalar;
 use frictiongen::kernel::oscillator::decay::{Decay, Instant, Undamped};
+use frictiongen::scalar::Scalar;
 use std::f64::consts::{FRAC_1_PI, PI};
 
 /// Largest number of steps into which the half period is divided in the search for the sliding time τ₀.

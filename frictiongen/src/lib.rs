@@ -47,13 +47,13 @@
 //! | `at.sliding_limit()` | β*_lim |
 //! | `at.regime(beta)`, `at.margin(beta)` | [`Regime`]; β/min(β_lim, β*_lim) − 1 |
 //! | `at.motion(beta)` | the exact continuous motion, `FrameMotion`, or [`NotContinuous`] |
-//! | `motion.contact()`, `motion.upper()` | a [`Motion`](kernel::response::motion::Motion): `largest` (amplitude and phase by one search), `largest_near` (the same in a sweep, starting from a [`Neighbour`]), `amplitude`, `phase`, `amplitude_monoharmonic`, `displacement`, `velocity`, `harmonic` |
+//! | `motion.contact()`, `motion.upper()` | a [`Motion`](answer::Motion): `largest` (amplitude and phase by one search), `largest_near` (the same in a sweep, starting from a [`Neighbour`]), `amplitude`, `phase`, `amplitude_monoharmonic`, `displacement`, `velocity`, `harmonic` |
 //! | `at.stuck()` | the response with the contact stuck, or [`StuckResonance`] |
-//! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `period` (1, or up to 64 cycles if it is subharmonic), `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `intervals`, `friction`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](kernel::orbit::OrbitMotion) for `contact()`, `upper()` |
+//! | `at.orbit(beta)`, `at.orbit_from(beta, state)` | the steady state in any regime, `FrameOrbit`, or [`NoOrbit`]: `period` (1, or up to 64 cycles if it is subharmonic), `stops`, `reversals`, `stuck_fraction`, `sticking_intervals`, `intervals`, `friction`, `is_symmetric`, `multipliers`, `is_stable`, `is_marginal`, and an [`OrbitMotion`](answer::OrbitMotion) for `contact()`, `upper()` |
 //! | `at.orbit_or_last_cycles(beta)` | like `at.orbit(beta)`. Where the motion does not settle, it returns the last 64 cycles, and `is_settled()` is false |
-//! | `Frame::simulation(r, beta)`, `simulation_from(r, beta, state)` | the exact motion in time, `FrameSimulation`: `next` and `advance` return its [`Segment`](kernel::simulation::Segment)s, `upper()` the present motion of that mass |
+//! | `Frame::simulation(r, beta)`, `simulation_from(r, beta, state)` | the exact motion in time, `FrameSimulation`: `next` and `advance` return its [`Segment`](answer::Segment)s, `upper()` the present motion of that mass |
 //! | `Frame::simulation_under(r, beta, amplitude)`, `simulation_under_from(r, beta, amplitude, state)` | the exact motion in time with `friction: stribeck`, under a load of that amplitude in the scene's units: P, or Y for base motion |
-//! | `Frame::stepper(dt)`, `stepper_from(dt, state)` | the motion in steps of one length dt (s) under any input, `FrameStepper`, in the scene's units: `advance(FrameInput)` returns the contact's state, its force and its events, as [`Stepped`](kernel::stepper::Stepped); `upper()`, `contact()`, `work()`, `steps()`, `exceeded()`, `begin`, `set_stiction`, `save`, `restore` |
+//! | `Frame::stepper(dt)`, `stepper_from(dt, state)` | the motion in steps of one length dt (s) under any input, `FrameStepper`, in the scene's units: `advance(FrameInput)` returns the contact's state, its force and its events, as [`Stepped`](answer::Stepped); `upper()`, `contact()`, `work()`, `steps()`, `exceeded()`, `begin`, `set_stiction`, `save`, `restore` |
 //! | `FrameInput { force, friction }`, `{ displacement, velocity, friction }` | the input at the end of a step (`input: linear`) or over the whole step (`hold`): the force on the excited mass or the motion of the base; one more field for each mass of `force`, by its name; and the friction force F |
 //! | `Frame::STEP` | the declared step, whose tables are constants |
 //! | `Frame::limits_without_search(r)` | β_lim with S at τ → 0, and β*_lim: the fastest call if nothing else is needed at r |
@@ -118,6 +118,22 @@ pub mod watch;
 #[cfg(feature = "study")]
 pub mod study;
 
+/// Answers of emitted and of run-time systems.
+pub mod answer {
+    pub use frictiongen_kernel::orbit::OrbitMotion;
+    pub use frictiongen_kernel::response::motion::Motion;
+    pub use frictiongen_kernel::simulation::{Contact, Event, Moment, Segment};
+    pub use frictiongen_kernel::stepper::{ContactNow, Cost, MassNow, Stepped, Work};
+}
+
+/// Scalars, for functions that are generic over the precision.
+pub mod scalar {
+    pub use frictiongen_kernel::number::dd::Dd;
+    pub use frictiongen_kernel::{Float, Plain, Scalar};
+}
+
+/// Items that emitted code names. They may change with every version.
+#[doc(hidden)]
 pub use frictiongen_kernel as kernel;
 pub use frictiongen_kernel::Complex;
 pub use frictiongen_kernel::contact::regime::Limits;

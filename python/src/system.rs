@@ -2,7 +2,7 @@
 
 use crate::errors::scene;
 use frictiongen::System;
-use frictiongen::kernel::number::dd::Dd;
+use frictiongen::scalar::Dd;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyList;

@@ -36,7 +36,7 @@ struct Run {
     drift: Vec<(f64, f64)>,
     force: Vec<(f64, f64)>,
     stuck: usize,
-    work: frictiongen::kernel::stepper::Work<f64>,
+    work: frictiongen::answer::Work<f64>,
 }
 
 fn run(motion: &[Ground], friction: f64) -> Result<Run, frictiongen::Error> {

@@ -6,7 +6,7 @@ use frictiongen::study::table::{HeldForm, Product, Proof, Tables};
 use serde_json::{Value, json};
 
 /// Converts the tables to JSON.
-pub(super) fn of<S: frictiongen::kernel::Float>(scene: &Scene, tables: &Tables<S>) -> Value {
+pub(super) fn of<S: frictiongen::scalar::Float>(scene: &Scene, tables: &Tables<S>) -> Value {
     let value = |value: S| value.to_f64();
     let factor = |factor: &Factor<S>| match *factor {
         Factor::Zero { at, rest } => json!({ "zero": [value(at), value(rest)] }),

@@ -136,7 +136,7 @@ fn number(text: &str, option: &str) -> Result<f64, Failure> {
     })
 }
 
-fn write<S: frictiongen::kernel::Float>(
+fn write<S: frictiongen::scalar::Float>(
     scene: &Scene,
     tables: &Tables<S>,
     (arguments, name): (&CompileArguments, &str),
@@ -180,7 +180,7 @@ fn write<S: frictiongen::kernel::Float>(
 }
 
 /// Returns the sentence about the accuracy between the points of the check.
-fn told<S: frictiongen::kernel::Float>(tables: &Tables<S>, proof: &Proof, proves: bool) -> String {
+fn told<S: frictiongen::scalar::Float>(tables: &Tables<S>, proof: &Proof, proves: bool) -> String {
     if proves || proof.evidence != Evidence::Checked {
         return proof.told();
     }
@@ -194,7 +194,7 @@ fn told<S: frictiongen::kernel::Float>(tables: &Tables<S>, proof: &Proof, proves
 }
 
 /// Returns the figures, one per line. `proves` is true if a proof was requested.
-fn figures<S: frictiongen::kernel::Float>(
+fn figures<S: frictiongen::scalar::Float>(
     scene: &Scene,
     tables: &Tables<S>,
     proves: bool,

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::number::computed;
 use crate::output::{Table, Visitor};
 use frictiongen::System;
-use frictiongen::kernel::stepper::Work;
+use frictiongen::answer::Work;
 use frictiongen::measure::Inputs;
 use frictiongen::measure::columns::{Driven, DrivenRow};
 use frictiongen::study::columns::Column;

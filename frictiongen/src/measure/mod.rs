@@ -14,6 +14,7 @@
 //!
 //! On a microcontroller [`crate::watch`] follows one frequency sample by sample.
 
+#[doc(hidden)]
 pub mod columns;
 mod decay;
 mod drive;

@@ -3,6 +3,7 @@
 
 mod at;
 mod builder;
+#[doc(hidden)]
 pub mod columns;
 pub mod compiled;
 mod compiled_stuck;
@@ -29,6 +30,7 @@ pub mod simulation;
 pub mod stepper;
 mod system;
 pub mod units;
+#[doc(hidden)]
 pub mod words;
 mod work;
 
@@ -38,7 +40,17 @@ pub use error::{InvalidScene, StudyError, UnknownMass};
 /// The parts of a description: masses, springs, contact, excitation and damping.
 pub use frictiongen_model::scene;
 /// Tables of the response with a declared accuracy.
-pub use frictiongen_model::table;
+pub mod table {
+    pub use frictiongen_model::table::{
+        COARSEST, Evidence, FINEST, FINEST_PROVEN, FINEST_SINGLE, Proof, Reach, Report, Request,
+        TableError, Work, Worst,
+    };
+    /// The contents of a table, for the command that writes them as code.
+    #[doc(hidden)]
+    pub use frictiongen_model::table::{
+        FRICTION_SHARES, Fitted, Held, HeldForm, Index, Product, Tables,
+    };
+}
 pub use frictiongen_model::validate::SceneError;
 pub use frictiongen_syntax::{Diagnostic, Diagnostics};
 pub use stepper::SystemInput;
