@@ -102,7 +102,7 @@ fn unified(
 fn per_cent(relative: f64) -> String {
     let value = 100.0 * relative;
     match value.abs() {
-        size if size < 5e-4 || 1e4 <= size => format!("{value:+.1e} %"),
+        size if !(5e-4..1e4).contains(&size) => format!("{value:+.1e} %"),
         size if size < 1.0 => format!("{value:+.3} %"),
         _ => format!("{value:+.2} %"),
     }

@@ -1,4 +1,5 @@
 //! Tests of `frictiongen diff`.
+#![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use crate::common::{BLOCK, FRAME, output, run_with};
 use serde_json::Value;
