@@ -32,6 +32,8 @@ pub(in crate::study) struct Amplitude<'s> {
     most: Cell<usize>,
     /// Number of evaluations for which the solvers found no amplitude.
     pub silent: Cell<usize>,
+    /// True if motion from rest is followed also where the closed form exists.
+    follows: Cell<bool>,
 }
 
 impl<'s> Amplitude<'s> {
@@ -44,7 +46,19 @@ impl<'s> Amplitude<'s> {
             work: Cell::new(0),
             most: Cell::new(usize::MAX),
             silent: Cell::new(0),
+            follows: Cell::new(false),
         }
+    }
+
+    /// Follows motion from rest from now on also where the closed form exists. With μ > 1 that motion may end in
+    /// another state, so that an amplitude may be larger at a frequency where the closed form is not the largest.
+    pub(super) fn follow_from_rest(&self) {
+        self.follows.set(1.0 < self.system.scene().stiction);
+    }
+
+    /// Returns true if motion from rest is followed also where the closed form exists.
+    pub(super) fn follows_from_rest(&self) -> bool {
+        self.follows.get()
     }
 
     fn response(&self, r: f64, friction: Friction) -> Result<SystemResponse<'s>, Error> {
@@ -80,6 +94,7 @@ impl<'s> Amplitude<'s> {
     /// another state, whose amplitude [`followed`](Self::followed) returns.
     pub(super) fn at(&self, r: f64, friction: Friction) -> f64 {
         if let Friction::Ratio(beta) = friction
+            && !(self.follows.get() && !self.is_spent())
             && let Ok(at) = self.system.at(r)
             && let Ok(motion) = at.motion(beta)
             && beta < at.sliding_limit()

@@ -383,7 +383,7 @@ impl<'s> Band<'s> {
         self.peak(r, value)
     }
 
-    fn peak(&self, r: f64, value: f64) -> Peak {
+    pub(super) fn peak(&self, r: f64, value: f64) -> Peak {
         let edge = self.is_edge(r);
         Peak { r, value, edge }
     }

@@ -14,6 +14,7 @@ use super::creep::crept;
 use super::look::{Closely, Look};
 use super::peaks::{Band, Peak};
 use super::scan::{Scanned, about_best, add, best, closer, scanned, scanned_at, slope, with_slope};
+use super::verified::{raise, verified};
 use crate::Regime;
 
 /// Largest number of attempts at one minimum. A further attempt follows if the previous one finds a higher peak at the
@@ -34,6 +35,8 @@ const STATIONARY: f64 = 1e-4;
 pub(super) const WORK_OF_ONE: usize = 300_000;
 /// The final check may use, in addition, the work bound of the search divided by this number.
 const OF_A_CHECK: usize = 6;
+/// Amplitudes up to this multiple of the best bound the intervals that show how flat the optimum is.
+const HIGHEST_TOLERANCE: f64 = 1.12;
 
 /// The kind of a minimum of the largest amplitude over friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,8 +103,17 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
         }
     }
     let spent = band.amplitude.is_spent();
-    band.amplitude.allow(work / OF_A_CHECK);
-    let best = checked(band, &mut scan, candidates, spent)?;
+    band.amplitude.follow_from_rest();
+    let best = if band.amplitude.follows_from_rest() {
+        band.amplitude.allow(work);
+        let best = verified(band, candidates)?;
+        band.amplitude.allow(work / OF_A_CHECK);
+        raise(band, &mut scan, HIGHEST_TOLERANCE * best.at.value);
+        best
+    } else {
+        band.amplitude.allow(work / OF_A_CHECK);
+        checked(band, &mut scan, candidates, spent)?
+    };
     let spent = spent || band.amplitude.is_spent();
     let kind = kind(band, &best.at, locked_from);
     Some(Least {
@@ -264,7 +276,7 @@ fn minimum(
 ///
 /// Where steady states appear and disappear, peaks cannot be followed and slopes are useless. A friction ratio is
 /// rejected as soon as one amplitude shows that it is not better.
-fn narrowed(
+pub(super) fn narrowed(
     band: &Band<'_>,
     (below, above): (&Scanned, &Scanned),
     seen: Option<Scanned>,

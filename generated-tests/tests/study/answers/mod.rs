@@ -139,13 +139,49 @@ fn a_frame_on_which_the_search_gave_up() {
         1e3 * scale.length() * found.amplitude,
     );
     println!("{force} N, {millimetres} mm, {:?}", found.end);
-    assert!(millimetres < 13.95, "{force} N: {millimetres} mm");
+    // A curve has 14.2 mm at 68.5 N, 15.1 mm at 73 N, and more on both sides.
+    assert!(millimetres < 14.4, "{force} N: {millimetres} mm");
     let [from, to] = found.bracket;
     assert!(from <= found.beta && found.beta <= to);
 }
 
 /// Tests 200 frames of one to six masses. It prints every frame, the slowest one, and the number of frames more than 2
 /// % above the map.
+/// With μ > 1 motion from rest reaches a stick-slip state in a range of 2.13 to 2.146 Hz alone. The search must count it:
+/// its optimum was 5.08 mm at 2146 N, where a curve has 5.69 mm at 2.143 Hz.
+#[test]
+fn a_narrow_range_of_stick_slip_counts() {
+    let tower: System = "struct Tower {
+        masses: { first: 1500, second: 1500, roof: 1500 },
+        springs: { base - first: 1.2e6, first - second: 1.2e6, second - roof: 1.2e6 },
+        contact: first - second, excitation: base, damping: modal(0.02), stiction: 1.2,
+    }"
+    .parse()
+    .expect("a scene");
+    let of = Of::Mass(2);
+    let request = OptimumRequest {
+        of,
+        band: FrequencyBand::Hertz(2.0, 2.4),
+        load: Some(Load::Base(1e-3)),
+    };
+    let found = tower.optimum_within(&request, 400_000).expect("an optimum");
+    let ends = [2.0, 2.4].map(|hertz| tower.frequency_ratio_at_hertz(hertz));
+    let request = CurveRequest {
+        widest: Some(0.0003),
+        ..CurveRequest::new(ends[0], ends[1], &[of])
+    };
+    let curve = tower.curve(&request, found.beta).expect("a curve");
+    let points = curve.pieces.iter().flat_map(|piece| &piece.points);
+    let largest = points.map(|point| point.movements[0].swing.amplitude);
+    let largest = largest.fold(0.0, f64::max);
+    println!(
+        "{} at β = {}, on a curve {largest}",
+        found.amplitude, found.beta
+    );
+    assert!(largest < 1.01 * found.amplitude);
+    assert!(found.amplitude < 5.5, "{}", found.amplitude);
+}
+
 #[test]
 #[ignore = "200 optima, each with a map: some minutes"]
 fn optima_of_two_hundred_frames() {

@@ -1,0 +1,101 @@
+//! Verifies friction ratios over a fine grid of the band, for scenes with μ > 1.
+//!
+//! With μ > 1 motion from rest reaches stick-slip states in narrow ranges of frequency. The evaluations that compare
+//! friction ratios miss such a range, so that their amplitudes are lower bounds. This file takes the friction ratios in
+//! the order of these bounds, evaluates the whole band on the grid, and keeps the least of the results.
+
+use super::amplitude::Friction;
+use super::candidates::Candidate;
+use super::look::Closely;
+use super::peaks::Band;
+use super::scan::{Scanned, scanned_at, slope, with_slope};
+use super::search::narrowed;
+
+/// Largest number of friction ratios that are verified.
+const MOST: usize = 14;
+/// Relative distance below which a friction ratio counts as verified together with another one.
+const NEAR: f64 = 0.01;
+/// A friction ratio is verified only if its lower bound is below this fraction of the least verified amplitude.
+const BETTER: f64 = 0.999;
+
+/// Returns the least amplitude that the grid verifies. If the work ends before the first friction ratio is verified,
+/// the result is the one with the least lower bound.
+pub(super) fn verified(band: &Band<'_>, mut open: Vec<Candidate>) -> Option<Candidate> {
+    open.retain(|candidate| candidate.at.value.is_finite());
+    open.sort_by(|a, b| a.at.value.total_cmp(&b.at.value));
+    let mut best: Option<Candidate> = None;
+    let mut seen: Vec<f64> = Vec::new();
+    for candidate in &open {
+        let beta = candidate.at.beta;
+        let cutoff = best.as_ref().map_or(f64::INFINITY, |best| best.at.value);
+        if seen.len() == MOST || band.amplitude.is_spent() || BETTER * cutoff < candidate.at.value {
+            break;
+        }
+        if seen.iter().any(|other| (other - beta).abs() <= NEAR * beta) {
+            continue;
+        }
+        seen.push(beta);
+        if let Some(at) = evaluated(band, beta, cutoff) {
+            best = Some(Candidate {
+                at,
+                ..candidate.clone()
+            });
+        }
+    }
+    let Some(best) = best else {
+        return open.into_iter().next();
+    };
+    Some(refined(band, best))
+}
+
+/// Evaluates the scan anew up to a level, with the peaks that the grids found. Their amplitudes are lower bounds before.
+pub(super) fn raise(band: &Band<'_>, scan: &mut [Scanned], level: f64) {
+    for seen in scan
+        .iter_mut()
+        .filter(|seen| seen.complete && seen.value <= level)
+    {
+        let again = scanned_at(band, seen.beta, level);
+        if seen.value < again.value {
+            *seen = again;
+        }
+    }
+}
+
+/// Evaluates the whole band on the grid. `None` if the result is not below the cutoff, or if the work ends first.
+fn evaluated(band: &Band<'_>, beta: f64, cutoff: f64) -> Option<Scanned> {
+    // The peaks of earlier grids reject most friction ratios.
+    if cutoff.is_finite() && !scanned_at(band, beta, cutoff).complete {
+        return None;
+    }
+    let friction = Friction::Ratio(beta);
+    let mut look = band.look(band.open(friction), f64::INFINITY, Closely::Whole);
+    band.add_grid(&mut look, friction);
+    for peak in &look.peaks {
+        band.learn_around(peak.r);
+    }
+    let found = with_slope(beta, look, |peak| slope(band, beta, peak));
+    (found.complete && found.value < cutoff).then_some(Scanned {
+        whole: true,
+        ..found
+    })
+}
+
+/// Searches the bracket of the best friction ratio by golden sections, and verifies the result.
+fn refined(band: &Band<'_>, best: Candidate) -> Candidate {
+    let [from, to] = best.bracket;
+    if !(from < to) {
+        return best;
+    }
+    let side = |beta: f64| Scanned {
+        beta,
+        complete: false,
+        ..best.at.clone()
+    };
+    let found = narrowed(band, (&side(from), &side(to)), Some(best.at.clone()));
+    if found.at.beta != best.at.beta
+        && let Some(at) = evaluated(band, found.at.beta, best.at.value)
+    {
+        return Candidate { at, ..found };
+    }
+    best
+}
