@@ -94,7 +94,7 @@ impl<'s> Amplitude<'s> {
     /// another state, whose amplitude [`followed`](Self::followed) returns.
     pub(super) fn at(&self, r: f64, friction: Friction) -> f64 {
         if let Friction::Ratio(beta) = friction
-            && !(self.follows.get() && !self.is_spent())
+            && (!self.follows.get() || self.is_spent())
             && let Ok(at) = self.system.at(r)
             && let Ok(motion) = at.motion(beta)
             && beta < at.sliding_limit()
