@@ -4,7 +4,9 @@ use crate::args::LoadArguments;
 use crate::asked::number;
 use crate::failure::Failure;
 use frictiongen::System;
-pub use frictiongen::study::columns::{Dimension, Measure};
+#[cfg(feature = "report")]
+pub use frictiongen::study::columns::Dimension;
+pub use frictiongen::study::columns::Measure;
 use frictiongen::study::units::{Load, LoadError};
 
 /// Makes the units from the load options, if a load is given.
