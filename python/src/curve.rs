@@ -10,7 +10,10 @@ use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::Of;
 use frictiongen::study::columns::CurveTable;
-use frictiongen::study::{curve::{CurveError, CurveRequest, CurveStart}, words};
+use frictiongen::study::{
+    curve::{CurveError, CurveRequest, CurveStart},
+    words,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -10,7 +10,7 @@ use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::Of;
 use frictiongen::study::columns::{Column, FeatureLists, FeatureTable, FeatureVisitor, Row};
-use frictiongen::study::{sensitivity::Parameter, features::Sensed};
+use frictiongen::study::{features::Sensed, sensitivity::Parameter};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};

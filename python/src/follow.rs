@@ -6,7 +6,10 @@ use crate::errors::{domain, wrong_type};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::measure::columns::Driven;
-use frictiongen::study::{SystemInput, stepper::{SystemStepSaved, SystemStepper}};
+use frictiongen::study::{
+    SystemInput,
+    stepper::{SystemStepSaved, SystemStepper},
+};
 use frictiongen::{Stepping, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

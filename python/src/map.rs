@@ -8,8 +8,8 @@ use crate::columns::Columns;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::study::map::MapRequest;
 use frictiongen::study::columns::MapTable;
+use frictiongen::study::map::MapRequest;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

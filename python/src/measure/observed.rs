@@ -6,8 +6,8 @@ use crate::asked::{LoadArguments, Optional, numbers};
 use crate::errors::{domain, wrong_type};
 use frictiongen::measure::columns::MotionKnown as Known;
 use frictiongen::measure::{Datum, Observation, Using};
-use frictiongen::study::units::Load;
 use frictiongen::study::scene::Excitation;
+use frictiongen::study::units::Load;
 use frictiongen::{Complex, Of, System};
 use pyo3::prelude::*;
 
