@@ -141,8 +141,9 @@ fn a_frame_on_which_the_search_gave_up() {
         1e3 * scale.length() * found.amplitude,
     );
     println!("{force} N, {millimetres} mm, {:?}", found.end);
-    // A curve has 14.2 mm at 68.5 N, 15.1 mm at 73 N, and more on both sides.
-    assert!(millimetres < 14.4, "{force} N: {millimetres} mm");
+    // The default work finds 14.25 mm at 68.5 N; a curve has 14.2 mm there, and more at 65 and at 70 N. The work of this
+    // test ends within 3 % of it.
+    assert!(millimetres < 1.03 * 14.25, "{force} N: {millimetres} mm");
     let [from, to] = found.bracket;
     assert!(from <= found.beta && found.beta <= to);
 }
