@@ -147,7 +147,6 @@ def test_a_recording_drives_as_steps_do(frame, block, command, tmp_path):
     path.write_text("time_s,base_m_s2\n" + "".join(f"{a!r},{b!r}\n" for a, b in zip(t.tolist(), np.sin(9 * t).tolist(), strict=True)))
     ours = frame.drive(Recording.from_file(path, drives=True), friction=0.4).to_frame()
     theirs = command("drive", scene, path, "--friction", 0.4)
-    ours.columns = [name.replace("_m_s", "_m_per_s") for name in ours.columns]
     # The contact comes first here, and last there.
     assert sorted(ours.columns) == sorted(theirs.columns)
     hold(ours[theirs.columns], theirs, but=("time_s",))

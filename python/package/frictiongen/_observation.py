@@ -37,7 +37,7 @@ class Observation:
     ... )
     >>> found = plate.identify(seen)
     >>> found.verdict, round(found.friction_N.value, 6), found.friction_N.holds(0.5)
-    ('told', 0.5, True)
+    ('determined', 0.5, True)
     """
 
     __slots__ = ("_told",)
