@@ -87,7 +87,7 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
         } else {
             (b, at_b) = (c, at_c);
         }
-        // The same bound was kept twice in a row, so its weight is halved.
+        // Two steps in a row replaced one bound and kept the other. The kept bound gets half its weight (Illinois rule).
         if last == Some(lower) {
             if lower {
                 at_b = at_b * half;

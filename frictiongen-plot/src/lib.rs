@@ -1,6 +1,6 @@
 //! Figures as in a paper: curves, maps, insets, legends and sketches of mass-spring chains, as SVG and PNG.
 //!
-//! The same data give the same bytes on every host. Numbers are written with two decimals of a pixel. No system
+//! Equal data give equal bytes on every host. Numbers are written with two decimals of a pixel. No system
 //! library or system font takes part. Values that are not finite break a line and never reach a file.
 //!
 //! ```

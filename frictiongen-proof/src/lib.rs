@@ -47,7 +47,8 @@ use std::ops::Range;
 /// Estimate of the work to prove a piece for each mode, where every mode is damped. It decides only whether a proof
 /// that may stay incomplete is started.
 const PIECE_WORK: usize = 1800;
-/// The same estimate with an undamped mode, next to whose poles intervals are shorter.
+/// Estimate of the work to prove a piece for each mode, where a mode is undamped. Intervals are shorter next to the poles
+/// of an undamped mode.
 const PIECE_WORK_UNDAMPED: usize = 2600;
 /// Largest work for one piece, relative to its equal share of the total. Tuned: one piece must not use the work of
 /// all others.

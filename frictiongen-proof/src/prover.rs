@@ -21,7 +21,7 @@ const SHORTEST: f64 = 1e-7;
 /// Shortest interval for the motion, as a fraction of its piece. Tuned: where β_lim alone passes, the motion stays open
 /// rather than shorten every interval.
 const SHORTEST_OF_MOTION: f64 = 2e-3;
-/// The same limit next to the zero of a piece, as a fraction of the distance from it.
+/// Shortest interval for the motion next to a zero of β_lim, as a fraction of the distance from the zero.
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
 /// Length of a piece over that of its first interval. Tuned: an interval that is too long fails and is halved.
 const FIRST: f64 = 4.0;

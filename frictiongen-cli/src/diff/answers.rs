@@ -2,7 +2,7 @@
 
 use frictiongen::System;
 use frictiongen::study::scene::{Excitation, FrictionLaw};
-use frictiongen::study::units::hertz;
+use frictiongen::study::units::{Load, hertz};
 
 /// Number of frequencies at which answers are compared.
 pub const FREQUENCIES: u32 = 400;
@@ -165,25 +165,17 @@ impl Series {
 
 fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
     let on_base = old.scene().excitation == Excitation::Base;
-    let first = |system: &System| {
-        system
-            .scene()
-            .springs
-            .first()
-            .map_or(1.0, |spring| spring.stiffness)
-    };
-    let (stiffness, stiffness_new) = (first(old), first(new));
-    // Limits over the load's amplitude, and displacements over it: P for a force, Y for base motion.
-    let (force, force_new) = if on_base {
-        (stiffness, stiffness_new)
+    // With a load of 1, limits are those over the load's amplitude, and so are displacements.
+    let load = if on_base {
+        Load::Base(1.0)
     } else {
-        (1.0, 1.0)
+        Load::Force(1.0)
     };
-    let (length, length_new) = if on_base {
-        (1.0, 1.0)
-    } else {
-        (1.0 / stiffness, 1.0 / stiffness_new)
+    let (Ok(scale), Ok(scale_new)) = (old.load_scale(load), new.load_scale(load)) else {
+        return Vec::new();
     };
+    let (force, force_new) = (scale.force(), scale_new.force());
+    let (length, length_new) = (scale.length(), scale_new.length());
     let (of_force, of_length) = if on_base { ("N/m", "") } else { ("", "m/N") };
     let load = if on_base { "Y" } else { "P" };
     let mut continuous = Series::new(format!("limit of continuous motion F_lim/{load}"), of_force);

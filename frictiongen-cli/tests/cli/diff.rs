@@ -81,7 +81,7 @@ fn twice_the_masses_and_springs() {
         );
         assert_eq!(answer["compared"], 400);
     }
-    // The same motion would need twice the friction, so that the same friction damps the contact less.
+    // The new scene needs twice the friction for an equal motion. An equal friction therefore damps its contact less.
     assert_eq!(answers[2]["name"], "amplitude of contact over Y");
     assert!(answers[2]["new"].as_f64() > answers[2]["old"].as_f64());
 }

@@ -197,100 +197,129 @@ impl fmt::Display for Unsupported {
     }
 }
 
+impl OutOfDomain {
+    /// Returns the name of the number that is outside its domain, what was given, and what the number must be. Returns
+    /// `None` for a cause that is not one number.
+    fn number(self) -> Option<(&'static str, Given, &'static str)> {
+        const RATIO: &str = "the frequency ratio r";
+        Some(match self {
+            Self::FrequencyRatio(given @ Given::Infinite) => {
+                (RATIO, given, "it must be finite here")
+            }
+            Self::FrequencyRatio(given) => (RATIO, given, "it must be a number, not negative"),
+            Self::FrequencyRatioInTime(given) => (
+                RATIO,
+                given,
+                "a motion in time needs a positive number that is not too close to 0 or infinity",
+            ),
+            Self::FrictionRatio(given) => (
+                "the friction ratio beta",
+                given,
+                "it must be a finite number, not negative",
+            ),
+            Self::Duration(given) => (
+                "the time to advance",
+                given,
+                "it must be a finite number, not negative",
+            ),
+            Self::Step(given) => (
+                "the step dt",
+                given,
+                "it must be greater than zero, and so short that no oscillator turns by more than 1024 rad in it",
+            ),
+            Self::Force(given) => (
+                "a force",
+                given,
+                "it must be finite, and its square within the range of the scalar",
+            ),
+            Self::BaseMotion(given) => (
+                "the displacement or velocity of the base",
+                given,
+                "both must be finite, and their squares within the range of the scalar",
+            ),
+            Self::Friction(given) => (
+                "the friction force F",
+                given,
+                "it must be a finite number, not negative, and its square within the range of the scalar",
+            ),
+            Self::Stiction(given) => (
+                "the stiction mu",
+                given,
+                "it must be a finite number, 1 or more",
+            ),
+            Self::LoadAmplitude(given) => (
+                "the amplitude of the load",
+                given,
+                "it must be positive and finite, and so large that the speeds of the friction law stay distinct when they are divided by the speed of the load",
+            ),
+            _ => return None,
+        })
+    }
+}
+
 impl fmt::Display for OutOfDomain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::FrequencyRatio(Given::Infinite) => {
-                f.write_str("the frequency ratio r is infinite; it must be finite here")
-            }
-            Self::FrequencyRatio(given) => write!(
-                f,
-                "the frequency ratio r is {given}; it must be a number, not negative"
-            ),
-            Self::FrequencyRatioInTime(given) => write!(
-                f,
-                "the frequency ratio r is {given}; a motion in time needs a positive number that is not too close to 0 or infinity"
-            ),
-            Self::FrictionRatio(given) => write!(
-                f,
-                "the friction ratio beta is {given}; it must be a finite number, not negative"
-            ),
-            Self::OutsideTables(ratio) => write!(
+        if let Some((number, given, needed)) = self.number() {
+            return write!(f, "{number} is {given}; {needed}");
+        }
+        f.write_str(match self {
+            Self::OutsideTables(ratio) => return write!(
                 f,
                 "the {ratio} is outside the declared range of the tables; declare a wider `range`, or `beyond: exact` for the formulas outside it"
             ),
-            Self::OtherPoint(ratio) => write!(
+            Self::OtherPoint(ratio) => return write!(
                 f,
                 "the {ratio} differs from that of the orbit; derivatives need the r and beta of the orbit"
             ),
-            Self::State => f.write_str(
-                "the state must have one finite displacement and one finite velocity for each mass",
-            ),
-            Self::Start => f.write_str(
-                "the state at the start of the orbit leaves the range of the scalar; start nearer to rest",
-            ),
-            Self::StuckStart => f.write_str(
-                "the contact cannot stick at this beta, so that no orbit starts stuck; start from rest, or above the sliding limit",
-            ),
-            Self::Duration(given) => write!(
-                f,
-                "the time to advance is {given}; it must be a finite number, not negative"
-            ),
-            Self::Length(slice) => write!(f, "the {slice}"),
-            Self::Range => f.write_str(
-                "the range of frequency ratios must have two finite ends, not negative, the lower one first",
-            ),
-            Self::Intervals => f.write_str("the search has 0 intervals; it needs one at least"),
-            Self::Mass => {
-                f.write_str("the scene has no mass with this index; the first mass has the index 0")
+            Self::Length(slice) => return write!(f, "the {slice}"),
+            Self::Unsupported(unsupported) => return unsupported.fmt(f),
+            Self::State => {
+                "the state must have one finite displacement and one finite velocity for each mass"
             }
-            Self::Step(given) => write!(
-                f,
-                "the step dt is {given}; it must be greater than zero, and so short that no oscillator turns by more than 1024 rad in it"
-            ),
-            Self::Force(given) => write!(
-                f,
-                "a force is {given}; it must be finite, and its square within the range of the scalar"
-            ),
-            Self::Forces => f.write_str(
-                "the sample needs one force for each mass that may be loaded, and none for another mass; the field `force` of the description names these masses",
-            ),
-            Self::BaseMotion(given) => write!(
-                f,
-                "the displacement or velocity of the base is {given}; both must be finite, and their squares within the range of the scalar"
-            ),
-            Self::BaseAtRest => f.write_str(
-                "the base of this scene rests, because a force on a mass excites it; leave out the motion of the base",
-            ),
-            Self::Friction(given) => write!(
-                f,
-                "the friction force F is {given}; it must be a finite number, not negative, and its square within the range of the scalar"
-            ),
-            Self::Stiction(given) => write!(
-                f,
-                "the stiction mu is {given}; it must be a finite number, 1 or more"
-            ),
-            Self::Begun => f.write_str(
-                "the stepper has advanced already; call `begin` before the first step, or make a new stepper",
-            ),
-            Self::Saved => f.write_str(
-                "the saved state belongs to another scene or to another step dt; restore it in the stepper that saved it",
-            ),
-            Self::Work => f.write_str(
-                "another step could make the work too large for the scalar; reduce the force, or make a new stepper",
-            ),
-            Self::LoadAmplitude(given) => write!(
-                f,
-                "the amplitude of the load is {given}; it must be positive and finite, and so large that the speeds of the friction law stay distinct when they are divided by the speed of the load"
-            ),
-            Self::Steepness => f.write_str(
-                "the slope of the friction law acts more than 4096 times as fast as the fastest mode; use a flatter law, or a smaller friction force",
-            ),
-            Self::StepSteepness => f.write_str(
-                "the friction law would change the contact's velocity by more than 16 times that velocity within a step; use a shorter step, a flatter law or a smaller friction force",
-            ),
-            Self::Unsupported(unsupported) => unsupported.fmt(f),
-        }
+            Self::Start => {
+                "the state at the start of the orbit leaves the range of the scalar; start nearer to rest"
+            }
+            Self::StuckStart => {
+                "the contact cannot stick at this beta, so that no orbit starts stuck; start from rest, or above the sliding limit"
+            }
+            Self::Range => {
+                "the range of frequency ratios must have two finite ends, not negative, the lower one first"
+            }
+            Self::Intervals => "the search has 0 intervals; it needs one at least",
+            Self::Mass => "the scene has no mass with this index; the first mass has the index 0",
+            Self::Forces => {
+                "the sample needs one force for each mass that may be loaded, and none for another mass; the field `force` of the description names these masses"
+            }
+            Self::BaseAtRest => {
+                "the base of this scene rests, because a force on a mass excites it; leave out the motion of the base"
+            }
+            Self::Begun => {
+                "the stepper has advanced already; call `begin` before the first step, or make a new stepper"
+            }
+            Self::Saved => {
+                "the saved state belongs to another scene or to another step dt; restore it in the stepper that saved it"
+            }
+            Self::Work => {
+                "another step could make the work too large for the scalar; reduce the force, or make a new stepper"
+            }
+            Self::Steepness => {
+                "the slope of the friction law acts more than 4096 times as fast as the fastest mode; use a flatter law, or a smaller friction force"
+            }
+            Self::StepSteepness => {
+                "the friction law would change the contact's velocity by more than 16 times that velocity within a step; use a shorter step, a flatter law or a smaller friction force"
+            }
+            // `number` has their messages.
+            Self::FrequencyRatio(_)
+            | Self::FrequencyRatioInTime(_)
+            | Self::FrictionRatio(_)
+            | Self::Duration(_)
+            | Self::Step(_)
+            | Self::Force(_)
+            | Self::BaseMotion(_)
+            | Self::Friction(_)
+            | Self::Stiction(_)
+            | Self::LoadAmplitude(_) => "",
+        })
     }
 }
 

@@ -11,7 +11,7 @@ pub const TOO_DEEP: &str = "brackets are nested more than 64 deep here; compute 
 /// A token or a bracketed group of tokens.
 #[derive(Clone, Debug)]
 pub struct Token {
-    /// What the token is.
+    /// Kind of the token, with its text or its group.
     pub kind: Kind,
     /// The position of the token. For a group it is the position of the opening bracket.
     pub place: Place,

@@ -147,7 +147,7 @@ impl Friction {
     }
 }
 
-/// What the tables of all questions have in common.
+/// Settings that all tables share: the system, the units, the frequencies and frictions, and the motions.
 #[derive(Clone, Copy)]
 pub struct Setting<'a> {
     /// The system.

@@ -53,12 +53,7 @@ impl<'s> Amplitude<'s> {
     /// Follows motion from rest from now on also where the closed form exists. With μ > 1 that motion may end in
     /// another state, so that an amplitude may be larger at a frequency where the closed form is not the largest.
     pub(super) fn follow_from_rest(&self) {
-        self.follows.set(1.0 < self.system.scene().stiction);
-    }
-
-    /// Returns true if motion from rest is followed also where the closed form exists.
-    pub(super) fn follows_from_rest(&self) -> bool {
-        self.follows.get()
+        self.follows.set(true);
     }
 
     fn response(&self, r: f64, friction: Friction) -> Result<SystemResponse<'s>, Error> {

@@ -1,15 +1,16 @@
 //! Searches a fine grid of the band for peaks that no resonance, sub-harmonic or limit announces.
 //!
-//! With μ > 1 motion from rest ends in different steady states at neighbouring frequencies, and the amplitude jumps
-//! between them. The frequencies of such jumps follow from the motion alone.
+//! With μ > 1 motion from rest may end in different steady states at neighbouring frequencies. The amplitude jumps
+//! between these frequencies. Only the motion itself shows where.
 
 use super::amplitude::Friction;
 use super::look::{Look, sorted};
 use super::peaks::{Band, Peak};
 
-/// Relative distance of neighbouring frequencies of the grid, and the largest number of its intervals. A range of
-/// stick-slip states of a three-storey frame with μ = 1.2 is 0.7 % wide.
+/// Relative distance of neighbouring frequencies of the grid. It is a third of the narrowest known range of stick-slip
+/// states, which a frame of three storeys with μ = 1.2 has.
 const FINE: f64 = 0.0025;
+/// Largest number of intervals of the grid.
 const MOST_INTERVALS: f64 = 1500.0;
 /// Smallest amplitude of a peak of the grid, as a fraction of the largest known amplitude.
 const WORTH: f64 = 0.98;
@@ -20,16 +21,10 @@ const MOST: usize = 3;
 const SIDE: i32 = 4;
 
 impl Band<'_> {
-    /// Adds the frequency ratio of a peak to all further first looks, with its neighbours where motion from rest is
-    /// followed.
+    /// Adds the frequency ratio of a peak and its neighbours on the grid to all further first looks.
     pub(super) fn learn_around(&self, r: f64) {
-        let side = if self.amplitude.follows_from_rest() {
-            SIDE
-        } else {
-            0
-        };
         let [from, to] = self.ends();
-        for index in -side..=side {
+        for index in -SIDE..=SIDE {
             self.learn((r * (1.0 + FINE * f64::from(index))).clamp(from, to));
         }
     }
@@ -37,9 +32,6 @@ impl Band<'_> {
     /// Adds the largest local maxima of the grid to the peaks of a look. The look stays incomplete if the work ends
     /// before the grid does.
     pub(super) fn add_grid(&self, look: &mut Look, friction: Friction) {
-        if !self.amplitude.follows_from_rest() {
-            return;
-        }
         let [from, to] = self.ends();
         let width = (to / from).ln();
         let intervals = (width / FINE).min(MOST_INTERVALS).ceil();

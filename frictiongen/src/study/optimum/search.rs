@@ -103,8 +103,8 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
         }
     }
     let spent = band.amplitude.is_spent();
-    band.amplitude.follow_from_rest();
-    let best = if band.amplitude.follows_from_rest() {
+    let best = if 1.0 < band.amplitude.system.scene().stiction {
+        band.amplitude.follow_from_rest();
         band.amplitude.allow(work);
         let best = verified(band, candidates)?;
         band.amplitude.allow(work / OF_A_CHECK);

@@ -1,8 +1,9 @@
 //! Verifies friction ratios over a fine grid of the band, for scenes with μ > 1.
 //!
-//! With μ > 1 motion from rest reaches stick-slip states in narrow ranges of frequency. The evaluations that compare
-//! friction ratios miss such a range, so that their amplitudes are lower bounds. This file takes the friction ratios in
-//! the order of these bounds, evaluates the whole band on the grid, and keeps the least of the results.
+//! With μ > 1 motion from rest may reach stick-slip states in narrow ranges of frequency. The first comparison of
+//! friction ratios can miss such a range, so its amplitudes are lower bounds. The verification starts with the friction
+//! ratio of the least bound. It evaluates the band on the grid at one friction ratio after another, and keeps the least
+//! result.
 
 use super::amplitude::Friction;
 use super::candidates::Candidate;
@@ -48,7 +49,8 @@ pub(super) fn verified(band: &Band<'_>, mut open: Vec<Candidate>) -> Option<Cand
     Some(refined(band, best))
 }
 
-/// Evaluates the scan anew up to a level, with the peaks that the grids found. Their amplitudes are lower bounds before.
+/// Evaluates the points of the scan up to a level again, at the peaks that the grids found too. This raises amplitudes
+/// that were lower bounds.
 pub(super) fn raise(band: &Band<'_>, scan: &mut [Scanned], level: f64) {
     for seen in scan
         .iter_mut()
@@ -61,7 +63,8 @@ pub(super) fn raise(band: &Band<'_>, scan: &mut [Scanned], level: f64) {
     }
 }
 
-/// Evaluates the whole band on the grid. `None` if the result is not below the cutoff, or if the work ends first.
+/// Evaluates the whole band on the grid at one friction ratio. Returns `None` if the largest amplitude is not below the
+/// cutoff, or if the work ends first.
 fn evaluated(band: &Band<'_>, beta: f64, cutoff: f64) -> Option<Scanned> {
     // The peaks of earlier grids reject most friction ratios.
     if cutoff.is_finite() && !scanned_at(band, beta, cutoff).complete {

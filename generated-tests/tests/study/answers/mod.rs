@@ -150,8 +150,8 @@ fn a_frame_on_which_the_search_gave_up() {
 
 /// Tests 200 frames of one to six masses. It prints every frame, the slowest one, and the number of frames more than 2
 /// % above the map.
-/// With μ > 1 motion from rest reaches a stick-slip state in a range of 2.13 to 2.146 Hz alone. The search must count it:
-/// its optimum was 5.08 mm at 2146 N, where a curve has 5.69 mm at 2.143 Hz.
+/// Motion from rest reaches a stick-slip state between 2.13 and 2.146 Hz, and has 5.69 mm at 2.143 Hz and 2146 N. A search
+/// that passes over this range takes 2146 N for the best friction, with 5.08 mm.
 #[test]
 fn a_narrow_range_of_stick_slip_counts() {
     let tower: System = "struct Tower {
