@@ -1,14 +1,14 @@
-//! The excitation's phase over a long run, and sums of steps, without accumulated rounding.
+//! Phase of the excitation over a long run, and sums of many steps.  Rounding errors do not accumulate in either.
 
 use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 
-/// A compensated sum of many numbers.
+/// A sum of many numbers whose rounding errors do not accumulate (compensated summation).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Total<S> {
-    /// The sum, rounded.
+    /// The sum, rounded to the scalar's precision.
     pub value: S,
-    /// The accumulated rounding error of `value`.  The exact sum is the sum of both.
+    /// Rounding error of `value` so far.  The exact sum is `value` + `low`.
     low: S,
 }
 
@@ -27,25 +27,25 @@ impl<S: Float> Total<S> {
         Self { value, low }
     }
 
-    /// The distance from the sum to a value.
+    /// Returns `value` − sum, where the sum includes its rounding error.
     pub(crate) fn short_of(self, value: S) -> S {
         (value - self.value) - self.low
     }
 }
 
-/// The excitation's phase and the number of completed cycles.
+/// Phase of the excitation within its cycle, and the number of completed cycles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clock<S> {
     /// The phase in half-turns, in [0, 2).
     pub t: S,
-    /// The accumulated rounding error of `t`.  The exact phase is the sum of both.
+    /// Rounding error of `t` so far.  The exact phase is `t` + `low`.
     low: S,
     /// Number of completed cycles.
     pub cycles: u64,
 }
 
 impl<S: Float> Clock<S> {
-    /// The clock at a maximum of the excitation.
+    /// Returns the clock at the start of a run, which is a maximum of the excitation.
     pub(crate) fn start() -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -55,7 +55,7 @@ impl<S: Float> Clock<S> {
         }
     }
 
-    /// The clock a time τ = `passed` later.
+    /// Returns the clock a time τ = `passed` later.
     pub(crate) fn moved(self, passed: Total<S>) -> Self {
         let (turns, error) = two_product(passed.value, S::inverse_pi());
         let error = error + passed.value * inverse_pi_low() + passed.low * S::inverse_pi();
@@ -69,7 +69,7 @@ impl<S: Float> Clock<S> {
         }
         let (mut t, mut low) = two_sum(t - whole * two, low);
         if !(t < two) {
-            // A phase that rounds to two is replaced by the last number below two.
+            // The phase must stay below two.  A phase that rounds to two becomes the last number below two.
             (t, low) = two_sum(two - S::constant(S::EPSILON), low);
         }
         #[allow(
@@ -82,19 +82,19 @@ impl<S: Float> Clock<S> {
     }
 }
 
-/// Sine and cosine of the excitation's angle.
+/// Returns sine and cosine of the excitation's angle πt, with the phase `t` in half-turns.
 pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
     t.sin_cos_pi()
 }
 
-/// The phase τ after the phase `t`, in half-turns, in [0, 2).
+/// Returns the phase, in half-turns in [0, 2), a time τ (rad of the excitation) after the phase `t`.
 pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
     let two = S::constant(2.0);
     let t = within_cycle(t + tau * S::inverse_pi());
     if t < two { t } else { t - two }
 }
 
-/// 1/π less the scalar's 1/π.
+/// Returns the exact 1/π minus the scalar's rounded 1/π.
 fn inverse_pi_low<S: Float>() -> S {
     S::constant(if is_wide::<S>() {
         0.0
@@ -105,24 +105,24 @@ fn inverse_pi_low<S: Float>() -> S {
     })
 }
 
-/// Returns true if the scalar has the digits of an `f64`, or more.
+/// Returns true if the scalar has at least the digits of an `f64`.
 fn is_double<S: Float>() -> bool {
     S::EPSILON < 1e-10
 }
 
-/// Returns true if the scalar has so many digits that no run is long enough to show its rounding.
+/// Returns true if the scalar has more digits than an `f64`.  No run is then long enough for its rounding to show.
 fn is_wide<S: Float>() -> bool {
     S::EPSILON < 1e-20
 }
 
-/// a + b rounded, and the rounding error (Knuth).
+/// Returns a + b rounded, and the rounding error of the sum (Knuth).
 fn two_sum<S: Float>(a: S, b: S) -> (S, S) {
     let sum = a + b;
     let of_b = sum - a;
     (sum, (a - (sum - of_b)) + (b - of_b))
 }
 
-/// a·b rounded, and the rounding error (Veltkamp, Dekker).
+/// Returns a·b rounded, and the rounding error of the product (Veltkamp, Dekker).
 fn two_product<S: Float>(a: S, b: S) -> (S, S) {
     let product = a * b;
     if is_wide::<S>() {
@@ -133,7 +133,7 @@ fn two_product<S: Float>(a: S, b: S) -> (S, S) {
     (product, error)
 }
 
-/// A number as the sum of two numbers of half its digits.
+/// Splits a number into the sum of two numbers, each with half of its digits.
 fn split<S: Float>(a: S) -> (S, S) {
     let factor = if is_double::<S>() {
         134_217_729.0
@@ -168,7 +168,8 @@ mod tests {
         assert_eq!((compared, clock.cycles), (200_000, 318));
     }
 
-    /// A whole number of cycles is counted once, in pieces whose sum rounding takes to either side of the number.
+    /// A run of three cycles counts three cycles, however many equal pieces each cycle has.  Rounding may take the sum
+    /// of the pieces to either side of a whole cycle.
     #[test]
     fn a_cycle_is_counted_once() {
         for pieces in 1..2000_u32 {

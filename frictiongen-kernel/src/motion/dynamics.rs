@@ -6,7 +6,8 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 use crate::oscillator::mode::{Kind, Mode};
 
-/// A mode of the chain whose contact sticks: an oscillator (y, u), u = ẏ/ω in the time t√(k₁/m₁).
+/// A mode of the chain whose contact sticks.  Its state is the displacement y and the scaled velocity u = ẏ/ω, with the
+/// derivative in the time t√(k₁/m₁).
 #[derive(Clone, Copy, Debug)]
 pub struct HeldMode<S> {
     /// Kind of the mode, which selects its closed form.
@@ -19,18 +20,20 @@ pub struct HeldMode<S> {
     pub q: S,
     /// −(contact force)/y: the contact force per unit of y, with the opposite sign.
     pub force: S,
-    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] that transforms the products of a motion with the mode's two states to y and u.
+    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] that [`state`](Self::state) uses.  It turns the products of a motion with the
+    /// mode's two states into y and u.
     pub inverse: [S; 3],
 }
 
-/// Data of a scene for its motion in time.  None of them depends on r or β.
+/// Data of a scene for its motion in time.  The data do not depend on r or β.
 #[derive(Clone, Copy, Debug)]
 pub struct Dynamics<'a, S> {
     /// Constants of the scene other than its modes.
     pub chain: Chain<S>,
     /// All modes, with those that the contact drives first.
     pub modes: &'a [Mode<S>],
-    /// The modes of the stuck chain.  A rigid contact leaves one fewer than it drives.
+    /// Modes of the stuck chain, the chain whose contact sticks.  A rigid contact leaves the stuck chain one mode fewer
+    /// than the contact drives.
     pub held: &'a [HeldMode<S>],
     /// Participation factors of each mode that the contact drives in each mode of the stuck chain, for y and for u.
     pub participations: &'a [[S; 2]],
@@ -43,24 +46,24 @@ pub struct Dynamics<'a, S> {
 }
 
 impl<'a, S: Float> Dynamics<'a, S> {
-    /// Number of modes that the contact drives.
+    /// Returns the number of modes that the contact drives.
     #[must_use]
     pub fn in_contact(&self) -> usize {
         self.held.len() + LOST_MODES
     }
 
-    /// Number of oscillators: the modes of the chain and those of the stuck chain.
+    /// Returns the number of oscillators: all modes of the chain, and all modes of the stuck chain.
     #[must_use]
     pub fn oscillators(&self) -> usize {
         self.modes.len() + self.held.len()
     }
 
-    /// The modes that the contact drives.
+    /// Returns the modes that the contact drives.
     pub(crate) fn driven(&self) -> &'a [Mode<S>] {
         self.modes.get(..self.in_contact()).unwrap_or_default()
     }
 
-    /// wᵀK̄⁻¹w = Σ c/λ, the contact's displacement per unit of steady contact force.
+    /// Returns wᵀK̄⁻¹w = Σ c/λ, the displacement of the contact per unit of steady contact force.
     pub(crate) fn receptance(&self) -> S {
         let terms = self.driven().iter();
         terms.fold(S::constant(0.0), |sum, mode| {
@@ -68,7 +71,7 @@ impl<'a, S: Float> Dynamics<'a, S> {
         })
     }
 
-    /// Components of a mass in all mode shapes, or an empty slice if there is no such mass.
+    /// Returns the components of a mass in all mode shapes, or an empty slice if there is no such mass.
     pub(crate) fn shape(&self, mass: usize) -> &'a [S] {
         let modes = self.modes.len();
         let mut shapes = self.shapes.chunks_exact(modes.max(1));
@@ -80,9 +83,10 @@ impl<'a, S: Float> Dynamics<'a, S> {
         self.chain.on_moving_base.is_none() && self.rubbing == Some(mass)
     }
 
-    /// The modes of the stuck chain, each with the participation factors of all modes that the contact drives.
+    /// Returns the modes of the stuck chain, each with the participation factors of all modes that the contact drives.
     pub(crate) fn held_modes(&self) -> impl Iterator<Item = (&'a HeldMode<S>, &'a [[S; 2]])> {
-        // Ranges instead of an iterator over chunks, which could panic where the compiler does not know their size.
+        // The code uses ranges, because an iterator over chunks could panic where the compiler does not know their
+        // size.
         let (participations, size) = (self.participations, self.in_contact());
         let held = self.held.iter().enumerate();
         held.map(move |(index, mode)| {
@@ -96,19 +100,19 @@ impl<'a, S: Float> Dynamics<'a, S> {
 }
 
 impl<S: Float> HeldMode<S> {
-    /// y and u of the mode from the products of a motion with the mode's two states.
+    /// Returns y and u of the mode, from the products of a motion with the mode's two states.
     pub(crate) fn state(&self, first: S, second: S) -> (S, S) {
         let [m11, m12, m22] = self.inverse;
         (m11 * first + m12 * second, m12 * first + m22 * second)
     }
 }
 
-/// Displacement of a mode per unit of displacement of the stuck contact.
+/// Returns the displacement of a mode per unit of displacement of the sticking contact, with all other forces zero.
 pub(crate) fn lift<S: Float>(mode: &Mode<S>, receptance: S) -> S {
     mode.contact / (mode.resonance * mode.resonance * receptance)
 }
 
-/// Re(a·e^{iτ_e}), from the sine and the cosine of the excitation's angle τ_e.
+/// Returns Re(a·e^{iτ_e}) from sine and cosine of the excitation's angle τ_e.
 #[inline]
 pub(crate) fn rotated<S: Float>(a: Complex<S>, sine: S, cosine: S) -> S {
     a.re * cosine - a.im * sine

@@ -1,8 +1,10 @@
-//! The motion of a chain between two events, and the events: what simulation, stepper and steady states share.
+//! Motion of a chain between two events, and the events themselves.  Simulation, stepper and steady states share this
+//! module.
 //!
-//! While the contact slides, every mode moves independently under a constant friction force.  While the contact sticks,
-//! every mode of the *stuck chain* does, which is the chain whose contact sticks.  Its modes are called `held` in emitted
-//! code.  A [`Part`] is one of these oscillators in time.
+//! While the contact slides, every mode of the chain moves independently under a constant friction force.  While the
+//! contact sticks, every mode of the *stuck chain* moves independently.  The stuck chain is the chain whose contact
+//! sticks, and emitted code calls its modes `held`.  A [`Part`] is one of these oscillators in time, a mode of either
+//! chain.
 //!
 //! A *series* is a function of the contact over time, such as its velocity or its force.  A *walk* finds the first zero
 //! of a series.  `contact` has the law of the contact, which decides what follows.

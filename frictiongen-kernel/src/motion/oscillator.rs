@@ -10,13 +10,14 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Damped, Decay, Instant, Turn, multipliers, turn};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Limit of the resonance region |D| < NEAR·x², in which the forced motion is formed from differences that vanish with
-/// D.  Elsewhere it is the steady motion plus a free one, which loses at most a factor 1/NEAR of the precision.
+/// Limit of the region near a resonance, |D| < NEAR·x², with D = x² − 1 + 2iζx.  There the forced motion is computed
+/// from differences that vanish with D.  Elsewhere it is the steady motion plus a free one, whose sum loses at most a
+/// factor 1/NEAR of the precision.
 const NEAR: f64 = 0.02;
-/// Lower limit of 1 − ζ² for a motion that counts as an oscillation and is bounded by its amplitude.
+/// Smallest 1 − ζ² at which a motion counts as an oscillation, so that its amplitude bounds it.
 const OSCILLATES: f64 = 0.05;
 
-/// One oscillator: a mode, or a mode of the stuck chain.
+/// One oscillator between two events: a mode of the chain, or a mode of the stuck chain.
 #[derive(Clone, Copy, Debug)]
 pub struct Part<S> {
     pub(crate) kind: Kind,
@@ -29,27 +30,29 @@ pub struct Part<S> {
     pub(crate) q2: S,
     /// σ, the undamped natural frequency as a frequency ratio: x = σ/r.
     sigma: S,
-    /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}).  If `near`, it is the complex force
-    /// instead.
+    /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}).  If `near` is true, it is the complex
+    /// amplitude of the force instead.
     steady: Complex<S>,
-    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). φ is the drive of y′, which u = (y′ − φ)/x leaves out.
+    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}).  φ is a part of y′ that the excitation adds directly, so that u
+    /// = (y′ − φ)/x.
     direct: Complex<S>,
-    /// True if the excitation is so near the resonance that the forced motion is formed from differences.
+    /// True if the excitation is so near the resonance that the forced motion is computed from differences.
     pub(crate) near: bool,
-    /// Displacement about which the oscillator moves.
+    /// Displacement about which the oscillator moves, from the constant forces.
     pub(crate) centre: S,
-    /// y and u now, or at the start of the segment.
+    /// y and u at the present instant, or at the start of the segment.
     pub(crate) y: S,
     pub(crate) u: S,
     /// y and u of the free motion at the start of the segment.
     pub(crate) free: [S; 2],
-    /// Coefficients of c and s in the searched function.  `slope` has those in its derivative.
+    /// Coefficients of the decaying cosine c and sine s ([`Turn`]) in the searched function of the contact.  `slope`
+    /// has the coefficients in the derivative of that function.
     pub(crate) value: [S; 2],
     pub(crate) slope: [S; 2],
-    /// Upper bound on the oscillator's term in the third derivative of the searched function.  For an oscillation it
-    /// falls as e^{−ζxτ}.
+    /// Upper bound on the oscillator's term in the third derivative of the searched function, at the start.  If the
+    /// motion is an oscillation, the bound falls as e^{−ζxτ}.
     pub(crate) bound: S,
-    /// Weights of y and u in the searched function.
+    /// Weights of y and u in the searched function of the contact.
     pub(crate) weight: [S; 2],
 }
 
@@ -89,14 +92,15 @@ impl<S: Float> Part<S> {
         part
     }
 
-    /// Creates the oscillator of a stuck chain's mode at r.  `drive` has the two components of its drive, times r.
+    /// Creates the oscillator of a stuck chain's mode at r.  `drive` has the two components of the mode's drive, each
+    /// times r.
     pub(crate) fn from_stuck_mode(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.frequency);
         let [first, second] = drive;
-        // The force on y alone is r²Ψ = ωφ₂ + (2ζω + ir)φ₁.  It is formed over r, because r³ may leave the scalar's
-        // range.
+        // In terms of y alone the force is r²Ψ = ωφ₂ + (2ζω + ir)φ₁. The code computes the force over r, because r³ may
+        // leave the scalar's range.
         let over_r = mode.frequency / r;
         let loss = (mode.zeta + mode.zeta) * over_r;
         let force = Complex::new(
@@ -108,7 +112,7 @@ impl<S: Float> Part<S> {
         part
     }
 
-    /// Sets the oscillator to the frequency ratio r, with the drives `force` times `unit`, and `direct`.
+    /// Sets the oscillator to the frequency ratio r, with the force `force`·`unit` and the direct drive `direct`.
     fn tuned(&mut self, r: S, force: Complex<S>, unit: S, direct: Complex<S>) {
         let one = S::constant(1.0);
         self.x = self.sigma / r;
@@ -130,20 +134,20 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// Coefficients of the free motion over τ = πt.
+    /// Returns the coefficients of the free motion after the time τ = πt.
     #[inline]
     pub(crate) fn turn(&self, t: S, tau: S) -> Turn<S> {
         turn(self.kind, self.zeta, self.q, self.x, (t, tau))
     }
 
-    /// The free displacement and velocity after `turn`.
+    /// Returns displacement and velocity of the free motion `free` after the time of `turn`.
     #[inline]
     pub(crate) fn turned(&self, free: [S; 2], turn: &Turn<S>) -> [S; 2] {
         turn.moved(self.zeta, free)
     }
 
-    /// y and u of the steady motion, from the sine and the cosine of the excitation's angle.  Near the resonance they
-    /// contain no forced displacement, which `grown` returns instead.
+    /// Returns y and u of the steady motion, from sine and cosine of the excitation's angle.  Near the resonance the
+    /// result contains no forced displacement.  [`grown`](Self::grown) returns that displacement.
     #[inline]
     fn carried(&self, (sine, cosine): (S, S)) -> [S; 2] {
         if self.near {
@@ -157,15 +161,15 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// Sets y and u of the free motion at the start of a segment.  They are y and u at this instant less those of the
-    /// steady motion.
+    /// Sets the free motion at the start of a segment: the present y and u minus those of the steady motion.
     #[inline]
     pub(crate) fn start(&mut self, phase: (S, S)) {
         let [y, u] = self.carried(phase);
         self.free = [self.y - y, self.u - u];
     }
 
-    /// y and u after τ.  The excitation has the phase `from` at the start and `phase` after τ.
+    /// Returns y and u a time τ after the segment's start.  `from` and `phase` are sine and cosine of the excitation at
+    /// the start and after τ.
     #[inline]
     pub(crate) fn at(&self, turn: &Turn<S>, t: S, from: (S, S), phase: (S, S)) -> [S; 2] {
         let [free_y, free_u] = self.turned(self.free, turn);
@@ -177,14 +181,14 @@ impl<S: Float> Part<S> {
         [free_y + y, free_u + u]
     }
 
-    /// The solution of y″ + 2ζxy′ + x²y = Re(force·e^{i(θ + τ)}) from rest, near the resonance: y and three
-    /// derivatives.
+    /// Returns y and its first three derivatives for the solution of y″ + 2ζxy′ + x²y = Re(force·e^{i(θ + τ)}) that
+    /// starts from rest.  The excitation is near the resonance.
     pub(crate) fn grown(&self, t: S, phase: (S, S)) -> [S; 4] {
         let at = Instant::new(t);
         let (x, one) = (self.x, S::constant(1.0));
         let loss = (self.zeta + self.zeta) * x;
         let detuning = (x - one) * (x + one);
-        // The responses to cos τ and sin τ are the real part and the negative imaginary part of k.
+        // k combines the responses to cos τ and sin τ. They are its real part and its negative imaginary part.
         let (k, k_slope) = if detuning.is_zero() && loss.is_zero() {
             let half = S::constant(0.5);
             let grown = at.tau * half;
@@ -214,7 +218,8 @@ impl<S: Float> Part<S> {
         [value, slope, curve, third]
     }
 
-    /// The force as re·cos τ + im·sin τ, where τ counts from a start with this sine and cosine of the excitation.
+    /// Returns the force as a complex number: the force is re·cos τ + im·sin τ. At τ = 0 the excitation has the given
+    /// sine and cosine.
     fn force_from(&self, (sine, cosine): (S, S)) -> Complex<S> {
         Complex::new(
             self.steady.re * cosine - self.steady.im * sine,
@@ -222,7 +227,7 @@ impl<S: Float> Part<S> {
         )
     }
 
-    /// Adds the derivatives of `grown` at the start to the derivatives of the searched function.
+    /// Adds the contribution of [`grown`](Self::grown) to the derivatives of the searched function at the start.
     pub(crate) fn grown_series(&self, phase: (S, S), terms: &mut [S]) {
         let zero = S::constant(0.0);
         let [of_y, of_u] = self.weight;
@@ -237,12 +242,12 @@ impl<S: Float> Part<S> {
         }
     }
 
-    /// Upper bound on |steady|, the amplitude of the force near the resonance.
+    /// Returns an upper bound on the amplitude |`steady`| of the force near the resonance.
     pub(crate) fn push(&self) -> S {
         self.steady.re.abs() + self.steady.im.abs()
     }
 
-    /// The complex amplitude of the steady displacement, or `None` on an undamped resonance.
+    /// Returns the complex amplitude of the steady displacement, or `None` on an undamped resonance.
     fn steady(&self) -> Option<Complex<S>> {
         Some(if self.near {
             let x = self.x;
@@ -258,7 +263,7 @@ impl<S: Float> Part<S> {
         })
     }
 
-    /// y and u of the steady motion about 0, or `None` on an undamped resonance.
+    /// Returns y and u of the steady motion about 0, or `None` on an undamped resonance.
     fn settled(&self, (sine, cosine): (S, S)) -> Option<[S; 2]> {
         let steady = self.steady()?;
         let y = rotated(steady, sine, cosine);
@@ -273,9 +278,9 @@ impl<S: Float> Part<S> {
         Some(())
     }
 
-    /// Upper bound on the free vibration's share in the searched function at any later time.  The free vibration is the
-    /// present motion less the steady one.  On an undamped resonance, where no motion is steady, the bound is
-    /// `f64::MAX` as a scalar.
+    /// Returns an upper bound on the contribution of the free vibration to the searched function at any later time.
+    /// The free vibration is the present motion minus the steady one.  On an undamped resonance no motion is steady,
+    /// and the bound is `f64::MAX` as a scalar.
     pub(crate) fn free_amplitude(&self, phase: (S, S)) -> S {
         let Some([y, u]) = self.settled(phase) else {
             return S::constant(f64::MAX);
@@ -294,7 +299,7 @@ impl<S: Float> Part<S> {
         self.kind == Kind::Undamped
     }
 
-    /// The coefficients of c and s in weight·(y, u) of a free motion.
+    /// Returns the coefficients of the decaying cosine c and sine s in weight·(y, u) of a free motion.
     #[inline]
     fn weighted(&self, [y, u]: [S; 2]) -> [S; 2] {
         let ([of_y, of_u], zeta) = (self.weight, self.zeta);
@@ -304,14 +309,14 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// Factors of the free motion over τ: e^{x(−ζ ± iq)τ}.
+    /// Returns the two factors of the free motion over τ: e^{x(−ζ ± iq)τ}.
     pub(crate) fn multipliers(&self, tau: S) -> [Complex<S>; 2] {
         let turn = self.turn(tau * S::inverse_pi(), tau);
         multipliers(self.kind, self.q, &turn)
     }
 
-    /// Complex amplitude, over e^{iτ_e}, of the oscillator's share in the fundamental component of the searched
-    /// function.
+    /// Returns the oscillator's contribution to the fundamental component of the searched function, as a complex
+    /// amplitude relative to e^{iτ_e}.
     pub(crate) fn fundamental(&self) -> Complex<S> {
         let [of_y, of_u] = self.weight;
         let direct = complex::scale(self.direct, -of_u);
@@ -325,8 +330,8 @@ impl<S: Float> Part<S> {
         )
     }
 
-    /// Computes the coefficients of c and s in weight·(y, u) and in its derivative, and the bound on its third
-    /// derivative.
+    /// Prepares the searched function: computes the coefficients of c and s in weight·(y, u) and in its derivative, and
+    /// the bound on its third derivative.
     #[inline]
     pub(crate) fn aim(&mut self) {
         let zeta = self.zeta;
@@ -344,13 +349,13 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// Returns true if the motion is a decaying oscillation bounded by its amplitude, not a sum of exponentials that
-    /// may cancel.
+    /// Returns true if the motion is a decaying oscillation that its amplitude bounds.  Otherwise it is a sum of
+    /// exponentials that may cancel.
     pub(crate) fn oscillates(&self) -> bool {
         S::constant(OSCILLATES) < self.q2
     }
 
-    /// The coefficients of c and s in a function's derivative.
+    /// Returns the coefficients of c and s in the derivative of a function with the coefficients a and b.
     #[inline]
     pub(crate) fn derived(&self, [a, b]: [S; 2]) -> [S; 2] {
         [
@@ -360,7 +365,8 @@ impl<S: Float> Part<S> {
     }
 }
 
-/// Advances all oscillators by τ from the segment's start.
+/// Advances all oscillators by τ from the segment's start.  `from` and `to` are sine and cosine of the excitation at
+/// both ends.
 pub(crate) fn advanced<S: Float>(parts: &mut [Part<S>], tau: S, from: (S, S), to: (S, S)) {
     let t = tau * S::inverse_pi();
     for part in parts {

@@ -1,4 +1,4 @@
-//! One segment of the motion, from one event to the next.
+//! One segment of the motion, from one event of the contact to the next.
 
 use super::clock::{moved, phase};
 use super::contact::{Contact, ContactState, End, Event, Outcome, Sought};
@@ -8,7 +8,8 @@ use super::setting::Setting;
 use super::walk::{Start, Walk, first_reach, first_zero};
 use crate::number::scalar::Float;
 
-/// Searches for the next event from a contact state, as far as `reach`, and sets the oscillators to the segment.
+/// Searches for the next event from a contact state, over at most the time `reach` in τ. Sets the oscillators to their
+/// state at the start of the segment.
 pub(crate) fn seek<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
@@ -57,9 +58,9 @@ pub(crate) fn seek<S: Float>(
     sought
 }
 
-/// Adds derivatives to the instant at which a sum meets its level, for a scalar that carries derivatives.  One step of
-/// Newton's method from the walk's instant gives them.  Without a level no event ends the segment.  The reach then
-/// keeps its own derivatives, and an instant short of the reach has none.
+/// Adds derivatives to the instant at which a sum reaches its level, for a scalar that carries derivatives.  One step
+/// of Newton's method from the instant that the search found gives the derivatives.  Without a level no event ends the
+/// segment.  The reach then keeps its own derivatives, and an instant before the reach has none.
 fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {
@@ -73,7 +74,8 @@ fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
     tau.primal() - (gap - gap.primal()) / local.slope.primal()
 }
 
-/// Sets the oscillators to their state τ after the segment's start.  `to` is the excitation's phase then.
+/// Sets the oscillators to their state a time τ after the segment's start.  `to` is sine and cosine of the excitation
+/// at that instant.
 pub(crate) fn place<S: Float>(
     setting: &Setting<'_, S>,
     (modes, stuck_modes): (&mut [Part<S>], &mut [Part<S>]),
@@ -93,7 +95,8 @@ pub(crate) fn place<S: Float>(
     setting.release(stuck_modes, setting.lifted(sought.offset, to), states);
 }
 
-/// Derives the end of a segment after the oscillators have been set to it.
+/// Returns the end of a segment: its event, and the contact state after the event.  The oscillators must already be at
+/// the end.
 pub(crate) fn ended<S: Float>(
     setting: &Setting<'_, S>,
     modes: &[Part<S>],
@@ -125,7 +128,7 @@ pub(crate) fn ended<S: Float>(
                 end.jump = law.kinetic(before) - force;
                 return end;
             };
-            // In the direction of sliding, the velocity only touched zero.
+            // If the contact continues in the same direction, its velocity only touched zero, which is no event.
             if slide.contact != before {
                 end.event = Some(Event::Reversal);
                 end.jump = law.kinetic(before) - law.kinetic(slide.contact);
@@ -136,8 +139,8 @@ pub(crate) fn ended<S: Float>(
     end
 }
 
-/// Distance from a contact state to the next event, at most `reach`.  It is 0 where the contact cannot leave zero
-/// velocity.
+/// Returns the time τ from a contact state to the next event, at most `reach`.  The result is 0 if the contact cannot
+/// leave zero velocity.
 pub(crate) fn span<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],
@@ -152,7 +155,8 @@ pub(crate) fn span<S: Float>(
     sought.tau
 }
 
-/// Advances from a contact state to the next event, or as far as `reach`.
+/// Advances the oscillators from a contact state to the next event, or over `reach`, and returns the end of the
+/// segment.
 pub(crate) fn leap<S: Float>(
     setting: &Setting<'_, S>,
     modes: &mut [Part<S>],

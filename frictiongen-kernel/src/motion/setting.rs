@@ -89,7 +89,7 @@ impl<'a, S: Float> Setting<'a, S> {
         }
     }
 
-    /// Splits `parts` into the oscillators of the modes and those of the stuck chain.
+    /// Splits `parts` into the oscillators of the modes and the oscillators of the stuck chain.
     pub(crate) fn split<'p>(
         &self,
         parts: &'p mut [Part<S>],
@@ -113,7 +113,7 @@ impl<'a, S: Float> Setting<'a, S> {
         }
     }
 
-    /// Sets the modes' state from displacements and velocities of the masses.
+    /// Sets the state of the modes from displacements and velocities of the masses.
     pub(crate) fn load_state(&self, displacements: &[S], velocities: &[S], parts: &mut [Part<S>]) {
         let masses = displacements.len().max(1);
         let weights = self.dynamics.weights.chunks(masses);
@@ -129,7 +129,7 @@ impl<'a, S: Float> Setting<'a, S> {
         }
     }
 
-    /// Relative displacement z̄ of the contact, from the oscillators of the modes.
+    /// Returns the relative displacement z̄ of the contact, from the oscillators of the modes.
     pub(crate) fn relative(&self, parts: &[Part<S>], (_, cosine): (S, S)) -> S {
         let modes = self.dynamics.driven().iter().zip(parts);
         modes.fold(-(self.base * cosine), |sum, (mode, part)| {
@@ -137,7 +137,7 @@ impl<'a, S: Float> Setting<'a, S> {
         })
     }
 
-    /// Relative velocity z̄′ of the contact, and the sum of the sizes of its terms.
+    /// Returns the relative velocity z̄′ of the contact, and the sum of the absolute values of its terms.
     pub(crate) fn relative_velocity(&self, parts: &[Part<S>], (sine, _): (S, S)) -> (S, S) {
         let own = self.base * sine;
         let modes = self.dynamics.driven().iter().zip(parts);
@@ -147,7 +147,7 @@ impl<'a, S: Float> Setting<'a, S> {
         })
     }
 
-    /// The contact force that would keep the relative velocity constant.
+    /// Returns the contact force that would keep the relative velocity constant.
     pub(crate) fn holding(&self, parts: &[Part<S>], (_, cosine): (S, S)) -> S {
         let two = S::constant(2.0);
         let modes = self.dynamics.driven().iter().zip(parts);
@@ -158,7 +158,8 @@ impl<'a, S: Float> Setting<'a, S> {
         sum / self.dynamics.chain.inverse_mass
     }
 
-    /// Relative acceleration z̄″ under a contact force that exceeds by `excess` the force that would keep the velocity.
+    /// Returns the relative acceleration z̄″.  `excess` is the contact force minus the force that would keep the
+    /// relative velocity constant.
     pub(crate) fn acceleration(&self, excess: S) -> S {
         self.dynamics.chain.inverse_mass * excess / (self.r * self.r)
     }

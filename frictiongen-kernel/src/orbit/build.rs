@@ -1,4 +1,4 @@
-//! Construction of the steady state of a scene at r and β.
+//! Computes the steady state of a scene at r and β.
 
 use super::candidate::{Found, ON_CIRCLE};
 use super::cycle_map::CycleMap;
@@ -63,7 +63,7 @@ where
                 return Err(OutOfDomain::Length(slice).into());
             }
         }
-        // From β*_lim on a stuck state exists.  The motion decides whether that state is reached.
+        // From β*_lim on a stuck state exists.  The motion decides whether it reaches that state.
         let holding = (!(beta < sliding)).then_some(setting.law_at(sliding).grip());
         let mut unbounded = None;
         for (index, mode) in dynamics.modes.iter().enumerate() {
@@ -101,7 +101,7 @@ where
             .set_start(&mut cycle_map, &mut workspace)?;
         let settled = match (beta.is_zero() || start == Start::Stuck, holding) {
             (true, None) => Settled::Found(linear(&mut cycle_map, &mut workspace)?),
-            // With β = 0 this case means β*_lim = 0 as well, so that the load does not move the contact.
+            // With β = 0 this case implies β*_lim = 0, so that the load does not move the contact.
             (true, Some(_)) => Settled::Stuck(zero),
             _ => {
                 let spare = states.get_mut(..4 * driven).unwrap_or_default();
@@ -121,7 +121,7 @@ where
                 (Settled::Found(found), _) => found,
                 _ => Found::NONE,
             };
-            // The search may have used up the steps.  The record of the period may take as many again.
+            // The search may have used up its steps.  The recording of the period gets a new budget of the same size.
             cycle_map.step_budget = MAX_STEPS;
             to_event(&mut cycle_map, found.period)?;
             let at = cycle_map.contact_state.t.sin_cos_pi();
@@ -177,7 +177,7 @@ fn settles<S: Float>(
     Err(NoOrbit::Undamped(earlier + twins.count()))
 }
 
-/// Fails if a sliding mode grows without bound.
+/// Fails if the motion of a mode grows without bound while the contact slides.
 fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
     // Below β_n = (π/4)|φᵀp/φᵀw| friction dissipates less than the load supplies (6.2, 6.26).
     let threshold = S::constant(FRAC_PI_4) * mode.load.abs();
@@ -189,7 +189,7 @@ fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
 }
 
 /// Sets the state in which the contact never slides (6.11, 6.27, 6.33).  Every mode of the stuck chain is in its steady
-/// motion, with z̄ fixed at `offset`.
+/// motion, and z̄ stays at `offset`.
 pub(super) fn stuck<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -209,10 +209,11 @@ pub(super) fn stuck<S: Float>(
         .setting
         .release(cycle_map.stuck_modes, lifted, states);
     cycle_map.contact_state = ContactState::stuck(zero);
-    // Deviations of the stuck chain's modes decay independently.
+    // Deviations of the stuck chain's modes decay independently of each other.
     let two_pi = S::pi() + S::pi();
     let mut out = workspace.multipliers.iter_mut();
-    // The array has to be the first argument of `zip`.  Otherwise `zip` would take one more multiplier and drop it.
+    // `zip` takes an item of its first argument before it finds the second one empty.  The array therefore comes first,
+    // so that no multiplier is lost.
     for (re, out) in STUCK_MULTIPLIERS.into_iter().zip(out.by_ref()) {
         *out = Complex::new(S::constant(re), zero);
     }
@@ -232,7 +233,7 @@ pub(super) fn stuck<S: Float>(
     })
 }
 
-/// Sets every mode to its steady motion, for β = 0.
+/// Sets every mode to its steady motion without friction, for β = 0.
 fn linear<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -256,7 +257,7 @@ fn linear<S: Float>(
     })
 }
 
-/// Sets the modes that the contact does not touch to their steady motion.
+/// Sets the modes that the contact does not drive to their steady motion.
 pub(super) fn settle_free<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     at: (S, S),
@@ -268,7 +269,8 @@ pub(super) fn settle_free<S: Float>(
     Ok(())
 }
 
-/// Advances to the first event of a period.  A period without an event leaves the contact state as it was.
+/// Advances to the next event of a period.  If there is no event up to the end of the period, the contact state does
+/// not change.
 pub(super) fn to_event<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     period: u32,
@@ -283,8 +285,8 @@ pub(super) fn to_event<S: Float>(
             cycle_map.contact_state,
             left,
         );
-        // A leap too long for one search ends without an event.  A mode may turn faster than the precision of r
-        // resolves.  Such leaps then never end, so that the step budget has to end them.
+        // A leap too long for one search ends without an event.  If a mode turns faster than the precision of r
+        // resolves, all leaps end so.  The step budget then ends the loop.
         cycle_map.spend(end.steps)?;
         cycle_map.contact_state = end.contact_state;
         left = left - end.tau;
@@ -298,8 +300,8 @@ pub(super) fn to_event<S: Float>(
     }
 }
 
-/// Returns true if half a period takes the state to its opposite.  For an even number of cycles the load has the same
-/// sign half a period later, so no state is opposite.
+/// Returns true if the state after half a period is the opposite of the state now.  For a period of an even number of
+/// cycles the load has the same sign half a period later, so that no state is opposite.
 fn is_symmetric<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,

@@ -1,4 +1,5 @@
-//! Test whether a motion is near a fixed point of the map, and whether it tends to that point.
+//! Tests whether a motion is near a fixed point of the half-period or period map, and whether the motion tends to that
+//! point.
 
 use super::cycle_map::{CycleMap, Pattern};
 use super::newton::{Map, Workspace, multipliers, newton, same};
@@ -7,61 +8,61 @@ use crate::errors::NoOrbit;
 use crate::motion::ContactState;
 use crate::number::scalar::Float;
 
-/// Distance from the unit circle, in roundings, below which a multiplier counts as on the circle.
+/// Distance from the unit circle, in roundings, below which a multiplier counts as lying on the circle.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
 
 /// Upper bound on the period of a subharmonic motion, in cycles of the excitation.
 pub const MAX_PERIOD: u32 = 64;
 
-/// Upper bound on the cycles for which a motion is followed to see whether it comes near to a fixed point.
+/// Upper bound on the cycles of a motion that the test follows to see whether the motion approaches a fixed point.
 const MOST_FOLLOWED: u32 = 64;
 
-/// Upper bound on the ratio of a marginal state's size to the size of the motion that tends to that state.  If P/k₁ is
-/// larger than the motion, the ratio is to P/k₁.  Away from a resonance both are of the order of the excitation.
+/// Upper bound on the size of a marginal state over the size of the motion that tends to it.  The motion counts as at
+/// least P/k₁. Away from a resonance both sizes are of the order of the excitation.
 const MOST_GROWN: f64 = 64.0;
 
-/// Number of equal half cycles, with at most two stops or reversals a cycle, after which a motion tends to a member of
-/// a continuum.  A motion that still turns more often may end elsewhere.
+/// Number of successive equal half cycles, with at most two stops or reversals a cycle, after which a motion counts as
+/// tending to a member of a continuum.  A motion with more events may still end elsewhere.
 const CALM: u32 = 64;
 
-/// Ratio of the last to the first distance from the fixed point at which following ends.  The multipliers give that
-/// ratio.
+/// The test stops following when the multipliers predict that the distance from the fixed point has fallen to this
+/// fraction.
 const FAR_ENOUGH: f64 = 0.01;
-/// Fraction of the reduction in distance, promised by the multipliers, that may be missing.
+/// Allowance: the distance from the fixed point may fall by this fraction less than the multipliers predict.
 const SPARE: f64 = 0.1;
-/// Largest relative difference of the sticking times of motions that stop alike.
+/// Largest relative difference of the sticking times of two motions that count as having the same stops.
 const STICKS_ALIKE: f64 = 0.25;
-/// Distance from the fixed point, relative to the state, at which the fixed point counts as reached.
+/// Distance from the fixed point, relative to the state, below which the motion counts as having reached it.
 const REACHED: f64 = 1e-9;
-/// Distance from the fixed point, in P/k₁, below which rounding decides the motion of a contact that hardly moves.
+/// Distance from the fixed point, in P/k₁, below which the contact hardly moves, so that rounding decides its motion.
 const HARDLY_MOVES: f64 = 1e-6;
-/// Lower bound on the cycles for which a motion is followed before a member of a continuum is chosen for it.
+/// Lower bound on the cycles of a motion that the search follows before it chooses a member of a continuum.
 const LEAST_FOLLOWED: u32 = 64;
 
-/// Pattern of half a cycle of continuous motion.
+/// Events of half a cycle of continuous motion: one reversal.
 const ONE_REVERSAL: Pattern = Pattern {
     stops: 0,
     reversals: 1,
     slips: 0,
 };
 
-/// Properties of a steady state that has been found.
+/// Properties of a steady state that the search has found.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found<S> {
     /// True if the motion repeats.
     pub settled: bool,
     /// Period in cycles of the excitation.
     pub period: u32,
-    /// True if half a period repeats with the opposite sign.
+    /// True if the motion after half a period is the opposite of the motion before.
     pub symmetric: bool,
-    /// True if the state is a member of a continuum, or at its end.
+    /// True if the state is a member of a continuum of steady states, or at the end of one.
     pub marginal: bool,
-    /// Ratio of the offset of a continuum's last member to the offset of this member.
+    /// Offset of the last member of a continuum over the offset of this member.
     pub reach: Option<S>,
 }
 
 impl<S> Found<S> {
-    /// The last cycles of a motion that does not repeat.
+    /// Properties of a motion that does not repeat, of which only the last cycles are known.
     pub(super) const NONE: Self = Self {
         settled: false,
         period: MAX_PERIOD,
@@ -81,17 +82,17 @@ pub(super) enum Verdict<S> {
 
 pub(super) struct Candidate<S> {
     pub map: Map,
-    /// Pattern of the motion in the last map.
+    /// Events of the motion during the last map.
     pub wanted: Pattern,
-    /// Pattern of the last cycle.
+    /// Events of the motion in the last cycle.
     pub recent: Pattern,
-    /// Number of successive half cycles whose pattern equals that of a cycle before.
+    /// Number of successive half cycles with the same events as a cycle before.
     pub alike: u32,
     /// True if μ = 1.
     pub monotone: bool,
-    /// Number of cycles that the motion has gone through.
+    /// Number of cycles followed since the start of the motion.
     pub cycles: u32,
-    /// State of the contact in the motion, whose oscillators are saved in `Workspace::state`.
+    /// State of the contact in the motion.  `Workspace::state` has the oscillators of the motion.
     pub here: ContactState<S>,
 }
 
@@ -116,8 +117,8 @@ impl<S: Float> Candidate<S> {
         if on_circle {
             return self.marginal(cycle_map, workspace, far, scale, self.cycles);
         }
-        // With μ = 1 the distance of two motions never grows, so that no second steady state can be mistaken for this
-        // one.
+        // With μ = 1 the distance of two motions never grows.  The fixed point is therefore the state to which the
+        // motion tends.
         let near = far <= same(scale);
         let same = pattern == self.wanted;
         if self.monotone || (same && (near || self.attracts(cycle_map, workspace, largest)?)) {
@@ -135,8 +136,9 @@ impl<S: Float> Candidate<S> {
         Ok(Verdict::No)
     }
 
-    /// Returns true if the motion keeps its pattern and approaches the fixed point as fast as the multipliers predict.
-    /// At the call the cycle map is at the fixed point.  With μ > 1 other steady states may be close.
+    /// Returns true if the motion keeps its events and approaches the fixed point as fast as the multipliers predict.
+    /// With μ > 1 other steady states may be close.  The cycle map is at the fixed point before and after a true
+    /// result.
     fn attracts(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S>,
@@ -156,7 +158,7 @@ impl<S: Float> Candidate<S> {
         let mut cycles = 0;
         let mut keeps = true;
         while keeps && cycles < MOST_FOLLOWED && S::constant(FAR_ENOUGH) < promised {
-            // All turns of this loop together are a whole period.
+            // Each turn of the loop follows one whole period.
             let maps = if self.map.symmetric { 2 } else { 1 };
             for _ in 0..maps {
                 let mut pattern = Pattern::default();
@@ -173,7 +175,7 @@ impl<S: Float> Candidate<S> {
         cycle_map.save(workspace.state);
         let after = cycle_map.energy_between(workspace.other).sqrt();
         let enough = S::constant(SPARE) + S::constant(1.0 - SPARE) * promised;
-        // At a graze the states may be close although the stops are not.
+        // At a graze the states may be close although one motion stops and the other does not.
         let change = (cycle_map.stuck - stuck).abs();
         let alike = change <= S::constant(STICKS_ALIKE) * cycle_map.stuck.max(stuck);
         if !keeps || !alike || !(after <= enough * before.sqrt()) {
@@ -183,7 +185,7 @@ impl<S: Float> Candidate<S> {
         Ok(true)
     }
 
-    /// Tests a steady state with steady neighbours.  The motion itself must select the member.
+    /// Tests a steady state whose neighbours are steady too.  The motion itself must select one of them.
     fn marginal(
         &self,
         cycle_map: &mut CycleMap<'_, '_, S>,
@@ -207,17 +209,19 @@ impl<S: Float> Candidate<S> {
         if self.map.period != 1 {
             return Ok(Verdict::No);
         }
-        // For a motion so large that friction is below rounding, every state seems steady.
+        // A motion may be so large that friction is below rounding.  Every state then seems steady.
         let own = workspace.state.iter();
         let own = own.fold(S::constant(1.0), |most, value| most.max(value.abs()));
         if own * S::constant(MOST_GROWN) < scale {
             return Ok(Verdict::No);
         }
-        // With μ > 1 a stop does not shrink.  The motion is then no member of the continuum, and does not tend to one.
+        // With μ > 1 a stop does not become shorter.  A motion with stops is then no member of the continuum, and does
+        // not tend to one.
         if !self.monotone && self.recent.stops > 0 {
             return Ok(Verdict::No);
         }
-        // Where the contact hardly moves, rounding decides its motion, and the motion is near enough.
+        // Where the contact hardly moves, rounding decides its motion.  Any distance below the limit then counts as
+        // reached.
         let turns = self.recent.stops + self.recent.reversals;
         let calm = far <= S::constant(HARDLY_MOVES) || (turns <= 2 && CALM <= self.alike);
         if !self.map.symmetric || cycles < LEAST_FOLLOWED || !calm {

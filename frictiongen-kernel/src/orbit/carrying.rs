@@ -1,9 +1,9 @@
-//! The derivatives of a known steady state.
+//! Adds derivatives to a known steady state.
 //!
-//! A steady state is a fixed point x = P(x) in a section at a fixed phase.  With dual numbers, a period from x gives
-//! P(x) and the derivative b of P at fixed x.  Every event then carries the derivatives of the numbers on which it
-//! depends.  A step of Newton's method then adds (1 − DP)⁻¹b to the derivative of x.  A second pass follows the
-//! segments from that x and carries derivatives into every result.
+//! A steady state is a fixed point x = P(x) of the period map P at a fixed phase.  With dual numbers, following one
+//! period from x gives P(x) and the derivative b of P at fixed x, because every event carries derivatives.  A step of
+//! Newton's method then adds (1 − DP)⁻¹b to the derivative of x.  A second pass follows the segments from the resulting
+//! x and carries derivatives into every result.
 
 use super::build::{settle_free, stuck, to_event};
 use super::closed;
@@ -18,15 +18,15 @@ use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
 use core::fmt;
 
-/// Relative distance to a graze below which the derivative of an event's instant is not reliable.  At a graze an event
-/// appears or vanishes.
+/// Relative distance to a graze below which the derivative of an event's instant is unreliable.  A graze is a motion at
+/// which an event appears or vanishes.
 const GRAZE: f64 = 1e-9;
-/// Largest difference between the derivatives of two Newton steps, relative to their size.
+/// Largest relative difference between the derivatives of two successive Newton steps.
 const ALIKE: f64 = 1e-6;
 
 /// Rounding error of a derivative in `f64`, relative to the state's size.
 const ROUNDING: f64 = 1e-14;
-/// Relative difference below which r and β equal those of the steady state.
+/// Relative difference below which r and β count as equal to those of the steady state.
 const SAME: f64 = 1e-12;
 
 /// Reason why a steady state has no derivatives.
@@ -215,14 +215,14 @@ where
         Ok(orbit)
     }
 
-    /// Returns true if the contact never slides.
+    /// Returns true if the contact sticks during the whole period.
     pub fn never_slides(&self) -> bool {
         let mut marks = self.marks().iter();
         self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
     }
 
-    /// z̄ of a contact that never slides, if it has not slid on the way to the steady state either.  Such a contact is
-    /// at z̄ = 0, or −1 on a moving base.  After a slip the offset depends on every slip, and the state is marginal.
+    /// Returns z̄ of a contact that sticks all the time, if it has never slid from the start on.  Such a contact is at
+    /// z̄ = 0, or at −1 on a moving base.  After a slip the offset depends on every slip, and the state is marginal.
     fn offset_without_slip<U: Float>(&self) -> Result<U, NoDerivative> {
         let offset = self.offset();
         if offset.is_zero() || offset == -self.setting.base {
@@ -238,7 +238,7 @@ where
         own && self.stops == 0 && self.reversals == 2 && self.symmetric && (zero || !self.marginal)
     }
 
-    /// Sets a cycle map over another scalar to this steady state, at the middle of the longest segment that slides.
+    /// Sets a cycle map over another scalar to this steady state, at the middle of the longest sliding segment.
     /// `masses` has room for displacements and velocities.
     fn set_state<U: Float>(
         &self,
@@ -285,7 +285,7 @@ where
             }
             let parts = segments.parts();
             let (modes, stuck_modes) = setting.split(parts);
-            // Where the contact has come to rest, its force must not be close to μβ.
+            // A contact that has just come to rest must have a force clearly away from μβ.
             if !first && before != Contact::Stuck {
                 let force = setting.holding(modes, mark.contact_state.t.sin_cos_pi());
                 if setting.law().is_marginal(force, graze) {
@@ -296,7 +296,8 @@ where
             if self.never_slides() {
                 return false;
             }
-            // At the end of the segment the vanishing function must have a slope clearly unlike zero.
+            // The function that reaches zero at the end of the segment must have a slope clearly different from zero
+            // there.
             let sum = if before == Contact::Stuck {
                 setting
                     .start_sticking(modes, stuck_modes, &mark.contact_state, mark.length)
@@ -314,8 +315,8 @@ where
     }
 }
 
-/// Closes the cycle over a scalar that carries derivatives, from the state of the cycle map.  The first Newton step
-/// brings the derivative to the value's precision, and the second to the scalar's.
+/// Makes the state of the cycle map periodic, derivatives included, over a scalar that carries derivatives.  The first
+/// Newton step gives the derivative the precision of the value.  The second step gives the precision of the scalar.
 fn closed_in<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -340,7 +341,7 @@ fn closed_in<S: Float>(
                 }
             }
         }
-        // A derivative of 0 has no size of its own.  The first step's derivative is rounded as the state is.
+        // A derivative of 0 has no size.  The rounding error of the first step is therefore measured by the state.
         let rounding = cycle_map.scale() * S::constant(ROUNDING);
         if !(change <= alike * size + rounding) {
             return Err(NoDerivative::Graze);

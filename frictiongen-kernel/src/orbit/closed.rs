@@ -12,7 +12,7 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Damped;
 use crate::oscillator::mode::Mode;
 
-/// The modes that the contact drives, at one frequency.
+/// The modes that the contact drives, evaluated at one frequency ratio.
 struct Driven<'a, S> {
     chain: Chain<S>,
     modes: &'a [Mode<S>],
@@ -44,7 +44,7 @@ impl<'a, S: Float> Driven<'a, S> {
     }
 }
 
-/// Sets the cycle map to the closed form's state for a friction ratio, at a maximum of the relative motion.
+/// Sets the cycle map to the state of the closed form for a friction ratio, at a maximum of the relative motion.
 pub(super) fn set<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>, beta: S) {
     let one = S::constant(1.0);
     let dynamics = &cycle_map.setting.dynamics;

@@ -1,8 +1,8 @@
-//! Selection of the member of a continuum of steady motions, which exists at r = 1/2n without damping.
+//! Selects one member of a continuum of steady motions.  Such a continuum exists at r = 1/2n without damping.
 //!
 //! Two members differ by a free vibration at an even multiple of the excitation's frequency, in step with the
-//! reversals.  A motion that never stops keeps its share of that vibration.  Each stop removes a little of that share,
-//! and ever less, until the motion reaches the last member that has no stop.
+//! reversals.  A motion that never stops keeps its amount of that vibration.  Each stop removes a part, which becomes
+//! smaller from stop to stop.  The motion thus tends to the last member that has no stop.
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
@@ -12,21 +12,21 @@ use crate::errors::NoOrbit;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Rounding of a member of a continuum over half a cycle, in roundings of the state.
+/// Rounding error of a member of a continuum over half a cycle, in roundings of the state.
 const ROUNDINGS: f64 = 256.0;
-/// Number of bisections towards the end of a continuum.
+/// Number of bisections in the search for the end of a continuum.
 const BISECTIONS: u32 = 60;
-/// Upper bound on the doublings of the motion's own share that search for the end of a continuum.
+/// Upper bound on the doublings of the motion's own free vibration in the search for the end of a continuum.
 const DOUBLINGS: u32 = 20;
-/// Distance from the multiplier 1 at which the half-period map is inverted.
+/// Distance from the multiplier 1 at which the inverse iteration inverts the half-period map.
 const SHIFT: f64 = 1e-8;
 
-/// Sets the cycle map to the member of the continuum that the motion approaches.
+/// Sets the cycle map to the member of the continuum to which the motion tends.
 ///
-/// At the start the cycle map is at the symmetric member, and `workspace.state` is the motion in the same section.  The
-/// result is the ratio of the last member's share to this member's share.  `monotone` states that μ = 1.  With μ > 1 a
-/// stop does not shrink, because the contact sticks until the force has grown.  Only a motion without a stop is then a
-/// member.
+/// Before the call the cycle map is at the symmetric member, and `workspace.state` is the motion in the same section.
+/// The *share* of a member is its amount of the free vibration.  The result is the share of the last member over the
+/// share of this member.  `monotone` states that μ = 1.  With μ > 1 a stop does not become shorter, because the contact
+/// sticks until the force has grown.  Only a motion without a stop is then a member.
 pub(super) fn member<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -36,15 +36,15 @@ pub(super) fn member<S: Float>(
     let size = cycle_map.size();
     let contact_state = cycle_map.contact_state;
     let scale = cycle_map.scale();
-    // The direction of the family is the eigenvector of the half-period map for the multiplier 1.  Inverse iteration
-    // finds it from the difference between the motion and the symmetric member.
+    // The members differ by the eigenvector of the half-period map for the multiplier 1.  Inverse iteration finds the
+    // eigenvector from the difference between the motion and the symmetric member.
     for (part, state) in cycle_map.modes.iter().zip(pairs_mut(workspace.state)) {
         if let [y, u] = state {
             (*y, *u) = (*y - part.y, *u - part.u);
         }
     }
     for _ in 0..2 {
-        // The symmetric member is kept in the cycle map, because `other` is needed for the direction.
+        // The cycle map keeps the symmetric member, because `other` is needed for the eigenvector.
         cycle_map.save(workspace.other);
         unit(workspace.matrix, size);
         cycle_map.advance_half(Some(workspace.matrix))?;
@@ -56,14 +56,14 @@ pub(super) fn member<S: Float>(
         if !Matrix::new(workspace.matrix, size).solve_shifted(shift, workspace.other) {
             return Err(NoOrbit::Unsettled);
         }
-        // (shift − D)⁻¹ divides the family's share by shift − 1, and hardly changes the other shares.  The weight
-        // restores the family's share.
+        // (shift − D)⁻¹ divides the eigenvector's component by shift − 1, and hardly changes the other components.  The
+        // weight restores the eigenvector's component.
         let weight = shift - one;
         for (state, other) in workspace.state.iter_mut().zip(workspace.other.iter()) {
             *state = *other * weight;
         }
     }
-    // The search is for the largest share, up to the motion's own, that needs no stop.
+    // The bisection finds the largest share without a stop, up to the motion's own share.
     cycle_map.save(workspace.other);
     let shifted = |cycle_map: &mut CycleMap<'_, '_, S>, share: S| -> Result<bool, NoOrbit> {
         let set = |cycle_map: &mut CycleMap<'_, '_, S>| {
@@ -115,7 +115,7 @@ pub(super) fn member<S: Float>(
         return Err(NoOrbit::Unsettled);
     }
     let inside = last_inside(zero, one, |share| shifted(cycle_map, share))?;
-    // The share is reduced a little, because at the very end rounding decides whether the contact stops.
+    // The share becomes a little smaller, because exactly at the end rounding decides whether the contact stops.
     let inside = inside * (one - S::constant(ROUNDINGS * S::EPSILON));
     if inside.is_zero() || !shifted(cycle_map, inside)? {
         return Err(NoOrbit::Unsettled);
@@ -123,7 +123,7 @@ pub(super) fn member<S: Float>(
     Ok(one)
 }
 
-/// Bisects for the largest share with a steady motion.  The motion is steady at `inside` and not at `outside`.
+/// Bisects for the largest share of a steady motion.  The motion is steady at `inside` and not at `outside`.
 fn last_inside<S: Float>(
     mut inside: S,
     mut outside: S,

@@ -1,14 +1,15 @@
-//! The motion over half a cycle or a whole one, from a section at a fixed phase of the excitation.
+//! Follows the motion over half a cycle or a whole cycle of the excitation.  It starts from a *section*, a fixed phase
+//! of the excitation.
 
 use crate::errors::{NoOrbit, OutOfDomain};
 use crate::motion::{Contact, ContactState, Event, Part, Setting, carry_deviations, leap};
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Upper bound on the events of a half cycle.
+/// Upper bound on the events of a half cycle.  More events are an error.
 const MOST_EVENTS: u32 = 4096;
 
-/// Numbers of events in half a cycle, or in several.
+/// Numbers of events of each kind in half a cycle, or in several half cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Pattern {
     pub stops: u32,
@@ -25,7 +26,7 @@ impl Pattern {
         }
     }
 
-    /// Divides the pattern into `parts` equal patterns, if all numbers are divisible.
+    /// Divides the numbers by `parts`, or returns `None` if one of them is not divisible.
     pub(super) fn divided(self, parts: u32) -> Option<Self> {
         let part = |count: u32| {
             let part = count.checked_div(parts)?;
@@ -38,7 +39,7 @@ impl Pattern {
         })
     }
 
-    /// Adds two patterns.
+    /// Returns the sum of two patterns.
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             stops: self.stops + other.stops,
@@ -48,7 +49,7 @@ impl Pattern {
     }
 }
 
-/// The state at the section, with the data that advance it.
+/// State of the motion at the section, with the data that advance the state.
 pub(super) struct CycleMap<'f, 'a, S> {
     pub setting: &'f Setting<'a, S>,
     pub modes: &'f mut [Part<S>],
@@ -56,19 +57,19 @@ pub(super) struct CycleMap<'f, 'a, S> {
     pub contact_state: ContactState<S>,
     /// Middle of the longest segment of the last half cycle, in half-turns after the section.
     pub middle: S,
-    /// Time in τ for which the contact stuck in the last half cycle.
+    /// Time in τ for which the contact stuck during the last half cycle.
     pub stuck: S,
-    /// Number of walk steps that are left.
+    /// Number of steps that the searches for events may still take.
     pub step_budget: u32,
 }
 
 impl<S: Float> CycleMap<'_, '_, S> {
-    /// Number of scalars in a state.
+    /// Returns the number of scalars in a state: y and u of each mode that the contact drives.
     pub(super) fn size(&self) -> usize {
         2 * self.setting.dynamics.in_contact()
     }
 
-    /// Subtracts the steps of a leap from the budget.
+    /// Subtracts the search steps of one segment from the budget.
     pub(super) fn spend(&mut self, steps: u32) -> Result<(), NoOrbit> {
         self.step_budget = self
             .step_budget
@@ -77,18 +78,18 @@ impl<S: Float> CycleMap<'_, '_, S> {
         Ok(())
     }
 
-    /// Advances half a cycle, and takes the deviations in `columns` along.
+    /// Advances half a cycle, and advances the deviations in `columns` with the linearised motion.
     pub(super) fn advance_half(&mut self, columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
         let start = self.contact_state.t;
         let pattern = self.advance(S::pi(), columns)?;
-        // The phase advances by exactly half a cycle, free of the rounding in the sum of lengths.
+        // The phase advances by exactly half a cycle, without the rounding in the sum of segment lengths.
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let t = start + one;
         self.contact_state.t = if t < two { t } else { t - two };
         Ok(pattern)
     }
 
-    /// Advances by τ.
+    /// Advances by a time τ, from event to event.
     pub(super) fn advance(
         &mut self,
         tau: S,
@@ -138,7 +139,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
         Err(NoOrbit::TooManyEvents)
     }
 
-    /// Copies the state into `state`.
+    /// Copies the state of the oscillators into `state`.
     pub(super) fn save(&self, state: &mut [S]) {
         for (part, state) in self.modes.iter().zip(pairs_mut(state)) {
             if let [y, u] = state {
@@ -147,8 +148,8 @@ impl<S: Float> CycleMap<'_, '_, S> {
         }
     }
 
-    /// Sets the state from `state`.  A sticking contact keeps its contact state.  Otherwise the motion gives the
-    /// contact state.
+    /// Sets the oscillators from `state`.  If the given contact state sticks, it is kept.  Otherwise the motion gives
+    /// the contact state.
     pub(super) fn restore(&mut self, state: &[S], contact_state: &ContactState<S>) {
         for (part, state) in self.modes.iter_mut().zip(pairs(state)) {
             if let [y, u] = state {
@@ -162,7 +163,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
         }
     }
 
-    /// The largest difference from another state.
+    /// Returns the largest absolute difference between the scalars of this state and of another.
     pub(super) fn distance(&self, state: &[S]) -> S {
         let states = self.modes.iter().zip(pairs(state));
         states.fold(S::constant(0.0), |most, (part, state)| match state {
@@ -171,7 +172,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
         })
     }
 
-    /// Twice the energy of the difference between this state and another.
+    /// Returns twice the energy of the difference between this state and another.
     pub(super) fn energy_between(&self, state: &[S]) -> S {
         let modes = self.modes.iter().zip(self.setting.dynamics.driven());
         let states = modes.zip(pairs(state));
@@ -195,7 +196,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
         }
     }
 
-    /// The largest absolute value among the state's scalars.
+    /// Returns the largest absolute value of the state's scalars.
     pub(super) fn scale(&self) -> S {
         let driven = self.setting.dynamics.in_contact();
         self.modes
@@ -207,7 +208,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
     }
 }
 
-/// Sets `columns` to the unit matrix, which has one deviation in each direction.
+/// Sets `columns` to the unit matrix: one deviation in each direction of the state.
 pub(super) fn unit<S: Float>(columns: &mut [S], size: usize) {
     for (index, entry) in columns.iter_mut().enumerate() {
         let own = index.checked_rem(size + 1) == Some(0);

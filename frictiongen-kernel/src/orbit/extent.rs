@@ -13,8 +13,8 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    /// The middle of the contact's relative motion, (max z̄ + min z̄)/2, over P/k₁, for base motion over Y.  It is 0
-    /// for a symmetric state, and z̄ itself for a contact that sticks with an offset.
+    /// Returns the middle of the contact's relative motion, (max z̄ + min z̄)/2, over P/k₁, for base motion over Y. It
+    /// is 0 for a symmetric state, and z̄ itself for a contact that sticks with an offset.
     pub fn offset(&self) -> S {
         if self.symmetric {
             return S::constant(0.0);
@@ -31,7 +31,7 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    /// The smallest and the largest x̄ of the period, over P/k₁, for base motion over Y.
+    /// Returns the smallest and the largest x̄ of the period, over P/k₁, for base motion over Y.
     pub fn extremes(&self) -> (S, S) {
         let largest = self.amplitude();
         if self.is_symmetric() {
@@ -40,7 +40,7 @@ where
         if self.is_contact() {
             return self.extremes_at_events();
         }
-        // A motion shifted by its amplitude has one sign, so that its largest |x̄| is at an extreme.
+        // Shifted by its amplitude, the motion does not change its sign, so that its largest |x̄| is at an extreme.
         let shifted = |shift: S| {
             let mut most = S::constant(0.0);
             self.each(|_, sum| {
@@ -56,8 +56,8 @@ where
         (-shifted(-largest), shifted(largest))
     }
 
-    /// Half the distance between the smallest and the largest x̄ of the period, over P/k₁, for base motion over Y.  It
-    /// is the amplitude about the middle of the motion.
+    /// Returns half the distance between the smallest and the largest x̄ of the period, over P/k₁, for base motion over
+    /// Y. It is the amplitude about the middle of the motion.
     pub fn centred_amplitude(&self) -> S {
         let (least, most) = self.extremes();
         (most - least) * S::constant(0.5)

@@ -1,4 +1,4 @@
-//! Gaussian quadrature, for the harmonics of a motion between two events.
+//! Nodes and weights of Gaussian quadrature, for the harmonics of a motion between two events.
 
 /// The positive nodes of the rule with sixteen points on [−1, 1], and their weights.
 pub(super) const SIXTEEN: [(f64, f64); 8] = [
@@ -12,5 +12,6 @@ pub(super) const SIXTEEN: [(f64, f64); 8] = [
     (0.989_400_934_991_649_9, 0.027_152_459_411_754_1),
 ];
 
-/// Largest angle, in rad, by which the integrand may turn over a panel.  The rule then integrates to 1e-25.
+/// Largest angle, in rad, by which the integrand may turn over a panel of the quadrature.  The error is then below
+/// 1e-25.
 pub(super) const PANEL: f64 = 8.0;

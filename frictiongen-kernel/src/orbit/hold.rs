@@ -1,5 +1,5 @@
-//! Detection of a contact that sticks for ever.  From β*_lim on, motion may end with the contact stuck, with or without
-//! an offset.
+//! Detects a contact that sticks for ever.  For β ≥ β*_lim a motion may end with the contact stuck, with or without an
+//! offset.
 //!
 //! Three forces act in a stuck contact: V/H of the forced motion, the constant force of an offset, and the force of the
 //! stuck chain's free vibration.  The contact never slides again where their sum cannot exceed μβ.
@@ -9,30 +9,30 @@ use super::types::MAX_CYCLES;
 use crate::motion::{Contact, phase};
 use crate::number::scalar::Float;
 
-/// Half cycles without an event after which a contact counts as stuck, although its free vibration might still add up
-/// with the other forces.  Without damping that vibration never decays, and with damping that vibration can only fall.
+/// Number of half cycles without an event after which a contact counts as stuck.  Without damping the free vibration
+/// never decays, and the test of the forces alone might never succeed.  With damping the free vibration can only fall.
 const QUIET: u32 = 256;
-/// Cycles after which, with μ = 1 and without damping, the present offset counts as final.  The remaining slips are
-/// smaller than any before, and continue without end.
+/// Number of cycles after which the present offset counts as final, with μ = 1 and without damping.  The slips become
+/// ever smaller, and never end.
 const UNDYING: u32 = 64;
-/// Rounding of the forces in a contact that only just sticks, in roundings of μβ.
+/// Rounding error of the forces in a contact that only just sticks, in roundings of μβ.
 const ROUNDINGS: f64 = 64.0;
-/// Ratio below which the offset approaches its limit from one side.  With μ = 1 slips shrink without end, and the
-/// offset tends to where the contact just sticks.  A cycle's slip and the free vibration are compared with the offset's
-/// distance from that limit, all as forces.
+/// Ratio below which the offset counts as approaching its limit from one side.  With μ = 1 the slips become ever
+/// smaller, and the offset tends to the value at which the contact just sticks.  The slip of a cycle and the free
+/// vibration are compared with the distance of the offset from that limit.  All three are expressed as forces.
 const ONE_SIDED: f64 = 0.1;
 
-/// Watches a motion from β*_lim on for the instant after which the contact sticks for ever.
+/// Watches a motion with β ≥ β*_lim for the instant from which on the contact sticks for ever.
 pub(super) struct Hold<S> {
-    /// |V/H|, the amplitude of the contact force in the forced motion.
+    /// |V/H|, the amplitude of the contact force in the forced motion of the stuck chain.
     steady: S,
-    /// True if μ = 1, so that slips shrink.
+    /// True if μ = 1, so that the slips become smaller.
     monotone: bool,
-    /// Number of successive half cycles without an event.
+    /// Number of successive half cycles without an event, up to now.
     quiet: u32,
     /// Number of all half cycles.
     halves: u32,
-    /// Constant contact force half a cycle ago and a cycle ago.
+    /// Constant contact force, from the offset, half a cycle ago and a cycle ago.
     before: [S; 2],
 }
 
@@ -48,14 +48,15 @@ impl<S: Float> Hold<S> {
         }
     }
 
-    /// Notes another half cycle.
+    /// Counts another half cycle.
     pub(super) fn note(&mut self, half: Pattern) {
         self.halves = self.halves.saturating_add(1);
         let calm = half == Pattern::default();
         self.quiet = if calm { self.quiet + 1 } else { 0 };
     }
 
-    /// z̄ of a contact that sticks and never slides again, if that is certain, or [counts as certain](QUIET).
+    /// Returns z̄ of a contact that sticks and never slides again.  Returns `None` as long as that is neither certain
+    /// nor [counts as certain](QUIET).
     pub(super) fn lasting_offset(&mut self, cycle_map: &mut CycleMap<'_, '_, S>) -> Option<S> {
         let setting = cycle_map.setting;
         let contact_state = cycle_map.contact_state;

@@ -3,7 +3,7 @@
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
-/// A square matrix.
+/// A square matrix in a slice, column after column.
 pub(super) struct Matrix<'a, S> {
     entries: &'a mut [S],
     size: usize,
@@ -34,7 +34,8 @@ impl<'a, S: Float> Matrix<'a, S> {
         }
     }
 
-    /// Solves (shift·1 − M)x = b in place, and overwrites the matrix.  Returns false if the matrix is singular.
+    /// Solves (shift·1 − M)x = b in place, and overwrites the matrix.  Returns false if the matrix shift·1 − M is
+    /// singular.
     pub(super) fn solve_shifted(&mut self, shift: S, b: &mut [S]) -> bool {
         let n = self.size;
         for column in 0..n {
@@ -106,8 +107,8 @@ impl<'a, S: Float> Matrix<'a, S> {
                 );
                 (end, rounds) = (end - 1, 0);
             } else if start + 2 == end || rounds >= 60 {
-                // No matrix is known to need sixty rounds.  After sixty rounds the eigenvalues of the last two by two
-                // block are taken as they are.
+                // No matrix is known to need sixty rounds.  After sixty rounds the code takes the eigenvalues of the
+                // last 2 × 2 block as they are.
                 let (first, second) = self.pair(end - 2);
                 put(out, end - 2, first);
                 put(out, end - 1, second);
@@ -158,7 +159,8 @@ impl<'a, S: Float> Matrix<'a, S> {
         }
     }
 
-    /// Start of the block that ends before `end`, at the last negligible subdiagonal entry.
+    /// Returns the start of the block that ends before `end`.  The block starts after the last negligible subdiagonal
+    /// entry.
     fn last_block(&mut self, end: usize) -> usize {
         for k in (1..end).rev() {
             let size = self.at(k - 1, k - 1).abs() + self.at(k, k).abs();
@@ -172,7 +174,7 @@ impl<'a, S: Float> Matrix<'a, S> {
         0
     }
 
-    /// The eigenvalues of the two by two block at k.
+    /// Returns the eigenvalues of the 2 × 2 block at k.
     fn pair(&self, k: usize) -> (Complex<S>, Complex<S>) {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let (a, d) = (self.at(k, k), self.at(k + 1, k + 1));
@@ -184,7 +186,7 @@ impl<'a, S: Float> Matrix<'a, S> {
             let im = (-discriminant).sqrt();
             return (Complex::new(middle, im), Complex::new(middle, -im));
         }
-        // The smaller eigenvalue is formed without cancellation.
+        // This form of the smaller eigenvalue has no cancellation.
         let shift = difference + discriminant.sqrt().copysign(difference);
         let first = d + shift;
         let second = if shift.is_zero() {
@@ -203,7 +205,7 @@ impl<'a, S: Float> Matrix<'a, S> {
             self.at(m - 1, m - 1) * self.at(m, m) - self.at(m - 1, m) * self.at(m, m - 1),
         );
         if rounds % 10 == 9 {
-            // An exceptional shift ends a cycle of the usual shifts.
+            // An exceptional shift breaks a cycle in which the usual shifts repeat without convergence.
             let w = self.at(m, m - 1).abs() + self.at(m - 1, m - 2).abs();
             (s, t) = (S::constant(1.5) * w, w * w);
         }
@@ -241,7 +243,7 @@ impl<'a, S: Float> Matrix<'a, S> {
         }
     }
 
-    /// Applies (1 − τ v vᵀ) to the entries that `place` selects.
+    /// Applies (1 − τ v vᵀ) to the three entries that `place` selects.
     fn reflect(
         &mut self,
         v: &[S; 3],
@@ -262,7 +264,7 @@ impl<'a, S: Float> Matrix<'a, S> {
     }
 }
 
-/// v and τ of the reflection that leaves only the first component.
+/// Returns v and τ of the reflection that turns x into a multiple of the first unit vector, or `None` if x = 0.
 fn reflector<S: Float>(x: [S; 3]) -> Option<([S; 3], S)> {
     let [a, b, c] = x;
     let size = a.abs() + b.abs() + c.abs();

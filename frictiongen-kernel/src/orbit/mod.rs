@@ -1,9 +1,9 @@
 //! The steady state in any regime: a motion that repeats after one or several cycles of the excitation, its stops, and
 //! its Floquet multipliers.
 //!
-//! The search first follows some cycles from the start, exactly ([`motion`](crate::motion)), until their
-//! pattern of events repeats.  Newton's method then converges in a few steps.  The method works on the half-period map
-//! times −1, whose fixed point is a symmetric steady state, or on the period map.
+//! The search first follows some cycles from the start, exactly ([`motion`](crate::motion)), until their pattern of
+//! events repeats.  Newton's method then converges in a few steps.  The method finds a fixed point of the half-period
+//! map times −1, which is a symmetric steady state.  For other states it finds a fixed point of the period map.
 //!
 //! A stored steady state is a list of *marks*.  A mark is the start of a segment: the contact's state, the phase and z̄
 //! at that instant.  The *stuck chain* is the chain whose contact sticks.
@@ -45,8 +45,8 @@ use crate::number::scalar::Float;
 use segments::Segments;
 use types::SegmentStart;
 
-/// Number of scalars of memory that an orbit needs, for a scene with `modes` modes of which the contact drives
-/// `driven`.
+/// Returns the number of scalars of memory that an orbit needs.  The scene has `modes` modes, of which the contact
+/// drives `driven`.
 #[must_use]
 pub const fn numbers(modes: usize, driven: usize) -> usize {
     MAX_SEGMENTS * 2 * modes + 4 * driven * driven + 4 * driven
@@ -81,39 +81,40 @@ where
         Segments::from(self, 0)
     }
 
-    /// Friction ratio β = F/P.
+    /// Returns the friction ratio β = F/P.
     #[must_use]
     pub fn beta(&self) -> S {
         self.setting.beta
     }
 
-    /// Number of excitation cycles after which the motion repeats: 1, or up to [`MAX_PERIOD`] for a subharmonic state.
+    /// Returns the number of excitation cycles after which the motion repeats: 1, or up to [`MAX_PERIOD`] for a
+    /// subharmonic state.
     #[must_use]
     pub fn period(&self) -> u32 {
         self.period
     }
 
-    /// Returns true if the motion repeats.  Otherwise this is the motion of the last [`MAX_PERIOD`] cycles, after
-    /// [`MAX_CYCLES`] cycles that did not settle.  An amplitude is then the largest of those last cycles, and a
-    /// harmonic the mean over them.
+    /// Returns true if the motion repeats.  Otherwise the orbit has the last [`MAX_PERIOD`] cycles of a motion that did
+    /// not settle in [`MAX_CYCLES`] cycles.  An amplitude is then the largest of those last cycles, and a harmonic is
+    /// the mean over them.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         self.settled
     }
 
-    /// Number of stops of the contact in a period.
+    /// Returns the number of stops of the contact in a period.
     #[must_use]
     pub fn stops(&self) -> usize {
         self.stops
     }
 
-    /// Number of changes of the sliding direction without a stop in a period.
+    /// Returns the number of changes of the sliding direction without a stop in a period.
     #[must_use]
     pub fn reversals(&self) -> usize {
         self.reversals
     }
 
-    /// Fraction of the period for which the contact sticks.
+    /// Returns the fraction of the period for which the contact sticks.
     #[must_use]
     pub fn stuck_fraction(&self) -> S {
         let stuck = self.sticking_intervals();
@@ -121,13 +122,14 @@ where
         sum * S::inverse_pi() * S::constant(0.5) / self.cycles()
     }
 
-    /// Distance that the contact slides in a period, ∮|dz̄|.  Friction dissipates β times this distance as work.
+    /// Returns the distance that the contact slides in a period, ∮|dz̄|.  Friction dissipates β times this distance as
+    /// work.
     #[must_use]
     pub fn sliding_distance(&self) -> S {
         let zero = S::constant(0.0);
         let mut distance = zero;
         let mut last: Option<SegmentStart<S>> = None;
-        // Within a segment the direction of sliding does not change, so that the end points give its distance.
+        // Within a segment the direction of sliding does not change, so that the end points give the distance.
         for mark in self.segments() {
             if let Some(last) = last {
                 distance = distance + (mark.relative - last.relative).abs();
@@ -139,18 +141,19 @@ where
         distance + closing
     }
 
-    /// Length of the period in cycles.
+    /// Returns the length of the period in cycles of the excitation.
     fn cycles(&self) -> S {
         S::constant(f64::from(self.period))
     }
 
-    /// Reduces a phase in half-turns to the period, from 0 to its end.
+    /// Reduces a phase in half-turns to the period, by whole periods.
     fn within(&self, t: S) -> S {
         let whole = self.cycles() * S::constant(2.0);
         t - (t / whole).floor() * whole
     }
 
-    /// The excitation's angle at a mark, in half-turns.  It is 0 at the maximum of the excitation next to τ = 0.
+    /// Returns the excitation's angle at a mark, in half-turns.  The angle is 0 at the maximum of the excitation next
+    /// to τ = 0.
     fn angle(&self, mark: &SegmentStart<S>) -> S {
         let one = S::constant(1.0);
         let past = if one < self.origin {
@@ -161,10 +164,10 @@ where
         mark.contact_state.t + S::constant(2.0) * (mark.cycle - self.origin_cycle - past)
     }
 
-    /// The intervals in which the contact sticks, each as its start and its length.  The start is the excitation's
-    /// angle, from 0 to 2π times the number of cycles in the period.  The angle is 0 at a maximum of the excitation.
-    /// In a subharmonic state, which has several maxima in a period, it is 0 at the maximum next to τ = 0 (see
-    /// [`origin`](Self::origin)).
+    /// Returns the intervals in which the contact sticks, each as its start and its length in rad of the excitation.
+    /// The start is the excitation's angle, from 0 to 2π times the number of cycles in the period.  The angle is 0 at a
+    /// maximum of the excitation.  In a subharmonic state, which has several maxima in a period, it is 0 at the maximum
+    /// next to τ = 0 (see [`origin`](Self::origin)).
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
         let stuck = |contact: &Contact| *contact == Contact::Stuck;
         let intervals = self
@@ -173,10 +176,10 @@ where
         intervals.map(|(start, length, _)| (start, length))
     }
 
-    /// The intervals between changes of the contact's state, one after the other all around the period: start, length,
-    /// and whether the contact sticks or its direction of sliding.  The start is defined as in
-    /// [`sticking_intervals`](Self::sticking_intervals).  The last and the first interval may have the same contact
-    /// state.
+    /// Returns the intervals between changes of the contact's state, one after the other all around the period.  Each
+    /// interval has its start, its length and the contact state: stuck, or the direction of sliding.  The start is
+    /// defined as in [`sticking_intervals`](Self::sticking_intervals).  The last and the first interval may have the
+    /// same contact state.
     pub fn intervals(&self) -> impl Iterator<Item = (S, S, Contact)> + '_ {
         self.segments().map(|mark| {
             let start = self.within(self.angle(&mark)) * S::pi();
@@ -184,9 +187,9 @@ where
         })
     }
 
-    /// Contact state and friction force over P at τ, which counts from where the relative motion leaves its maximum.
-    /// While the contact slides, the force is β times the sign of the velocity.  While the contact sticks, the force
-    /// keeps the contact at rest.  A positive force opposes positive sliding.
+    /// Returns contact state and friction force over P at τ, which counts from where the relative motion leaves its
+    /// maximum.  While the contact slides, the force is β times the sign of the velocity.  While the contact sticks,
+    /// the force keeps the contact at rest.  A positive force opposes positive sliding.
     pub fn friction(&self, tau: S) -> (Contact, S) {
         let Some((mut segments, mark, since)) = Segments::at(self, tau) else {
             return (Contact::Stuck, S::constant(0.0));
@@ -208,8 +211,8 @@ where
         self.symmetric
     }
 
-    /// The Floquet multipliers: factors by which small deviations of the modes that the contact drives grow in a
-    /// period.  The slice is empty if the motion does not repeat.
+    /// Returns the Floquet multipliers: the factors by which small deviations of the modes that the contact drives grow
+    /// in a period.  The slice is empty if the motion does not repeat.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<S>] {
         if self.settled {
@@ -240,16 +243,16 @@ where
         self.marginal
     }
 
-    /// Largest |offset| at which the contact may come to rest or slide, over P/k₁, for base motion over Y.  Every state
-    /// of the continuum has an offset between minus and plus this bound.  A stuck contact has a bound, and so has a
-    /// chain without damping at r = 1/2n.  Elsewhere, and where the bound is not known, the result is `None`.
+    /// Returns the largest |offset| at which the contact may come to rest or slide, over P/k₁, for base motion over Y.
+    /// Every state of the continuum has an offset between minus and plus this bound.  A stuck contact has a bound, and
+    /// so has a chain without damping at r = 1/2n.  Elsewhere, and where the bound is not known, the result is `None`.
     #[must_use]
     pub fn offset_range(&self) -> Option<S> {
         self.offset_range
     }
 
-    /// The excitation's angle at τ = 0, where the relative motion in the contact leaves its maximum.  The load is cos(τ
-    /// + origin).
+    /// Returns the excitation's angle at τ = 0, in rad.  At τ = 0 the relative motion in the contact leaves its
+    /// maximum.  The load is cos(τ + origin).
     #[must_use]
     pub fn origin(&self) -> S {
         let angle = self.origin * S::pi();
@@ -260,12 +263,12 @@ where
         }
     }
 
-    /// The relative motion in the contact.
+    /// Returns the relative motion in the contact.
     pub fn contact(&self) -> OrbitMotion<'_, 'a, S, P, V, C> {
         OrbitMotion::of_contact(self)
     }
 
-    /// The motion of a mass, by its index in the description.  An index without a mass gives rest.
+    /// Returns the motion of a mass, by its index in the description.  An index without a mass gives rest.
     pub fn mass(&self, index: usize) -> OrbitMotion<'_, 'a, S, P, V, C> {
         let dynamics = &self.setting.dynamics;
         if dynamics.moves_as_contact(index) {
@@ -275,7 +278,7 @@ where
         }
     }
 
-    /// The motion of a mass, by its index in the description, or `None` if there is no such mass.
+    /// Returns the motion of a mass, by its index in the description, or `None` if there is no such mass.
     pub fn mass_at(&self, index: usize) -> Option<OrbitMotion<'_, 'a, S, P, V, C>> {
         let known = !self.setting.dynamics.shape(index).is_empty();
         known.then(|| self.mass(index))

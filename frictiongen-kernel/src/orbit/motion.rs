@@ -9,9 +9,10 @@ use crate::number::complex::{self, Complex};
 use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
 
-/// Difference, in roundings, below which two amplitudes are equal.
+/// Difference, in roundings, below which two amplitudes count as equal.
 const ROUNDINGS: f64 = 64.0;
-/// Difference, in rad, below which two lags are equal.  In `f32` the limit is as many roundings as for amplitudes.
+/// Difference, in rad, below which two lags count as equal.  In `f32` the limit is the number of roundings that
+/// amplitudes have.
 const SAME_LAG: f64 = 1e-9;
 
 /// The steady motion of the contact or of a mass, in an [`Orbit`].
@@ -29,7 +30,7 @@ impl<S, P, V, C> Clone for OrbitMotion<'_, '_, S, P, V, C> {
 }
 impl<S, P, V, C> Copy for OrbitMotion<'_, '_, S, P, V, C> {}
 
-/// Upper bound on the panels of a segment over which a harmonic is integrated.
+/// Upper bound on the panels into which the quadrature of a harmonic divides a segment.
 const MOST_PANELS: f64 = (1_u32 << 14) as f64;
 
 /// The largest |x̄| found so far, and its lag.
@@ -56,19 +57,20 @@ where
         }
     }
 
-    /// Amplitude and phase from one search: the largest |x̄| and its lag.
+    /// Returns amplitude and phase from one search: the largest |x̄| over P/k₁ (for base motion over Y), and its lag in
+    /// rad.
     pub fn largest(&self) -> (S, S) {
         let best = self.best();
         (best.value, best.lag.unwrap_or(S::constant(0.0)))
     }
 
-    /// The largest |x̄| of the period, over P/k₁, for base motion over Y.
+    /// Returns the largest |x̄| of the period, over P/k₁, for base motion over Y.
     pub fn amplitude(&self) -> S {
         self.best().value
     }
 
-    /// The lag of the motion's largest |x̄| behind the excitation's maximum, rad, in (−π, π].  The lag is half a turn
-    /// more if x̄ is negative at that instant.
+    /// Returns the lag of the motion's largest |x̄| behind the excitation's maximum, rad, in (−π, π].  The lag is half
+    /// a turn more if x̄ is negative at that instant.
     ///
     /// If the contact stops at its largest displacement, the lag is that of the beginning of the stop.  If several
     /// maxima are equal, the lag of smallest size counts.  If two such lags differ in sign, the positive lag counts.
@@ -76,63 +78,65 @@ where
         self.best().lag.unwrap_or(S::constant(0.0))
     }
 
-    /// The lag of the motion's fundamental component behind the excitation, −arg X₁, rad, in (−π, π].
+    /// Returns the lag of the motion's fundamental component behind the excitation, −arg X₁, rad, in (−π, π].
     pub fn fundamental_phase(&self) -> S {
         let fundamental = self.harmonic(1);
         wrapped(-fundamental.im.atan2(fundamental.re))
     }
 
-    /// x̄ at τ, counted from where the relative motion in the contact leaves its maximum.
+    /// Returns x̄ at τ, over P/k₁, for base motion over Y.  τ counts from where the relative motion in the contact
+    /// leaves its maximum.
     pub fn displacement(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).value)
     }
 
-    /// dx̄/dτ at τ, counted from where the relative motion in the contact leaves its maximum.
+    /// Returns dx̄/dτ at τ, which counts from where the relative motion in the contact leaves its maximum.
     pub fn velocity(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).slope)
     }
 
-    /// d²x̄/dτ² at τ, counted from where the relative motion in the contact leaves its maximum.  The acceleration jumps
-    /// where the contact turns, stops or breaks away.  At a jump the value just after the jump counts.
+    /// Returns d²x̄/dτ² at τ, which counts from where the relative motion in the contact leaves its maximum.  The
+    /// acceleration jumps where the contact turns, stops or breaks away.  At a jump the result is the value just after
+    /// the jump.
     pub fn acceleration(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).curve)
     }
 
-    /// The largest |dx̄/dτ| of the period.
+    /// Returns the largest |dx̄/dτ| of the period.
     pub fn largest_velocity(&self) -> S {
         let mut largest = S::constant(0.0);
         self.each(|_, sum| largest = largest.max(rates::largest_slope(sum)));
         largest
     }
 
-    /// The largest |d²x̄/dτ²| of the period.  Both sides of its jumps count.
+    /// Returns the largest |d²x̄/dτ²| of the period.  Both sides of its jumps count.
     pub fn largest_acceleration(&self) -> S {
         let mut largest = S::constant(0.0);
         self.each(|_, sum| largest = largest.max(rates::largest_curve(sum)));
         largest
     }
 
-    /// Complex amplitude X_n of a harmonic, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the excitation.  X_0
-    /// is the mean.
+    /// Returns the complex amplitude X_n of a harmonic, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the
+    /// excitation.  X_0 is the mean.
     ///
-    /// A vibration that turns more than some 10⁴ times within a segment is integrated to its order of magnitude only.
-    /// This loss of precision concerns a large n, and modes far above the excitation.
+    /// If a vibration turns more than some 10⁴ times within a segment, only its order of magnitude is correct.  This
+    /// loss of precision concerns a large n, and modes far above the excitation.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         self.component(S::constant(f64::from(n)), n == 0, |mark| {
             mark.contact_state.t
         })
     }
 
-    /// Complex amplitude X of the component of order k/[`period`](Orbit::period), which adds Re X e^{ikτ_e/period} to
-    /// x̄.  The component turns k times in a period of the motion.  If k is a multiple of the period, it is a
-    /// [`harmonic`](Self::harmonic).  τ_e counts from the maximum of the excitation next to τ = 0.
+    /// Returns the complex amplitude X of the component of order k/[`period`](Orbit::period), which adds Re X
+    /// e^{ikτ_e/period} to x̄. The component turns k times in a period of the motion.  If k is a multiple of the
+    /// period, it is a [`harmonic`](Self::harmonic).  τ_e counts from the maximum of the excitation next to τ = 0.
     pub fn subharmonic(&self, k: u32) -> Complex<S> {
         let order = S::constant(f64::from(k)) / self.orbit.cycles();
         self.component(order, k == 0, |mark| self.orbit.angle(mark))
     }
 
-    /// Complex amplitude of a component of any order.  `starts` returns the excitation's angle at a segment's start, in
-    /// half-turns.
+    /// Returns the complex amplitude of a component of any order.  `starts` returns the excitation's angle at the start
+    /// of a segment, in half-turns.
     fn component(
         &self,
         order: S,
@@ -195,8 +199,8 @@ where
         self.shape.is_none()
     }
 
-    /// Notes the relative motion at all events, because the motion is largest where its velocity is zero.  The motion
-    /// reaches its largest displacement at the beginning of a stop, so that the end of a stop is left out.
+    /// Notes the relative motion at all events, because the motion is largest where its velocity is zero.  The end of a
+    /// stop is left out, because the motion reaches its largest displacement at the beginning of the stop.
     fn at_events(&self, best: &mut Best<S>) {
         let (mut first, mut stuck) = (None, false);
         for mark in self.orbit.segments() {
@@ -217,7 +221,7 @@ where
         }
     }
 
-    /// The smallest and the largest relative displacement.
+    /// Returns the smallest and the largest relative displacement of the period, which occur at events.
     pub(super) fn extremes_at_events(&self) -> (S, S) {
         let mut extremes: Option<(S, S)> = None;
         for mark in self.orbit.segments() {
@@ -247,7 +251,8 @@ where
         }
     }
 
-    /// The motion in one segment as a sum, for oscillators in the state at the segment's start.
+    /// Returns the motion in one segment as a sum over oscillators.  The oscillators are in the state at the segment's
+    /// start.
     fn segment_sum<'p>(&self, parts: &'p mut [Part<S>], mark: &SegmentStart<S>) -> Sum<'p, S> {
         let zero = S::constant(0.0);
         let (setting, contact_state, reach) =
@@ -317,7 +322,7 @@ where
 }
 
 impl<S: Float> Best<S> {
-    /// Notes a value at an instant, in half-turns of the excitation.
+    /// Notes a value at an instant, which is in half-turns of the excitation.
     fn note(&mut self, t: S, value: S) {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let near = S::constant(1.0 - ROUNDINGS * S::EPSILON);

@@ -1,4 +1,4 @@
-//! Newton's method on the map of half a period or a whole one, and the map's multipliers.
+//! Newton's method on the map of half a period or of a whole period, and the multipliers of that map.
 
 use super::cycle_map::{CycleMap, Pattern, unit};
 use super::matrix::Matrix;
@@ -10,35 +10,36 @@ use crate::number::scalar::Float;
 
 const NEWTON_STEPS: u32 = 12;
 
-/// Relative difference below which two computations of a state or an instant agree.
+/// Relative difference below which two computations of a state or an instant count as equal.
 const AGREEMENT: f64 = 1e-9;
-/// Least difference, in roundings, that two agreeing computations may have.  It exceeds `AGREEMENT` in `f32` only.  The
-/// events of a cycle add their roundings.
+/// Lower bound, in roundings, on the difference below which two computations count as equal.  It exceeds `AGREEMENT` in
+/// `f32` only.  The roundings of all events of a cycle add up.
 const AGREEING_ROUNDINGS: f64 = 1024.0;
-/// Relative size below which a step of Newton's method is small.
+/// Size of a Newton step, relative to the state, below which the step is small.
 const SMALL_STEP: f64 = 1e-11;
-/// Least size, in roundings, below which a step of Newton's method is small.  It exceeds `SMALL_STEP` in `f32` only.
+/// Lower bound, in roundings, on the size below which a Newton step is small.  It exceeds `SMALL_STEP` in `f32` only.
 const SMALL_ROUNDINGS: f64 = 256.0;
-/// Shortest step that rounding allows, in roundings.
+/// Shortest Newton step that rounding allows, in roundings of the state.
 const LEAST_ROUNDINGS: f64 = 4.0;
-/// Ratio of a small step to the step before, above which rounding stalls the method.
+/// Ratio of a small Newton step to the previous step, above which the method ends because only rounding is left.
 const STALLED: f64 = 0.25;
-/// Relative size below which a step ends the method if it is no larger than the square of the step before.
+/// Size of a Newton step, relative to the state, below which quadratic convergence ends the method.  The step must also
+/// be no larger than the square of the previous step.
 const QUADRATIC: f64 = 1e-9;
 /// Lower bound on the size of a state, so that a division by that size stays finite.
 const SMALLEST_SCALE: f64 = 1e-290;
 
-/// Relative difference of two numbers that only rounding separates.
+/// Returns the relative difference below which two numbers differ by rounding only.
 pub(super) fn agreement<S: Float>() -> S {
     S::constant(AGREEMENT.max(AGREEING_ROUNDINGS * S::EPSILON))
 }
 
-/// Largest difference of two equal states of size `scale`.
+/// Returns the largest difference of two states of size `scale` that differ by rounding only.
 pub(super) fn same<S: Float>(scale: S) -> S {
     scale * agreement::<S>()
 }
 
-/// Working space: the matrix, two states, and the multipliers.
+/// Memory for Newton's method: the matrix, two states, and the multipliers.
 pub(super) struct Workspace<'m, S> {
     pub matrix: &'m mut [S],
     pub state: &'m mut [S],
@@ -46,12 +47,12 @@ pub(super) struct Workspace<'m, S> {
     pub multipliers: &'m mut [Complex<S>],
 }
 
-/// Map of a state over half a period, or over a whole one.
+/// Map of a state over half a period, or over a whole period.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Map {
     /// Period in cycles of the excitation.
     pub period: u32,
-    /// True if the map is half a period times −1.
+    /// True if the map goes over half a period and changes the sign of the state.
     pub symmetric: bool,
 }
 
@@ -62,7 +63,7 @@ impl Map {
         symmetric: true,
     };
 
-    /// Number of half cycles in the map.
+    /// Returns the number of half cycles over which the map goes.
     pub fn halves(self) -> u32 {
         if self.symmetric {
             self.period
@@ -72,8 +73,8 @@ impl Map {
     }
 }
 
-/// Applies Newton's method from the state of the cycle map.  Returns the pattern of the map, with the cycle map at the
-/// fixed point, or `None` if the method does not converge.
+/// Applies Newton's method from the state of the cycle map.  Returns the events during the map, with the cycle map at
+/// the fixed point.  Returns `None` if the method does not converge.
 pub(super) fn newton<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -92,7 +93,8 @@ pub(super) fn newton<S: Float>(
             return Ok(None);
         };
         if (image == Contact::Stuck) != (contact_state.contact == Contact::Stuck) {
-            // The contact's state in the section has changed.  The image is as good a start.
+            // In the section the contact now sticks instead of slides, or the reverse.  The method starts again with
+            // the contact state of the image.
             contact_state.contact = image;
             contact_state.t = start.t;
             cycle_map.save(workspace.other);
@@ -131,9 +133,10 @@ pub(super) fn newton<S: Float>(
         contact_state.t = start.t;
         cycle_map.restore(workspace.other, &contact_state);
         let small = S::constant(SMALL_STEP.max(SMALL_ROUNDINGS * S::EPSILON)) * scale;
-        // A contact that hardly slides has a motion far smaller than P/k₁, which is rounded at the size of P/k₁.
+        // If the contact hardly slides, its motion is far smaller than P/k₁ but has the rounding error of P/k₁.
         let small = step <= small.max(S::constant(LEAST_ROUNDINGS * S::EPSILON));
-        // The step is below rounding, or rounding keeps it from falling further, or the method converges quadratically.
+        // The method ends in three cases: the step is below rounding, rounding stalls the steps, or the convergence is
+        // quadratic.
         if step <= scale * S::constant(LEAST_ROUNDINGS * S::EPSILON)
             || (small && last * S::constant(STALLED) < step)
             || step <= scale * S::constant(QUADRATIC) && step <= last * last / scale
@@ -145,7 +148,7 @@ pub(super) fn newton<S: Float>(
     Ok(None)
 }
 
-/// Applies the map to the state and its deviations.  Returns the contact's state after the map, and the pattern.
+/// Applies the map to the state and its deviations.  Returns the contact's state after the map, and the events.
 pub(super) fn mapped<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     columns: &mut [S],
@@ -170,8 +173,8 @@ pub(super) fn negate<S: Float>(numbers: &mut [S]) {
     }
 }
 
-/// Computes the multipliers of the period, for a cycle map at a fixed point, where it stays.  Returns the largest
-/// modulus of the map's multipliers.
+/// Computes the multipliers of the period, for a cycle map at a fixed point.  The cycle map stays there.  Returns the
+/// largest modulus of the map's multipliers.
 pub(super) fn multipliers<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,

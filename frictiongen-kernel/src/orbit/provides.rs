@@ -76,7 +76,7 @@ impl<T: ProvidesOrbit> At<T> {
     }
 }
 
-/// Steady states of a scene with tables.  They come from the exact formulas.
+/// Steady states of a scene with tables.  The exact formulas compute them, not the tables.
 impl<T: Tabled + ProvidesOrbit> Compiled<T> {
     /// Returns the steady state at β = F/P that is reached from rest, in any regime.
     ///

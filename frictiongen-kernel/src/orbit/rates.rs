@@ -1,8 +1,8 @@
-//! The largest velocity and acceleration within a segment.
+//! Finds the largest velocity and acceleration within a segment.
 //!
 //! The search samples sixteen instants in a half-turn of the fastest motion, and refines every extreme between them.
-//! The search can only miss an extreme that lies within one sampling step of another extreme.  Two such extremes differ
-//! by less than a thousandth.
+//! It can only miss an extreme that lies within one sampling step of another extreme.  Two such extremes differ by less
+//! than a thousandth of their value.
 
 use crate::motion::Sum;
 use crate::number::scalar::Float;
@@ -13,20 +13,21 @@ const PLACES: f64 = 16.0;
 const FEWEST: f64 = 8.0;
 /// Upper bound on the sampled instants of a segment.
 const MOST: f64 = 4096.0;
-/// Steps of a refinement.  Each keeps 0.62 of an interval, so that after all of them only rounding is left.
+/// Number of steps of a refinement.  Each step keeps 0.62 of the interval, so that only rounding is left after the last
+/// one.
 const STEPS: usize = 40;
 
-/// The largest |f′|.
+/// Returns the largest |f′| over the searched length.
 pub(super) fn largest_slope<S: Float>(sum: &Sum<'_, S>) -> S {
     largest(sum, |tau| sum.local(tau).slope.abs())
 }
 
-/// The largest |f″|.
+/// Returns the largest |f″| over the searched length.
 pub(super) fn largest_curve<S: Float>(sum: &Sum<'_, S>) -> S {
     largest(sum, |tau| sum.local(tau).curve.abs())
 }
 
-/// The largest value of `size` over the reach of a sum.
+/// Returns the largest value of `size` over the searched length of a sum.
 fn largest<S: Float>(sum: &Sum<'_, S>, size: impl Fn(S) -> S) -> S {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let wanted = sum.rate * sum.reach * S::inverse_pi() * S::constant(PLACES);
@@ -34,7 +35,8 @@ fn largest<S: Float>(sum: &Sum<'_, S>, size: impl Fn(S) -> S) -> S {
     let step = sum.reach / places;
     let (mut before, mut here) = (zero, size(zero));
     let mut best = here;
-    // No three sampled instants enclose an extreme next to an end point.
+    // An extreme next to an end point does not lie between three sampled instants.  The first and the last step are
+    // therefore searched separately.
     for from in [zero, sum.reach - step] {
         best = best.max(summit(from, from + step, &size));
     }
@@ -51,7 +53,7 @@ fn largest<S: Float>(sum: &Sum<'_, S>, size: impl Fn(S) -> S) -> S {
     best
 }
 
-/// The summit between two instants, by golden-section search.
+/// Returns the largest value between two instants, by golden-section search.
 fn summit<S: Float>(mut low: S, mut high: S, size: &impl Fn(S) -> S) -> S {
     let golden = S::constant(0.618_033_988_749_894_8);
     let (mut a, mut b) = (high - (high - low) * golden, low + (high - low) * golden);

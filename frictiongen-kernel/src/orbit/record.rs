@@ -1,7 +1,8 @@
-//! Recording of a steady state, segment by segment.
+//! Records a steady state, segment by segment.
 //!
-//! A record has room for [`MAX_SEGMENTS`] marks.  A period with more segments keeps every second mark, then every
-//! fourth, and so on.  The other segments are computed again when they are needed.
+//! A record has room for [`MAX_SEGMENTS`] marks, which are starts of segments.  If a period has more segments, the
+//! record keeps every second mark, then every fourth, and so on.  The other segments are computed again when they are
+//! needed.
 
 use super::cycle_map::CycleMap;
 use super::newton::agreement;
@@ -18,23 +19,23 @@ pub(super) struct Record<'s, S> {
     states: &'s mut [S],
     /// Number of scalars in a state.
     size: usize,
-    /// Number of segments for each mark.
+    /// Number of segments from one mark to the next.
     stride: u32,
     segments: usize,
     stops: usize,
     reversals: usize,
-    /// z̄ at the end of the segment recorded last, if the contact sticks in that segment.
+    /// z̄ at the end of the last recorded segment, if the contact sticks in that segment.
     stuck_at: Option<S>,
-    /// The start of the segment with the largest z̄, from which the relative motion falls.
+    /// The start of the segment from which z̄ falls from its largest value.
     top: Option<SegmentStart<S>>,
 }
 
-/// Result of a record.
+/// Result of a recording.
 pub(super) struct Recorded<S> {
     pub count: usize,
     pub stops: usize,
     pub reversals: usize,
-    /// Phase and cycle at τ = 0.
+    /// Phase, in half-turns, and cycle at τ = 0.
     pub origin: (S, S),
 }
 
@@ -59,7 +60,7 @@ impl<'s, S: Float> Record<'s, S> {
         }
     }
 
-    /// Records a contact that sticks for the whole cycle, with z̄ at `offset`.
+    /// Records a contact that sticks during the whole cycle, with z̄ at `offset`.
     pub(super) fn stuck(&mut self, cycle_map: &CycleMap<'_, '_, S>, offset: S) {
         if let Some(first) = self.marks.first_mut() {
             first.length = S::pi() + S::pi();
@@ -94,7 +95,7 @@ impl<'s, S: Float> Record<'s, S> {
             cycle_map.spend(end.steps)?;
             mark.length = within(end.tau, left);
             left = left - mark.length;
-            // A segment without length was an unsuccessful attempt to leave zero velocity.
+            // A segment of length zero is an unsuccessful attempt of the contact to leave zero velocity.
             if zero < mark.length {
                 self.note(mark, end.event);
             }
@@ -104,7 +105,8 @@ impl<'s, S: Float> Record<'s, S> {
         Ok(())
     }
 
-    /// Returns the segment that begins.  Its state is stored if it will have a mark.
+    /// Returns the start of the segment that now begins.  Stores the oscillators' state if the segment will have a
+    /// mark.
     fn begin(&mut self, cycle_map: &CycleMap<'_, '_, S>, cycle: S) -> SegmentStart<S> {
         if self.is_due() {
             if self.count == MAX_SEGMENTS {
@@ -153,7 +155,7 @@ impl<'s, S: Float> Record<'s, S> {
         }
     }
 
-    /// Keeps every second mark.
+    /// Keeps every second mark, which frees half of the room.
     fn thin(&mut self) {
         let (half, size) = (MAX_SEGMENTS / 2, self.size);
         for index in 0..half {
@@ -203,13 +205,13 @@ impl<'s, S: Float> Record<'s, S> {
     }
 }
 
-/// Length in τ by which rounding may make a segment longer than the rest of the period.
+/// Returns the length in τ by which rounding may make a segment longer than the rest of the period.
 pub(super) fn slack<S: Float>() -> S {
     agreement()
 }
 
-/// Length of a segment with `left` of the period remaining.  A segment that ends within the slack of the period's end
-/// takes all of `left`.
+/// Returns the length of a segment when `left` of the period remains.  A segment that ends within the slack of the
+/// period's end becomes exactly `left` long.
 pub(super) fn within<S: Float>(length: S, left: S) -> S {
     if left - slack() < length {
         left
@@ -218,7 +220,8 @@ pub(super) fn within<S: Float>(length: S, left: S) -> S {
     }
 }
 
-/// Number of cycles that begin between two contact states at a distance of τ.
+/// Returns the number of cycles of the excitation that begin between two contact states.  The states are a time τ
+/// apart.
 pub(super) fn passed<S: Float>(from: &ContactState<S>, tau: S, to: &ContactState<S>) -> S {
     let half = S::constant(0.5);
     let turns = (from.t + tau * S::inverse_pi() - to.t) * half;

@@ -1,10 +1,11 @@
-//! The implicit Euler method from cycle to cycle, for motions that approach their steady state too slowly to be
-//! followed.
+//! The implicit Euler method from cycle to cycle, for motions that approach their steady state too slowly to follow
+//! them.
 //!
-//! Near a resonance of the masses that the contact does not move, a motion takes more cycles the nearer the resonance
-//! is.  For most of these cycles the motion's events are not those of the steady state, so that Newton's method alone
-//! does not converge.  With μ = 1 the distance of two motions never grows.  Each step x′ = x + (F(x′) − x′)/σ therefore
-//! has one solution, which is nearer to the steady state than x, however long the step is.
+//! The closer r is to a resonance of the masses that the contact does not move, the more cycles a motion needs to
+//! settle.  For most of these cycles the events are not those of the steady state, so that Newton's method alone does
+//! not converge.  With μ = 1 the distance of two motions never grows.  Each step x′ = x + (F(x′) − x′)/σ, with the
+//! half-cycle map F, therefore has one solution.  The solution is closer to the steady state than x, however long the
+//! step is.
 
 use super::cycle_map::{CycleMap, unit};
 use super::matrix::Matrix;
@@ -16,22 +17,22 @@ use crate::number::scalar::Float;
 
 /// Upper bound on the steps of the implicit Euler method.
 const MOST_STEPS: u32 = 64;
-/// Upper bound on the Newton steps within a step.
+/// Upper bound on the Newton steps within one Euler step.
 const NEWTON_STEPS: u32 = 10;
-/// Ratio of a Newton step to the whole step below which the Newton step is small.
+/// Ratio of a Newton step to the whole Euler step below which the Newton step is small.
 const SMALL: f64 = 1e-3;
-/// The first σ, for a step of 16 half cycles.
+/// The first σ, which makes an Euler step of 16 half cycles.
 const FIRST_SHIFT: f64 = 0.0625;
-/// Factor on σ after a step that succeeds, which lengthens the next step.
+/// Factor on σ after an Euler step that succeeds.  It lengthens the next step.
 const LONGER: f64 = 0.25;
-/// Factor on σ after a step that fails, which shortens the next attempt.
+/// Factor on σ after an Euler step that fails.  It shortens the next attempt.
 const SHORTER: f64 = 8.0;
-/// The largest σ, at which a step is shorter than half a cycle.
+/// The largest σ, at which an Euler step is shorter than half a cycle.
 const LARGEST_SHIFT: f64 = 64.0;
-/// Change of the state over half a cycle, relative to the state, below which Newton's method can take over.
+/// Change of the state over half a cycle, relative to the state, below which Newton's method on the map takes over.
 const NEAR: f64 = 1e-11;
 
-/// Moves the cycle map towards the symmetric fixed point of one cycle.  `last` has room for a state.
+/// Moves the cycle map towards the symmetric state that repeats after one cycle.  `last` has room for a state.
 pub(super) fn relax<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -59,7 +60,7 @@ pub(super) fn relax<S: Float>(
     Ok(())
 }
 
-/// Makes a step from `last`.  Returns false if Newton's method does not find the step.
+/// Makes one Euler step from `last`.  Returns false if Newton's method does not find the new state.
 fn step<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,

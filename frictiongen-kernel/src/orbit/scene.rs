@@ -1,4 +1,4 @@
-//! A scene that provides steady states, and how two of them are compared.
+//! Trait of a scene that provides steady states, and the comparison of two steady states.
 
 use super::start::Start;
 use super::types::Orbit;
@@ -9,10 +9,10 @@ use crate::number::scalar::Float;
 use crate::response::{At, Scene};
 use core::ops::Deref;
 
-/// Relative difference of amplitudes and stuck fractions below which two states are the same.
+/// Relative difference of amplitudes and stuck fractions below which two steady states count as the same.
 const ALIKE: f64 = 1e-6;
 
-/// Fingerprint of a steady state, by which it is compared with others.
+/// Numbers of a steady state that identify it in a comparison.
 #[derive(Clone, Copy, Debug)]
 pub struct Print<S> {
     sticks: bool,
@@ -25,7 +25,7 @@ pub trait Known {
     /// Scalar type of the steady state.
     type Scalar: Float;
 
-    /// Returns the fingerprint of the steady state.
+    /// Returns the numbers that identify the steady state.
     fn print(&self) -> Print<Self::Scalar>;
 }
 
@@ -48,7 +48,7 @@ where
 }
 
 impl<S: Float> Print<S> {
-    /// Returns true if two states are the same.  All stuck states count as one, because they belong to one continuum
+    /// Returns true if two steady states are the same.  All stuck states count as one, because they are one continuum
     /// with various offsets.
     pub(super) fn is_alike(&self, other: &Self) -> bool {
         let near = |(a, b): (&S, &S)| (*a - *b).abs() <= a.abs().max(b.abs()) * S::constant(ALIKE);

@@ -1,7 +1,7 @@
-//! The segments of a steady state, one after the other.
+//! Iterates over the segments of a steady state.
 //!
-//! A period of many segments has stored states at the start of some segments only.  The other segments are computed
-//! again.
+//! If a period has many segments, only some of them have a stored state at their start, a *mark*.  The other segments
+//! are computed again.
 
 use super::record::{passed, slack, within};
 use super::types::{Orbit, SegmentStart};
@@ -13,13 +13,13 @@ use crate::number::scalar::Float;
 /// Iterator over the segments of a steady state.
 pub(super) struct Segments<'o, 'a, S, P, V, C> {
     orbit: &'o Orbit<'a, S, P, V, C>,
-    /// The oscillators for the segment returned last, once they have been requested.
+    /// The oscillators for the segment returned last, once the caller has requested them.
     parts: Option<P>,
     /// True if the oscillators have the state at the start of the segment returned last.
     placed: bool,
     /// The segment returned last.
     last: Option<SegmentStart<S>>,
-    /// Index of the next mark.  `more` is the number of segments to compute before it.
+    /// Index of the next mark.  `more` is the number of segments to compute before that mark.
     next: usize,
     more: u32,
 }
@@ -31,7 +31,7 @@ where
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
-    /// Starts at a mark.
+    /// Creates an iterator that starts at the mark with this index.
     pub(super) fn from(orbit: &'o Orbit<'a, S, P, V, C>, mark: usize) -> Self {
         Self {
             orbit,
@@ -43,8 +43,8 @@ where
         }
     }
 
-    /// Returns the segment that contains the instant τ after the orbit's origin, and the distance of the instant from
-    /// the segment's start.
+    /// Returns the segment that contains the instant τ after the orbit's origin.  Also returns the time from the
+    /// segment's start to the instant.
     pub(super) fn at(
         orbit: &'o Orbit<'a, S, P, V, C>,
         tau: S,
@@ -72,7 +72,7 @@ where
         None
     }
 
-    /// The oscillators in the state at the start of the segment returned last.
+    /// Returns the oscillators in the state at the start of the segment returned last.
     pub(super) fn parts(&mut self) -> &mut [Part<S>] {
         let orbit = self.orbit;
         let parts = self.parts.get_or_insert_with(|| orbit.parts.clone());
@@ -93,12 +93,12 @@ where
         parts.as_mut()
     }
 
-    /// Returns true if the next segment has to be computed from the last one.
+    /// Returns true if the next segment has no mark, so that it is computed from the last one.
     pub(super) fn follows(&self) -> bool {
         0 < self.more
     }
 
-    /// Returns the segment of the next mark.
+    /// Returns the segment that starts at the next mark.
     fn next_mark(&mut self) -> Option<SegmentStart<S>> {
         let mark = *self.orbit.marks().get(self.next)?;
         self.placed = false;
@@ -115,7 +115,8 @@ where
         let end = orbit.marks().first()?.contact_state.t + S::constant(2.0) * orbit.cycles();
         let (modes, stuck_modes) = setting.split(self.parts());
         let mut mark = *last;
-        // The first turn passes the last segment.  Further turns pass unsuccessful attempts to leave zero velocity.
+        // The first turn of the loop passes the last segment.  Further turns pass unsuccessful attempts to leave zero
+        // velocity.
         loop {
             let left = (end - mark.contact_state.t - S::constant(2.0) * mark.cycle) * S::pi();
             let reach = left + slack();

@@ -1,5 +1,5 @@
-//! Search for the steady state as a fixed point of the half-period map times −1, or of the period map.  The period is
-//! one cycle of the excitation, or several.
+//! Searches for the steady state as a fixed point of the half-period map times −1, or of the period map.  The period is
+//! one cycle of the excitation, or several cycles.
 
 use super::candidate::{Candidate, Found, MAX_PERIOD, Verdict};
 use super::cycle_map::{CycleMap, Pattern};
@@ -11,22 +11,22 @@ use super::types::MAX_CYCLES;
 use crate::errors::NoOrbit;
 use crate::number::scalar::Float;
 
-/// Upper bound on the cycles followed from a start that may be near a steady state: the stuck state, a closed form, a
-/// neighbour.
+/// Upper bound on the cycles followed from a start that may be near a steady state.  Such starts are the stuck state,
+/// the closed form, and a motion at a neighbouring friction ratio.
 const MAX_CYCLES_NEAR: u32 = 128;
-/// Upper bound on the periods that one search for a subharmonic state tries.
+/// Upper bound on the number of periods that one search for a subharmonic state tries.
 const MOST_TRIED: u32 = 3;
-/// Cycles after which the search looks for a subharmonic state.
+/// Number of cycles after which the search looks for a subharmonic state for the first time.
 const FIRST_ASKED: u32 = 16;
-/// The search tries a number of cycles as a period only if the motion comes back this close to its state.  The distance
-/// is relative to the size of the motion.
+/// The search tries a number of cycles as a period only if the motion then is this close to its earlier state.  The
+/// distance is relative to the size of the motion.
 const NEARLY_BACK: f64 = 1e-2;
-/// The search tries a number of cycles as a period only if the distance after them is at most this fraction of every
-/// distance after fewer cycles.
+/// The search tries a number of cycles as a period only if the motion is closer to its earlier state than after any
+/// smaller number of cycles, by this factor.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {
-    /// Upper bound on the cycles that are followed from this start.
+    /// Returns the upper bound on the cycles that the search follows from this start.
     pub(super) fn most_cycles(&self) -> u32 {
         match self {
             Self::Rest | Self::State(..) => MAX_CYCLES,
@@ -38,16 +38,17 @@ impl<S> Start<'_, S> {
 /// Result of following a motion.
 pub(super) enum Settled<S> {
     Found(Found<S>),
-    /// The contact sticks for ever, with z̄ at this value.
+    /// The contact sticks for ever, with this value of z̄.
     Stuck(S),
     /// The search reached its upper bound on cycles without a steady state.  The value is the reason.
     Not(NoOrbit),
 }
 
-/// Follows the motion until it reaches a steady state.  The cycle map is then at that state, or still on the motion.
+/// Follows the motion until it reaches a steady state.  Afterwards the cycle map is at that state, or still on the
+/// motion.
 ///
-/// `holding` is |V/H| where β is large enough for a stuck state, else `None`.  At most `most` cycles are followed.
-/// `spare` has room for a state.
+/// `holding` is |V/H| if β is large enough for a stuck state, and `None` otherwise.  The search follows at most `most`
+/// cycles.  `spare` has room for two states.
 pub(super) fn settle<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -66,8 +67,8 @@ pub(super) fn settle<S: Float>(
     let mut failure = NoOrbit::Unsettled;
     let (mut cycles, mut wanted) = (0, 2);
     let mut halves = [Pattern::default(); 4];
-    // Numbers of successive half cycles with an unchanged pattern, compared with half a cycle before and with a cycle
-    // before.
+    // Numbers of successive half cycles with unchanged events.  The first number compares with the half cycle before,
+    // the second with the cycle before.
     let mut settled = [0u32; 2];
     while cycles < most {
         while cycles < wanted {
@@ -87,7 +88,7 @@ pub(super) fn settle<S: Float>(
             cycles += 1;
         }
         if monotone && hold.is_some() {
-            // The distance of two motions never grows, and a stuck state exists, so that no other state is steady.
+            // The distance of two motions never grows, and a stuck state exists.  No other state is therefore steady.
             wanted = cycles * 2;
             continue;
         }
@@ -145,7 +146,7 @@ pub(super) fn settle<S: Float>(
     Ok(Settled::Not(failure))
 }
 
-/// Finds the one steady state of μ = 1 that a motion approaches too slowly to be followed.  Without success the cycle
+/// Finds the only steady state of a scene with μ = 1 that the motion approaches too slowly.  Without success the cycle
 /// map stays on the motion.
 fn slow<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
@@ -208,7 +209,7 @@ fn several<S: Float>(
             if matches!(verdict, Ok(Verdict::Found(_)))
                 && let Some(sooner) = repeats_sooner(cycle_map, workspace, period)?
             {
-                // The same state is tried again with the smaller number of cycles.
+                // The search tries the same state again with the smaller number of cycles.
                 candidate.map.period = sooner;
                 verdict = match candidate
                     .wanted
@@ -234,9 +235,9 @@ fn several<S: Float>(
     Ok(Settled::Not(failure))
 }
 
-/// The number of cycles, fewer than `period`, after which the fixed point already repeats, if there is one.  A free
-/// vibration that decays slowly comes back to itself and looks like a longer period.  The cycle map is at the fixed
-/// point, and stays there.
+/// Returns the smallest number of cycles, below `period`, after which the fixed point already repeats, if there is one.
+/// A free vibration that decays slowly comes back to itself and looks like a longer period.  The cycle map is at the
+/// fixed point before and after the call.
 fn repeats_sooner<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -258,8 +259,8 @@ fn repeats_sooner<S: Float>(
 }
 
 /// Finds the number of cycles, more than `after` and at most `most`, after which the motion comes back close to its
-/// present state.  After fewer cycles the motion must not come back as close.  Returns the number with the pattern of
-/// events on the way.
+/// present state.  After fewer cycles the motion must not be as close.  Returns that number, and the events during
+/// these cycles.
 fn comes_back<S: Float>(
     cycle_map: &mut CycleMap<'_, '_, S>,
     workspace: &mut Workspace<'_, S>,
@@ -284,8 +285,8 @@ fn comes_back<S: Float>(
     Ok(None)
 }
 
-/// The pattern of half a period, or of a whole one.  Half an even number of cycles later the load has the same sign, so
-/// that no motion is opposite.
+/// Returns the events of the map that the test expects, from the events `total` of a whole period.  A symmetric map has
+/// half of them.  After half of an even number of cycles the load has the same sign, so that no symmetric map exists.
 fn wanted(total: Pattern, symmetric: bool, period: u32) -> Option<Pattern> {
     if !symmetric {
         return Some(total);

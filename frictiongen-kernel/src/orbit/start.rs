@@ -1,4 +1,4 @@
-//! Starts of a motion that is followed to its steady state.
+//! Starts of a motion that the search follows to its steady state.
 
 use super::closed;
 use super::cycle_map::CycleMap;
@@ -7,7 +7,7 @@ use super::types::MAX_STEPS;
 use crate::errors::{NoOrbit, OutOfDomain};
 use crate::number::scalar::Float;
 
-/// Cycles for which a motion is followed at a neighbouring friction ratio.
+/// Number of cycles that a motion runs at a neighbouring friction ratio before β takes its own value.
 const NEIGHBOURING: u32 = 64;
 
 /// Start of a motion, with the excitation at its maximum.
@@ -19,9 +19,9 @@ pub enum Start<'s, S> {
     State(&'s [S], &'s [S]),
     /// The stuck state with z̄ = 0, which exists for β ≥ β*_lim.
     Stuck,
-    /// The motion of the closed form at this friction ratio, which need not be the actual one.
+    /// The motion of the closed form at this friction ratio.  The contact need not move like that at the given β.
     ClosedForm(S),
-    /// Rest, followed by some cycles at this friction ratio.
+    /// Rest, followed by some cycles at this neighbouring friction ratio.
     Neighbour(S),
 }
 

@@ -1,4 +1,4 @@
-//! The steady states that exist at one β.
+//! Searches for all steady states at one β.
 
 use super::scene::{Known, Print, ProvidesOrbit};
 use super::start::Start;
@@ -10,9 +10,9 @@ use core::fmt;
 
 /// Upper bound on the number of starts in a search for steady states.
 const STARTS: usize = 9;
-/// Fractions of β_lim at which the closed form is a start where β is at or above β_lim.
+/// Fractions of β_lim at which the closed form serves as a start if β is at or above β_lim.
 const FORMER: [f64; 2] = [0.98, 0.5];
-/// Factors of β for starts from motions at neighbouring friction ratios.
+/// Factors on β that give the neighbouring friction ratios of starts.
 const NEIGHBOURS: [f64; 4] = [0.97, 1.03, 0.8, 1.25];
 
 /// Iterator over the steady states of [`At::states`].  Each state is computed when it is requested.
@@ -43,7 +43,7 @@ impl<T: ProvidesOrbit> States<T> {
         };
         add(Some(Start::Rest));
         let zero = T::Scalar::constant(0.0);
-        // With μ = 1 the distance of two motions never grows, so that one start is enough.
+        // With μ = 1 the distance of two motions never grows, so that all starts lead to the same state.
         let law = Rigid::on_chain(&at.scene().numbers().chain, beta);
         if law.is_contraction() || beta.is_zero() {
             return Ok(Self::from_starts(at, beta, starts));

@@ -7,11 +7,11 @@ use crate::number::scalar::Float;
 /// steady state with more segments is not reported.
 pub const MAX_SEGMENTS: usize = 64;
 
-/// Upper bound on the cycles followed from rest or from a given state before the search gives up.
+/// Upper bound on the cycles that the search follows from rest or from a given state before it gives up.
 pub const MAX_CYCLES: u32 = 1024;
 
-/// Upper bound on the steps of all walks of one search.  Ordinary scenes need far fewer.  Modes a thousand times as
-/// fast as the excitation would need as many in every cycle.
+/// Upper bound on the steps of all searches for events in one search for a steady state.  Ordinary scenes need far
+/// fewer.  A scene whose modes are a thousand times as fast as the excitation would need that number in every cycle.
 pub const MAX_STEPS: u32 = 1 << 20;
 
 /// The start of a segment of the period.
@@ -19,18 +19,18 @@ pub const MAX_STEPS: u32 = 1 << 20;
 pub(super) struct SegmentStart<S> {
     /// State of the contact at the start, with the phase of the excitation within its cycle.
     pub(super) contact_state: ContactState<S>,
-    /// Cycle of the start, counted from that of the first mark.
+    /// Cycle of the start, counted from the cycle of the first mark.
     pub(super) cycle: S,
     /// Length of the segment in τ.
     pub(super) length: S,
     /// z̄ at the start.
     pub(super) relative: S,
-    /// Number of following segments that are not stored.  Those segments are computed again from this one.
+    /// Number of segments after this one that are not stored.  They are computed again from this one.
     pub(super) more: u32,
 }
 
 impl<S: Float> SegmentStart<S> {
-    /// Returns a mark of zeros, to initialise arrays.
+    /// Returns a mark with zeros everywhere, to initialise arrays.
     pub(super) fn empty() -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -42,8 +42,8 @@ impl<S: Float> SegmentStart<S> {
         }
     }
 
-    /// z̄ at the end of a segment in which the contact sticks, or `None` if the contact slides.  While the contact
-    /// sticks, z̄ at the end equals z̄ at the start to the last digit.
+    /// Returns z̄ at the end of a segment in which the contact sticks, or `None` if the contact slides.  While the
+    /// contact sticks, z̄ at the end equals z̄ at the start to the last digit.
     pub(super) fn stuck_at(&self) -> Option<S> {
         (self.contact_state.contact == Contact::Stuck).then_some(self.relative)
     }
@@ -70,8 +70,8 @@ pub struct Orbit<'a, S, P, V, C> {
     pub(super) settled: bool,
     /// Largest |offset| of the contact's motion in a continuum of steady states, if known.
     pub(super) offset_range: Option<S>,
-    /// The excitation's phase in half-turns at τ = 0, which is the end of a maximum of z̄.  `origin_cycle` is its
-    /// cycle, as in [`SegmentStart`].
+    /// The excitation's phase in half-turns at τ = 0, where z̄ leaves its maximum.  `origin_cycle` is the cycle of that
+    /// instant, counted as in [`SegmentStart`].
     pub(super) origin: S,
     pub(super) origin_cycle: S,
 }

@@ -30,13 +30,13 @@ pub struct Moment<S> {
 }
 
 impl<S: Float> Moment<S> {
-    /// Displacement x̄ of the mass.
+    /// Returns the displacement x̄ of the mass.
     #[must_use]
     pub fn displacement(&self) -> S {
         self.displacement
     }
 
-    /// Velocity dx̄/dτ of the mass.
+    /// Returns the velocity dx̄/dτ of the mass.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.velocity
@@ -55,11 +55,12 @@ pub struct Simulation<'a, S, P, L = Constant> {
     level: L,
     /// State of the contact at the start of the segment.
     contact_state: ContactState<S>,
-    /// Phase of the excitation at the start of the segment, and at the present instant.
+    /// Phase of the excitation at the start of the segment (`start`), and at the present instant (`now`).
     start: Clock<S>,
     now: Clock<S>,
-    /// The segment once its end has been found, and the length of it that has passed.  The search is made once, however
-    /// short the steps of the run.  A new search close to an event would find the event a second time.
+    /// The current segment once its end has been found, and the time in τ that has passed in it.  The simulation
+    /// searches for the end only once, however short the steps of the run are.  A new search close to an event would
+    /// find the event a second time.
     sought: Option<Sought<S>>,
     passed: Total<S>,
 }
@@ -72,7 +73,8 @@ pub type FixedLinesSimulation<S, const PARTS: usize> =
 
 /// Upper bound on the pieces of motion that one call follows if the kinetic friction changes with the speed.  A piece
 /// ends at an event, or where the speed reaches the next straight line of the friction law.  It also ends where the
-/// power series of the motion ends.  At the bound the call returns, and the motion continues in another segment.
+/// power series of the motion ends.  If a call reaches the bound it returns, and the motion continues in another
+/// segment.
 pub const MAX_STRETCHES: u32 = 4096;
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> {
@@ -116,7 +118,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P, 
     where
         S: Plain,
     {
-        // r is checked before the law's speeds, which depend on r, so that an error names the true cause.
+        // The speeds of the law depend on r.  r is checked first, so that an error names the true cause.
         let mut run = Self::under(dynamics, (r, beta, lines), state, parts)?;
         lines.check()?;
         run.setting.check_lines(run.parts.as_ref(), &lines)?;
@@ -154,25 +156,25 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         })
     }
 
-    /// Number of completed cycles of the excitation.
+    /// Returns the number of completed cycles of the excitation.
     #[must_use]
     pub fn cycles(&self) -> u64 {
         self.now.cycles
     }
 
-    /// τ within the excitation's cycle, in [0, 2π).
+    /// Returns τ within the excitation's cycle, in [0, 2π).
     #[must_use]
     pub fn phase(&self) -> S {
         self.now.t * S::pi()
     }
 
-    /// State of the contact from now on.
+    /// Returns the state of the contact from the present instant on.
     #[must_use]
     pub fn contact(&self) -> Contact {
         self.contact_state.contact
     }
 
-    /// Motion of a mass now, by its index in the description.  An index without a mass gives rest.
+    /// Returns the present motion of a mass, by its index in the description.  An index without a mass gives rest.
     #[must_use]
     pub fn mass(&self, index: usize) -> Moment<S> {
         let shape = self.setting.dynamics.shape(index);
@@ -194,9 +196,9 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         (self.setting.relative(self.parts.as_ref(), at), velocity)
     }
 
-    /// The friction force in the contact now, over P.  While the contact slides, it is the kinetic friction force.
-    /// While the contact sticks, it is the force that keeps the contact at rest.  A positive force opposes positive
-    /// sliding.
+    /// Returns the present friction force in the contact, over P.  While the contact slides, it is the kinetic friction
+    /// force.  While the contact sticks, it is the force that keeps the contact at rest.  A positive force opposes
+    /// positive sliding.
     #[must_use]
     pub fn friction(&self) -> S {
         let (contact, at) = (self.contact_state.contact, phase(self.now.t));
@@ -241,7 +243,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         segment.contact = self.find_end(reach).contact_state.contact;
         let (length, mut ended) = self.advance_within(reach);
         segment.length = length;
-        // A segment that was searched before may end without an event short of the reach.
+        // A segment that an earlier call has searched may end without an event before the reach.
         if known && ended == Some(None) && length < reach {
             let (more, next) = self.advance_within(reach - length);
             segment.length = length + more;
@@ -261,7 +263,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         segment
     }
 
-    /// Returns the current segment, and searches at least a cycle for its end if that is still unknown.
+    /// Returns the current segment.  If its end is unknown, searches for it over at least a cycle.
     fn find_end(&mut self, reach: S) -> Sought<S> {
         if let Some(sought) = self.sought {
             return sought;
@@ -273,7 +275,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
             .setting
             .seek_under(level, parts, self.contact_state, reach);
         if sought.holds() {
-            // The contact could not leave zero velocity, and continues to stick.
+            // The contact could not leave zero velocity, so it continues to stick.
             let (modes, held) = self.setting.split(parts);
             let end = ended(&self.setting, modes, &sought, phase(self.now.t));
             sought = seek(&self.setting, modes, held, end.contact_state, reach);
@@ -283,7 +285,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
         sought
     }
 
-    /// Advances within the segment.  Returns the length advanced, and how the segment ends if it is over.
+    /// Advances within the current segment by at most `reach`.  Returns the length advanced.  If the segment is over,
+    /// also returns the event at its end, or `None` inside if it ends without an event.
     fn advance_within(&mut self, reach: S) -> (S, Option<Option<Event>>) {
         let sought = self.find_end(reach);
         let parts = self.parts.as_mut();

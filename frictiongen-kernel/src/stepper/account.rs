@@ -1,4 +1,4 @@
-//! Work and energy of a stepper's run.
+//! Work and energy of a stepper's run. They are the terms of its energy balance.
 
 use super::state::Store;
 use super::table::Tables;
@@ -15,7 +15,8 @@ pub struct Work<S> {
     pub load: S,
     /// Work dissipated by friction.
     pub friction: S,
-    /// Work dissipated by modal damping: the rest of the load's work.
+    /// Work dissipated by modal damping, computed from the balance: the work of the load minus friction and stored
+    /// energy.
     pub damping: S,
     /// Increase of kinetic and elastic energy since the start.
     pub stored: S,
@@ -51,8 +52,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// Kinetic and elastic energy of the chain, over k₁.  [`pull`](Self::pull) adds the share of the base's
-    /// displacement.
+    /// Returns the kinetic and elastic energy of the chain, over k₁. [`pull`](Self::pull) adds the contribution of the
+    /// base's displacement.
     pub(super) fn energy(&self) -> S {
         let half = S::constant(0.5);
         let modes = self.scene.dynamics.modes.iter().enumerate();
@@ -63,7 +64,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         sum * half
     }
 
-    /// Energy that the springs to the moving base store because of the base's displacement, over k₁.
+    /// Returns the energy that the springs to the moving base store because of the base's displacement, over k₁.
     pub(super) fn pull(&self) -> S {
         let zero = S::constant(0.0);
         if !self.scene.on_base {

@@ -1,5 +1,5 @@
-//! One sub-interval of a step: by the tables where the contact certainly has no event, by a search for events
-//! elsewhere.
+//! Advances through one sub-interval of a step.  The stepper uses its tables if the contact certainly has no event, and
+//! searches for events otherwise.
 
 use super::interval::Interval;
 use crate::motion::Contact;
@@ -26,8 +26,8 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
 
     /// Advances without friction.  No force then keeps the contact at rest, so that its turning points are no events.
     ///
-    /// The tables serve for the whole sub-interval.  Power series about events would not do.  Their rounded sums do not
-    /// keep the energy of an undamped chain in step with the work.
+    /// The stepper uses the tables for the whole sub-interval, and no power series about events.  Rounded sums of such
+    /// series would not keep the energy of an undamped chain equal to the work.
     fn advance_without_friction(&mut self) {
         if self.status.contact == Contact::Stuck && !self.status.unknown {
             self.start_sliding();
@@ -38,7 +38,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         self.advance_by_tables(0);
     }
 
-    /// Advances the modes from index `first` on, which feel no friction, over the whole sub-interval.
+    /// Advances the modes from index `first` on over the whole sub-interval.  Friction does not act on these modes.
     fn advance_by_tables(&mut self, first: usize) {
         for index in first..self.store.modes.len() {
             let Some(step) = self.table.modes.get(index) else {

@@ -1,9 +1,9 @@
-//! Upper bounds on the cost of a step, counted from the lengths of its loops.
+//! Upper bounds on the cost of a step in floating-point operations, counted from the lengths of its loops.
 
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::motion::{LOST_MODES, WALK};
 
-/// Sizes from which the cost of a step follows.
+/// Sizes of a scene and its tables, from which the cost of a step follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extent {
     /// Number of modes.
@@ -20,7 +20,8 @@ pub struct Extent {
     pub parts: u64,
     /// True if the contact rubs on a moving base.
     pub on_moving_base: bool,
-    /// True if the friction law has more lines than the last one.  A second walk then looks for the end of each line.
+    /// True if the friction law has several straight lines.  A second search then looks for the end of the current
+    /// line.
     pub lines: bool,
 }
 
@@ -32,25 +33,25 @@ pub struct Extent {
 /// `scripts/firmware` checks these bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cost {
-    /// Cost of a step in which no sub-interval is searched for events.
+    /// Cost of a step without a search for events, in operations.
     pub tables: u64,
-    /// Cost of a step with one event.  All other sub-intervals go by the tables, and each walk takes [`Cost::WALK`]
-    /// evaluations.
+    /// Cost of a step with one event, in operations.  All other sub-intervals use the tables, and each search takes
+    /// [`Cost::WALK`] evaluations.
     pub one_event: u64,
-    /// Cost bound of any step: [`MAX_STRETCHES`] pieces in every sub-interval, each walk with as many evaluations as it
-    /// may have.
+    /// Upper bound on the cost of any step, in operations.  It counts [`MAX_STRETCHES`] pieces in every sub-interval,
+    /// and the largest permitted number of evaluations in each search.
     pub most: u64,
 }
 
 impl Cost {
-    /// Upper bound on the instructions of an operation.
+    /// Upper bound on the processor instructions of one operation.
     pub const INSTRUCTIONS: u64 = 4;
-    /// Upper bound on the further instructions of a sub-interval.
+    /// Upper bound on the processor instructions of a sub-interval that belong to no operation.
     pub const FIXED: u64 = 400;
-    /// Usual upper bound on the evaluations of a walk to an event.
+    /// Usual upper bound on the evaluations of the contact's function in a search for one event.
     pub const WALK: u64 = 8;
 
-    /// Computes the cost from the sizes of a scene and its tables.
+    /// Computes the cost of a step from the sizes of a scene and its tables.
     #[must_use]
     pub const fn of(extent: &Extent) -> Self {
         let attempt = extent.attempt();
@@ -60,7 +61,7 @@ impl Cost {
         let tables = extent.parts * attempt;
         Self {
             tables,
-            // The step costs one piece up to the event, one piece from the event on, and the event between both.
+            // The step costs one piece before the event, one piece after the event, and the event itself.
             one_event: tables + 2 * usual + extent.event() + extent.held_force(),
             most: extent.parts
                 * (attempt
@@ -73,7 +74,7 @@ impl Cost {
 }
 
 impl Extent {
-    /// Cost of a sub-interval by the tables, or of the attempt at it.
+    /// Returns the cost of advancing one sub-interval by the tables.  A failed attempt costs the same.
     const fn attempt(&self) -> u64 {
         let Self {
             modes,
@@ -83,7 +84,7 @@ impl Extent {
             ..
         } = *self;
         let load = 2 * inputs * d;
-        // A mode costs the rows of its table, the work, and the bound on the second derivative.
+        // The cost of a mode is that of the rows of its table, the work, and the bound on the second derivative.
         let mode = load + (d + 1) * (3 + 2 * d) + 4 * d + 30;
         let base = if self.on_moving_base { 8 * d } else { 0 };
         let held = 2 * load + base + 2 * d * (3 + 4 * d) + (5 * inputs + 9) * d + 30;
@@ -94,12 +95,12 @@ impl Extent {
         } else {
             sliding
         };
-        // Inputs, base and work are counted in the constants.
+        // The constants include the inputs, the base and the work.
         (modes - driven) * mode + contact + 80 + 6 * inputs * d
     }
 
-    /// Cost of the force in the sticking contact without the stuck chain's modes, and of the work of the base that
-    /// carries it.
+    /// Returns the cost of the force in the sticking contact without the stuck chain's modes.  Includes the work of the
+    /// base on which the contact sticks.
     const fn still(&self) -> u64 {
         let d = self.coefficients;
         let base = if self.on_moving_base {
@@ -110,12 +111,12 @@ impl Extent {
         4 * self.inputs * d + 12 + base
     }
 
-    /// Cost of the force in the sticking contact at the end of a sub-interval.
+    /// Returns the cost of the force in the sticking contact at the end of a sub-interval.
     const fn held_force(&self) -> u64 {
         self.still() + 2 * self.driven
     }
 
-    /// Cost of one piece of a searched sub-interval, without its walk.
+    /// Returns the cost of one piece of motion between events, without the search for its end.
     const fn stretch(&self) -> u64 {
         let Self {
             driven,
@@ -124,10 +125,10 @@ impl Extent {
             terms,
             ..
         } = *self;
-        // The series costs, for each mode, its share of the function, its drive, and its next coefficients.
+        // For each mode the power series costs the mode's term in the function, its drive, and its next coefficients.
         let base = if self.on_moving_base { 8 } else { 0 };
         let series = terms * (driven * (16 + base) + 14) + d * driven * 4 * inputs;
-        // The moments advance the oscillators, and the inputs' polynomials are shifted to the end of the piece.
+        // The moments advance the oscillators.  The inputs' polynomials are shifted to the end of the piece.
         let moved = driven * (terms * (14 + 7 * d) + (8 * inputs + 9) * d + 12);
         let rest = 4 * terms + (inputs + 1) * d * d + 60;
         let on_base = if self.on_moving_base { 50 + 20 * d } else { 0 };
@@ -135,13 +136,14 @@ impl Extent {
         series + moved + rest + on_base + 8 * terms
     }
 
-    /// Cost of one evaluation of a walk: the series, two derivatives, and the length of the next step.
+    /// Returns the cost of one evaluation in a search: the series, two derivatives, and the length of the next step.
     const fn evaluation(&self) -> u64 {
-        // The walk's step takes at most twelve steps of Newton's method and one square root.
+        // The length of the next step takes at most twelve steps of Newton's method and one square root.
         6 * self.terms + 12 * 14 + 120
     }
 
-    /// Cost of a change between sliding and sticking: each oscillator of one chain is summed from all of the other.
+    /// Returns the cost of a change between sliding and sticking.  Each oscillator of one chain is a sum over all
+    /// oscillators of the other chain.
     const fn event(&self) -> u64 {
         self.driven * (8 * self.driven + 2 * self.inputs + 12) + 40
     }

@@ -1,9 +1,10 @@
-//! Sums over the few coefficients of an input, without loops.  On a microcontroller a loop costs more than its sum.
+//! Sums over the few coefficients of an input, without loops.  On a microcontroller a loop would cost more than the
+//! sum.
 
 use crate::number::scalar::Float;
 
-/// Returns start + Σ a·b, and sums the products first.  Where an input changes its sign within a sub-interval the
-/// products cancel.  Each product added alone to `start` would be rounded at the size of the larger terms.
+/// Returns start + Σ a·b, where the products are summed first.  If an input changes its sign within a sub-interval, the
+/// products cancel.  Added one by one to `start`, they would leave the rounding errors of larger numbers.
 #[inline(always)]
 pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) -> S {
     match (a.as_slice(), b.as_slice()) {
@@ -19,7 +20,7 @@ pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) ->
     }
 }
 
-/// Adds factor·terms to `sum`.
+/// Adds the coefficients factor·terms to `sum`.
 #[inline(always)]
 pub(super) fn add<S: Float, const D: usize>(sum: &mut [S; D], factor: S, terms: &[S; D]) {
     match (sum.as_mut_slice(), terms.as_slice()) {
@@ -42,7 +43,7 @@ pub(super) fn add<S: Float, const D: usize>(sum: &mut [S; D], factor: S, terms: 
     }
 }
 
-/// Upper bounds on the size of a drive over a sub-interval, and on the size of its slope.
+/// Returns upper bounds on the absolute value of a drive polynomial over a sub-interval, and on that of its derivative.
 #[inline(always)]
 pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     let (two, three) = (S::constant(2.0), S::constant(3.0));
@@ -66,7 +67,7 @@ pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     }
 }
 
-/// Fills all moments but the first, each from its row.
+/// Computes all moments except the first, each from its row of the table.
 #[inline(always)]
 pub(super) fn later<S, R, const D: usize>(
     moments: &mut [S; D],

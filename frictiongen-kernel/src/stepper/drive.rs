@@ -13,8 +13,8 @@ pub struct Sample<'i, S> {
     pub base: [S; 2],
     /// The forces, one for each loaded mass.
     pub forces: &'i [S],
-    /// The kinetic friction force F, not negative.  Friction of this size acts over the step that leads to this sample,
-    /// or over the step that starts from this sample with zero-order hold.
+    /// The kinetic friction force F, not negative.  With linear input it acts over the step that ends at this sample.
+    /// With zero-order hold it acts over the step that starts at this sample.
     pub friction: S,
 }
 
@@ -26,7 +26,7 @@ impl<S: Float> Sample<'_, S> {
         let energy = limit * limit * scene.units.stiffness;
         let sound = |value: S| {
             let size = value.abs();
-            // The work of an input in a step is a few times its square over k₁, which has to stay finite too.  The
+            // The work of an input in a step is a few times its square over k₁, and has to stay finite too.  The
             // comparison must be strict, because infinity is not less than infinity.
             size <= most && size * size < energy
         };
@@ -61,7 +61,7 @@ impl<S: Float> Sample<'_, S> {
 pub(super) struct Stretch<S> {
     /// Start of the sub-interval, from 0 to 1.
     pub start: S,
-    /// Length of the sub-interval.
+    /// Length of the sub-interval, as a fraction of the step.
     pub length: S,
 }
 
@@ -74,7 +74,8 @@ impl<S: Float> Stretch<S> {
         }
     }
 
-    /// The straight line over the sub-interval, from its values at the start and at the end of the step.
+    /// Returns the coefficients over the sub-interval of a straight line.  `from` and `to` are its values at the start
+    /// and at the end of the step.
     pub(super) fn line<const D: usize>(self, from: S, to: S) -> [S; D] {
         let rise = to - from;
         let mut terms = [S::constant(0.0); D];
@@ -85,7 +86,7 @@ impl<S: Float> Stretch<S> {
         terms
     }
 
-    /// The cubic over the step, as a polynomial over the sub-interval.
+    /// Converts a cubic over the step to a polynomial over the sub-interval.
     pub(super) fn cubic(self, cubic: [S; 4]) -> [S; 4] {
         let mut terms = cubic;
         if self.length == S::constant(1.0) {
@@ -101,8 +102,9 @@ impl<S: Float> Stretch<S> {
     }
 }
 
-/// The base's displacement over a step, with velocities per step.  A linear input gives the cubic with the displacement
-/// and the velocity at both end points.  Zero-order hold gives the straight line from the displacement at the start.
+/// Returns the base's displacement over a step as a cubic, with the step as the unit of time.  With linear input the
+/// cubic has the given displacement and velocity at both end points.  With zero-order hold it is the straight line from
+/// the displacement at the start.
 pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [S; 4] {
     let zero = S::constant(0.0);
     let (two, three) = (S::constant(2.0), S::constant(3.0));
@@ -119,7 +121,7 @@ pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [
     }
 }
 
-/// Shifts the instant about which a polynomial is written by `by`.
+/// Shifts the origin of a polynomial by `by`.
 pub(super) fn shift<S: Float>(terms: &mut [S], by: S) {
     let count = terms.len();
     for start in 0..count {
@@ -131,19 +133,19 @@ pub(super) fn shift<S: Float>(terms: &mut [S], by: S) {
     }
 }
 
-/// The coefficients of a polynomial's derivative.
+/// Returns the coefficients of a cubic's derivative.
 pub(super) fn derived<S: Float>([_, b, c, d]: [S; 4]) -> [S; 4] {
     let (two, three) = (S::constant(2.0), S::constant(3.0));
     [b, two * c, three * d, S::constant(0.0)]
 }
 
-/// The value of a polynomial at `place`.
+/// Returns the value of a polynomial at the instant `place`.
 pub(super) fn at<S: Float>(terms: &[S], place: S) -> S {
     let terms = terms.iter().rev();
     terms.fold(S::constant(0.0), |sum, term| sum * place + *term)
 }
 
-/// The growth of a polynomial from 0 to `place`.
+/// Returns the change of a polynomial from 0 to the instant `place`.
 pub(super) fn growth<S: Float>(terms: &[S], place: S) -> S {
     at(terms.get(1..).unwrap_or_default(), place) * place
 }

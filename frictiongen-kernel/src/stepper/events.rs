@@ -1,4 +1,4 @@
-//! One sub-interval of a step that is searched for events and followed from event to event.
+//! One sub-interval of a step in which the stepper searches for events, and advances from event to event.
 
 use super::interval::{Departure, Interval, ROUNDINGS};
 use super::{MAX_EVENTS, MAX_STRETCHES};
@@ -6,7 +6,7 @@ use crate::motion::{Contact, line_at};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
-    /// Follows the contact from event to event to the end of the sub-interval.
+    /// Advances from event to event to the end of the sub-interval.
     pub(super) fn follow_events(&mut self) {
         let one = S::constant(1.0);
         let mut departing = None;
@@ -53,12 +53,12 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         }
         let force = self.stuck_force();
         let law = self.status.law;
-        // The acceleration of a moving base is not known before the first step.  The first step decides whether the
+        // The acceleration of a moving base is unknown before the first step.  Only the first step decides whether the
         // contact breaks away.
         self.status.contact_force = law.limited(force);
         let slide = law.leave_rest(force);
         if let Some(slide) = slide.filter(|_| !self.scene.rubs_on_base()) {
-            // The contact breaks away at once.  The first step finds that again, and counts the event.
+            // The contact breaks away at once.  The first step finds the break-away again, and counts it as an event.
             self.start_sliding();
             self.status.contact = slide.contact;
             self.status.contact_force = law.kinetic(slide.contact);
@@ -78,7 +78,8 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         self.status.line = line_at(self.scene.law, speed);
         let size = velocity.size + self.status.given * pace.span;
         if rate.abs() <= size * S::constant(ROUNDINGS * S::EPSILON) {
-            // The search that follows decides from the force in the contact whether it breaks away at once.
+            // The search for events follows.  It decides from the contact force whether the contact breaks away at
+            // once.
             self.start_sticking(None);
         }
     }

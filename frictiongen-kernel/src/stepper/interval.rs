@@ -1,4 +1,4 @@
-//! A stepper within one sub-interval of a step.
+//! Data of a stepper during one sub-interval of a step.
 
 use super::drive::shift;
 use super::scene::StepScene;
@@ -6,24 +6,25 @@ use super::state::{Status, StoreMut};
 use super::table::View;
 use crate::number::scalar::Float;
 
-/// Rounding bound of a sum over modes, in roundings of the sum of its terms' sizes.
+/// Bound on the rounding error of a sum over modes, in roundings of the sum of its terms' absolute values.
 pub(super) const ROUNDINGS: f64 = 8.0;
-/// Over a unit of time a function deviates from its chord by at most this multiple of its largest second derivative.
+/// Bound on the distance of a function from its chord over a unit of time, as a multiple of the largest second
+/// derivative: 1/8.
 pub(super) const OFF_CHORD: f64 = 0.125;
 
-/// A stepper within one sub-interval of a step.
+/// Data of a stepper during one sub-interval of a step. Times count in sub-intervals.
 pub(super) struct Interval<'t, 'a, S, const D: usize> {
     pub scene: &'t StepScene<'a, S>,
     pub table: View<'t, S, D>,
     pub store: StoreMut<'t, S, D>,
     pub status: &'t mut Status<S>,
-    /// The base's displacement over the sub-interval as a polynomial, where the contact rubs on the base.
+    /// The base's displacement over the sub-interval as a polynomial. It is used where the contact rubs on the base.
     pub base: [S; 4],
-    /// Progress through the sub-interval, from 0 to 1.  The polynomials of the inputs are about this instant.
+    /// Progress through the sub-interval, from 0 to 1. The inputs' polynomials have their origin at this instant.
     pub progress: S,
     /// Number of events in the sub-interval so far.
     pub events: u32,
-    /// True if the bound on followed events or pieces was reached.
+    /// True if the sub-interval reached the bound on events or pieces of motion.
     pub exceeded: bool,
 }
 
@@ -32,7 +33,7 @@ pub(super) struct Interval<'t, 'a, S, const D: usize> {
 pub(super) struct Departure<S> {
     /// Relative acceleration in the direction of sliding.
     pub slope: S,
-    /// Displacement at which the contact stuck until now, if it stuck.
+    /// Displacement at which the contact stuck until now, or `None` if it did not stick.
     pub stuck: Option<S>,
 }
 
@@ -45,7 +46,8 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         self.scene.terms(self.table.pace.terms)
     }
 
-    /// Acceleration of the contact under a force that exceeds by `excess` the force that would keep its velocity.
+    /// Returns the acceleration of the contact. `excess` is the contact force minus the force that would keep the
+    /// contact's velocity constant.
     pub(super) fn acceleration(&self, excess: S) -> S {
         self.scene.acceleration(&self.table.pace, excess)
     }
@@ -63,7 +65,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         self.status.dissipated = self.status.dissipated.plus(friction);
     }
 
-    /// Advances the instant by `tau` and shifts the inputs' polynomials to the new instant.
+    /// Advances the progress by `tau`, and moves the origin of the inputs' polynomials to the new instant.
     pub(super) fn shift_inputs(&mut self, tau: S) {
         let one = S::constant(1.0);
         let end = one - self.progress <= tau;
@@ -75,7 +77,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
     }
 }
 
-/// Integrates the product of two polynomials from 0 to `place`.
+/// Integrates the product of two polynomials from 0 to the instant `place`.
 pub(super) fn product<S: Float>(a: &[S], b: &[S], place: S) -> S {
     let one = S::constant(1.0);
     let mut sum = S::constant(0.0);
@@ -91,7 +93,7 @@ pub(super) fn product<S: Float>(a: &[S], b: &[S], place: S) -> S {
     sum
 }
 
-/// Integrates a power series from 0 to `place`.
+/// Integrates a power series from 0 to the instant `place`.
 pub(super) fn integral<S: Float>(terms: &[S], place: S) -> S {
     product(terms, &[S::constant(1.0)], place)
 }

@@ -46,8 +46,8 @@ pub use state::{FixedStore, Store, StoreMut, StoreRef};
 pub use table::{Channel, FixedTables, HeldLoad, Tables, View, fill, series_terms};
 pub use types::{ContactNow, FixedStepper, MassNow, Stepped, Stepper};
 
-/// Upper bound on the events that the stepper follows in one sub-interval of a step.  After that many events, a contact
-/// at rest stays stuck for the rest of the sub-interval, and a sliding contact slides without friction.
+/// Upper bound on the events that the stepper follows in one sub-interval of a step.  After this number of events, a
+/// contact at rest stays stuck for the rest of the sub-interval, and a sliding contact slides without friction.
 pub const MAX_EVENTS: u32 = 8;
 
 /// Upper bound on the pieces of motion that the stepper follows in one sub-interval of a step.  A piece ends at an

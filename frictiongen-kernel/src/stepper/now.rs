@@ -1,4 +1,4 @@
-//! The state that a stepper reports: the masses, the contact, and the friction force.
+//! Present state of a stepper, as it reports it: the masses, the contact, and the friction force.
 
 use super::cost::Cost;
 use super::interval::ROUNDINGS;
@@ -9,30 +9,30 @@ use crate::motion::{Contact, line};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
-    /// Upper bounds on the cost of a step.
+    /// Returns upper bounds on the cost of a step, in floating-point operations.
     #[must_use]
     pub fn cost(&self) -> Cost {
         let pace = self.tables.view().pace;
         self.scene.cost(D, pace.parts, pace.terms)
     }
 
-    /// The length of a step, in seconds.
+    /// Returns the length of a step, in seconds.
     #[must_use]
     pub fn dt(&self) -> S {
         self.tables.view().pace.step
     }
 
-    /// Number of steps taken since the start.
+    /// Returns the number of steps taken since the start.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.status.steps
     }
 
-    /// The time since the start, in seconds.
+    /// Returns the time since the start, in seconds.
     #[must_use]
     pub fn time(&self) -> S {
-        // Two halves of 32 bits become a scalar without double precision, which a microcontroller would have to
-        // emulate.
+        // A conversion of 64 bits would need double precision, which a microcontroller has to emulate.  Two halves of
+        // 32 bits do not need it.
         let [high, low] = [
             self.status.steps >> 32,
             self.status.steps & u64::from(u32::MAX),
@@ -41,13 +41,13 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         (high * S::constant(4_294_967_296.0) + low) * self.dt()
     }
 
-    /// Number of steps in which a sub-interval reached the bound on followed events or pieces.
+    /// Returns the number of steps in which a sub-interval reached the bound on events or pieces of motion.
     #[must_use]
     pub fn exceeded(&self) -> u64 {
         self.status.exceeded
     }
 
-    /// μ, static over kinetic friction force.
+    /// Returns μ, the ratio of static to kinetic friction force.
     #[must_use]
     pub fn stiction(&self) -> S {
         self.status.law.stiction
@@ -82,14 +82,15 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// Displacement of the sticking contact including the base's, and its velocity in the time t√(k₁/m₁).
+    /// Returns displacement and velocity of the contact point while the contact sticks, including the motion of the
+    /// base.  The velocity is in the time t√(k₁/m₁).
     pub(super) fn lifted(&self) -> (S, S) {
         let [place, velocity] = self.carrying();
         (self.status.stuck_at + place, velocity)
     }
 
-    /// Displacement and velocity of the base in the time t√(k₁/m₁), or zeros if the contact does not rub on a moving
-    /// base.
+    /// Returns displacement and velocity of the base on which the contact rubs, in the time t√(k₁/m₁).  Both are zero
+    /// if the contact does not rub on a moving base.
     fn carrying(&self) -> [S; 2] {
         if self.scene.rubs_on_base() {
             let [place, velocity] = self.status.base;
@@ -99,7 +100,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// Motion of a mass now, by its index in the description.  An index without a mass gives rest.
+    /// Returns the present motion of a mass, by its index in the description.  An index without a mass gives rest.
     #[must_use]
     pub fn mass(&self, index: usize) -> MassNow<S> {
         let sticks = self.status.contact == Contact::Stuck && !self.status.unknown;
@@ -128,7 +129,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         }
     }
 
-    /// Displacement of a mode, and its velocity in the time t√(k₁/m₁).
+    /// Returns the displacement of a mode, and its velocity in the time t√(k₁/m₁).
     pub(super) fn mode(&self, index: usize) -> [S; 2] {
         let zero = S::constant(0.0);
         let dynamics = &self.scene.dynamics;

@@ -2,7 +2,7 @@
 
 use crate::number::scalar::Float;
 
-/// Division of a step into sub-intervals, with the constants of the scene that go with it.
+/// Division of a step into sub-intervals, with the constants of the scene that depend on it or are used with it.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace<S> {
     /// The step, in seconds.
@@ -13,11 +13,12 @@ pub struct Pace<S> {
     pub span: S,
     /// Angle by which the fastest oscillator turns in a sub-interval, including its damping, in rad.  It is at most 1.
     pub rate: S,
-    /// Number of terms that a power series needs over a sub-interval.
+    /// Number of terms that a power series needs over a sub-interval, so that the neglected terms are below rounding.
     pub terms: u32,
     /// wᵀK̄⁻¹w, the displacement of the contact per unit of steady force.
     pub receptance: S,
-    /// Σ 2ζc/σ over the receptance: damping force per unit of velocity of the sticking contact, times m*.
+    /// Σ 2ζc/σ over the receptance: damping force per unit of velocity of the sticking contact, times the inverse
+    /// effective mass m*.
     pub drag: S,
 }
 

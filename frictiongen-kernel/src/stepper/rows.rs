@@ -1,14 +1,14 @@
-//! The response of an oscillator over a sub-interval of a step, as products of constants with its state and its drive.
+//! Tables of an oscillator over a sub-interval of a step: constants that are multiplied by its state and its drive.
 
 use super::dot::dot;
 use crate::motion::TERMS;
 use crate::number::scalar::Float;
 
-/// Weights of a mode's state, y and u, and of the coefficients of its drive.
+/// A row of a mode's table: weights of the mode's state (y and u), and of the coefficients of its drive.
 ///
-/// The first moment and `turn` are three shears instead, so that rounded weights create no energy.  First y gains
-/// before·u, then u gains turn·y + loss·u, then y gains after·u.  The `state` of the first moment is [before, after],
-/// and that of `turn` is [turn, loss].  See docs/decisions/0001-passive-step.md.
+/// The first row of `moments` and the row `turn` are written as three shears, so that rounded weights create no energy.
+/// First y gains before·u, then u gains turn·y + loss·u, then y gains after·u.  The `state` of the first moment is
+/// [before, after], and the `state` of `turn` is [turn, loss].  See docs/decisions/0001-passive-step.md.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<S, const D: usize> {
     /// Weights of y and u at the start.
@@ -17,8 +17,8 @@ pub struct Row<S, const D: usize> {
     pub drive: [S; D],
 }
 
-/// Weights of a stuck chain's mode: of its state, and of the coefficients of the drives of y′ and u′.  The first moment
-/// and the first of `turns` are three shears, as described at [`Row`].
+/// A row of the table of a stuck chain's mode: weights of the mode's state, and of the coefficients of the drives of y′
+/// and u′.  The first moment and the first of `turns` are three shears, as [`Row`] describes.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldRow<S, const D: usize> {
     /// Weights of y and u at the start.
@@ -27,25 +27,27 @@ pub struct HeldRow<S, const D: usize> {
     pub drive: [[S; D]; 2],
 }
 
-/// A mode over a sub-interval of a step: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with the sub-interval as the unit of time.
+/// Table of a mode over a sub-interval of a step: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with the sub-interval as the unit
+/// of time.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeStep<S, const D: usize> {
     /// Ω, the angle by which the mode would turn without damping, in rad.
     pub angle: S,
     /// ζ, the modal damping ratio.
     pub zeta: S,
-    /// Rate of u per unit of force on the mode: Ω/σ².
+    /// Rate of u per unit of force on the mode: Ω/σ², with the natural frequency ratio σ.
     pub per_force: S,
-    /// φᵀw, the mode's share in the contact's displacement.
+    /// φᵀw, the component of the mode in the contact's displacement.
     pub contact: S,
-    /// Weights of the gain of u over the sub-interval.
+    /// Weights that give the increase of u over the sub-interval.
     pub turn: Row<S, D>,
-    /// Weights of ∫ sʲ y′ ds over the sub-interval, for j = 0, 1, ….  The first is the gain of y.  All moments together
-    /// give the work of the drive.
+    /// Weights that give the moments ∫ sʲ y′ ds over the sub-interval, for j = 0, 1, …. The first moment is the
+    /// increase of y.  All moments together give the work of the drive.
     pub moments: [Row<S, D>; D],
 }
 
-/// A mode of the stuck chain over a sub-interval of a step: y′ = Ωu + drive, u′ = −Ω(y + 2ζu) + drive.
+/// Table of a stuck chain's mode over a sub-interval of a step: y′ = Ωu + drive, u′ = −Ω(y + 2ζu) + drive.  The two
+/// drives are different.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldStep<S, const D: usize> {
     /// Ω, the angle by which the mode would turn without damping, in rad.
@@ -54,17 +56,17 @@ pub struct HeldStep<S, const D: usize> {
     pub zeta: S,
     /// −(contact force)/y: the contact force per unit of y, with the opposite sign.
     pub force: S,
-    /// Rates that the velocity and the acceleration of a moving base add to y and u, where the contact sticks to the
-    /// base.
+    /// Rates of y and u per unit of velocity and of acceleration of a moving base.  They apply while the contact sticks
+    /// to the base.
     pub from_base: [[S; 2]; 2],
-    /// Weights of ∫ sʲ y′ ds over the sub-interval.
+    /// Weights that give ∫ sʲ y′ ds over the sub-interval.
     pub moments: [HeldRow<S, D>; D],
-    /// Weights of ∫ sʲ u′ ds over the sub-interval.
+    /// Weights that give ∫ sʲ u′ ds over the sub-interval.
     pub turns: [HeldRow<S, D>; D],
 }
 
-/// Next coefficients of an oscillator's power series times their order, from the present coefficients and those of the
-/// drives of y′ and u′.
+/// Returns the next coefficients of y and u in an oscillator's power series, each multiplied by its order.  They follow
+/// from the present coefficients of y and u and of the drives of y′ and u′.
 #[inline]
 pub(super) fn next<S: Float>(
     (angle, zeta): (S, S),
@@ -76,7 +78,7 @@ pub(super) fn next<S: Float>(
     [rise, turn]
 }
 
-/// Integrates ∫ sʲ y′ ds and ∫ sʲ u′ ds of an oscillator up to `place`, from a state and under a drive.
+/// Computes the moments ∫ sʲ y′ ds and ∫ sʲ u′ ds of an oscillator from 0 to `place`, for a state at 0 and a drive.
 pub(super) fn moments<S: Float, const D: usize>(
     of: (S, S),
     mut state: [S; 2],
@@ -105,12 +107,12 @@ pub(super) fn moments<S: Float, const D: usize>(
     sums
 }
 
-/// Writes the gains of y and u over a sub-interval as three shears.
+/// Rewrites the weights of y and u over a sub-interval as three shears.
 ///
-/// A product of shears has the determinant 1 with any weights.  With these weights the product is a rotation in
-/// coordinates that differ from y and u by a rounding.  Without damping a quadratic form close to the energy is
-/// therefore conserved exactly.  The weight `loss` sets the determinant, e^(−2ζΩ), and with it the energy that damping
-/// takes.
+/// A product of shears has the determinant 1, whatever the weights are.  With these weights the product is a rotation
+/// in coordinates that differ from y and u by a rounding.  Without damping it therefore conserves a quadratic form
+/// close to the energy exactly.  The weight `loss` sets the determinant to e^(−2ζΩ), and thus the energy that damping
+/// dissipates.
 fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S, D>; D]; 2]) {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [rises, turns] = rows;
@@ -130,7 +132,8 @@ fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S
             *rise = *rise - after * turn;
         }
     }
-    // A constant force on an undamped oscillator is an impulse between its shears.
+    // Under a constant force on an undamped oscillator, the force acts as an impulse between the first and the last
+    // shear.
     let [_, of_force] = &mut rise.drive;
     if let (true, [constant, ..]) = (undamped, &mut of_force[..]) {
         *constant = zero;

@@ -1,4 +1,4 @@
-//! A stepper that advances from sample to sample.
+//! Advances a stepper from sample to sample.
 
 use super::Input;
 use super::drive::{Sample, Stretch, base_motion};
@@ -12,8 +12,8 @@ use crate::motion::{Contact, Rigid, steepest};
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
-/// Largest change of the contact's velocity that a friction law may cause in a sub-interval, as a multiple of that
-/// velocity.  Under a steeper law a power series converges over a small fraction of the sub-interval only.
+/// Largest relative change of the contact's velocity that a friction law may cause in a sub-interval.  Under a steeper
+/// law a power series would converge over only a small fraction of the sub-interval.
 const STEEPEST: f64 = 16.0;
 
 impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, S, D, T, V> {
@@ -140,7 +140,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         let pace = self.tables.view().pace;
         let steep = steepest(self.scene.law);
         if S::constant(0.0) < steep {
-            // Relative change of the contact's velocity that the law causes within a sub-interval.
+            // This is the relative change of the contact's velocity that the law causes within a sub-interval.
             let friction = sample.friction / self.scene.units.stiffness;
             let seconds = pace.step / S::constant(f64::from(pace.parts));
             let rate = self.scene.acceleration(&pace, friction * steep / seconds);
@@ -185,10 +185,10 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         Ok(stepped)
     }
 
-    /// Advances through one sub-interval of a step.  Returns the number of events and whether more were due than are
-    /// followed.
-    // Inlined into the loop, the function makes the compiler prepare addresses for further sub-intervals in every step,
-    // although most steps have only one.
+    /// Advances through one sub-interval of a step.  Returns the number of events, and whether events were left out
+    /// because of the bound.
+    // The compiler must not inline this function into the loop.  It would then prepare addresses for further
+    // sub-intervals in every step, although most steps have only one.
     #[inline(never)]
     fn advance_interval(
         &mut self,
@@ -201,7 +201,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         (interval.events, interval.exceeded)
     }
 
-    /// Returns the state of a sub-interval at its start, with the inputs written as polynomials over the sub-interval.
+    /// Returns the data of a sub-interval at its start, with the inputs written as polynomials over the sub-interval.
     #[inline]
     fn interval(
         &mut self,
@@ -222,7 +222,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         }
     }
 
-    /// Accounts for the jump of the base at the start of a step with zero-order hold.  A mass that rubs on the base
+    /// Takes account of a jump of the base at the start of a step with zero-order hold.  A mass that rubs on the base
     /// does not jump with the base.
     fn jump_base(&mut self, [place, velocity]: [S; 2]) {
         if !self.scene.rubs_on_base() || self.status.unknown {
@@ -241,7 +241,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         self.status.unknown = true;
     }
 
-    /// Writes the state of the modes from that of the stuck chain, while the contact sticks.
+    /// Computes the state of the modes from that of the stuck chain, while the contact sticks.
     fn release(&mut self) {
         let lifted = self.lifted();
         let receptance = self.tables.view().pace.receptance;
@@ -277,7 +277,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         base
     }
 
-    /// Sets μ, static over kinetic friction force, from the next step on.
+    /// Sets μ, the ratio of static to kinetic friction force, from the next step on.
     ///
     /// # Errors
     /// [`OutOfDomain::Stiction`] for NaN, infinity, numbers beyond the scalar's safe range, and numbers less than 1.

@@ -12,7 +12,7 @@ use crate::number::scalar::Float;
 pub struct Saved<S, V> {
     pub(super) status: Status<S>,
     pub(super) store: V,
-    /// Hash of the scene and step, from `Stepper::mark`.
+    /// Hash of the scene and the step, computed by `Stepper::mark`.
     mark: u64,
 }
 
@@ -51,7 +51,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         Ok(())
     }
 
-    /// Hashes everything that gives the state its meaning: the scene with its units and loads, and the step.
+    /// Returns a hash of the scene with its units and loads, and of the step.  A saved state has a meaning only
+    /// together with them.
     fn mark(&self) -> u64 {
         let View {
             pace,
@@ -87,7 +88,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
     }
 }
 
-/// A hash of numbers: FNV-1a over words of 64 bits, with the upper half folded into the lower one.
+/// A hash of numbers: FNV-1a over words of 64 bits.  After each word the upper half is combined with the lower half.
 struct Hash(u64);
 
 impl Hash {
@@ -97,7 +98,7 @@ impl Hash {
 
     fn word(&mut self, word: u64) -> &mut Self {
         let mixed = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
-        // The product carries only upwards, so that the upper half has to be folded back.
+        // A product carries only to higher bits.  The upper half therefore has to be combined with the lower half.
         self.0 = mixed ^ (mixed >> 32);
         self
     }

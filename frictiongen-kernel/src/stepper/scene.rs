@@ -1,4 +1,4 @@
-//! The data of a scene that a stepper needs.
+//! Data of a scene that a stepper needs.
 
 use super::cost::{Cost, Extent};
 use super::input::Input;
@@ -6,7 +6,7 @@ use super::pace::Pace;
 use crate::motion::{Dynamics, TERMS};
 use crate::number::scalar::Float;
 
-/// Factors from non-dimensional groups to the units of the scene.
+/// Factors that convert non-dimensional groups to the units of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units<S> {
     /// k₁, force over displacement.
@@ -17,7 +17,7 @@ pub struct Units<S> {
     pub support: S,
 }
 
-/// A scene as a stepper needs it.
+/// Data of a scene that a stepper needs.
 #[derive(Clone, Copy, Debug)]
 pub struct StepScene<'a, S> {
     /// The modes of the chain, and the modes of the chain whose contact sticks.
@@ -30,26 +30,27 @@ pub struct StepScene<'a, S> {
     pub forces: &'a [usize],
     /// Interpolation of the input between two samples.
     pub input: Input,
-    /// Points (v, f) of Stribeck's law: speed, and kinetic friction over its value at zero speed, with v ascending.
-    /// Empty for Coulomb's law.
+    /// Points (v, f) of Stribeck's law, with v ascending.  v is the speed in the scene's unit, and f the kinetic
+    /// friction force over its value at zero speed.  The list is empty for Coulomb's law.
     pub law: &'a [[S; 2]],
 }
 
 impl<S: Float> StepScene<'_, S> {
-    /// Number of inputs: the base's motion, and a force for each loaded mass.
+    /// Returns the number of inputs: the base's motion if the base moves, and a force for each loaded mass.
     #[must_use]
     pub fn channels(&self) -> usize {
         usize::from(self.on_base) + self.forces.len()
     }
 
-    /// The angle by which the fastest oscillator turns in a second, including its damping, in rad.  A step dt is cut
-    /// into as many sub-intervals as this rate times dt, rounded up.
+    /// Returns the angle by which the fastest oscillator turns in a second, including its damping, in rad.  A step dt
+    /// is cut into as many sub-intervals as this rate times dt, rounded up.
     #[must_use]
     pub fn fastest(&self) -> S {
         self.turning() * self.units.rate
     }
 
-    /// The angle by which the fastest oscillator turns in a unit of the time t√(k₁/m₁), including its damping, in rad.
+    /// Returns the angle by which the fastest oscillator turns in a unit of the time t√(k₁/m₁), including its damping,
+    /// in rad.
     pub(super) fn turning(&self) -> S {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let turned = |frequency: S, zeta: S| frequency * (one + two * zeta);
@@ -60,8 +61,8 @@ impl<S: Float> StepScene<'_, S> {
         modes.chain(held).fold(S::constant(0.0), S::max)
     }
 
-    /// Number of coefficients of an input's polynomial over a step in emitted tables.  The tables of a system at run
-    /// time may have room for more.
+    /// Returns the number of coefficients of an input's polynomial over a step in emitted tables.  The tables of a
+    /// system at run time may have room for more.
     fn coefficients(&self) -> usize {
         match (self.input, self.on_base) {
             (Input::Hold, false) => 1,
@@ -70,19 +71,21 @@ impl<S: Float> StepScene<'_, S> {
         }
     }
 
-    /// Number of terms of a power series, where `enough` terms converge over a sub-interval.
+    /// Returns the number of terms of a power series that the stepper uses.  `enough` is the number of terms of the
+    /// oscillators' series that are not below rounding over a sub-interval.
     pub(super) fn terms(&self, enough: u32) -> usize {
         let terms = if self.law.is_empty() {
             usize::try_from(enough).unwrap_or(TERMS)
         } else {
             TERMS
         };
-        // The input's last coefficient starts a series of its own, so that its order adds to the number of terms.
+        // The last coefficient of the input starts a series of its own.  The number of the input's coefficients is
+        // therefore added to the number of terms.
         (terms + self.coefficients()).clamp(5, TERMS)
     }
 
-    /// Upper bounds on the cost of a step that is cut into `parts` sub-intervals.  `coefficients` is the number of
-    /// coefficients of an input, and `terms` the number of terms of a power series over a sub-interval
+    /// Returns upper bounds on the cost of a step that is cut into `parts` sub-intervals.  `coefficients` is the number
+    /// of coefficients of an input.  `terms` is the number of terms of a power series over a sub-interval
     /// ([`series_terms`](super::series_terms)).
     #[must_use]
     pub fn cost(&self, coefficients: usize, parts: u32, terms: u32) -> Cost {
@@ -99,7 +102,7 @@ impl<S: Float> StepScene<'_, S> {
         })
     }
 
-    /// Load of a mode per unit of an input.
+    /// Returns the load on a mode per unit of an input.
     pub(super) fn load(&self, channel: usize, mode: usize) -> S {
         let zero = S::constant(0.0);
         if self.on_base && channel == 0 {
@@ -112,7 +115,7 @@ impl<S: Float> StepScene<'_, S> {
         shape.get(mode).copied().unwrap_or(zero)
     }
 
-    /// The contact's acceleration under `force`, in lengths a sub-interval squared.
+    /// Returns the contact's acceleration under `force`, in units of length per squared sub-interval.
     pub(super) fn acceleration(&self, pace: &Pace<S>, force: S) -> S {
         self.dynamics.chain.inverse_mass * force * pace.span * pace.span
     }

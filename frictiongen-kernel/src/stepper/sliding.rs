@@ -1,4 +1,5 @@
-//! A sub-interval in which the contact slides: by the tables, or as a power series up to an event.
+//! A sub-interval in which the contact slides.  The stepper advances by the tables, or by a power series up to an
+//! event.
 
 use super::dot::add;
 use super::drive::{at, derived, growth};
@@ -8,7 +9,8 @@ use crate::motion::{Line, Power, Start, Walk, first_zero, line};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
-    /// The line of the friction law on which the speed lies.  The line's speeds are in lengths a sub-interval.
+    /// Returns the straight line of the friction law on which the speed lies.  The line's speeds are in units of length
+    /// per sub-interval.
     #[inline]
     pub(super) fn line(&self) -> Line<S> {
         let mut line = line(self.scene.law, self.status.line);
@@ -23,7 +25,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         line
     }
 
-    /// Rate that the inputs add to the u of a mode.
+    /// Returns the rate that the inputs add to u of a mode, as a polynomial over the sub-interval.
     #[inline]
     pub(super) fn load(&self, mode: usize) -> [S; D] {
         let mut sum = [S::constant(0.0); D];
@@ -34,7 +36,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         sum
     }
 
-    /// Velocity of the base that carries the contact, at the start and at the end of the sub-interval.
+    /// Returns the velocity of the base on which the contact rubs, at the start and at the end of the sub-interval.
     fn base_velocities(&self) -> [S; 2] {
         if !self.scene.rubs_on_base() {
             return [S::constant(0.0); 2];
@@ -43,7 +45,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         [velocity[0], at(&velocity, S::constant(1.0))]
     }
 
-    /// Advances by the tables if the contact certainly keeps sliding, and returns whether it does.
+    /// Advances by the tables if the contact certainly keeps sliding.  Returns true if it did.
     pub(super) fn slide_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);
         let line = self.line();
@@ -102,7 +104,8 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         true
     }
 
-    /// Slides until the contact stops, its speed reaches the next line of the law, or the sub-interval ends.
+    /// Slides until the contact stops, the speed reaches the next line of the law, or the sub-interval or the power
+    /// series ends.
     pub(super) fn slide_to_event(
         &mut self,
         departing: Option<Departure<S>>,
@@ -127,7 +130,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             }
         };
         let mut rises = false;
-        // A piece of motion without length has no earlier crossing.
+        // A piece of motion of length zero has no earlier crossing.
         if let Some(high) = line.high.filter(|_| zero < tau) {
             let seen = velocity.seen(-sign, -high, tau);
             match first_zero(&seen, Start::Anywhere, &mut steps) {
@@ -162,8 +165,8 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         })
     }
 
-    /// Length over which a power series of the sliding motion converges.  A steep law bends the motion more than the
-    /// modes do.
+    /// Returns the length over which a power series of the sliding motion converges, in sub-intervals.  A steep law
+    /// changes the motion faster than the modes do.
     fn series_reach(&self, slope: S) -> S {
         let left = S::constant(1.0) - self.progress;
         let pace = &self.table.pace;
@@ -175,7 +178,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         }
     }
 
-    /// The contact force that would keep the relative velocity constant, while the contact slides.
+    /// Returns the contact force that would keep the relative velocity constant, while the contact slides.
     fn holding(&self) -> S {
         let two = S::constant(2.0);
         let mut sum = S::constant(0.0);
@@ -196,7 +199,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         sum / self.scene.dynamics.chain.inverse_mass
     }
 
-    /// The relative velocity as a power series about the present instant, under the friction force level +
+    /// Returns the relative velocity as a power series about the present instant.  The friction force is level +
     /// slope·velocity.
     pub(super) fn velocity_series(&mut self, [level, slope]: [S; 2]) -> Power<S> {
         let zero = S::constant(0.0);
@@ -240,7 +243,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         velocity
     }
 
-    /// Advances the modes that the contact drives by a piece of sliding of length `tau`.
+    /// Advances the modes that the contact drives by a sliding motion of length `tau`, without an event.
     pub(super) fn move_modes(&mut self, velocity: &Power<S>, [level, slope]: [S; 2], tau: S) {
         let zero = S::constant(0.0);
         let mut work = zero;
@@ -287,7 +290,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
     }
 }
 
-/// One coefficient of the rate that the inputs add to the u of a mode.
+/// Returns one coefficient of the rate that the inputs add to u of a mode.
 #[inline]
 fn load_term<S: Float, const D: usize>(loads: &[S], inputs: &[[S; D]], place: usize) -> S {
     let zero = S::constant(0.0);

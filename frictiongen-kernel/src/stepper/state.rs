@@ -11,9 +11,9 @@ pub struct StoreMut<'s, S, const D: usize> {
     pub modes: &'s mut [[S; 2]],
     /// y and u of the modes of the stuck chain, current while the contact sticks.
     pub held: &'s mut [[S; 2]],
-    /// Working space of one entry for each mode.
+    /// Working space, with one entry for each mode.
     pub scratch: &'s mut [[S; 2]],
-    /// Polynomials of the inputs over a sub-interval of the step.
+    /// Polynomials of the inputs over the present sub-interval.
     pub drive: &'s mut [[S; D]],
     /// The forces at the last sample, over k₁.
     pub last: &'s mut [S],
@@ -115,8 +115,8 @@ pub(super) struct Status<S> {
     pub contact: Contact,
     /// True while the contact's state must still be derived from its velocity and from the force in it.
     pub unknown: bool,
-    /// True if the contact was about to slide and could not.  Rounding then must not decide that the contact force
-    /// exceeds μF.
+    /// True if the contact was about to slide and could not.  Rounding alone must then not let the contact force exceed
+    /// μF.
     pub wedged: bool,
     /// Relative displacement of the contact while it sticks.
     pub stuck_at: S,
@@ -127,18 +127,18 @@ pub(super) struct Status<S> {
     /// The law of the contact, with forces over k₁.
     pub law: Rigid<S>,
     pub steps: u64,
-    /// Number of steps in which the bound on events was reached.
+    /// Number of steps in which a sub-interval reached the bound on events or pieces of motion.
     pub exceeded: u64,
-    /// The force in the contact at the end of the last step, over k₁, if the contact sticks or its state is unknown.
+    /// The contact force at the end of the last step, over k₁, if the contact sticks or its state is unknown.
     pub contact_force: S,
-    /// Work of the load, work dissipated by friction (`dissipated`), and the chain's energy at the start (`energy`),
-    /// all over k₁.
+    /// Work of the load (`load`), work dissipated by friction (`dissipated`), and the chain's energy at the start
+    /// (`energy`).  All are over k₁.
     pub load: Total<S>,
     pub dissipated: Total<S>,
     pub energy: S,
     pub pull: S,
-    /// Sum of the sizes of the terms of the contact's velocity in a given start state.  It is zero after the first
-    /// step.
+    /// Sum of the absolute values of the terms of the contact's velocity in the given start state.  It measures the
+    /// rounding error of that velocity, and is zero after the first step.
     pub given: S,
 }
 

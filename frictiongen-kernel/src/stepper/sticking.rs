@@ -1,4 +1,5 @@
-//! A sub-interval in which the contact sticks: by the tables, or as a power series up to an event.
+//! A sub-interval in which the contact sticks.  The stepper advances by the tables, or by a power series up to an
+//! event.
 
 use super::drive::at;
 use super::interval::{Departure, Interval, OFF_CHORD, ROUNDINGS};
@@ -7,7 +8,7 @@ use crate::motion::{Contact, Start, Walk, first_reach, lift};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
-    /// Advances by the tables if the contact certainly keeps sticking, and returns whether it does.
+    /// Advances by the tables if the contact certainly keeps sticking.  Returns true if it did.
     pub(super) fn stick_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);
         if self.status.wedged {
@@ -52,7 +53,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         true
     }
 
-    /// Sticks until the force in the contact reaches μF, or to the end of the sub-interval.
+    /// Sticks until the contact force reaches μF, or until the sub-interval ends.
     pub(super) fn stick_to_event(&mut self) -> Option<Departure<S>> {
         let zero = S::constant(0.0);
         let left = S::constant(1.0) - self.progress;
@@ -87,7 +88,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             self.move_held(tau);
         }
         let contact = breaks?;
-        // The force has reached μF, unless it had jumped beyond μF at the start.
+        // The force has just reached μF, except if it was already beyond μF at the start.
         let law = self.status.law;
         let slide = if zero < tau {
             law.break_away(contact)
@@ -104,7 +105,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         })
     }
 
-    /// Advances the modes of the stuck chain by a piece of sticking of length `tau`.
+    /// Advances the modes of the stuck chain by a sticking motion of length `tau`, without an event.
     pub(super) fn move_held(&mut self, tau: S) {
         let zero = S::constant(0.0);
         let mut work = self.carried_work(None, tau);
@@ -131,13 +132,8 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         self.shift_inputs(tau);
     }
 
-    /// Changes from sliding to sticking, at `place` or at the displacement that the modes give.  The modes of the stuck
-    /// chain take over the state.
-    ///
-    /// The state is projected as the difference between the modes and the rest position of the chain with its contact
-    /// at that displacement.  Far from the origin these differences are small differences of large numbers, above all
-    /// in the softest mode.  The rounding of these differences would strain stiff springs.  The differences do not
-    /// displace the contact, so that the softest mode's difference follows from the others.
+    /// Changes from sliding to sticking, at the displacement `place`, or at the displacement that the modes give.  The
+    /// state of the modes becomes the state of the stuck chain's modes.
     pub(super) fn start_sticking(&mut self, place: Option<S>) {
         let dynamics = &self.scene.dynamics;
         let receptance = self.table.pace.receptance;
@@ -172,7 +168,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         dynamics.project(receptance, states, (zero, rate), held);
     }
 
-    /// Changes from sticking to sliding.  The modes take over the state.
+    /// Changes from sticking to sliding.  The state of the stuck chain's modes becomes the state of the modes.
     pub(super) fn start_sliding(&mut self) {
         let [base, rate] = self.base_now();
         let lifted = (self.status.stuck_at + base, rate);

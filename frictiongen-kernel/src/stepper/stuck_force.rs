@@ -1,4 +1,4 @@
-//! The force in a sticking contact within a sub-interval, and the work of the inputs while it sticks.
+//! The force in a sticking contact within a sub-interval, and the work of the inputs while the contact sticks.
 
 use super::dot::add;
 use super::drive::{derived, growth};
@@ -9,7 +9,8 @@ use crate::motion::Power;
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
-    /// Rates that the inputs, and the base that carries the contact, add to y and u of a stuck chain's mode.
+    /// Returns the rates that the inputs add to y and u of a stuck chain's mode, as polynomials.  The base on which the
+    /// contact sticks counts as an input.
     #[inline]
     pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
         let mut sum = [[S::constant(0.0); D]; 2];
@@ -31,14 +32,14 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         sum
     }
 
-    /// Velocity and acceleration of the base as polynomials, if the contact rubs on the base.
+    /// Returns velocity and acceleration of the base as polynomials, if the contact rubs on the base.
     fn moving_base(&self) -> Option<[[S; 4]; 2]> {
         let velocity = derived(self.base);
         let motions = [velocity, derived(velocity)];
         self.scene.rubs_on_base().then_some(motions)
     }
 
-    /// Displacement of the base that carries the contact, and its velocity in the time t√(k₁/m₁).
+    /// Returns displacement and velocity of the base on which the contact rubs, in the time t√(k₁/m₁).
     pub(super) fn base_now(&self) -> [S; 2] {
         if self.scene.rubs_on_base() {
             let [place, velocity, ..] = self.base;
@@ -48,8 +49,8 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         }
     }
 
-    /// The force in the sticking contact without the share of the stuck chain's modes.  The result is a polynomial,
-    /// with an upper bound on its second derivative over the sub-interval.
+    /// Returns the force in the sticking contact without the contribution of the stuck chain's modes.  The result is a
+    /// polynomial, with an upper bound on its second derivative over the sub-interval.
     pub(super) fn force_without_modes(&self) -> ([S; 4], S) {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let pace = &self.table.pace;
@@ -84,7 +85,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         (sum, two * c.abs() + six * d.abs())
     }
 
-    /// The force in the sticking contact as a power series about the present instant.
+    /// Returns the force in the sticking contact as a power series about the present instant.
     pub(super) fn force_series(&mut self) -> Power<S> {
         let zero = S::constant(0.0);
         let mut force = Power::zero(self.terms());
@@ -131,15 +132,15 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         force
     }
 
-    /// The force in the sticking contact.
+    /// Returns the present force in the sticking contact.
     pub(super) fn stuck_force(&self) -> S {
         let ([still, ..], _) = self.force_without_modes();
         let held = self.table.held.iter().zip(&*self.store.held);
         held.fold(still, |sum, (step, [y, _])| sum - step.force * *y)
     }
 
-    /// Work of the inputs up to `place` while the base carries the sticking contact, without the share of the stuck
-    /// chain's modes.
+    /// Returns the work of the inputs from the present instant to `place` while the contact sticks to a moving base.
+    /// The result leaves out the contribution of the stuck chain's modes.
     pub(super) fn carried_work(&self, still: Option<&[S; 4]>, place: S) -> S {
         let zero = S::constant(0.0);
         if !self.scene.rubs_on_base() {
@@ -156,7 +157,8 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         work - product(&still, &velocity, place)
     }
 
-    /// Work that the inputs do through one mode of the stuck chain, from the mode's moments up to `place`.
+    /// Returns the work that the inputs do through one mode of the stuck chain, from the mode's moments over a motion
+    /// to `place`.
     pub(super) fn held_work(
         &self,
         mode: usize,
@@ -174,7 +176,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             }
         }
         if self.scene.rubs_on_base() {
-            // −∫F b′ is integrated by parts, with b counted from its present value.
+            // −∫F b′ is integrated by parts, where b counts from its present value.
             let rise = growth(&self.base, place);
             let mut sum = to * rise;
             for (term, moment) in self.base.iter().zip(moments).skip(1) {
@@ -186,7 +188,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
     }
 }
 
-/// One coefficient of the rates that the inputs add to y and u of a stuck chain's mode.
+/// Returns one coefficient of the rates that the inputs add to y and u of a stuck chain's mode.
 #[inline]
 fn held_load_term<S: Float, const D: usize>(
     loads: &[HeldLoad<S>],

@@ -1,4 +1,4 @@
-//! The constant tables of a step: responses of every oscillator over a sub-interval of the step.
+//! Constant tables of a step: the response of every oscillator over a sub-interval of the step.
 
 use super::MAX_PARTS;
 use super::pace::Pace;
@@ -8,10 +8,10 @@ use crate::errors::{Given, OutOfDomain, Slice};
 use crate::motion::{TERMS, lift};
 use crate::number::scalar::Float;
 
-/// A power series is continued until its terms are this many times smaller than a rounding.
+/// A power series ends where its next term is this factor below a rounding.
 const BELOW_ROUNDING: f64 = 16.0;
 
-/// Coupling of one input to one mode of the stuck chain.
+/// Coupling of one input with one mode of the stuck chain.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldLoad<S> {
     /// Rates of y and u of the mode per unit of the input.
@@ -20,7 +20,7 @@ pub struct HeldLoad<S> {
     pub reach: [S; 2],
 }
 
-/// Coupling of one input to the contact.
+/// Coupling of one input with the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Channel<S> {
     /// wᵀΓ⁻¹p, the contact's acceleration per unit of the input.
@@ -29,7 +29,7 @@ pub struct Channel<S> {
     pub lift: S,
 }
 
-/// View of the tables of a scene for one step length.
+/// View of the tables of a scene for one length of step.
 #[derive(Clone, Copy, Debug)]
 pub struct View<'t, S, const D: usize> {
     /// Division of the step into sub-intervals.
@@ -47,13 +47,13 @@ pub struct View<'t, S, const D: usize> {
 }
 
 impl<'t, S, const D: usize> View<'t, S, D> {
-    /// Rate of a mode's u per unit of each input.
+    /// Returns the rate of u of a mode, per unit of each input.
     #[inline]
     pub(super) fn loads_of(&self, mode: usize) -> &'t [S] {
         row(self.loads, mode, self.channels.len())
     }
 
-    /// Coupling of each input to a mode of the stuck chain.
+    /// Returns the coupling of each input with a mode of the stuck chain.
     #[inline]
     pub(super) fn held_loads_of(&self, mode: usize) -> &'t [HeldLoad<S>] {
         row(self.held_loads, mode, self.channels.len())
@@ -228,8 +228,8 @@ pub fn fill<S: Float, const D: usize>(
     Ok(pace)
 }
 
-/// Number of terms that a power series needs over a sub-interval in which the fastest oscillator turns by `rate`, at
-/// most 1.  The terms left out are below a sixteenth of a scalar's rounding.
+/// Returns the number of terms that a power series needs over a sub-interval in which the fastest oscillator turns by
+/// `rate`, at most 1 rad.  The neglected terms are below a sixteenth of the scalar's rounding.
 #[must_use]
 pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     let one = S::constant(1.0);

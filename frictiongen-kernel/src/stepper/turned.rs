@@ -1,11 +1,11 @@
-//! The motion of an oscillator over a whole sub-interval by its table.
+//! Advances an oscillator over a whole sub-interval by its table.
 
 use super::dot::{dot, later, sizes};
 use super::rows::{HeldStep, ModeStep};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize> ModeStep<S, D> {
-    /// Returns the state after a sub-interval, and the work of the load in it.
+    /// Returns the state after a sub-interval, and the work of the load during the sub-interval.
     #[inline]
     pub(super) fn moved(&self, [y, u]: [S; 2], drive: &[S; D], load: &[S; D]) -> ([S; 2], S) {
         let mut moments = [S::constant(0.0); D];
@@ -22,7 +22,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
         (next, work / self.per_force)
     }
 
-    /// Upper bound on |u″| over the sub-interval.
+    /// Returns an upper bound on |u″| over the sub-interval.
     #[inline]
     pub(super) fn bend(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
         let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);
@@ -32,7 +32,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
 }
 
 impl<S: Float, const D: usize> HeldStep<S, D> {
-    /// Returns the state after a sub-interval, and the moments of both rates.
+    /// Returns the state after a sub-interval, and the moments of y′ and u′.
     #[inline]
     pub(super) fn moved(&self, [y, u]: [S; 2], drive: &[[S; D]; 2]) -> ([S; 2], [[S; D]; 2]) {
         let mut moments = [[S::constant(0.0); D]; 2];
@@ -58,7 +58,7 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         (next, moments)
     }
 
-    /// Upper bound on |y″| over the sub-interval.
+    /// Returns an upper bound on |y″| over the sub-interval.
     #[inline]
     pub(super) fn bend(&self, [y, u]: [S; 2], [first, second]: &[[S; D]; 2]) -> S {
         let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);

@@ -1,4 +1,4 @@
-//! A stepper, and the answers that it gives.
+//! Types of a stepper, and of the results that it reports.
 
 use super::scene::StepScene;
 use super::state::{FixedStore, Status};
@@ -45,8 +45,8 @@ pub struct Stepped<S> {
     pub force: S,
     /// Number of stops, break-aways and reversals in the step.
     pub events: u32,
-    /// True if a sub-interval of the step reached the bound on followed events or pieces, so that its rest was
-    /// simplified.
+    /// True if a sub-interval of the step reached the bound on events or pieces of motion.  The rest of that
+    /// sub-interval was then simplified.
     pub exceeded: bool,
 }
 
@@ -68,13 +68,13 @@ pub struct ContactNow<S> {
 }
 
 impl<S: Float> MassNow<S> {
-    /// Displacement of the mass, in the scene's unit of length.
+    /// Returns the displacement of the mass, in the scene's unit of length.
     #[must_use]
     pub fn displacement(&self) -> S {
         self.displacement
     }
 
-    /// Velocity of the mass, in the scene's unit of length a second.
+    /// Returns the velocity of the mass, in the scene's unit of length per second.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.velocity
@@ -82,20 +82,21 @@ impl<S: Float> MassNow<S> {
 }
 
 impl<S: Float> ContactNow<S> {
-    /// Relative displacement of the contact, in the scene's unit of length.
+    /// Returns the relative displacement of the contact, in the scene's unit of length.
     #[must_use]
     pub fn displacement(&self) -> S {
         self.motion.displacement
     }
 
-    /// Relative velocity of the contact, in the scene's unit of length a second.  It is 0 while the contact sticks.
+    /// Returns the relative velocity of the contact, in the scene's unit of length per second.  It is 0 while the
+    /// contact sticks.
     #[must_use]
     pub fn velocity(&self) -> S {
         self.motion.velocity
     }
 
-    /// Friction force in the contact, in the scene's unit of force.  While the contact sticks, it is the force that
-    /// keeps the contact at rest.  A positive force opposes sliding in the positive direction.
+    /// Returns the friction force in the contact, in the scene's unit of force.  While the contact sticks, it is the
+    /// force that keeps the contact at rest.  A positive force opposes sliding in the positive direction.
     #[must_use]
     pub fn force(&self) -> S {
         self.force

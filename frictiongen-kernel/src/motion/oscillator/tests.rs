@@ -1,5 +1,5 @@
-//! Tests of the quantities that limit a walk's steps: derivatives of an oscillator's motion, and the bound on the
-//! third.
+//! Tests of the quantities that limit the steps of a search for events: the derivatives of an oscillator's motion, and
+//! the bound on the third derivative.
 
 use super::*;
 use crate::motion::series::Sum;
@@ -55,18 +55,18 @@ fn third_derivatives_stay_within_their_bound() {
             }
         }
         println!("ζ {zeta}: {most} of the bound");
-        // A loose bound would make walks slow.
+        // A loose bound would be correct, but would make searches slow.
         assert!(most > 0.3, "ζ {zeta}: {most}");
     }
     println!("{compared} derivatives compared, none skipped");
     assert_eq!(compared, 11 * 400 * 40);
 }
 
-/// Slope and curvature of the searched function agree with differences of the function and of its slope.  They also
-/// agree near a resonance, where a forced motion grows.
+/// Slope and curvature of the searched function agree with finite differences.  This also holds near a resonance, where
+/// the forced motion grows from zero.
 #[test]
 fn slope_and_curve_are_derivatives() {
-    // Central differences lose h² to curvature and ε/h to rounding.
+    // The error of a central difference is h² times a curvature, plus ε/h for rounding.
     const STEP: f64 = 1e-5;
     let mut random = Random(31);
     let (mut compared, mut beside) = (0, 0);
@@ -117,7 +117,7 @@ fn slope_and_curve_are_derivatives() {
     assert!(compared == 6000 && beside > 100);
 }
 
-/// Near a resonance the response to the load grows from 0.  Its Taylor series at the start is that of its closed form.
+/// Near a resonance the response to the load grows from 0.  Its Taylor series at the start agrees with its closed form.
 #[test]
 fn the_series_of_what_grows() {
     let mut random = Random(31);

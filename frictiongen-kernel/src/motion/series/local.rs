@@ -1,14 +1,16 @@
-//! A function between two events as a walk needs it: its derivatives at an instant, or its series from the start.
+//! A function of time between two events, in the form that a search for its zeros needs: its derivatives at an instant,
+//! or its power series from the start.
 
 use crate::number::scalar::Float;
 
-/// Rounding bound of a sum over modes, in roundings of the sum of its terms' sizes.
+/// Bound on the rounding error of a sum over modes, in roundings of the sum of its terms' absolute values.
 pub(crate) const ROUNDINGS: f64 = 4.0;
-/// Length over which a series serves, in radians of the fastest oscillator.  The terms left out, of the order 0.03⁹/9!,
-/// are below rounding.
+/// Length up to which a series of [`ORDER`] terms is used, in radians of the fastest oscillator.  The neglected terms,
+/// of the order 0.03⁹/9!, are below rounding.
 pub(crate) const SERIES_REACH: f64 = 0.03;
 
-/// Upper bound on the steps of a walk along one segment.  A segment that needs more continues in another segment.
+/// Upper bound on the steps of a search along one segment.  A segment that needs more steps continues in another
+/// segment.
 pub const MAX_STEPS: u32 = 4000;
 
 /// Value and derivatives of a function at one instant.
@@ -17,31 +19,31 @@ pub(crate) struct Local<S> {
     pub value: S,
     pub slope: S,
     pub curve: S,
-    /// Upper bound on |f‴| from this instant on, over the reach.
+    /// Upper bound on |f‴| from this instant to the end of the searched length.
     pub bound: S,
 }
 
 /// Number of derivatives in a series, including the value.
 pub(crate) const ORDER: usize = 9;
 
-/// A function by its derivatives at the start.
+/// A function of time, given by its derivatives at the start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Series<S> {
     terms: [S; ORDER],
-    /// Length up to which the terms left out are below rounding.
+    /// Length in τ up to which the neglected terms are below rounding.
     pub reach: S,
 }
 
 impl<S: Float> Series<S> {
-    /// Creates a series from the derivatives at the start.  Beyond `reach` the terms left out exceed rounding.
+    /// Creates a series from the derivatives at the start.  Beyond `reach` the neglected terms exceed rounding.
     pub(crate) fn new(terms: [S; ORDER], reach: S) -> Self {
         Self { terms, reach }
     }
 
-    /// Value, slope and curvature at τ.
+    /// Returns value, slope and curvature at τ. `bound` becomes the bound on the third derivative in the result.
     pub(crate) fn at(&self, tau: S, bound: S) -> Local<S> {
-        // The terms are written out, because in a loop the reciprocals would be double-precision divisions on the
-        // target.
+        // The terms are written out.  In a loop the reciprocals would be divisions in double precision on a
+        // microcontroller.
         let [c0, c1, c2, c3, c4, c5, c6, c7, c8] = self.terms;
         let [h2, h3, h4, h5, h6, h7, h8] = [
             S::constant(1.0 / 2.0),
@@ -88,23 +90,23 @@ impl<S: Float> Series<S> {
         }
     }
 
-    /// The derivative of this order at the start.
+    /// Returns the derivative of the given order at the start.
     pub(crate) fn term(&self, order: usize) -> S {
         self.terms.get(order).copied().unwrap_or(S::constant(0.0))
     }
 }
 
-/// A function that a walk follows.
+/// A function of time whose zeros or peaks a *walk* finds.  A walk is a sequence of steps that passes no zero.
 pub(crate) trait Walked<S> {
-    /// Upper bound on the steps of a walk along the function.
+    /// Upper bound on the steps of one walk along the function.
     const MOST: u32 = MAX_STEPS;
-    /// Value and derivatives of the function at τ, with a bound on its third derivative from τ on.
+    /// Returns value and derivatives of the function at τ, with a bound on its third derivative from τ on.
     fn local(&self, tau: S) -> Local<S>;
-    /// Series of the function shortly after the start, for a value and a slope that are known better than by
-    /// evaluation.
+    /// Returns the series of the function from the start.  The caller gives value and slope at the start, which it
+    /// knows more accurately than by evaluation.
     fn series(&self, value: S, slope: S) -> Series<S>;
-    /// Rounding noise of a value.
+    /// Returns the rounding error of a value of the function.
     fn noise(&self) -> S;
-    /// Length in τ over which the function is searched.
+    /// Returns the length in τ over which the function is searched.
     fn reach(&self) -> S;
 }

@@ -1,4 +1,5 @@
-//! Functions of the contact between two events, by sums over oscillators or by power series.
+//! Functions of the contact between two events, such as its velocity or its force. They are sums over oscillators or
+//! power series.
 
 mod local;
 mod power;

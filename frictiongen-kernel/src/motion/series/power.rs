@@ -1,20 +1,20 @@
-//! A function of the contact as a power series about an instant, for a walk to follow.
+//! A function of the contact as a power series about an instant, in the form that a search for its zeros needs.
 
 use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series, Walked};
 use crate::number::scalar::Float;
 
-/// Upper bound on the terms of a power series.  1/24! is below the rounding of every scalar that has a table.
+/// Upper bound on the number of terms of a power series.  1/24! is below the rounding of every scalar that has a table.
 pub(crate) const TERMS: usize = 24;
 
-/// Upper bound on the steps of a walk along a series.
+/// Upper bound on the steps of a search along a power series.
 pub(crate) const WALK: u32 = 64;
 
-/// The series Σ c_n sⁿ, with the size of its first terms for a rounding bound.
+/// The power series Σ c_n sⁿ, with the size of its first terms, from which a rounding bound follows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Power<S> {
     pub terms: [S; TERMS],
     pub count: usize,
-    /// Sum of the sizes of all summands of the first terms.
+    /// Sum of the absolute values of all summands of the first terms.
     pub size: S,
 }
 
@@ -40,7 +40,7 @@ impl<S: Float> Power<S> {
         self.terms.get(place).copied().unwrap_or(S::constant(0.0))
     }
 
-    /// The function sign·f − level, up to `reach`.
+    /// Returns the function sign·f − level for the search, over the length `reach`, where f is this series.
     pub(crate) fn seen(&self, sign: S, level: S, reach: S) -> Seen<'_, S> {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let mut bound = S::constant(0.0);
@@ -62,7 +62,7 @@ impl<S: Float> Power<S> {
     }
 }
 
-/// A power series up to `reach`, with a bound on its third derivative over that length.
+/// The function sign·f − level of a power series f over the length `reach`, with a bound on its third derivative.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen<'p, S> {
     power: &'p Power<S>,
@@ -107,8 +107,7 @@ impl<S: Float> Walked<S> for Seen<'_, S> {
         }
         let [first, second, ..] = &mut terms;
         (*first, *second) = (value, slope);
-        // The terms left out are below rounding, because the terms of a motion that turns by at most a radian fall as
-        // factorials.
+        // The neglected terms are below rounding.  A motion that turns by at most a radian has terms that fall as 1/n!.
         Series::new(terms, S::constant(SERIES_REACH))
     }
 

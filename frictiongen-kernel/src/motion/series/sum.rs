@@ -1,13 +1,13 @@
 //! A function of time between two events, with its derivatives and a bound on its third derivative.  The function is a
-//! fundamental component at the excitation's frequency plus a sum over oscillators.  Each oscillator is a mode of the
-//! chain with a free contact or with a stuck one.
+//! component at the excitation's frequency plus a sum over oscillators.  The oscillators are the modes of the free
+//! chain or of the stuck chain.
 
 use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series, Walked};
 use crate::motion::oscillator::Part;
 use crate::number::scalar::Float;
 
 /// The function constant + cosine·cos τ + sine·sin τ + Σ of the oscillators' free motions.  An oscillator near its
-/// resonance adds its growing forced motion too.
+/// resonance also adds its forced motion, which grows from zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sum<'a, S> {
     pub parts: &'a [Part<S>],
@@ -18,16 +18,17 @@ pub(crate) struct Sum<'a, S> {
     pub phase: (S, S),
     /// Length in τ over which the function is searched.
     pub reach: S,
-    /// Rounding noise of a value.
+    /// Rounding error of a value of the function.
     pub noise: S,
-    /// Largest ratio of a derivative to the function that it derives.
+    /// Upper bound on the rate of change of the function, as a derivative over the function's own size.  It is the rate
+    /// of the fastest oscillator, in rad per rad of the excitation.
     pub(crate) rate: S,
     /// Bound on the third derivative of the fundamental component and of the oscillators near a resonance.
     bound: S,
 }
 
 impl<'a, S: Float> Sum<'a, S> {
-    /// Creates the sum.  `parts` must have been prepared with [`Part::aim`].
+    /// Creates the sum.  [`Part::aim`] must have prepared each of `parts`.
     pub(crate) fn new(
         parts: &'a [Part<S>],
         constant: S,
@@ -44,7 +45,7 @@ impl<'a, S: Float> Sum<'a, S> {
             noise = noise + a.abs() + b.abs();
             rate = rate.max(part.x * (one + part.zeta + part.zeta));
             if part.near {
-                // |y⁗|, |y‴| ≤ 4 + 4τ for |x − 1| ≪ 1 and a unit force.
+                // For a unit force and |x − 1| ≪ 1, |y‴| and |y⁗| are at most 4 + 4τ.
                 let [of_y, of_u] = part.weight;
                 let push = part.push() * (of_y.abs() + of_u.abs()) * two;
                 bound = bound + push * (four + four * reach);
@@ -64,7 +65,7 @@ impl<'a, S: Float> Sum<'a, S> {
         }
     }
 
-    /// Value and derivatives of the function at τ.
+    /// Returns value and derivatives of the function at τ.
     #[inline]
     pub(crate) fn local(&self, tau: S) -> Local<S> {
         let t = tau * S::inverse_pi();
@@ -106,8 +107,8 @@ impl<S: Float> Walked<S> for Sum<'_, S> {
         self.local(tau)
     }
 
-    /// Series from the start with the given value and slope, and the largest τ for which the series is exact to
-    /// rounding.
+    /// Returns the series from the start, with the given value and slope.  Its reach is the largest τ at which the
+    /// series is exact to rounding.
     fn series(&self, value: S, slope: S) -> Series<S> {
         let mut terms = [S::constant(0.0); ORDER];
         let (mut cosine, mut sine) = (self.cosine, self.sine);

@@ -1,39 +1,40 @@
-//! A walk along a function to its first zero, which misses no zero.  A bound on the third derivative limits each step
-//! to where the function is certainly positive.  The steps shrink onto the zero from the left, and so also serve as the
-//! root finder.
+//! Searches for the first zero of a function in safe steps, and misses no zero.  This search is called a *walk*.  A
+//! bound on the third derivative limits each step to a length over which the function is certainly positive.  The steps
+//! shrink as they approach the zero, so that the walk also locates the zero.
 
 use super::step;
 use crate::motion::series::{Local, ROUNDINGS, Series, Walked};
 use crate::number::scalar::Float;
 
-/// Factor on the rounding noise by which a force must pass its level after the contact has just failed to leave.
+/// Margin by which a force must exceed the break-away level after the contact has just failed to slide, in units of the
+/// rounding error.
 const WEDGED: f64 = 16.0;
-/// Least advance behind a graze of zero, in roundings of the instant.
+/// Smallest advance after an instant at which the function only touches zero, in roundings of the instant.
 const PAST: f64 = 4.0;
 
 /// Result of a walk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Walk<S> {
-    /// A zero at this instant.  The flag is true for a function that meets −level instead of level.
+    /// The function has a zero at this instant.  The flag is true if the function reaches −level instead of level.
     Zero(S, bool),
-    /// No zero up to this instant.
+    /// The function has no zero up to this instant.
     Until(S),
-    /// The function does not leave zero upwards.
+    /// The function starts at zero and does not become positive.
     NoStart,
 }
 
 /// Value of the function at the start of a walk.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Start<S> {
-    /// The value that evaluation gives.
+    /// The value that evaluation of the function gives.
     Anywhere,
     /// Exactly zero, with this slope.
     Zero(S),
-    /// The function has just failed to leave.  It must pass the level by more than rounding.
+    /// The contact has just failed to slide.  The force must exceed its level by more than rounding.
     Wedged,
 }
 
-/// Finds the first zero of a function that starts positive, and adds the walk's steps to `steps`.
+/// Finds the first zero of a function that starts positive.  Adds the number of steps to `steps`.
 pub(crate) fn first_zero<S: Float, F: Walked<S>>(
     sum: &F,
     start: Start<S>,
@@ -88,8 +89,8 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
     Walk::Until(tau)
 }
 
-/// Finds the first instant from `from` on at which |sum| reaches `level`.  The flag is true if the sum reaches −level.
-/// The walk's steps are added to `steps`.
+/// Finds the first instant from `from` on at which |sum| reaches `level`.  The flag of the result is true if the sum
+/// reaches −level.  Adds the number of steps to `steps`.
 pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     sum: &F,
     level: S,
@@ -131,12 +132,12 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     Walk::Until(tau)
 }
 
-/// Clamps an instant to the searched length, because rounding may place the zero of a flat function beyond it.
+/// Clamps an instant to the searched length.  Rounding may place the zero of a flat function beyond that length.
 fn within<S: Float>(sum: &impl Walked<S>, tau: S) -> S {
     tau.max(S::constant(0.0)).min(sum.reach())
 }
 
-/// The function level − f, or level + f if `negative`.
+/// Returns the function level − f, or level + f if `negative` is true.
 fn gap<S: Float>(local: &Local<S>, level: S, negative: bool) -> Local<S> {
     if negative {
         Local {
@@ -158,7 +159,7 @@ enum Verdict<S> {
     Above,
     /// The function has a zero at this distance.
     Zero(S),
-    /// The function touches zero without crossing.  At this distance the function is again as far above zero.
+    /// The function touches zero without crossing it.  At this distance it has the same value as now.
     Past(S),
 }
 
@@ -182,7 +183,7 @@ fn verdict<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> Verdict
     }
     let mut shift = -(value / slope);
     if !((shift * curve).abs() <= slope.abs()) {
-        // The slope is almost zero, and its tangent may lead far beyond.  The curvature then gives the zero.
+        // The slope is almost zero, so that the tangent's zero may be far too late.  The curvature then gives the zero.
         let two = S::constant(2.0);
         let root = (slope * slope - two * value * curve).sqrt();
         shift = two * value / (root - slope);

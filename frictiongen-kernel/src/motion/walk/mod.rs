@@ -1,4 +1,5 @@
-//! Walks along a function: to its first zero, to a level, and to its largest values.
+//! Searches along a function in steps that miss no zero (*walks*): for its first zero, for a level, and for its largest
+//! values.
 
 mod first;
 mod peak;

@@ -1,4 +1,4 @@
-//! The largest |value| of a sum between two events, by the same walk that finds events.
+//! Finds the largest |value| of a sum between two events, by the search that also finds events.
 
 use super::first::{Start, Walk, first_reach};
 use crate::motion::series::Sum;
@@ -6,23 +6,24 @@ use crate::number::scalar::Float;
 
 /// Difference, in roundings, below which two values count as equal.
 const EQUAL: f64 = 64.0;
-/// Upper bound on the peaks of a segment that are climbed.
+/// Upper bound on the number of peaks in a segment to which the search climbs.
 const MAX_CLIMBS: u32 = 256;
-/// Fall behind a summit at which the walk continues, as a multiple of the difference that counts as equal.
+/// Fall from a summit after which the search continues, as a multiple of the difference that counts as equal.
 const BELOW: f64 = 4.0;
-/// Upper bound on the steps of a climb, including halved ones.
+/// Upper bound on the steps of a climb to a summit, shortened steps included.
 const CLIMB_STEPS: usize = 60;
-/// Longest step of a climb, in radians of the excitation, until a step is halved.  The halved step is then the longest.
+/// Longest first step of a climb, in radians of the excitation.  After a step downhill, half of that step is the
+/// longest.
 const TRUSTED: f64 = 0.25;
-/// Length of a Newton step, in radians of the excitation, below which the climb is at the summit.  Values differ by
-/// rounding there.
+/// Length of a Newton step, in radians of the excitation, below which the climb is at the summit.  Closer to the
+/// summit, values differ only by rounding.
 const AT_SUMMIT: f64 = 1e-3;
 /// Shortest step that rounding allows, in roundings.
 const LEAST_ROUNDINGS: f64 = 4.0;
 
 impl<S: Float> Sum<'_, S> {
-    /// Calls `note` with the instant and the value of every local extreme that reaches `level` within rounding.  `note`
-    /// returns the new level.
+    /// Calls `note` with the instant and the value of every local extreme whose size reaches `level` within rounding.
+    /// `note` returns the new level.
     pub(crate) fn peaks(&self, mut level: S, mut note: impl FnMut(S, S) -> S) {
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
         let near = S::constant(1.0 - EQUAL * S::EPSILON);
@@ -37,8 +38,8 @@ impl<S: Float> Sum<'_, S> {
         let low = start.value.abs() <= self.noise || !(start.curve * start.value < zero);
         if start.slope.abs() <= self.noise * self.rate && low {
             // The function starts at zero or at the bottom of a valley, from where no climb starts.  Two values between
-            // the end points raise the level.  The fractions are constants of S, so that `f32` scenes link no double
-            // precision.
+            // the end points raise the level.  The fractions are constants of S, so that `f32` scenes link no
+            // double-precision code.
             for share in [S::constant(0.3), S::constant(0.5)] {
                 let value = self.local(self.reach * share).value;
                 level = level.max(value.abs());
@@ -51,7 +52,7 @@ impl<S: Float> Sum<'_, S> {
             };
             let (top, value, curve) = self.climbed(tau);
             level = note(top, value);
-            // The walk continues behind the summit, where the function is below the level again.
+            // The search continues after the summit, where the function is below the level again.
             let fall = S::constant(BELOW * EQUAL * S::EPSILON) * value.abs();
             let width = (two * fall / curve.abs()).sqrt();
             let mut step = if !width.is_finite() {
@@ -59,7 +60,7 @@ impl<S: Float> Sum<'_, S> {
             } else if zero < width {
                 width
             } else {
-                // The function is flat at zero within rounding.
+                // The function is zero within rounding all around, so that its curvature gives no width.
                 self.reach * S::constant(1.0 / f64::from(MAX_CLIMBS))
             };
             from = tau.max(top) + step;
@@ -74,7 +75,8 @@ impl<S: Float> Sum<'_, S> {
         }
     }
 
-    /// Finds the extreme next to an instant by Newton's method on the slope, never downhill.
+    /// Finds the local extreme near an instant by Newton's method on the slope, without steps downhill.  Returns its
+    /// instant, value and curvature.
     fn climbed(&self, tau: S) -> (S, S, S) {
         let zero = S::constant(0.0);
         let mut at = tau;
@@ -105,8 +107,8 @@ impl<S: Float> Sum<'_, S> {
             }
         }
         if S::CARRIES {
-            // The instant of the extreme depends on the slope's derivative.  The value does not, because the slope
-            // vanishes at the extreme.
+            // The instant of the extreme needs the derivative of the slope.  The value does not, because the slope is
+            // zero there.
             at = at.primal();
             local = self.local(at);
             if zero < at && at < self.reach {

@@ -1,11 +1,11 @@
-//! Safe step of a walk: the length over which a positive function stays positive, from a bound on its third derivative.
+//! Safe step of a search: a length over which a positive function stays positive, from a bound on its third derivative.
 
 use crate::number::scalar::Float;
 
-/// Upper bound on the steps of Newton's method towards a root of the cubic.
+/// Upper bound on the number of Newton steps towards a root of the cubic.
 const STEPS: usize = 12;
-/// Relative step of Newton's method below which a root counts as found.  The walk starts again from the root, so that a
-/// tighter tolerance costs time and gains nothing.
+/// Relative Newton step below which a root counts as found.  The search continues from the root anyway, so that a
+/// tighter tolerance would cost time and gain nothing.
 const CLOSE: f64 = 0.1;
 
 /// Returns a step over which a function f stays positive if |f‴| ≤ B.
@@ -45,7 +45,8 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     } else if !(zero < value(inflection)) {
         return from_left(value, tangent);
     }
-    // Right of the root p falls ever more steeply, so that Newton's method stays on that side.
+    // To the right of `from`, p falls ever more steeply.  Newton's method that starts right of the root of p therefore
+    // stays right of it.
     let top = value(from);
     let fall = tangent(from);
     let steep = -(curve - bound * from);
@@ -80,14 +81,14 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     }
     let p = value(h);
     if p < zero {
-        // The chord of a concave function ends short of its root.
+        // The chord of a concave function reaches zero before the function does.
         from + (h - from) * (top / (top - p))
     } else {
         h
     }
 }
 
-/// The value at the bottom of a dip, or the present value where there is no dip.
+/// Returns the value at the bottom of a dip, or the present value if there is no dip.
 fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     let discriminant = curve * curve + (bound + bound) * slope;
     let zero = S::constant(0.0);
@@ -99,7 +100,7 @@ fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     }
 }
 
-/// Newton's method from 0 on a convex, falling function, which never steps beyond the root.
+/// Finds the root of a convex, falling function by Newton's method from 0.  The steps never pass the root.
 fn from_left<S: Float>(value: impl Fn(S) -> S, tangent: impl Fn(S) -> S) -> S {
     let zero = S::constant(0.0);
     let mut h = zero;
@@ -123,14 +124,14 @@ mod tests {
 
     #[test]
     fn a_slight_bound_leaves_a_fall_its_root() {
-        // 2h − h²/2 less almost nothing vanishes at 4.  From the top at 2 the root is found from the right, and never
-        // passed.
+        // 2h − h²/2 minus a tiny cubic term vanishes at 4.  Newton's method starts right of the top at 2, and
+        // approaches the root from the right.
         for bound in [1e-12_f32, 1e-9, 1e-7, 1e-4] {
             let h = safe(0.0, 2.0, -1.0, bound, 10.0);
-            // Where Newton's method ends, the chord is nearer to the root.
+            // The chord from Newton's last point is nearer to the root than that point.
             assert!((3.99..=4.000_001).contains(&h), "{bound:e}: {h}");
         }
-        // 1 − h − h²/2 has its top before h = 0.
+        // The cubic 1 − h − h²/2 has its top at a negative h.
         let h = safe(1.0, -1.0, -1.0, 1e-9_f32, 10.0);
         assert!((0.731..=0.732_06).contains(&h), "{h}");
     }
