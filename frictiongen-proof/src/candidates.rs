@@ -10,19 +10,20 @@ use frictiongen_model::table::building::Exact;
 use frictiongen_model::table::building::interpolated;
 use std::f64::consts::PI;
 
-/// Number of instants that a witness interpolates. Tuned: each costs a search, and the polynomial in r has degree 4.
+/// Number of instants through which the polynomial of a witness passes. Tuned: each instant costs a search, and the
+/// polynomial in r has degree 4.
 const NODES: usize = 5;
 /// Distance in half-turns above which two instants do not belong to one witness. Tuned: a polynomial through two
-/// maxima would follow neither.
+/// different maxima would follow neither of them.
 const JUMP: f64 = 0.05;
-/// Distance from the start of the half period, in radians of the fastest mode, below which a witness may use the series
-/// in τ. τ is then shorter than the series allows, between the nodes as well.
+/// Distance from the start of the half period, in radians of the fastest mode, below which a witness may use the Taylor
+/// series in τ (module `early`). τ then stays in the range of that series, also between the instants.
 const EARLY: f64 = 1.2;
-/// Distance below which a witness uses only that series. Tuned: closer to the start, F/sin τ is a quotient of two
-/// small intervals.
+/// Distance from the start, in the same radians, below which a witness uses only the Taylor series in τ. Tuned: closer
+/// to the start, F/sin τ is a quotient of two small intervals.
 const SURELY: f64 = 0.3;
-/// Distance below which the start itself is also a candidate. Tuned: a maximum this close may reach the start within
-/// the interval of r.
+/// Distance from the start, in the same radians, below which the start itself is also a candidate. Tuned: a maximum
+/// this close may reach the start within the interval of r.
 const START: f64 = 0.05;
 
 /// Returns the candidates for the largest constraint, from the exact search at several r.
@@ -82,7 +83,7 @@ pub(crate) fn candidates(
         if early {
             witnesses.push(Witness::Early(path.clone()));
         }
-        // Between the two distances both kinds of witness are candidates.
+        // Between `SURELY` and `EARLY` both kinds of witness are candidates.
         if !(early && latest < SURELY) {
             witnesses.push(Witness::Instant(path));
         }

@@ -1,4 +1,6 @@
-//! Functions that all cells of a half period share: the velocity constraint over an interval of r.
+//! The velocity constraint over an interval of r, in the forms that all cells of a half period need. D(τ, r) = N(r) sin
+//! τ − F(τ, r) must be positive. F is the sum of the constraint over the modes (module `force`), and N lies slightly
+//! above the constraint of the witness.
 
 use crate::force;
 use crate::found::Budget;
@@ -8,24 +10,25 @@ use crate::witness::{Seen, Witness};
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of a step that widens the region about a witness, relative to √(N/D″). Tuned: a longer step widens faster,
-/// but the bounds of D″ over it are wider.
+/// Length of a step that widens the region about a witness, as a fraction of √(N/D″). Tuned: a longer step widens
+/// faster, but the bounds of D″ over it are wider.
 const TUBE_STEP: f64 = 0.3;
-/// Largest number of these steps. Tuned: it bounds the work of one region.
+/// Largest number of steps that widen the region about a witness. Tuned: it bounds the work of one region.
 const TUBE_STEPS: usize = 8;
-/// Largest first step, as a fraction of the way to the end of the half period. Tuned: about a flat maximum the
-/// relative step alone would be too long.
+/// Largest first widening step, as a fraction of the way from the witness to the end of the half period. Tuned: about a
+/// flat maximum a step relative to √(N/D″) alone would be too long.
 const TUBE_FIRST: f64 = 0.2;
-/// Largest sum of all steps, as a fraction of the same way. The region must end before the half period does.
+/// Largest sum of all widening steps, as a fraction of the way from the witness to the end of the half period. The
+/// region must end before the half period does.
 const TUBE_MOST: f64 = 0.9;
-/// Allowance for the rounding of a position, of an end of a region or of r: thousands of roundings.
+/// Allowance for rounding of a position, of an end of a region, or of r: thousands of roundings.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// Smallest D″ in the region, relative to D″ at the witness or at a second maximum. Tuned: a smaller fraction makes
 /// the region wider and its parabola flatter.
 pub(crate) const BENT: f64 = 0.15;
 
-/// Data over an interval of r: at its centre, and over the whole interval.
+/// The chain and the witness over an interval of r: at its centre (`at`), and over the whole interval (`over`).
 pub(crate) struct Part<'a> {
     pub chain: &'a Chain,
     pub witness: &'a Witness,
@@ -35,18 +38,19 @@ pub(crate) struct Part<'a> {
     pub over: &'a Stage<ORDER>,
     pub seen_at: &'a Seen<ORDER>,
     pub seen_over: &'a Seen<ORDER>,
-    /// Relative excess of √(U² + N²) over the same root for the witness.
+    /// Margin of N above the witness: √(U² + N²) exceeds its value for the witness's constraint by this fraction.
     pub share: f64,
 }
 
-/// A side of the witness. A position on it is a `share` of the way from the end of the half period to the witness.
+/// A side of the witness in the half period. A position on it is a `share` of the way from the end of the half period
+/// to the witness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Flank {
     Before,
     After,
 }
 
-/// Data over an interval of r, in the forms that the cells of its half period need.
+/// The chain and the witness over an interval of r, in the forms that the cells of the half period need.
 pub(crate) struct Cells<'a> {
     /// The chain at the centre of the interval.
     pub thin: Stage<1>,
@@ -54,7 +58,7 @@ pub(crate) struct Cells<'a> {
     pub wide: Stage<2>,
     /// The chain over the interval, without slope.
     pub flat: Stage<1>,
-    /// N, at the centre and over the interval.
+    /// N, the level just above the witness's constraint: at the centre, and over the interval.
     pub level_at: Series<1>,
     pub level_over: Series<2>,
     pub full_at: Series<ORDER>,
@@ -64,7 +68,8 @@ pub(crate) struct Cells<'a> {
     pub part: &'a Part<'a>,
 }
 
-/// Returns κN, for which N² + U² is (1 + share)² times that of the witness.
+/// Returns κN, where N² + U² is (1 + share)² times its value for the witness's constraint. κ is the product of cosines
+/// in `Stage`.
 fn level<const N: usize>(seen: &Seen<N>, share: f64) -> Series<N> {
     let share = Interval::point(share);
     let more = share + share + share * share;
@@ -91,7 +96,7 @@ impl<'a> Cells<'a> {
         }
     }
 
-    /// Returns F over a box with its slope in r, then F′, F″ and F‴, then sine and cosine of τ.
+    /// Returns F over intervals of t and r, with its slope in r. Also returns F′, F″ and F‴, then sine and cosine of τ.
     pub fn boxed(&self, t: Interval) -> (Series<2>, [Interval; 3], (Interval, Interval)) {
         let at = Series::<2>::fixed(t);
         let (sine, cosine) = t.sine_cosine();
@@ -101,27 +106,28 @@ impl<'a> Cells<'a> {
         (value, derivatives, (sine, cosine))
     }
 
-    /// Returns F′, F″ and F‴ over a box, then sine and cosine of τ.
+    /// Returns F′, F″ and F‴ over intervals of t and r, then sine and cosine of τ.
     pub fn derivatives(&self, t: Interval) -> ([Interval; 3], (Interval, Interval)) {
         let waves = t.sine_cosine();
         let motions = force::motions(&self.flat, &Series::fixed(t));
         (force::derivatives(&self.flat, &motions, waves), waves)
     }
 
-    /// Returns D″ over an interval of τ, for all r.
+    /// Returns D″ over an interval of t, for all r.
     pub fn bend(&self, t: Interval, budget: &mut Budget) -> Interval {
         budget.spend(2 * self.wide.modes.len());
         let level = self.level_over.value();
         let ([_, second, third], (sine, cosine)) = self.derivatives(t);
         let plain = -(level * sine) - second;
-        // The mean value form at the middle tightens the bound.
+        // The mean value form at the middle makes the bound narrower.
         let middle = Interval::point(t.middle());
         let ([_, second, _], (sine, _)) = self.derivatives(middle);
         let moves = (-(level * cosine) - third) * (t - middle) * Interval::pi();
         plain.both(-(level * sine) - second + moves)
     }
 
-    /// Returns how far before and after an instant D″ stays above a fraction of its value there, and the smallest D″.
+    /// Returns how far before and after an instant, in half-turns, D″ stays above the fraction `bent` of its value at
+    /// the instant. Also returns the smallest D″ over that region.
     pub fn widened(
         &self,
         t: Interval,
@@ -153,7 +159,8 @@ impl<'a> Cells<'a> {
         (reach, least)
     }
 
-    /// Returns the instant at a share of a side: t over all r, the slope of t in r, and t at the centre.
+    /// Returns the instant at a share of a side: t over all r, the slope of t in r, and t at the centre of the interval
+    /// of r.
     pub fn instant(&self, side: Flank, share: Interval) -> (Interval, Interval, Interval) {
         let (path, slope) = (self.path_over.value(), self.path_over.term(1));
         match side {

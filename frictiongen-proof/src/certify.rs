@@ -15,34 +15,34 @@ use crate::witness::Witness;
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of the first cell, in radians of the fastest mode. Tuned: a longer cell has wider bounds of D″.
+/// Length of the first cell of a side, in radians of the fastest mode. Tuned: a longer cell has wider bounds of D″.
 const CELL: f64 = 1.0;
-/// Relative difference above which N is far above the witness. Tuned: D is then clearly positive at the witness.
+/// Relative difference above which N counts as far above the witness. Tuned: D is then clearly positive at the witness.
 const FAR_ABOVE: f64 = 0.01;
-/// Smallest D″ about a witness, relative to D″ at the witness, where the fraction `BENT` does not suffice. Tuned: it
-/// gives a steeper parabola in a narrower region.
+/// Fraction of D″ at the witness that serves as the smallest D″ in the region where the fraction `BENT` does not
+/// suffice. Tuned: it gives a steeper parabola in a narrower region.
 const MORE_BENT: f64 = 0.5;
-/// Shortest cell, as a fraction of its side. Tuned: it bounds the work of a side that fails, for which the interval
-/// of r is halved.
+/// Shortest cell, as a fraction of its side. Tuned: it bounds the work of a side that fails. The interval of r is then
+/// halved.
 const SHORTEST: f64 = 1e-3;
-/// Length of a cell, in radians of the fastest mode, below which another instant may compete. Tuned: cells become
-/// short where D is small.
+/// Length of a cell, in radians of the fastest mode, below which another instant may have nearly the same constraint as
+/// the witness. Tuned: cells become short where D is small.
 const COMPETE: f64 = 0.1;
-/// Largest number of searches for such an instant. Tuned: it bounds their work.
+/// Largest number of searches for another such instant. Tuned: it bounds the work of the searches.
 const MOST_TRIED: usize = 4;
-/// Growth of the next cell after a cell that was certified. Tuned: fast growth saves cells, but a cell that fails is
-/// lost work.
+/// Ratio of the next cell's length to that of a certified cell. Tuned: fast growth saves cells, but a cell that fails
+/// is lost work.
 const LONGER: f64 = 1.4;
-/// First range of a single bound from the start of the half period, in radians of the fastest mode. Tuned: a longer
-/// range saves cells, but its bound is wider.
+/// First length of the range that a single bound covers from the start of the half period, in radians of the fastest
+/// mode. Tuned: a longer range saves cells, but its bound is wider.
 const EARLY: f64 = 0.3;
-/// Largest number of times that the range shrinks after a failed bound. Tuned: the last range is an eighth of the
-/// first.
+/// Largest number of times that this first range shrinks after a failed bound. Tuned: the last range is an eighth of
+/// the first.
 const EARLY_STEPS: usize = 6;
-/// Factor by which the range shrinks. Tuned with `EARLY_STEPS`.
+/// Factor by which the first range shrinks after a failed bound. Tuned with `EARLY_STEPS`.
 const EARLY_STEP: f64 = 0.7;
 
-/// Returns whether every velocity constraint over the interval is below that of the witness, up to the margin.
+/// Returns true if every velocity constraint over the interval of r is below the witness's constraint plus the margin.
 pub(crate) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
     // Without damping and with every x ≤ 2, the sum is largest at the start of the half period.
     let slow = |mode: &ModeStage<ORDER>| mode.x.value().high <= 2.0;
@@ -51,18 +51,19 @@ pub(crate) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
         return true;
     }
     let cells = Cells::of(part);
-    // The margin over the break-away condition.
+    // Margin between N and the break-away condition, which is a constraint as well.
     let spare = Series::joined(
         &(cells.full_at - part.at.break_away),
         &(cells.full_over - part.over.break_away),
     );
-    // With μ = 1, break-away is the start of the half period. A witness near the start covers it.
+    // With μ = 1 the break-away condition equals the constraint at the start of the half period. A witness near the
+    // start covers it.
     let one = part.chain.stiction == Interval::ONE;
     let is_early = matches!(part.witness, Witness::Early(_));
     let seen = is_start || (is_early && one);
     let kappa = part.over.kappa.map_or(Interval::ONE, |kappa| kappa.value());
     if !seen && (kappa.holds_zero() || !(0.0 < spare.range(part.away).low)) {
-        // If κ may be 0, its magnitude counts.
+        // If κ may be 0, its sign is unknown. The squares are then compared.
         let spare = cells.level_over.value().squared() - part.over.break_away.value().squared();
         if !(0.0 < spare.low) {
             return false;
@@ -80,8 +81,8 @@ pub(crate) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
 }
 
 impl Cells<'_> {
-    /// Returns the fraction of each side that is left to the cells. Returns `None` if D is not positive about the
-    /// witness.
+    /// Returns the fraction of each side that the cells still have to certify. A parabola about the witness certifies
+    /// the rest. Returns `None` if D is not positive about the witness.
     fn tube(&self, budget: &mut Budget) -> Option<[f64; 2]> {
         if matches!(self.part.witness, Witness::BreakAway) {
             return Some([1.0, 1.0]);
@@ -92,7 +93,7 @@ impl Cells<'_> {
         }
         let curve = self.bend(path, budget);
         if !(0.0 < curve.low) {
-            // Where U exceeds S, N is so far above all sums that D has no minimum there.
+            // Where U exceeds S, N is so far above all sums that D has no minimum.
             return Some([1.0, 1.0]);
         }
         // First tries the widest region, then one with more curvature.
@@ -101,18 +102,18 @@ impl Cells<'_> {
             self.is_least(least).then_some(reach)
         });
         let Some([before, after]) = tube else {
-            // Where N is far above the witness, the cells need no parabola.
+            // Where N is far above the witness, the cells need no parabola about it.
             let far = FAR_ABOVE * self.level_over.value().high < self.above().low;
             return far.then_some([1.0, 1.0]);
         };
-        // The regions are reduced a little, for the rounding of the shares.
+        // The certified regions are reduced a little, to allow for the rounding of the fractions.
         Some([
             1.0 - before * (1.0 - ROUNDING) / path.high,
             1.0 - after * (1.0 - ROUNDING) / (1.0 - path.low),
         ])
     }
 
-    /// Returns N − Q = (N² − Q²)/(N + Q), where Q is the constraint of the witness.
+    /// Returns N − Q, computed as (N² − Q²)/(N + Q). Q is the constraint of the witness.
     fn above(&self) -> Interval {
         let seen = self.part.seen_over;
         let share = Interval::point(self.part.share);
@@ -120,8 +121,8 @@ impl Cells<'_> {
         seen.size.value() * more / (self.level_over.value() + seen.constraint.value())
     }
 
-    /// Returns whether D, or D/τ, is positive where its second derivative is at least `bend`. The criterion is D ≥
-    /// D(τ_w) − D′(τ_w)²/(2 min D″).
+    /// Returns true if D, or D/τ, is positive where its second derivative is at least `bend`. The criterion is D(τ_w) >
+    /// D′(τ_w)²/(2 min D″), because D ≥ D(τ_w) − D′(τ_w)²/(2 min D″).
     fn is_least(&self, bend: f64) -> bool {
         let (seen_at, seen_over) = (self.part.seen_at, self.part.seen_over);
         let above = self.above();
@@ -132,8 +133,8 @@ impl Cells<'_> {
         0.0 < bend.low && 0.0 < (value - rise.squared() / (bend + bend)).low
     }
 
-    /// Returns the fraction of the side after a witness near the start that is left to the cells. Before it, (D/τ)″ is
-    /// at least a third of the least D‴, because it is ∫₀¹ s²D‴(sτ) ds.
+    /// For a witness near the start, returns the fraction of the side after it that the cells still have to certify.
+    /// Before the witness, (D/τ)″ is at least a third of the smallest D‴, because it equals ∫₀¹ s²D‴(sτ) ds.
     fn early(&self, budget: &mut Budget) -> Option<f64> {
         let path = self.part.seen_over.t;
         let path = Series::joined(&self.part.seen_at.t, &path).range(self.part.away);
@@ -155,7 +156,7 @@ impl Cells<'_> {
         None
     }
 
-    /// Returns whether D is positive on a side, up to a share of that side.
+    /// Returns true if D is positive on a side, from the end of the half period up to the share `up_to` of that side.
     fn side(&self, side: Flank, up_to: f64, budget: &mut Budget) -> bool {
         let fastest = self.wide.modes.iter().map(|mode| mode.x.value().high);
         let fastest = fastest.fold(1.0, f64::max);
@@ -187,7 +188,8 @@ impl Cells<'_> {
                 from = to;
                 length *= LONGER;
             } else {
-                // Where two instants compete, a cell would have to be as short as the distance between them.
+                // Near an instant with nearly the same constraint, a cell would have to be as short as the distance
+                // between the two instants.
                 let near = region
                     .and_then(|region: Region| region.reach(side, from, self.path_over.value()));
                 if let Some(reach) = near {
@@ -209,18 +211,18 @@ impl Cells<'_> {
         true
     }
 
-    /// Returns whether D is positive in a cell.
+    /// Returns true if D is positive in a cell of a side.
     fn cell(&self, side: Flank, share: Interval, budget: &mut Budget) -> bool {
         budget.spend(2 * self.wide.modes.len());
         let (t, t_slope, _) = self.instant(side, share);
         let (value, [first, second, _], (sine, cosine)) = self.boxed(t);
         let level = self.level_over.value();
-        // The change of D with r along the cell.
+        // The slope of D in r along the cell follows from these terms.
         let of_tau = level * cosine - first;
         let of_r = self.level_over.term(1) * sine - value.term(1);
         let moves = of_r + of_tau * t_slope * Interval::pi();
         let bend = -(level * sine) - second;
-        // D at the centre of r, expanded about the middle of the cell.
+        // D at the centre of r is expanded about the middle of the cell.
         let middle = Interval::point(share.middle());
         let (_, _, t_at) = self.instant(side, middle);
         let (_, _, ends) = self.instant(side, share);

@@ -11,36 +11,36 @@ use frictiongen_model::table::Request;
 use frictiongen_model::table::Worst;
 use frictiongen_model::table::building::rounding;
 
-/// Number of terms after a division by the distance from a zero, which costs one term.
+/// Number of terms of a series after it is divided by the distance from a zero. The division costs one term.
 pub(crate) const SHORT: usize = ORDER - 1;
-/// Number of cells into which an interval is divided to bound a polynomial. Tuned: more cells have narrower bounds,
-/// at more work.
+/// Number of cells into which an interval is divided to bound a polynomial. Tuned: more cells give narrower bounds, at
+/// more work.
 pub(crate) const CELLS: usize = 8;
-/// Largest share of the accuracy that the uncertain position of a zero of β_lim may use. Tuned: the open neighbourhood
-/// of the zero grows with its inverse.
+/// Largest fraction of the accuracy that the uncertain position of a zero of β_lim may take. Tuned: the neighbourhood
+/// of the zero that stays open grows as the inverse of this fraction.
 const UNCERTAIN: f64 = 0.01;
-/// Smallest distance from a zero, relative to r, at which anything is proven: hundreds of roundings of r.
+/// Smallest distance from a zero, relative to r, at which the proof still covers r: hundreds of roundings of r.
 const NEAREST: f64 = 1e-13;
-/// Largest relative rounding error or angle that counts as small. With a larger error no comparison can pass, because
-/// no accuracy is coarser.
+/// Largest relative rounding error, or angle in rad, for which the bounds are valid. With a larger error no comparison
+/// can pass, because no accuracy is coarser.
 pub(crate) const SMALL: f64 = 0.1;
 
-/// Result of a proof over an interval of r.
+/// Result of the comparison of a table with the witness over an interval of r.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Compared {
-    /// The largest possible error, with its r.
+    /// The largest possible error, with the r at which it occurs.
     pub worst: Worst,
-    /// The neighbourhood of a zero that is left open.
+    /// The neighbourhood of a zero that the comparison leaves open, as an interval of r.
     pub gap: Option<(f64, f64)>,
     /// The proven interval, relative to the centre of the series.
     pub away: Interval,
-    /// The square of the polynomial over β_lim of the witness, at the centre and over the interval.
+    /// The square of (polynomial over β_lim of the witness), at the centre and over the interval.
     pub square: [Series<SHORT>; 2],
-    /// Largest rounding error of the evaluation, relative.
+    /// Largest relative rounding error of the polynomial's evaluation.
     pub rounding: f64,
 }
 
-/// Returns the series divided by the distance from the centre, without the term of the value at the centre.
+/// Returns the series divided by the distance from its centre. The value at the centre is left out, because it is zero.
 pub(crate) fn divided(series: &Series<ORDER>) -> Series<SHORT> {
     let mut terms = [Interval::ZERO; SHORT];
     for (term, own) in terms.iter_mut().zip(series.terms.iter().skip(1)) {
@@ -49,8 +49,8 @@ pub(crate) fn divided(series: &Series<ORDER>) -> Series<SHORT> {
     Series { terms }
 }
 
-/// Returns the comparison of the emitted polynomial with β_lim, or `None` if it is not within the accuracy. β_lim is
-/// that of the witness, or less by at most `share`.
+/// Compares the emitted polynomial with β_lim. Returns `None` if it is not within the accuracy. β_lim is that of the
+/// witness, or less by at most the fraction `share`.
 pub(crate) fn compared<S: Float>(
     piece: &Fitted<S>,
     request: &Request,
@@ -130,7 +130,8 @@ pub(crate) fn compared<S: Float>(
     ];
     let [square_at, square_over] = &squares;
     let joined = Series::joined(square_at, square_over);
-    // The smallest value of the polynomial, divided near a zero by the distance from it, and its rounding error.
+    // This is the smallest value of the polynomial, and its rounding error. Near a zero the polynomial is divided by
+    // the distance from the zero.
     let own = match zero {
         None => Series::joined(&own_at, &own_over).range(away),
         Some(_) => {

@@ -1,30 +1,30 @@
-//! The velocity constraint F/sin τ near the start of the half period, where both vanish, from the Taylor series of F/τ
-//! in τ.
+//! The velocity constraint F/sin τ near the start of the half period. Both F and sin τ are zero at the start, so the
+//! module uses the Taylor series of F/τ in τ.
 
 use crate::force;
 use crate::series::Series;
 use crate::stage::Stage;
 use frictiongen_model::interval::Interval;
 
-/// Number of terms of F/τ. [`rest`] bounds the remainder, so fewer terms would only leave more open.
+/// Number of terms of the series of F/τ. [`rest`] bounds the remainder, so fewer terms would only leave more of r open.
 const TERMS: usize = 13;
 /// Derivatives of the cosine at τ = 0, which repeat after four.
 const OF_COSINE: [f64; 4] = [1.0, 0.0, -1.0, 0.0];
-/// Largest |τ| of the series of sin τ/τ. It is above every instant of a witness near the start.
+/// Largest |τ|, in rad, for which the series of sin τ/τ is used. Every instant of a witness near the start is smaller.
 const FARTHEST: f64 = 1.3;
-/// Bound on the terms of sin τ/τ and of its slope beyond [`PAIRS`], up to [`FARTHEST`]. Their sum is below 20·1.3¹⁹/21! <
-/// 6·10⁻¹⁷.
+/// Bound on the terms of sin τ/τ and of its slope that [`PAIRS`] leaves out, up to [`FARTHEST`]. Their sum is below
+/// 20·1.3¹⁹/21! < 6·10⁻¹⁷.
 const SINC_REST: f64 = 1e-16;
 /// Number of powers of τ² in the series of sin τ/τ. The next term is below one rounding up to
 /// [`FARTHEST`].
 const PAIRS: usize = 10;
-/// Factor on a bound for up to four roundings, each at most 2⁻⁵³ ≈ 1.1·10⁻¹⁶.
+/// Factor that allows for up to four roundings in a bound, each at most 2⁻⁵³ ≈ 1.1·10⁻¹⁶.
 const UP: f64 = 1.0 + 1e-15;
-/// Factor on a bound for up to ninety roundings, where π and earlier factors are rounded as well.
+/// Factor that allows for up to ninety roundings in a bound, where π and earlier factors are rounded as well.
 const FAR_UP: f64 = 1.0 + 1e-14;
 
-/// Returns sin τ/τ and its slope, by their series. [`SINC_REST`] bounds the remainder. Returns `ALL` if |τ| may exceed
-/// [`FARTHEST`].
+/// Returns sin τ/τ and its slope, by their power series. [`SINC_REST`] bounds the remainder. Returns `ALL` if |τ| may
+/// exceed [`FARTHEST`].
 pub(crate) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
     if !(tau.value().size() <= FARTHEST) {
         return (Series::fixed(Interval::ALL), Series::fixed(Interval::ALL));
@@ -32,8 +32,8 @@ pub(crate) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
     let square = tau.squared();
     let zero = Series::fixed(Interval::ZERO);
     let (mut value, mut slope) = (zero, zero);
-    // From the highest power down: the coefficient of τ^{2j} is (−1)^j/(2j + 1)!, and that of τ^{2j−1} in the slope is
-    // 2j times as large.
+    // The sums run from the highest power down. The coefficient of τ^{2j} is (−1)^j/(2j + 1)!. The coefficient of
+    // τ^{2j−1} in the slope is 2j times as large.
     for j in (0..PAIRS).rev() {
         let mut weight = Interval::ONE;
         for factor in 2..=(2 * j + 1) {
@@ -90,7 +90,7 @@ pub(crate) fn over_tau<const N: usize>(
     (value, slope)
 }
 
-/// Returns bounds on the difference of F/τ and its slope from [`over_tau`], for τ from 0 to πt.
+/// Returns bounds on the remainders of [`over_tau`], for F/τ and for its slope, at all τ from 0 to πt.
 pub(crate) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
     let stage = stage.truncated::<1>();
     let all = Interval::new(0.0, t);

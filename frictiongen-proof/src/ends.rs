@@ -1,4 +1,4 @@
-//! The cells at both ends of the half period, where D vanishes.
+//! The first and the last cell of the half period. D vanishes at both ends of the half period.
 
 use crate::cells::{Cells, Flank};
 use crate::force;
@@ -9,7 +9,7 @@ use crate::witness::{Seen, Witness};
 use frictiongen_model::interval::Interval;
 
 impl Cells<'_> {
-    /// Returns whether D/τ is positive from the start of the half period on, with D = D′(0)τ + D″(0)τ²/2 + D‴τ³/6.
+    /// Returns true if D/τ is positive in the first cell, with D = D′(0)τ + D″(0)τ²/2 + D‴τ³/6.
     pub fn first(&self, share: f64, budget: &mut Budget) -> bool {
         budget.spend(4 * self.wide.modes.len());
         let part = self.part;
@@ -18,7 +18,7 @@ impl Cells<'_> {
         let ([_, second, third], (sine, cosine)) = self.derivatives(t);
         let level = self.level_over.value();
         let (at, over) = if matches!(part.witness, Witness::BreakAway) {
-            // The terms are N − μm* − H_c and (μ − 1)m*.
+            // These terms are N − μm* − H_c and (μ − 1)m*. Their sum is D′(0).
             let more = Interval::point(part.share);
             let more = more + more + more * more;
             let above = |seen: &Seen<ORDER>, level: &Series<ORDER>| {
@@ -39,7 +39,7 @@ impl Cells<'_> {
         if !(0.0 < start.low) {
             return false;
         }
-        // D″ ≥ 0 suffices, or a plain parabola.
+        // If D″ ≥ 0 the cell needs no more than D′(0) > 0. Otherwise a plain parabola may suffice.
         let bend = -(level * sine) - second;
         let reach = t * Interval::pi();
         if 0.0 <= bend.low {
@@ -54,8 +54,8 @@ impl Cells<'_> {
         if !(0.0 < curve.low) {
             return false;
         }
-        // The parabola D′(0) + D″(0)τ/2 + curve·τ² is bounded as a function of r, at its minimum or at the end of the
-        // cell.
+        // The parabola D′(0) + D″(0)τ/2 + curve·τ² bounds D/τ. Its value at the minimum, or at the end of the cell, is
+        // bounded as a function of r.
         let bends = [part.at, part.over].map(|stage| force::bend_at_start(stage).times(-half));
         let [bend_at, bend_over] = bends;
         let bend = Series::joined(&bend_at, &bend_over).range(away);
@@ -84,7 +84,7 @@ impl Cells<'_> {
             && 0.0 < Series::joined(&value_at, &value_over).range(away).low
     }
 
-    /// Returns whether D/(π − τ) is positive up to the end of the half period.
+    /// Returns true if D/(π − τ) is positive in the last cell, up to the end of the half period.
     pub fn last(&self, share: f64, budget: &mut Budget) -> bool {
         budget.spend(2 * self.wide.modes.len());
         let level = self.level_over.value();

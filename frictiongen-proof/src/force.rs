@@ -1,10 +1,11 @@
-//! The sum of the velocity constraint, F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)], and its derivatives, with τ = πt.
+//! The sum of the velocity constraint, F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)] over the modes, and its derivatives.
+//! The time is τ = πt.
 
 use crate::series::Series;
 use crate::stage::{Kind, ModeStage, Stage};
 use frictiongen_model::interval::Interval;
 
-/// Returns a mode's free displacement p and its slope p′.
+/// Returns the free displacement p of a mode and its slope p′.
 fn free<const N: usize>(mode: &ModeStage<N>, t: &Series<N>) -> (Series<N>, Series<N>) {
     let own = &mode.oscillator;
     let turns = mode.x * *t;
@@ -45,7 +46,7 @@ pub(crate) fn motions<const N: usize>(
     stage.modes.iter().map(|mode| free(mode, t)).collect()
 }
 
-/// Returns F at an instant, which may depend on r.
+/// Returns F at an instant. The instant may depend on r.
 pub(crate) fn value<const N: usize>(
     stage: &Stage<N>,
     motions: &[(Series<N>, Series<N>)],
@@ -58,7 +59,7 @@ pub(crate) fn value<const N: usize>(
     sum
 }
 
-/// Returns F′ at an instant.
+/// Returns F′ at an instant. The instant may depend on r.
 pub(crate) fn slope<const N: usize>(
     stage: &Stage<N>,
     motions: &[(Series<N>, Series<N>)],
@@ -74,7 +75,7 @@ pub(crate) fn slope<const N: usize>(
     sum
 }
 
-/// Returns F′, F″ and F‴ over a box of r and τ.
+/// Returns F′, F″ and F‴ over an interval of r and an interval of τ.
 pub(crate) fn derivatives<const N: usize>(
     stage: &Stage<N>,
     motions: &[(Series<N>, Series<N>)],

@@ -1,5 +1,5 @@
-//! Compares the restated formulas of [`stage`](crate::stage) and [`force`](crate::force) with the kernel's, in
-//! double-double.
+//! Compares two sets of formulas in double-double: those of [`stage`](crate::stage) and [`force`](crate::force), and
+//! the kernel's.
 
 use crate::force;
 use crate::series::Series;
@@ -12,8 +12,8 @@ use frictiongen_kernel::response::At;
 use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
 
-/// Kind, number of masses and ζ of the compared chains. They have each kind of damping, and undamped modes among damped
-/// ones.
+/// Contact, number of masses and ζ of the compared chains. The chains have each kind of damping. Some have undamped
+/// modes among damped ones.
 const KINDS: [(&str, usize, f64); 9] = [
     ("Wall", 1, 0.0),
     ("Base", 2, 0.0),
@@ -25,12 +25,12 @@ const KINDS: [(&str, usize, f64); 9] = [
     ("Base", 2, 1.7),
     ("Wall", 4, -0.02),
 ];
-/// Largest width of a restated value, relative to the largest term of its sum.
+/// Largest width of an interval, relative to the largest term of its sum.
 const WIDTH: f64 = 1e-11;
 /// Number of frequency ratios at which each chain is compared.
 const RATIOS: usize = 300;
 
-/// Counts of compared values, and the widest interval.
+/// Counts of compared values, and the width of the widest interval.
 #[derive(Default)]
 struct Compared {
     values: usize,
@@ -38,7 +38,7 @@ struct Compared {
 }
 
 impl Compared {
-    /// Compares an interval with the kernel's value times κ.
+    /// Compares an interval with κ times the kernel's value.
     fn with(&mut self, name: &str, own: Interval, kernel: Dd, kappa: Interval, size: f64) {
         let kernel = Interval::of(kernel) * kappa;
         assert!(

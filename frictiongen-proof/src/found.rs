@@ -1,16 +1,16 @@
-//! Results of a proof so far, and its remaining work.
+//! Results of a proof up to now, and its remaining work.
 
 use crate::compare::Compared;
 use frictiongen_model::table::Worst;
 use frictiongen_model::table::{Evidence, Proof, Work};
 
-/// Remaining work, in evaluations of one mode.
+/// Limit on the work of a proof, and the work spent, both in evaluations of one mode.
 pub(crate) struct Budget {
     most: usize,
     pub spent: usize,
 }
 
-/// Work of a stage over an interval, in evaluations of each mode. It is an estimate and only counts work.
+/// Work of evaluating a `Stage` over an interval, per mode. The estimate only counts work.
 pub(crate) const OF_STAGE: usize = 20;
 
 impl Budget {
@@ -28,7 +28,7 @@ impl Budget {
     }
 }
 
-/// Results for one function so far.
+/// Results for one function up to now: its largest error, and the intervals of r that are still open.
 pub(crate) struct Found {
     bound: Worst,
     pub open: Vec<(f64, f64)>,
@@ -59,7 +59,7 @@ impl Found {
         self.open.extend(next.open);
     }
 
-    /// Returns the finished proof.
+    /// Returns the finished proof. Adjacent open intervals are joined.
     pub fn finished(mut self, work: usize) -> Proof {
         self.open.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut open: Vec<(f64, f64)> = Vec::new();
@@ -83,7 +83,7 @@ impl Found {
     }
 }
 
-/// Results for a piece: for β_lim, for the motion, and the work.
+/// Results for a piece of a table: for β_lim, for the motion, and the work.
 pub(crate) struct Piece {
     pub limit: Found,
     pub motion: Found,
@@ -99,7 +99,7 @@ impl Piece {
         }
     }
 
-    /// Leaves an interval open, for β_lim and for the motion.
+    /// Leaves an interval of r open, for β_lim and for the motion.
     pub fn leave(&mut self, part: (f64, f64)) {
         self.limit.open.push(part);
         self.motion.open.push(part);
@@ -113,7 +113,7 @@ impl Piece {
     }
 }
 
-/// Proven results over an interval: for β_lim, and for the motion if it is proven.
+/// Proven results over an interval of r: for β_lim, and for the motion if the motion is proven too.
 pub(crate) struct Part {
     pub limit: Compared,
     pub motion: Option<Worst>,

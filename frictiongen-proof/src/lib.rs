@@ -1,16 +1,16 @@
 //! Proof that a table of β_lim is within its accuracy at every r, and not only at the checked points.
 //!
-//! The proof divides the range into intervals of r. In each it chooses a *witness*: an instant near the largest
-//! velocity constraint, as a polynomial in r. `certify` shows that no other instant has a constraint larger by more
-//! than a small margin. This bounds β_lim from both sides by a smooth function. `compare` shows that the polynomial
-//! of the table, with all roundings of its evaluation, is near that function. Both use intervals with outward rounding.
-//! `motion` shows the same of amplitude and phase of the contact. An undecided interval is halved, and in the end
-//! left open. There the table is checked, not proven.
+//! The proof divides the range into intervals of r. In each interval it chooses a *witness*: an instant near the
+//! largest velocity constraint, as a polynomial in r. `certify` shows that no other instant has a constraint larger by
+//! more than a small margin. β_lim then has bounds on both sides that are smooth functions of r. `compare` shows that
+//! the polynomial of the table is near these bounds, with all roundings of its evaluation. Both modules use intervals
+//! with outward rounding. `motion` proves amplitude and phase of the contact in the same way. An interval that stays
+//! undecided is halved. If its halves stay undecided too, it is left open: the table is checked there, not proven.
 //!
 //! A constant called *tuned* decides how much work a proof takes and how much of r stays open. No tuned constant
 //! decides whether a proof is true.
 //!
-//! The builder itself bounds products over zeros and poles, β*_lim and |V|.
+//! The builder of the tables itself bounds the products over zeros and poles, β*_lim and |V|.
 
 mod candidates;
 mod cells;
@@ -44,23 +44,24 @@ use prover::Prover;
 use stage::Chain;
 use std::ops::Range;
 
-/// Estimate of the work to prove a piece for each mode, where every mode is damped. It decides only whether a proof
-/// that may stay incomplete is started.
+/// Estimate of the work to prove a piece, per mode, if every mode is damped. It only decides whether a proof starts
+/// that may stay incomplete.
 const PIECE_WORK: usize = 1800;
-/// Estimate of the work to prove a piece for each mode, where a mode is undamped. Intervals are shorter next to the poles
-/// of an undamped mode.
+/// Estimate of the work to prove a piece, per mode, if a mode is undamped. Intervals are shorter next to the poles of
+/// an undamped mode.
 const PIECE_WORK_UNDAMPED: usize = 2600;
-/// Largest work for one piece, relative to its equal share of the total. Tuned: one piece must not use the work of
-/// all others.
+/// Largest work for one piece, as a multiple of its equal share of the total work. Tuned: one piece must not use the
+/// work of all others.
 const FAIR: usize = 8;
 
-/// Adds to tables a proof of β_lim, and of amplitude and phase of the contact, as far as the work allows.
+/// Adds to tables a proof of β_lim, and of amplitude and phase of the contact. It covers as much of r as the work
+/// allows.
 pub fn prove<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Work) {
     let pieces = 0..tables.pieces.len();
     [tables.proof, tables.motion_proof] = of_pieces(tables, modal, pieces, work);
 }
 
-/// Adds the proof of [`prove`] if the work is likely to suffice for all of the tables.
+/// Adds the proof of [`prove`] if the work is likely to suffice for all pieces of the tables.
 pub fn prove_if_small<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Work) {
     let of_piece = if Exact::new(modal).all_damped() {
         PIECE_WORK
@@ -73,7 +74,8 @@ pub fn prove_if_small<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Wor
     }
 }
 
-/// Proves β_lim in one piece. Also proves amplitude and phase of the contact there, if the table contains them.
+/// Proves β_lim in one piece of the tables. Also proves amplitude and phase of the contact in this piece, if the tables
+/// contain them.
 #[must_use]
 pub fn prove_piece<S: Float>(
     tables: &Tables<S>,
@@ -84,7 +86,7 @@ pub fn prove_piece<S: Float>(
     of_pieces(tables, modal, place..place + 1, work)
 }
 
-/// Proves β_lim and the motion in some pieces.
+/// Proves β_lim and the motion in the given pieces.
 fn of_pieces<S: Float>(
     tables: &Tables<S>,
     modal: &Modal,

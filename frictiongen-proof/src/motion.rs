@@ -1,9 +1,10 @@
-//! Errors of amplitude and phase of the contact at any β, from the other polynomials of a piece, over an interval of r.
+//! Errors of amplitude and phase of the contact at any β over an interval of r. They follow from the polynomials of a
+//! piece other than that of β_lim.
 //!
-//! With α = β_lim·U/|V|, γ = β_lim·G/|V| and ρ = β/β_lim, the amplitude is |V|(√(1 − ρ²α²) − ργ). The table has a and
-//! g, relative to its own β_lim, in place of α and γ. So a·β_lim/β_table is compared with α. β_lim is the witness's b
-//! up to a small margin, and α is the witness's α up to the same margin. The margin changes the difference by no more
-//! than itself.
+//! The amplitude is |V|(√(1 − ρ²α²) − ργ), with α = β_lim·U/|V|, γ = β_lim·G/|V| and ρ = β/β_lim. The table has the
+//! polynomials a and g in place of α and γ. They are relative to the table's own β_lim, so that a·β_lim/β_table is
+//! compared with α. β_lim equals the witness's b up to a small margin, and α equals the witness's α up to the same
+//! margin. The margin therefore changes the difference by at most the margin.
 
 use crate::compare::{CELLS, Compared, SHORT, SMALL, divided};
 use crate::series::Series;
@@ -17,27 +18,27 @@ use frictiongen_model::table::Worst;
 use frictiongen_model::table::building::{ANGLE, SIZE, rounding};
 use std::f64::consts::PI;
 
-/// Bounds of the intervals of the friction ratio, over its largest value. Towards the largest value the root vanishes
-/// and the amplitude changes fast. Tuned: the intervals become shorter as it does.
+/// Bounds of the intervals of the friction ratio, as fractions of the largest friction ratio. Near the largest one the
+/// root vanishes and the amplitude changes fast. Tuned: the intervals therefore become shorter.
 const SHARES: [f64; 11] = [
     0.0, 0.4, 0.65, 0.8, 0.88, 0.93, 0.96, 0.98, 0.99, 0.997, 1.0,
 ];
-/// Allowed number of roundings of a few operations: of a and g times β/β_lim, of the root, of the product with |V|,
-/// and of an arc tangent in double precision.
+/// Allowed number of roundings of a few operations: a and g times β/β_lim, the root, the product with |V|, and an arc
+/// tangent in double precision.
 const FEW: f64 = 4.0;
-/// Allowed number of roundings of the emitted phase with its arc tangent.
+/// Allowed number of roundings of the emitted phase, including its arc tangent.
 const OF_PHASE: f64 = 64.0;
-/// Bound on the growth of a quotient by a relative error of up to [`SMALL`] in its divisor.
+/// Bound on the factor by which a quotient grows if its divisor has a relative error of up to [`SMALL`].
 const WITH_PRODUCTS: f64 = 1.0 / (1.0 - SMALL);
-/// Bound on an angle of up to [`SMALL`] over its sine, which is below 1.0017.
+/// Bound on an angle over its sine, for angles up to [`SMALL`] rad. The exact largest ratio is below 1.0017.
 const OVER_SINE: f64 = 1.01;
-/// Factor for the roundings of the bounds themselves: millions of roundings.
+/// Factor that allows for the roundings of the bounds themselves: millions of roundings.
 const UP: f64 = 1.0 + 1e-9;
 
-/// Data for the comparison of the motion over an interval of r.
+/// Data for comparing amplitude and phase over an interval of r.
 pub(crate) struct Moving<'a, S> {
     pub piece: &'a Fitted<S>,
-    /// Largest relative error of |V|, if |V| is a product.
+    /// Largest relative error of |V|, if |V| is a product over zeros and poles.
     pub excitation: f64,
     /// Accuracy of amplitude (relative) and phase (rad).
     pub accuracy: f64,
@@ -46,24 +47,24 @@ pub(crate) struct Moving<'a, S> {
     pub centre: f64,
     /// True if the centre is a zero of β_lim.
     pub beside_zero: bool,
-    /// Largest relative excess of the largest constraint over that of the witness.
+    /// Margin: the largest constraint may exceed that of the witness by this fraction.
     pub share: f64,
 }
 
-/// Errors and exact values over a cell of r.
+/// Errors and exact values of the functions over a cell of r.
 struct Cell {
-    /// Errors of a and g, then their exact values.
+    /// Errors of a and g (`off`), and their exact values α and γ (`exact`).
     off: [Interval; 2],
     exact: [Interval; 2],
     /// Relative error of |V|.
     size: Interval,
-    /// Error of arg V.
+    /// Error of arg V, in rad.
     turned: Interval,
-    /// The smallest β_table/b.
+    /// The smallest ratio of the table's β_lim to the witness's β_lim.
     least: f64,
 }
 
-/// Errors and exact values, at the centre of an interval or over it.
+/// Errors and exact values of the functions, as series at the centre of an interval and over it.
 struct Functions {
     /// a·b/β_table − α, and α.
     quadrature: [Series<SHORT>; 2],
@@ -125,7 +126,7 @@ impl<S: Float> Moving<'_, S> {
         Some(worst)
     }
 
-    /// Returns the largest error over a cell of r.
+    /// Returns the largest error of amplitude and phase over a cell of r.
     fn error(&self, cell: &Cell, of_limit: f64) -> Option<f64> {
         let Cell {
             off,
@@ -135,10 +136,10 @@ impl<S: Float> Moving<'_, S> {
             least,
         } = *cell;
         let unit = 0.5 * S::EPSILON;
-        // β_lim is b up to the margin.
+        // β_lim equals the witness's b up to the margin.
         let fewer = Interval::new(1.0 / (1.0 + self.share) * (2.0 - UP), 1.0);
         let [alpha, gamma] = exact.map(|exact| exact * fewer);
-        // Roundings of a and of β_table, relative to β_table, and of the product with β.
+        // This adds the roundings of a and β_table, relative to β_table, and those of the product with β.
         let with_roundings = |function: usize, off: Interval, exact: Interval| {
             let most = exact.size() + off.size();
             let own =
@@ -159,7 +160,7 @@ impl<S: Float> Moving<'_, S> {
             if !(0.0 < own.low && 0.0 < other.low && 0.0 < amplitude.low) {
                 return None;
             }
-            // The difference of the roots is the difference of their squares over their sum.
+            // The difference of two roots equals the difference of their squares over their sum.
             let of_root = share * of_alpha * share * (alpha + tabled) / (own + other);
             let off = -(of_root + share * of_gamma) / amplitude;
             let rounded = FEW * unit * own.high / amplitude.low;
@@ -226,8 +227,8 @@ impl<S: Float> Moving<'_, S> {
         }
     }
 
-    /// Returns the relative error of the table's |V|, if |V| is one of the functions. The results are a series (at the
-    /// centre and over the interval) and the rounding error of the evaluation.
+    /// Returns the relative error of the table's |V|, if |V| is one of the functions of the table. The results are two
+    /// series (at the centre and over the interval), and the rounding error of the evaluation.
     fn size(
         &self,
         stages: [&Stage<ORDER>; 2],
@@ -241,7 +242,7 @@ impl<S: Float> Moving<'_, S> {
         let coefficients = self.coefficients(SIZE);
         let origin = self.piece.origin.to_f64();
         let [at, over] = stages;
-        // Near a zero both are divided by the distance from it.
+        // Near a zero both series are divided by the distance from it.
         let part = |series: &Series<ORDER>, at: &Series<ORDER>| {
             if self.beside_zero {
                 divided(series) + Series::fixed(at.value() / away)
@@ -276,12 +277,12 @@ impl<S: Float> Moving<'_, S> {
         let nearest = self.beside_zero.then_some(away);
         let rounded = rounding::<S>(&coefficients, origin, self.ends, nearest) / least;
         let off = Series::joined(&(first - one), &(all - one));
-        // The rounding errors are relative to the table.
+        // The rounding errors are relative to the table's |V|.
         let most = 1.0 + off.range(away).size();
         (rounded < SMALL).then_some((off, rounded * most * UP))
     }
 
-    /// Returns the sign of κV of an undamped chain, by which a is multiplied.
+    /// Returns the sign of κV in an undamped chain. a is multiplied by this sign.
     fn sign(&self, at: &Stage<ORDER>, over: &Stage<ORDER>, away: Interval) -> Option<Interval> {
         if self.is_damped() {
             return Some(Interval::ONE);
@@ -297,8 +298,8 @@ impl<S: Float> Moving<'_, S> {
         (sign != 0).then(|| Interval::point(f64::from(sign)))
     }
 
-    /// Returns arg V at the centre and over the interval, up to whole turns, and its uncertainty from the position of a
-    /// zero.
+    /// Returns arg V at the centre and over the interval, up to whole turns. Also returns its uncertainty from the
+    /// position of a zero.
     fn angle(
         &self,
         at: &Stage<ORDER>,

@@ -1,5 +1,5 @@
-//! Tests the proof of amplitude and phase against exact values, and with coefficients that are slightly or grossly
-//! wrong.
+//! Tests the proof of amplitude and phase against exact values, and with polynomial coefficients that are slightly or
+//! grossly wrong.
 
 use crate::tests::{random, request, scene};
 use crate::{prove, prove_piece};
@@ -31,8 +31,8 @@ fn tables<S: Float>(modal: &Modal, accuracy: f64, side: Side) -> Tables<S> {
     Tables::build(modal, asked).unwrap()
 }
 
-/// Returns the errors of β_lim (relative), amplitude (relative) and phase at an r. The last two are at their worst
-/// friction ratio.
+/// Returns the errors of β_lim (relative), amplitude (relative) and phase (rad) at one r. The errors of amplitude and
+/// phase are those at their worst friction ratio.
 fn errors<S: Float>(tables: &Tables<S>, place: usize, exact: &mut Exact<'_>, r: S) -> [f64; 3] {
     let piece = &tables.pieces[place];
     let of = |function: usize| piece.value(function, r);
@@ -67,8 +67,8 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
         let name = format!("{kind}{count}, {zeta}, {accuracy:e}: {}", proof.told());
         assert!(proof.evidence != Evidence::Checked, "{name}");
         assert!(proof.bound.error <= accuracy, "{name}");
-        // Only the surroundings of zeros of undamped modes may be open. The motion is open a little further near
-        // sub-harmonics among damped modes.
+        // Without damping, only the surroundings of zeros may be open. The motion may be open a little further near
+        // sub-harmonics if some modes are damped.
         let most = if zeta > 0.0 {
             0.0
         } else if zeta < 0.0 {
@@ -91,7 +91,7 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
             }
             let place = tables.pieces.partition_point(|piece| piece.from <= r);
             let [_, amplitude, phase] = errors(&tables, place.saturating_sub(1), &mut exact, r);
-            // The exact values have roundings of their own.
+            // The exact values have rounding errors themselves.
             let allowed = proof.bound.error + 1e-10;
             assert!(
                 amplitude <= allowed && phase <= allowed,
@@ -103,7 +103,7 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
     compared
 }
 
-/// The bound must hold at random r, for friction ratios up to 0.98 of β_lim.
+/// The proven bound must hold at random r, for friction ratios up to 0.98 of β_lim.
 #[test]
 fn the_bound_holds() {
     let double = agreeing::<f64>(1e-2, Side::Near)
@@ -116,7 +116,7 @@ fn the_bound_holds() {
     );
 }
 
-/// Returns the largest errors of a piece among many r, over the accuracy.
+/// Returns the largest errors in a piece at many r, over the accuracy.
 fn largest(
     tables: &Tables<f64>,
     place: usize,
@@ -133,8 +133,9 @@ fn largest(
     [limit, motion].map(|error| error / tables.request.accuracy)
 }
 
-/// A piece with a wrong coefficient must not be proven whole. Every coefficient of every function of several pieces is
-/// changed by ten times the accuracy. It is also changed so little that a value just exceeds its accuracy somewhere.
+/// The proof must not accept a whole piece with a wrong coefficient. The test changes every coefficient of every
+/// function of several pieces by ten times the accuracy. It also changes each so little that the error just exceeds the
+/// accuracy somewhere.
 #[test]
 fn wrong_coefficients_are_not_proven() {
     let (mut little, mut much) = (0, 0);
@@ -192,7 +193,7 @@ fn wrong_coefficients_are_not_proven() {
                             assert!(seen <= 1.02 || open > 0.0, "{told}");
                             little += usize::from(seen > 1.02 && seen < 2.0);
                             much += usize::from(seen >= 2.0);
-                            // A gross error must leave a large part of the piece open.
+                            // A gross error must leave a large fraction of the piece open.
                             assert!(seen < 5.0 || open > 0.02 * (next - ends.0), "{told}");
                         }
                     }

@@ -1,4 +1,4 @@
-//! Walks over a piece and proves it, interval by interval.
+//! Proves one piece of a table, interval by interval.
 
 use crate::candidates::candidates;
 use crate::cells::{Part as Asked, ROUNDING};
@@ -13,28 +13,28 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::table::building::{Edge, Exact};
 use frictiongen_model::table::{FINEST_PROVEN, Fitted, Request, Work};
 
-/// Share of the accuracy that a larger constraint elsewhere may use. Tuned: the rest is left to the polynomial, of which
-/// the check leaves a tenth of the accuracy.
+/// Fraction of the accuracy that a larger constraint at another instant may take. Tuned: the rest remains for the error
+/// of the polynomial. The check of the tables already leaves a tenth of the accuracy free.
 const ELSEWHERE: f64 = 1.0 / 32.0;
 /// Shortest interval, as a fraction of r. Tuned: it bounds the work next to zeros and poles.
 const SHORTEST: f64 = 1e-7;
-/// Shortest interval for the motion, as a fraction of its piece. Tuned: where β_lim alone passes, the motion stays open
-/// rather than shorten every interval.
+/// Shortest interval for the motion, as a fraction of its piece. Tuned: where only β_lim passes, the motion stays open,
+/// so that not every interval becomes shorter.
 const SHORTEST_OF_MOTION: f64 = 2e-3;
 /// Shortest interval for the motion next to a zero of β_lim, as a fraction of the distance from the zero.
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
-/// Length of a piece over that of its first interval. Tuned: an interval that is too long fails and is halved.
+/// Length of a piece over the length of its first interval. Tuned: an interval that is too long fails and is halved.
 const FIRST: f64 = 4.0;
-/// Growth of the next interval after a proven one. Tuned: fast growth saves intervals, but an interval that fails is
-/// lost work.
+/// Ratio of the next interval's length to that of a proven interval. Tuned: fast growth saves intervals, but an
+/// interval that fails is lost work.
 const LONGER: f64 = 1.15;
-/// Shortest trial interval after an open one, as a fraction of the next open length. Tuned: it limits the trials to
-/// four halvings of that length.
+/// Shortest interval that is tried after an open one, as a fraction of the length that is left open next. Tuned: it
+/// limits the trials to four halvings of that length.
 const FINER: f64 = 1.0 / 16.0;
-/// An interval takes all of the rest if the rest is at most this many times its length. Tuned: a short last interval
-/// takes as much work as a long one.
+/// If the rest of the piece is at most this many times as long as the next interval, the interval covers the whole
+/// rest. Tuned: a short last interval takes as much work as a long one.
 const NO_STUB: f64 = 1.2;
-/// Largest κ at a zero of β_lim at which κ counts as zero. It is tens of roundings of a cosine.
+/// Largest κ at a zero of β_lim that counts as zero: tens of roundings of a cosine.
 const VANISHES: f64 = 1e-14;
 
 /// State of the proof of one piece.
@@ -44,9 +44,9 @@ pub(crate) struct Prover<'a, 'm> {
     request: Request,
     budget: Budget,
     found: Piece,
-    /// Largest error of |V|; `None` if the motion is not compared.
+    /// Largest relative error of |V|. `None` if the motion is not compared.
     excitation: Option<f64>,
-    /// True if a witness near the start proved the last interval.
+    /// True if a witness near the start of the half period proved the last interval.
     early: bool,
 }
 
@@ -70,8 +70,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         }
     }
 
-    /// Proves a piece from one r to another. `kinks` are those of β_lim within it, and `zero` is the zero that is its
-    /// origin.
+    /// Proves a piece from one r to another. `kinks` are the kinks of β_lim within the piece. `zero` is the zero of
+    /// β_lim that is the origin of the piece's polynomials.
     pub fn piece<S: Float>(
         mut self,
         piece: &Fitted<S>,
@@ -85,7 +85,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             }
             return self.found;
         }
-        // A kink at an end of the piece, up to rounding, divides nothing.
+        // A kink at an end of the piece, up to rounding, does not divide the piece.
         let apart = ROUNDING * to;
         let within = |kink: &f64| from + apart < *kink && *kink < to - apart;
         let mut ends = vec![from];
@@ -106,7 +106,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         self.found
     }
 
-    /// Proves the range from one r to another, interval by interval.
+    /// Proves the range between two r, interval by interval.
     fn walk<S: Float>(&mut self, piece: &Fitted<S>, start: f64, end: f64, zero: Option<Edge>) {
         let forwards = start < end;
         let mut place = start;
@@ -114,8 +114,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut length = (end - start).abs() / FIRST;
         let shortest = SHORTEST * start.max(end);
         let mut skip = shortest;
-        // The motion has its own open length. An interval must prove the motion only from the distance `again` from the
-        // start on.
+        // The motion has a length of its own that is left open. An interval must prove the motion only if it is at
+        // least `again` from the start.
         let (mut skip_motion, mut again) = (0.0_f64, 0.0_f64);
         let from_zero = zero.is_some();
         while place != end {
@@ -124,7 +124,7 @@ impl<'a, 'm> Prover<'a, 'm> {
                 return;
             }
             let rest = (end - place).abs();
-            // Avoids a short last interval.
+            // This avoids a short last interval.
             let step = if rest < NO_STUB * length {
                 rest
             } else {
@@ -166,7 +166,8 @@ impl<'a, 'm> Prover<'a, 'm> {
                     length = LONGER * step;
                     skip = shortest.max(0.5 * skip);
                 }
-                // An open interval is not narrowed to the last digit. Its length doubles with each failure.
+                // An interval that stays open is not halved down to rounding. Instead the open length doubles with each
+                // failure.
                 None if step <= shortest.max(FINER * skip) => {
                     let far = skip.max(step).min(rest);
                     let next = if forwards { place + far } else { place - far };
@@ -182,7 +183,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         }
     }
 
-    /// Returns the proven results over an interval, or `None` if it is not proven.
+    /// Returns the proven results over an interval of r, or `None` if the interval is not proven.
     fn part<S: Float>(
         &mut self,
         piece: &Fitted<S>,
@@ -217,7 +218,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             let mut seen_over = Seen::of(&witness, &over, all, rest);
             seen_over.refine(&seen_at, all);
             self.budget.spend(OF_STAGE * self.chain.modes.len());
-            // A negative constraint is no witness. For an undamped chain its magnitude is one.
+            // A negative constraint is no witness. In an undamped chain its magnitude is one.
             let is_one = self.chain.all_undamped || 0.0 <= seen_over.constraint.value().low;
             if !is_one {
                 continue;
@@ -266,7 +267,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         None
     }
 
-    /// Returns both stages with κ > 0. For a wholly undamped chain either sign is valid, because F(π − τ) = −F(τ).
+    /// Returns both stages with κ > 0. In a wholly undamped chain both signs are valid, because F(π − τ) = −F(τ).
     fn oriented(
         &self,
         at: Stage<ORDER>,

@@ -11,17 +11,17 @@ use frictiongen_kernel::Scalar;
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Number of Newton steps towards such an instant. Tuned: it bounds the work where Newton's method does not converge.
+/// Number of Newton steps towards another instant. Tuned: it bounds the work where Newton's method does not converge.
 const STEPS: usize = 8;
-/// Step length, in half-turns, at which Newton's method has converged. Tuned: convergence is quadratic, so the next
+/// Step length, in half-turns, below which Newton's method has converged. Tuned: convergence is quadratic, so the next
 /// step would be far below a rounding.
 const FOUND: f64 = 1e-9;
-/// Largest shift of an instant within an interval of r, in half-turns. With a larger shift it is a different instant.
+/// Largest shift of an instant over an interval of r, in half-turns. After a larger shift it counts as another instant.
 const JUMP: f64 = 0.1;
-/// Number of subintervals of r in which D is bounded. Tuned: more of them have narrower bounds, at more work.
+/// Number of subintervals of r in which D is bounded. Tuned: more subintervals give narrower bounds, at more work.
 const PARTS: usize = 6;
 
-/// Instants about a local minimum of D at which D is positive for all r of an interval.
+/// A range of instants about a local minimum of D, in which D is positive for all r of an interval.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Region {
     from: f64,
@@ -29,7 +29,7 @@ pub(crate) struct Region {
 }
 
 impl Region {
-    /// Returns the share of a side up to which the region extends, if it contains the given share.
+    /// Returns the share of a side at which the region ends, if the region contains the position of the given share.
     pub fn reach(&self, side: Flank, share: f64, path: Interval) -> Option<f64> {
         let (begins, end) = match side {
             Flank::Before => (
@@ -47,14 +47,14 @@ impl Region {
 }
 
 impl Cells<'_> {
-    /// Returns the region about the local minimum of D near an instant. Returns `None` if there is no minimum, or if D
-    /// is not shown to be positive.
+    /// Returns the region about the local minimum of D near an instant. Returns `None` if there is no minimum, or if
+    /// the bounds do not show that D is positive.
     pub fn region(&self, t: f64, budget: &mut Budget) -> Option<Region> {
         let part = self.part;
         let (low, high) = (part.away.low, part.away.high);
         let places = [0.0, if high > -low { high } else { low }];
         let places = [places[0], 0.5 * places[1], places[1]];
-        // The instant at three r, beginning at the centre.
+        // The minimum is found at three r, beginning at the centre of the interval.
         let mut own = t;
         let mut instants = [0.0; 3];
         for (place, instant) in places.iter().zip(&mut instants) {
@@ -70,7 +70,7 @@ impl Cells<'_> {
         if jump > JUMP {
             return None;
         }
-        // The parabola through the three instants.
+        // The instants follow a parabola in r through these three.
         let [a, b, c] = instants;
         let step = places[1];
         let slope = (4.0 * b - 3.0 * a - c) / (2.0 * step);
@@ -128,7 +128,7 @@ impl Cells<'_> {
     }
 }
 
-/// Returns D and its slope in τ at an instant that depends on r.
+/// Returns D and its slope in τ. The instant depends on r.
 fn seen(
     stage: &Stage<ORDER>,
     level: &Series<ORDER>,
@@ -181,8 +181,8 @@ mod tests {
     use super::super::tests::random;
     use super::*;
 
-    /// The instant must be in the region for every position of the witness, and for every share up to the returned one.
-    /// A slightly larger share must leave the region.
+    /// For every position of the witness, the region must contain the instant at every share up to the returned one. A
+    /// slightly larger share must lie outside the region.
     #[test]
     fn within_the_region() {
         let (mut state, mut told) = (9, 0);

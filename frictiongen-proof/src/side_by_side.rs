@@ -1,7 +1,7 @@
-//! Answers questions in parallel, in as many threads as the machine can run at once.
+//! Answers a list of questions in parallel, in as many threads as the machine can run at once.
 //!
-//! The result does not depend on the number of threads. Answers count in the order of the questions, until the work is
-//! spent.
+//! The result does not depend on the number of threads. Answers count in the order of the questions, until the
+//! permitted work is spent.
 
 use std::num::NonZero;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -9,17 +9,17 @@ use std::thread::{self, Builder};
 
 /// Data that the threads share.
 struct Shared<A> {
-    /// The next question without a thread.
+    /// Index of the next question that no thread has taken.
     next: usize,
-    /// The answers, each with its work.
+    /// The answers, each with its work. `None` for a question without an answer yet.
     answers: Vec<Option<(usize, A)>>,
-    /// Number of answers before the first gap, and their work.
+    /// Number of answers before the first missing one (`known`), and their work (`spent`).
     known: usize,
     spent: usize,
 }
 
 impl<A> Shared<A> {
-    /// Returns a question for a thread, or `None` if none is left or the work is spent.
+    /// Returns the next question for a thread, or `None` if no question is left or the work is spent.
     fn question(&mut self, count: usize, most: usize) -> Option<usize> {
         if self.next == count || most <= self.spent {
             return None;
@@ -40,7 +40,7 @@ impl<A> Shared<A> {
         }
     }
 
-    /// Returns the answers that count.
+    /// Returns the answers that count: those before the first missing one, until the work is spent.
     fn counted(self, most: usize) -> Vec<A> {
         let mut spent = 0;
         let known = self.answers.into_iter().map_while(|answer| answer);
@@ -53,13 +53,13 @@ impl<A> Shared<A> {
     }
 }
 
-/// Locks the shared data, also after a panic of another thread. The panic ends the whole call, so its data are not used
-/// again.
+/// Locks the shared data, even if another thread has panicked. Such a panic ends the whole call, so that nobody uses
+/// the data afterwards.
 fn locked<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
     shared.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Returns the answers in the order of the questions, until the work of the previous answers is spent.
+/// Returns the answers in the order of the questions, until the work of the earlier answers exceeds `most`.
 ///
 /// `begin` creates the data of a thread. `one` returns an answer with its work.
 pub(crate) fn answered<State, A: Send>(

@@ -10,11 +10,11 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::table::building::contact_modes;
 
-/// Number of terms of the Taylor series in r in a proof. Tuned: more terms allow longer intervals, but the work of a
-/// product grows with their square.
+/// Number of terms of the Taylor series in r. Tuned: more terms allow longer intervals, but the work of a product grows
+/// with their square.
 pub(crate) const ORDER: usize = 8;
 
-/// The decay of a mode.
+/// Kind of damping of a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Undamped,
@@ -23,7 +23,7 @@ pub(crate) enum Kind {
     Over,
 }
 
-/// The constants of a mode.
+/// The constants of a mode, as intervals.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Oscillator {
     pub kind: Kind,
@@ -41,7 +41,7 @@ pub(crate) struct Oscillator {
     pub residue: Interval,
 }
 
-/// The chain in intervals. Each interval contains a number of the double-double modal analysis.
+/// The chain in intervals. Each interval contains a number that the modal analysis gives in double-double.
 #[derive(Clone, Debug)]
 pub(crate) struct Chain {
     pub modes: Vec<Oscillator>,
@@ -96,13 +96,13 @@ impl Chain {
     }
 }
 
-/// A mode at a frequency.
+/// A mode at the frequency ratios of an interval.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ModeStage<const N: usize> {
     pub oscillator: Oscillator,
-    /// √λ/r.
+    /// √λ/r, natural frequency over excitation frequency.
     pub x: Series<N>,
-    /// r/√λ.
+    /// r/√λ, the inverse of `x`.
     pub slow: Series<N>,
     /// κc(1 + g), the coefficient of p in the velocity constraint.
     pub free: Series<N>,
@@ -110,13 +110,13 @@ pub(crate) struct ModeStage<const N: usize> {
     pub forced_slope: Series<N>,
 }
 
-/// The chain at a frequency.
+/// The chain at the frequency ratios of an interval.
 #[derive(Clone, Debug)]
 pub(crate) struct Stage<const N: usize> {
     pub modes: Vec<ModeStage<N>>,
     /// 1/r.
     pub inverse: Series<N>,
-    /// κ; `None` if it is 1.
+    /// κ, the product of cosines by which the functions are multiplied. `None` if it is 1.
     pub kappa: Option<Series<N>>,
     /// κV, its real and imaginary part.
     pub excitation: [Series<N>; 2],
@@ -124,20 +124,20 @@ pub(crate) struct Stage<const N: usize> {
     pub quadrature: Series<N>,
     /// κG.
     pub displacement: Series<N>,
-    /// κ(m* + H_c), the velocity constraint for τ → 0.
+    /// κ(m* + H_c), where m* + H_c is the velocity constraint for τ → 0.
     pub start: Series<N>,
-    /// κ(μm* + H_c).
+    /// κ(μm* + H_c), where μm* + H_c is the break-away condition.
     pub break_away: Series<N>,
 }
 
-/// Cosine of an undamped mode below which it is multiplied out. Tuned: a quotient by a smaller cosine is wide over an
-/// interval of r, but each factor of κ costs products.
+/// If the cosine of an undamped mode is below this value, the functions are multiplied by it. Tuned: a quotient by a
+/// smaller cosine is wide over an interval of r, but each factor of κ costs products.
 const SINGULAR: f64 = 0.2;
-/// Distance from x = 1 below which the pole of V is divided out together with the cosine. Farther away x² − 1 is not
-/// small.
+/// Distance from x = 1 below which the pole of V is removed together with the zero of the cosine. Farther away x² − 1
+/// is not small.
 const RESONANT: f64 = 0.5;
 
-/// Returns, for each mode, whether its cosine is multiplied out near an r.
+/// Returns, for each mode, true if the functions are multiplied by its cosine near r.
 pub(crate) fn singular(chain: &Chain, r: f64) -> Vec<bool> {
     let modes = chain.modes.iter();
     let cosine = |mode: &Oscillator| {
@@ -150,13 +150,13 @@ pub(crate) fn singular(chain: &Chain, r: f64) -> Vec<bool> {
 }
 
 impl<const N: usize> Stage<N> {
-    /// Returns the chain at the frequencies of an interval.
+    /// Returns the chain at the frequency ratios of an interval.
     pub fn over(chain: &Chain, r: Interval, singular: &[bool]) -> Self {
         let one = Series::fixed(Interval::ONE);
         let (ratio, inverse) = (Series::<N>::variable(r), Series::<N>::inverse(r));
         let square = ratio.squared();
         let half = Interval::point(0.5);
-        // Sine and cosine of πx/2. They are needed for the undamped modes.
+        // Sine and cosine of πx/2 are needed for the undamped modes.
         let waves: Vec<(Series<N>, Series<N>)> = chain
             .modes
             .iter()
@@ -170,7 +170,7 @@ impl<const N: usize> Stage<N> {
             .collect();
         let kappa = cosines.iter().copied().reduce(|a, b| a * b);
         let scaled = |value: Series<N>| kappa.map_or(value, |kappa| kappa * value);
-        // For a mode whose cosine is multiplied out, the product of the other such cosines.
+        // Each mode whose cosine is a factor of κ needs the product of the other factors.
         let mut seen = 0;
         let mut others = || {
             let own = seen;
@@ -255,7 +255,7 @@ impl<const N: usize> Stage<N> {
         }
     }
 
-    /// Tightens the series over an interval with the series `at` a point in it.
+    /// Makes the series over an interval narrower, with the series `at` a point in the interval.
     pub fn refine(&mut self, at: &Self, away: Interval) {
         for (over, at) in self.excitation.iter_mut().zip(&at.excitation) {
             *over = over.refined(at, away);
@@ -303,7 +303,7 @@ impl<const N: usize> Stage<N> {
     }
 }
 
-/// Returns 1 + g and u/x² of a mode whose cosine is not multiplied out.
+/// Returns 1 + g and u/x² of a mode whose cosine is not a factor of κ.
 fn functions<const N: usize>(
     mode: &Oscillator,
     x: &Series<N>,

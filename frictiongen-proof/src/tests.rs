@@ -1,4 +1,4 @@
-//! Tests the proof against the exact search, and with faults that it has to find.
+//! Tests the proof against the exact search, and with faults that the proof has to find.
 
 use crate::cells::Part;
 use crate::certify::certified;
@@ -17,8 +17,8 @@ use frictiongen_model::scene::{
 use frictiongen_model::table::building::Exact;
 use frictiongen_model::table::{Evidence, Proof, Request, Tables, Work};
 
-/// Returns a chain of equal masses and springs. The last mass rubs on a wall, the first on a moving base, or the first
-/// two on each other.
+/// Returns a chain of equal masses and springs. `kind` names the contact: the last mass rubs on a wall, the first mass
+/// rubs on a moving base, or the first two masses rub on each other.
 pub(crate) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
     let mass = |place: usize| Mass {
         name: format!("m{place}"),
@@ -82,7 +82,7 @@ fn limit_of<S: Float>(tables: &Tables<S>, modal: &Modal, work: Work) -> Proof {
     limit
 }
 
-/// At random r outside the open intervals, the table must be within the proven bound of the exact search.
+/// At random r outside the open intervals, the table must agree with the exact search within the proven bound.
 #[test]
 fn the_bound_holds() {
     let mut points = 0;
@@ -104,7 +104,7 @@ fn the_bound_holds() {
                 proof.told()
             );
             assert!(proof.evidence != Evidence::Checked, "{name}");
-            // Only surroundings of zeros of undamped chains may be open.
+            // Only the surroundings of zeros of undamped chains may be open.
             let most = if zeta > 0.0 { 0.0 } else { 1e-6 };
             assert!(proof.open_length() <= most, "{name}");
             assert!(proof.bound.error <= accuracy, "{name}");
@@ -118,7 +118,7 @@ fn the_bound_holds() {
                 let piece = tables.pieces.iter().rev().find(|piece| piece.from <= r);
                 let value = piece.unwrap_or(&tables.pieces[0]).value(0, r);
                 let limit = exact.at(r).unwrap().limit;
-                // The search and the sums in double precision have roundings of their own.
+                // The search and the sums in double precision have rounding errors.
                 let error = value / limit - 1.0;
                 assert!(
                     error.abs() <= proof.bound.error + 1e-9,
@@ -135,7 +135,7 @@ fn the_bound_holds() {
     assert!(points > 7 * 3 * 1800, "{points}");
 }
 
-/// A piece with one coefficient wrong by ten accuracies must not be proven where the error matters.
+/// A piece with one coefficient wrong by ten times the accuracy must not be proven where the error matters.
 #[test]
 fn a_wrong_coefficient_is_not_proven() {
     let mut found = 0;
@@ -180,7 +180,7 @@ fn a_wrong_coefficient_is_not_proven() {
     assert_eq!(found, 3 * (4 + 6 + 6 + 6));
 }
 
-/// With the safe side, a table above β_lim by less than its accuracy must not be proven either.
+/// With `side: safe`, a table above β_lim must not be proven either, even if it is above by less than its accuracy.
 #[test]
 fn above_the_limit_is_not_safe() {
     let accuracy = 1e-3;
@@ -195,7 +195,7 @@ fn above_the_limit_is_not_safe() {
             proof.open_length() / length
         };
         assert!(open(&tables) < 1e-3, "{kind}{count}");
-        // The factor shifts the piece from below β_lim to above it, by less than one accuracy.
+        // The factor shifts the piece from below β_lim to above it, by less than the accuracy.
         for coefficient in &mut tables.pieces[place].coefficients[0] {
             *coefficient *= 1.0 + 0.97 * accuracy;
         }
@@ -221,7 +221,7 @@ fn single_precision() {
     }
 }
 
-/// Without work, and below 1e-6, a table must report that it is only checked.
+/// A table must report that it is only checked in two cases: without work for a proof, and at an accuracy below 1e-6.
 #[test]
 fn what_is_not_proven_says_so() {
     let modal = scene("Wall", 1, 0.02, 1.2);
@@ -245,8 +245,8 @@ fn what_is_not_proven_says_so() {
     assert!(fine.proof.told().starts_with("Checked, not proven"));
 }
 
-/// A witness that is not near the largest constraint must be refused at any r. A witness at the largest one is mostly
-/// accepted.
+/// The proof must refuse a witness that is not near the largest constraint, at any r. It must accept most witnesses at
+/// the largest constraint.
 #[test]
 fn witnesses_that_are_none() {
     let (mut refused, mut accepted, mut largest) = (0, 0, 0);
@@ -316,8 +316,8 @@ fn witnesses_that_are_none() {
     );
 }
 
-/// The series near the start of the half period must agree with the sum itself, for modes of every kind, including
-/// slopes in r.
+/// The series near the start of the half period must agree with the sum itself. The test has modes of every kind, and
+/// includes slopes in r.
 #[test]
 fn early_as_anywhere() {
     let mut state = 5;

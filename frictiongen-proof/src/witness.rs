@@ -1,19 +1,20 @@
-//! A witness: an instant, as a polynomial in r, at which the velocity constraint is nearly largest. Also β_lim for that
-//! constraint.
+//! A witness: an instant, as a polynomial in r, at which the velocity constraint is nearly largest. The module also
+//! computes β_lim for that constraint.
 
 use crate::series::Series;
 use crate::stage::Stage;
 use crate::{early, force};
 use frictiongen_model::interval::Interval;
 
-/// The assumed position of the largest velocity constraint over an interval of r.
+/// The assumed position of the largest velocity constraint, for all r of an interval.
 #[derive(Clone, Debug)]
 pub(crate) enum Witness {
-    /// The break-away term, which for μ = 1 is the start of the half period.
+    /// The break-away condition. For μ = 1 it equals the constraint at the start of the half period.
     BreakAway,
-    /// The sum at τ = πt, with t a polynomial in r − r₀.
+    /// The instant τ = πt, with the coefficients of t as a polynomial in r − r₀. The constraint is F/sin τ.
     Instant(Vec<f64>),
-    /// The sum at τ = πt near the start of the half period, by its series in τ.
+    /// The instant τ = πt near the start of the half period, with the same coefficients. The constraint uses the Taylor
+    /// series in τ.
     Early(Vec<f64>),
 }
 
@@ -36,7 +37,7 @@ pub(crate) fn polynomial<const N: usize>(coefficients: &[f64], t: Series<N>) -> 
     })
 }
 
-/// The values of a witness at a frequency.
+/// The values of a witness at the frequency ratios of an interval.
 ///
 /// D = N sin τ − F must be positive at all other instants, with N slightly above the constraint. For a witness near the
 /// start, D/τ takes the place of D.
@@ -44,15 +45,15 @@ pub(crate) fn polynomial<const N: usize>(coefficients: &[f64], t: Series<N>) -> 
 pub(crate) struct Seen<const N: usize> {
     /// The instant over π.
     pub t: Series<N>,
-    /// sin τ, or sin τ/τ.
+    /// sin τ, or sin τ/τ for a witness near the start.
     pub weight: Series<N>,
     /// The slope of `weight`.
     pub turn: Series<N>,
-    /// κ times the velocity constraint of the witness. The largest constraint is not below it.
+    /// κ times the velocity constraint of the witness. The largest constraint is at least as large.
     pub constraint: Series<N>,
     /// (κU)² + (κ times the constraint)².
     pub size: Series<N>,
-    /// The slope in τ of D, or of D/τ, with the constraint in place of N.
+    /// The slope in τ of D, or of D/τ, where N is replaced by the witness's constraint.
     pub rise: Series<N>,
 }
 
@@ -92,7 +93,7 @@ impl<const N: usize> Seen<N> {
         }
     }
 
-    /// Tightens the series over an interval with the series `at` a point in it.
+    /// Makes the series over an interval narrower, with the series `at` a point in the interval.
     pub fn refine(&mut self, at: &Self, away: Interval) {
         self.constraint = self.constraint.refined(&at.constraint, away);
         self.size = self.size.refined(&at.size, away);

@@ -19,7 +19,7 @@ pub struct Series<const N: usize> {
 
 /// Number of summed terms of the series of sin(πz)/(πz). The next one is below 10⁻²⁹ for |z| ≤ 1.
 const SINC_TERMS: usize = 21;
-/// Bound on the remaining terms of a derivative over k!, for k below the number of terms of a series.
+/// Bound on the neglected terms of a derivative over k!, for k below the number of terms of a series.
 const SINC_REST: f64 = 1e-17;
 
 impl<const N: usize> Series<N> {
@@ -109,7 +109,7 @@ impl<const N: usize> Series<N> {
         }
     }
 
-    /// Returns all terms up to the last that is not 0.
+    /// Returns all terms up to the last one that is not 0.
     #[inline(always)]
     fn trimmed(terms: &[Interval]) -> &[Interval] {
         let mut terms = terms;
@@ -160,7 +160,7 @@ impl<const N: usize> Series<N> {
         Interval::new(low - room, high + room)
     }
 
-    /// Returns the same sum where bounds are infinite or every product is 0.
+    /// Returns the same sum term by term. It is used if bounds are infinite or every product is 0.
     fn convolved_term_by_term(a: &[Interval], b: &[Interval]) -> Interval {
         let pairs = a.iter().zip(b.iter().rev());
         let pairs = pairs.filter(|(a, b)| !a.is_nothing() && !b.is_nothing());
@@ -309,7 +309,7 @@ impl<const N: usize> Series<N> {
     pub fn refined(&self, at: &Self, away: Interval) -> Self {
         let mut refined = *self;
         for (k, term) in refined.terms.iter_mut().enumerate() {
-            // Σ_j C(j, k) a_j t^{j−k} is summed from the highest term down. C(j − 1, k) is C(j, k)·(j − k)/j.
+            // The sum Σ_j C(j, k) a_j t^{j−k} runs from the highest term down. C(j − 1, k) is C(j, k)·(j − k)/j.
             let mut chosen = 1;
             for j in k + 1..N {
                 chosen = chosen * j / (j - k);
@@ -324,8 +324,8 @@ impl<const N: usize> Series<N> {
         refined
     }
 
-    /// Returns the values of the polynomial for all t in an interval. It intersects the mean value form at the middle
-    /// with plain interval evaluation.
+    /// Returns an interval of the polynomial's values for all t in an interval. It is the intersection of the mean
+    /// value form at the middle with plain interval evaluation.
     #[must_use]
     pub fn range(&self, t: Interval) -> Interval {
         let middle = Interval::point(t.middle());

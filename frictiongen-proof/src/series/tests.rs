@@ -16,7 +16,7 @@ impl Numbers {
             .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
-    /// Returns a number of either sign over ten decades, and sometimes 0.
+    /// Returns a random number of either sign over ten decades, and sometimes 0.
     fn end(&mut self) -> f64 {
         let size = 10_f64.powf(10.0 * self.next() - 5.0);
         match (16.0 * self.next()) as u32 {
@@ -44,8 +44,8 @@ impl Numbers {
     }
 }
 
-/// Returns whether an interval contains a number to about its 31 digits. The slack is far below one rounding of a
-/// double.
+/// Returns true if an interval contains a number, up to the number's rounding at 31 digits. This slack is far below one
+/// rounding of a double.
 fn holds(interval: Interval, value: Dd) -> bool {
     let slack = value.abs() * Dd::from(1e-28);
     !(value + slack < Dd::from(interval.low)) && !(Dd::from(interval.high) < value - slack)
@@ -68,7 +68,7 @@ fn formula_at(h: Dd) -> Dd {
         - turned / angle
 }
 
-/// By Taylor's formula, a joined series encloses the function everywhere in its interval.
+/// By Taylor's formula, a joined series must enclose the function everywhere in its interval.
 #[test]
 fn series_hold_what_they_should() {
     let mut numbers = Numbers(7);
@@ -203,7 +203,7 @@ fn refined() {
             let (plain, own, there) = (over.term(k), refined.term(k), there.term(k));
             narrower = narrower.max((plain.high - plain.low) / (own.high - own.low));
             assert!(plain.low <= own.low && own.high <= plain.high);
-            // Both are known only to within some roundings, so they must overlap.
+            // Both results have some roundings of uncertainty, so they must overlap.
             assert!(
                 own.low <= there.high && there.low <= own.high,
                 "{k}: {own:?} {there:?}"
