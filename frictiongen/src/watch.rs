@@ -1,4 +1,4 @@
-//! Follows one frequency sample by sample in fixed memory, so that a device can watch its own friction.
+//! Follows one frequency sample by sample in a fixed amount of memory. A device can thus watch its own friction.
 //!
 //! A [`Watch`] is a sliding Goertzel filter. It computes the Fourier sum of its last N samples at a frequency with
 //! whole cycles in N samples. Two filters, one for the base and one for a mass, give the displacement
@@ -34,8 +34,8 @@ pub struct Watch<S, const N: usize> {
     /// Fourier sum of the samples since the buffer was last written from its start. Every N samples `fresh` replaces
     /// `sum`, so that older rounding errors disappear.
     fresh: Complex<S>,
-    /// `turn` is the factor e^{−iωt} of the next sample. `step` is the factor by which `turn` changes from sample to
-    /// sample.
+    /// `turn` is the factor e^{−iωt} of the next sample. `step` is the factor from one sample's `turn` to the next
+    /// one's.
     turn: Complex<S>,
     step: Complex<S>,
 }

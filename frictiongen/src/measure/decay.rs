@@ -1,10 +1,10 @@
 //! Finds friction and damping from a free vibration of one mass (thesis 4.3.2).
 //!
-//! After its release, a mass swings about one point going up and about another going down, 2F/k apart. Its extremes
-//! fall by 4F/k per cycle (4.2). With viscous damping each half cycle also multiplies the distance from that point by
-//! e^{−πζ/√(1−ζ²)} (Feeny and Liang, J. Sound Vib. 195 (1996) 149). The extremes give a first guess. All samples
-//! between the first and the last extreme are then fitted, because single peaks of a noisy signal come out too high.
-//! peaks of a noisy signal are found too high.
+//! After its release, a mass swings about two points that are 2F/k apart: one while it moves up, the other while it
+//! moves down. Its extremes fall by 4F/k per cycle (4.2). With viscous damping each half cycle also multiplies the
+//! distance from the present point by e^{−πζ/√(1−ζ²)} (Feeny and Liang, J. Sound Vib. 195 (1996) 149). The extremes
+//! give a first guess. All samples between the first and the last extreme are then fitted, because single peaks of a
+//! noisy signal come out too high.
 
 use super::identify::Estimate;
 use super::least_squares::{Linearised, minimise};
@@ -16,15 +16,15 @@ use crate::study::scene::Damping;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// Least number of extremes: one more than the unknowns of their decrease.
+/// Smallest number of extremes for a fit: one more than the unknowns of their decrease.
 const FEWEST: usize = 4;
-/// Least turning back that ends a swing, in standard deviations of the noise. [`PART`] bounds it too.
+/// Smallest change back that ends a swing, in standard deviations of the noise. [`PART`] is a second lower bound.
 const TURN: f64 = 8.0;
-/// Least turning back that ends a swing, as a fraction of the whole range.
+/// Smallest change back that ends a swing, as a fraction of the whole range of the samples.
 const PART: f64 = 0.02;
-/// A decrease in a half cycle below this fraction of a swing counts as rounding error.
+/// Decrease in a half cycle, as a fraction of a swing, below which it counts as rounding error.
 const ROUNDING: f64 = 1e-9;
-/// Step of a finite difference, relative to the scale of the parameter.
+/// Step of a finite difference, relative to the natural scale of the parameter.
 const DIFFERENCE: f64 = 1e-6;
 
 /// Friction, damping and natural frequency found in a free vibration.
@@ -42,8 +42,8 @@ pub struct FreeDecay {
     pub linear_decrement: f64,
     /// Extremes that were used, as pairs: time from the first sample in s, and displacement in m.
     pub extremes: Vec<(f64, f64)>,
-    /// Standard deviation of the residuals over that of the noise. Well above 1, the mass does not move as the model
-    /// says.
+    /// Standard deviation of the residuals over that of the noise. If it is well above 1, the mass does not move as the
+    /// model says.
     pub misfit: f64,
 }
 
@@ -122,7 +122,8 @@ impl System {
     }
 }
 
-/// Returns the standard deviation of the noise, from third differences. A smooth motion contributes little to them.
+/// Returns the standard deviation of the noise, from third differences of the samples. A smooth motion contributes
+/// little to third differences.
 fn noise(samples: &[f64]) -> f64 {
     let thirds = samples.windows(4).filter_map(|w| {
         let &[a, b, c, d] = w else { return None };
@@ -132,8 +133,8 @@ fn noise(samples: &[f64]) -> f64 {
     (thirds.sum::<f64>() / (20.0 * count)).sqrt()
 }
 
-/// Returns the index and the value of each sample where the motion turns. The start of the record and turns within the
-/// noise are left out.
+/// Returns the index and the value of each sample where the motion changes its direction. The start of the record is
+/// left out. So are changes of direction within the noise.
 fn extremes(samples: &[f64], turn: f64) -> Vec<(usize, f64)> {
     let mut found = Vec::new();
     let Some(first) = samples.first() else {
@@ -158,18 +159,19 @@ fn extremes(samples: &[f64], turn: f64) -> Vec<(usize, f64)> {
             high = (place, *value);
         }
     }
-    // A mass that is held before its release has its first extreme at an arbitrary sample of that interval.
+    // The mass may be held before its release. Its first extreme is then at an arbitrary sample of that interval, so
+    // that it is dropped.
     if !found.is_empty() {
         found.remove(0);
     }
     found
 }
 
-/// Parameters of the decay, in samples and m: position and value of the first extreme, middle, half cycle, its
-/// decrement, F/k.
+/// Parameters of a free decay, in samples and m: position and value of the first extreme, middle, length of a half
+/// cycle, logarithmic decrement of a half cycle, F/k.
 type Shape = [f64; 6];
 
-/// Returns the displacement at each sample from the first extreme to the last.
+/// Computes the displacement at each sample from the first extreme to the last, for these parameters.
 fn wave(shape: &[f64], from: usize, count: usize) -> Option<Vec<f64>> {
     let &[start, first, middle, half, decrement, length] = shape else {
         return None;
@@ -255,7 +257,7 @@ fn of(
             values.iter().zip(window).map(|(a, b)| a - b),
         ))
     };
-    // Natural scale of each parameter.
+    // This is the natural scale of each parameter.
     let size = swings.first().copied().unwrap_or(1.0);
     let scales = [half, size, size, half, 1.0, size];
     let scale = |index: usize| {
@@ -349,9 +351,9 @@ mod tests {
     use rand_distr::{Distribution, StandardNormal};
     use std::f64::consts::TAU;
 
-    /// White noise of deviation 1 is estimated as 1, also on a motion a hundred times as large. From 40,000 samples the
-    /// estimate has a standard deviation of 0.54 %; the tolerance is five of these. The motion's own third differences
-    /// are 100 (2π/2000)³, about 3e-6.
+    /// White noise of standard deviation 1 is estimated as 1, also if a motion a hundred times as large is added. From
+    /// 40,000 samples the estimate has a standard deviation of 0.54 %, and the tolerance is five times that. The
+    /// motion's own third differences are 100 (2π/2000)³, about 3e-6.
     #[test]
     fn white_noise_has_its_deviation() {
         let mut random = ChaCha8Rng::seed_from_u64(1);
@@ -365,7 +367,7 @@ mod tests {
             let found = noise(&samples);
             assert!((found - 1.0).abs() < 0.027, "{size}: {found}");
         }
-        // A parabola has no third difference. Rounding of values up to 10⁴ remains.
+        // A parabola has no third difference, so that only the rounding of values up to 10⁴ remains.
         let parabola: Vec<f64> = (0..100).map(|i| f64::from(i * i)).collect();
         assert!(noise(&parabola) < 1e-10);
         assert_eq!(noise(&[1.0, 2.0]), 0.0);

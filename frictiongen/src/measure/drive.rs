@@ -35,7 +35,7 @@ pub struct Inputs<'r> {
     dt: f64,
     len: usize,
     base: Option<Vec<[f64; 2]>>,
-    /// The recorded force on the excited mass.
+    /// The recorded force on the excited mass, if there is one.
     force: Option<Track<'r>>,
     /// The recorded forces on other masses, each with the name of the mass.
     others: Vec<(&'r str, Track<'r>)>,
@@ -216,7 +216,7 @@ fn base(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
 /// Returns the slopes, per sample step, of the cubic spline through `values` that begins at rest and ends without
 /// curvature.
 fn spline_slopes(values: &[f64]) -> Vec<f64> {
-    // The equations are s₀ = 0; s_{i−1} + 4s_i + s_{i+1} = 3(y_{i+1} − y_{i−1}); s_{n−1} + 2s_n = 3(y_n − y_{n−1}).
+    // Spline equations: s₀ = 0; s_{i−1} + 4s_i + s_{i+1} = 3(y_{i+1} − y_{i−1}); s_{n−1} + 2s_n = 3(y_n − y_{n−1}).
     let last = values.len().saturating_sub(1);
     let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
     let mut factors = vec![0.0];

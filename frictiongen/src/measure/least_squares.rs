@@ -6,17 +6,17 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Largest number of steps of a fit, rejected steps included.
+/// Largest number of steps of a fit. Rejected steps count too.
 const MOST_STEPS: usize = 200;
-/// Bound at which the steps end. The last step changes every parameter by less than this fraction, or all residuals
-/// together by less than this fraction of a standard deviation.
+/// Bound at which the fit ends. It ends when the last step changes every parameter by less than this fraction. It also
+/// ends when the last step changes all residuals together by less than this fraction of a standard deviation.
 const SMALL: f64 = 1e-10;
 /// Factor by which the damping grows after a rejected step and shrinks after an accepted one (Marquardt's choice).
 const GROWTH: f64 = 10.0;
-/// Fraction of the largest singular value below which a direction of parameters counts as undetermined.
+/// Ratio to the largest singular value below which a direction in parameter space counts as undetermined.
 const RANK: f64 = 1e-12;
-/// Relative change of a parameter below which the parameter counts as determined. The change must stay below it in
-/// every undetermined direction of length 1.
+/// Relative change of a parameter along an undetermined direction of length 1, below which the parameter still counts
+/// as determined.
 const APART: f64 = 1e-6;
 
 /// Residuals of a fit, and their derivatives with respect to the parameters: one column of the Jacobian for each
@@ -40,10 +40,10 @@ pub(super) struct Fit {
     /// Condition number of the fit: the largest singular value of the Jacobian over the smallest one of a determined
     /// direction. Each parameter is divided by its scale.
     pub(super) condition: f64,
-    /// The scale of each parameter, by which its changes are divided.
+    /// The scale of each parameter. Changes of the parameter are divided by it.
     sizes: Vec<f64>,
-    /// Directions of relative parameter changes, each with its singular value. The singular value is 0 where the data
-    /// do not determine the direction.
+    /// Directions of relative parameter changes, each with its singular value. The singular value is 0 if the data do
+    /// not determine the direction.
     directions: Vec<(DVector<f64>, f64)>,
 }
 
@@ -75,7 +75,7 @@ impl Fit {
         terms.sum()
     }
 
-    /// Returns the variance of the parameter with this index, for residuals of standard deviation 1.
+    /// Returns the variance of the parameter with this index, if the residuals have standard deviation 1.
     pub(super) fn own_variance(&self, index: usize) -> f64 {
         let count = self.parameters.len();
         self.variance(&DVector::from_fn(count, |row, _| {
@@ -142,7 +142,8 @@ pub(super) fn minimise(
             .iter()
             .zip(&at)
             .all(|(new, old)| (new - old).abs() <= SMALL * old.abs().max(SMALL));
-        // A parameter that tends to 0 never changes by a small fraction of itself.
+        // A parameter that tends to 0 never changes by a small fraction of itself. The change of the residuals then
+        // decides.
         let small = small || (&lines.jacobian * &step).norm() <= SMALL;
         let new = residuals(&moved).map(|values| values.norm_squared());
         if let Some(new) = new.filter(|new| *new <= squares) {

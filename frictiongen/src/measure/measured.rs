@@ -8,7 +8,7 @@ use crate::study::scene::{Excitation, Scene};
 use crate::study::units::polar;
 use std::f64::consts::TAU;
 
-/// Least number of samples in a cycle of the driving frequency.
+/// Smallest number of samples in a cycle of the driving frequency.
 const FEWEST_SAMPLES: f64 = 5.0;
 
 /// The steady motion found in a recording: driving frequency, excitation, and displacements of the masses.

@@ -13,9 +13,9 @@ use super::statistics::student;
 use super::{MeasureError, Recording};
 use nalgebra::{DMatrix, DVector};
 
-/// Fraction of the largest speed below which the direction of sliding counts as uncertain.
+/// Fraction of the largest speed, below which the direction of sliding counts as uncertain.
 const SLOW: f64 = 0.02;
-/// Least number of windows that determine the four unknowns and their scatter.
+/// Smallest number of windows that determine the four unknowns and their scatter.
 const FEWEST: usize = 12;
 
 /// Mass, viscous friction, Coulomb friction and constant force of an axis, found by regression.

@@ -5,21 +5,21 @@ use super::tone::Basis;
 use crate::Complex;
 use std::f64::consts::TAU;
 
-/// Least number of excitation cycles in a block of samples.
+/// Smallest number of excitation cycles in a block of samples.
 const BLOCK: f64 = 2.0;
 /// Largest number of blocks into which a recording is divided.
 const MOST_BLOCKS: usize = 40;
-/// Least number of blocks from which steady motion is judged.
+/// Smallest number of blocks from which the motion is judged steady.
 const FEWEST_BLOCKS: usize = 4;
 /// Largest deviation, rad, of the excitation's phase from that of a constant frequency. At this deviation the
 /// frequency varies by 1/30 of the width of a spectral line.
 const STRAY: f64 = 0.05;
 /// Largest relative change of the excitation's amplitude that counts as steady.
 const SWELL: f64 = 0.05;
-/// Number of standard deviations up to which a change counts as chance.
+/// Number of standard deviations up to which a change counts as noise.
 const SURE: f64 = 6.0;
-/// Largest relative changes of a steady motion's fundamental. The search tries the first one first. The second, wider
-/// one allows for friction that changes slowly.
+/// Largest relative changes of the fundamental that count as steady. The search tries the first value, and then the
+/// second, wider one, which allows for friction that changes slowly.
 const STEADY: [f64; 2] = [2e-3, 2e-2];
 /// Largest relative scatter of a fundamental about its mean at which the motion counts as steady.
 const SCATTER: f64 = 0.1;

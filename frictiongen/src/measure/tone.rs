@@ -1,4 +1,4 @@
-//! Finds one frequency in samples, and its harmonics with their uncertainty.
+//! Finds one frequency in samples, and the amplitudes of its harmonics with their uncertainty.
 //!
 //! Thesis 4.3.3 takes the peak of a spectrum under a Hann window with zero padding. This file uses the same window
 //! without the two errors of that method. It solves the window's sums for the mean and all harmonics at once, so that
@@ -17,10 +17,10 @@ const BESIDE: f64 = 0.45;
 /// Distance from a harmonic, in bins of a Hann window, within which a bin belongs to the harmonic and not to the
 /// noise.
 const LINE: f64 = 3.0;
-/// Number of bins that give the noise to less than a tenth. If the band has fewer bins, the bins between the harmonics
-/// are used too.
+/// Number of bins from which the noise is known to less than a tenth. If the band has fewer bins, the bins between the
+/// harmonics are used too.
 const ENOUGH_BINS: usize = 64;
-/// Least number of bins from which the noise is estimated.
+/// Smallest number of bins from which the noise is estimated.
 const FEWEST_BINS: usize = 12;
 
 /// Mean and harmonics of a channel at one frequency: x = mean + Re Σ X_n e^{inωt}. t = 0 is the middle of the samples.
@@ -94,7 +94,7 @@ impl Basis {
         }
     }
 
-    /// Returns mean and complex harmonics of samples. `None` if mean and harmonics cannot be separated.
+    /// Returns mean and complex harmonics of samples. Returns `None` if mean and harmonics cannot be separated.
     fn components(&self, samples: &[f64]) -> Option<(f64, Vec<Complex<f64>>)> {
         let mut sums = vec![Complex::new(0.0, 0.0); self.harmonics + 1];
         for ((value, weight), turn) in samples.iter().zip(&self.window).zip(&self.turns) {
@@ -170,7 +170,7 @@ impl Basis {
         if ENOUGH_BINS <= bins {
             return sum / bins as f64;
         }
-        // With few cycles all bins between the harmonics are used.
+        // With few cycles the noise comes from all bins between the harmonics.
         let top = (self.harmonics as f64 + 0.5) * self.cycles;
         let between = |bin: f64| {
             let nearest = (bin / self.cycles).round() * self.cycles;
@@ -228,7 +228,7 @@ pub(super) const FEWEST_CYCLES: f64 = 4.0;
 pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
     let count = samples.len();
     let mean = samples.iter().sum::<f64>() / count as f64;
-    // A long recording has enough bins.
+    // Zeros refine the frequency grid of the spectrum. A long recording has a fine grid anyway.
     let padding = if count < LONG { PADDING } else { 1 };
     let padded = (padding * count).next_power_of_two();
     let mut spectrum: Vec<Complex<f64>> = samples
@@ -258,7 +258,7 @@ pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
             let (_, harmonics) = basis.components(part)?;
             harmonics.first().map(|x| x.im.atan2(x.re))
         };
-        // The middles of both halves are half of the samples apart. Each phase refers to the middle of its half.
+        // The middles of the two halves are half of the samples apart. Each phase refers to the middle of its half.
         let apart = 0.5 * count as f64;
         let turns = (phase(second)? - phase(first)?) / TAU - found * apart;
         found += (turns - turns.round()) / apart;

@@ -5,20 +5,20 @@ use crate::study::columns::{CONTACT, Column, Columns, Dimension, Head, Measure, 
 use crate::study::{System, stepper::SystemStepper, words};
 use frictiongen_kernel::simulation::Contact;
 
-/// The motion of some parts at every sample of an input.
+/// The motion of the contact and of masses at every sample of an input.
 #[derive(Clone, Debug, Default)]
 pub struct Driven {
-    /// Times, s.
+    /// Times of the samples, s.
     pub time: Vec<f64>,
-    /// Displacements in m and velocities in m/s, one pair of lists for each part.
+    /// Displacements in m and velocities in m/s: one pair of lists for each requested mass or contact.
     pub motions: Vec<[Vec<f64>; 2]>,
-    /// Friction force, N.
+    /// Friction force at every sample, N.
     pub force: Vec<f64>,
     state: Vec<Contact>,
     events: Vec<u32>,
 }
 
-/// A row: a sample.
+/// Row of the table: the motion at one sample.
 #[derive(Clone, Copy, Debug)]
 pub struct DrivenRow<'d> {
     driven: &'d Driven,
@@ -28,7 +28,7 @@ pub struct DrivenRow<'d> {
 impl Row for DrivenRow<'_> {}
 
 impl Driven {
-    /// Starts without samples.
+    /// Creates a table without samples.
     #[must_use]
     pub fn new(parts: &[Part]) -> Self {
         Self {
@@ -37,7 +37,8 @@ impl Driven {
         }
     }
 
-    /// Adds the present state of a stepper. `events` is the number of events since the sample before.
+    /// Adds the present state of a stepper. `parts` are the masses and the contact of the table. `events` is the number
+    /// of events since the previous sample. `turned` reverses the signs of the contact's motion and force.
     pub fn push(&mut self, stepper: &SystemStepper<'_>, parts: &[Part], turned: bool, events: u32) {
         let signed = |value: f64| if turned { 0.0 - value } else { value };
         let contact = stepper.contact();

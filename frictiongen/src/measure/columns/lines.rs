@@ -1,4 +1,5 @@
-//! Results of measurements as lines: a key for programs, a quantity in words, its value with an interval, and its unit.
+//! Results of measurements as lines. A line has a key for programs, a quantity in words, its value with an interval,
+//! and its unit.
 
 use super::drive;
 use super::once::scaled;
@@ -8,7 +9,7 @@ use crate::study::units::{hertz, polar};
 use crate::study::{System, units::Load, words};
 use std::f64::consts::TAU;
 
-/// A row: a quantity with its value, interval and unit.
+/// Row of the table: one quantity with its value, interval and unit.
 #[derive(Clone, Debug)]
 pub struct QuantityLine {
     /// Number of the recording to which the quantity belongs, counted from 1.
@@ -27,7 +28,7 @@ pub struct QuantityLine {
 
 impl Row for QuantityLine {}
 
-/// Lines in order.
+/// A list of lines that is being built.
 #[derive(Default)]
 struct Lines {
     recording: Option<usize>,
@@ -66,7 +67,7 @@ impl Lines {
     }
 }
 
-/// Returns the columns of lines.
+/// Returns the columns of a table of lines.
 #[must_use]
 pub fn line_columns<'a>(system: &System, lines: &[QuantityLine]) -> Vec<Column<'a, QuantityLine>> {
     let widest = lines.iter().map(|line| line.label.as_str());
@@ -90,7 +91,7 @@ pub fn line_columns<'a>(system: &System, lines: &[QuantityLine]) -> Vec<Column<'
     columns.done()
 }
 
-/// Returns the lines of a free vibration.
+/// Returns the result of a free vibration as lines.
 #[must_use]
 pub fn decay_lines(found: &FreeDecay) -> Vec<QuantityLine> {
     let mut lines = Lines::default();
@@ -106,13 +107,13 @@ pub fn decay_lines(found: &FreeDecay) -> Vec<QuantityLine> {
     lines.all
 }
 
-/// Returns the lines of a fit to this number of points.
+/// Returns the result of a fit to `points` points of a sweep as lines.
 #[must_use]
 pub fn fit_lines(system: &System, found: &SweepFit, points: usize) -> Vec<QuantityLine> {
     let mut lines = Lines::default();
     let scene = system.scene();
     lines.estimate("reference_Hz", "sqrt(k1/m1)", found.reference, "Hz");
-    // The factors from f to r, and from ω to r.
+    // These are the factors from f in Hz to r, and from ω in rad/s to r.
     let inverse = Estimate {
         value: 1.0 / found.reference.value,
         from: 1.0 / found.reference.to,
@@ -152,7 +153,7 @@ fn natural_frequency(lines: &mut Lines, mode: usize, found: Estimate) {
     lines.estimate(&key, &format!("natural frequency {mode}"), found, "Hz");
 }
 
-/// Adds the values of the fitted description. Its first mass keeps its value.
+/// Adds the numbers of the fitted description. Its first mass keeps its value.
 fn described(lines: &mut Lines, system: &System) {
     let scene = system.scene();
     for mass in &scene.masses {
@@ -167,7 +168,7 @@ fn described(lines: &mut Lines, system: &System) {
     }
 }
 
-/// Returns the lines of an identification.
+/// Returns the result of an identification as lines.
 #[must_use]
 pub fn identify_lines(
     system: &System,

@@ -1,5 +1,5 @@
-//! The tables of measurements: rows and columns as those of [`study::columns`](crate::study::columns), and single values
-//! by key. All have SI units.
+//! Tables of measurements, with rows and columns as in [`study::columns`](crate::study::columns), and single values by
+//! key. All values have SI units.
 
 mod driven;
 mod lines;
@@ -28,7 +28,7 @@ fn drive(system: &System) -> (&'static str, Dimension) {
     }
 }
 
-/// Adds the column of the amplitude of the excitation.
+/// Adds the column with the amplitude of the excitation.
 fn drive_amplitude<'a, R: Row + 'a>(
     columns: &mut Columns<'a, R>,
     system: &System,

@@ -1,10 +1,10 @@
-//! Single values of measurements, by key.
+//! Single values of measurements, each under a key.
 
 use crate::measure::{Estimate, FreeDecay, Identified, SweepFit, Unknown};
 use crate::study::System;
 use crate::study::units::hertz;
 
-/// A value with its key.
+/// A single value with its key.
 pub type Keyed = (&'static str, SingleValue);
 
 /// A single value of a measurement.
@@ -28,7 +28,7 @@ pub enum SingleValue {
     Names(Vec<String>),
 }
 
-/// Returns a number with its interval, both multiplied by `scale`.
+/// Returns a number and its interval, both multiplied by `scale`.
 pub(super) fn scaled(found: Estimate, scale: f64) -> Estimate {
     Estimate {
         value: found.value * scale,
@@ -37,7 +37,7 @@ pub(super) fn scaled(found: Estimate, scale: f64) -> Estimate {
     }
 }
 
-/// Returns unknowns by name, each with its unit.
+/// Returns the fitted unknowns by name, each with its unit.
 fn unknowns<'f>(
     system: &System,
     found: impl Iterator<Item = &'f (Unknown, Estimate)>,
@@ -60,7 +60,7 @@ fn unknowns<'f>(
     all
 }
 
-/// Returns the single values of an identification.
+/// Returns the single values of an identification, with their keys.
 #[must_use]
 pub fn identify_values(system: &System, found: &Identified) -> Vec<Keyed> {
     let open = found.undetermined();
@@ -89,7 +89,7 @@ pub fn identify_values(system: &System, found: &Identified) -> Vec<Keyed> {
     ]
 }
 
-/// Returns the single values of a fit.
+/// Returns the single values of a fit to a sweep, with their keys.
 #[must_use]
 pub fn fit_values(system: &System, found: &SweepFit) -> Vec<Keyed> {
     let scene = system.scene();
@@ -117,7 +117,7 @@ pub fn fit_values(system: &System, found: &SweepFit) -> Vec<Keyed> {
     ]
 }
 
-/// Returns the single values of a free vibration.
+/// Returns the single values of a free vibration, with their keys.
 #[must_use]
 pub fn decay_values(found: &FreeDecay) -> Vec<Keyed> {
     let estimate = |found| SingleValue::Estimate(Some(found));

@@ -1,4 +1,4 @@
-//! Rows and columns of measured and computed values.
+//! Tables of measured values beside computed values.
 
 use super::drive_amplitude;
 use crate::Complex;
@@ -18,7 +18,7 @@ pub enum MotionKnown {
     Phase,
 }
 
-/// A row: one measured motion of an observation, and that of the scene.
+/// Row of the table: one measured motion of an observation, beside the motion that the scene computes.
 #[derive(Clone, Copy, Debug)]
 pub struct ResidualRow<'o> {
     recording: usize,
@@ -31,7 +31,7 @@ pub struct ResidualRow<'o> {
     known: MotionKnown,
 }
 
-/// A row: one point of a sweep, and that of the fitted scene.
+/// Row of the table: one point of a sweep, beside the amplitude of the fitted scene.
 #[derive(Clone, Copy, Debug)]
 pub struct FittedRow<'o> {
     point: &'o SweepPoint,
@@ -39,7 +39,7 @@ pub struct FittedRow<'o> {
     residual: f64,
 }
 
-/// A row: an extreme of a free vibration.
+/// Row of the table: one extreme of a free vibration.
 #[derive(Clone, Copy, Debug)]
 pub struct ExtremeRow {
     time: f64,
@@ -53,8 +53,8 @@ impl Row for FittedRow<'_> {}
 impl Row for ExtremeRow {}
 
 impl ResidualRow<'_> {
-    /// Returns the residual over its deviation: of the complex value, of the amplitude or of the phase, whichever was
-    /// measured.
+    /// Returns the residual over its standard deviation. The residual is that of the complex value, of the amplitude or
+    /// of the phase, whichever was measured.
     fn over_deviation(&self) -> f64 {
         let apart = match self.known {
             MotionKnown::Amplitude => (self.datum.value.norm() - self.model.norm()).abs(),
@@ -64,7 +64,7 @@ impl ResidualRow<'_> {
         apart / self.datum.deviation
     }
 
-    /// Returns a residual over its deviation, if amplitude and phase were measured.
+    /// Returns a residual over its standard deviation. Returns `None` unless amplitude and phase were both measured.
     fn whole(&self, residual: f64) -> Option<f64> {
         (self.known == MotionKnown::Both).then(|| residual / self.datum.deviation)
     }
@@ -75,7 +75,8 @@ fn name(system: &System, mass: usize) -> &str {
     mass.map_or("", |mass| mass.name.as_str())
 }
 
-/// Returns the rows of all motions of all observations. `known` has for each observation what was measured.
+/// Returns the rows of all motions of all observations. `known` has, for each observation, the quantities that were
+/// measured.
 #[must_use]
 pub fn residuals<'o>(
     system: &'o System,

@@ -1,22 +1,22 @@
-//! Columns of transmissibilities.
+//! Columns of the displacement transmissibilities of masses.
 
 use super::drive_amplitude;
 use crate::measure::Measured;
 use crate::study::System;
 use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
 
-/// The table of the transmissibilities of recorded masses, with one row for each recording.
+/// The table of transmissibilities. It has one row for each recording.
 #[derive(Clone, Debug)]
 pub struct TransmissibilityTable<'a> {
     system: &'a System,
-    /// Indices of the recorded masses, ascending.
+    /// Indices of the recorded masses in the description, ascending.
     masses: Vec<usize>,
 }
 
 impl Row for Measured {}
 
 impl<'a> TransmissibilityTable<'a> {
-    /// Makes the table of the masses that some of the recordings have.
+    /// Creates the table. Its masses are those that at least one of the recordings contains.
     #[must_use]
     pub fn of(system: &'a System, measured: &[Measured]) -> Self {
         let each = measured.iter().flat_map(|measured| &measured.masses);

@@ -1,4 +1,4 @@
-//! Residuals over their deviations: measured less computed motions, decorrelated and scaled to deviation 1.
+//! Residuals of an identification: measured minus computed motions, decorrelated and scaled to standard deviation 1.
 
 use super::observation::{Datum, Observation, Using};
 use crate::Complex;
@@ -6,14 +6,14 @@ use crate::study::units::Load;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// A phase with a larger deviation than this, rad, is left out.
+/// Largest standard deviation, in rad, with which a phase is used. Less certain phases are left out.
 const VAGUE: f64 = 0.3;
 
-/// The compared quantities of one observation, with the covariance of their errors.
+/// The quantities of one observation that the fit compares, with the covariance of their errors.
 pub(super) struct Weighed<'o> {
     seen: &'o Observation,
     using: Using,
-    /// Indices of the motions that are compared.
+    /// Indices of the motions that the fit compares.
     kept: Vec<usize>,
     /// Lower Cholesky factor of the covariance.
     factor: DMatrix<f64>,
@@ -28,7 +28,7 @@ fn turned(x: Complex<f64>) -> Complex<f64> {
     Complex::new(-x.im, x.re)
 }
 
-/// Returns the change of the compared quantities for a small change of a complex value.
+/// Returns the change of the compared quantities for a small change of a complex motion.
 fn seen_change(using: Using, value: Complex<f64>, change: Complex<f64>) -> Vec<f64> {
     let size = value.norm().max(f64::MIN_POSITIVE);
     match using {

@@ -9,20 +9,21 @@ use crate::study::System;
 use crate::study::units::polar;
 use std::f64::consts::PI;
 
-/// Root mean square of the unexplained motion over that of the motion, from which on the measurement counts as not
-/// explained.
+/// Root mean square of the unexplained motion over that of the measured motion, at or above which a measurement counts
+/// as not explained.
 const GROSS: f64 = 0.5;
-/// Root mean square of the unexplained motion over that of the motion, below which a measurement counts as explained
-/// once a wrong unit is corrected.
+/// Root mean square of the unexplained motion over that of the measured motion, below which a measurement with a
+/// corrected unit counts as explained.
 const MENDED: f64 = 0.2;
-/// A motion below this fraction of the scene's largest motion, over all friction forces, may be given in a wrong unit.
+/// Fraction of the scene's largest motion over all friction forces, below which a measured motion may have a wrong
+/// unit.
 const TINY: f64 = 0.01;
-/// Root mean square of the differences of phase, rad, from which on phases count as not explained: 15°.
+/// Root mean square of the phase differences, in rad, at or above which phases count as not explained: 15°.
 const TURNED: f64 = PI / 12.0;
 
 impl Problem<'_> {
-    /// Returns the unexplained fraction of the motion at this friction force, and the mass and motion with the largest
-    /// unexplained amount.
+    /// Returns the unexplained fraction of the motion at this friction force. Also returns the mass and the motion with
+    /// the largest unexplained amount.
     fn unexplained(&self, friction: f64, factor: f64) -> Option<(f64, usize, f64, f64)> {
         let (mut left, mut all) = (0.0, 0.0);
         let mut worst = (0.0, 0, 0.0, 0.0);
@@ -57,7 +58,7 @@ impl Problem<'_> {
         if self.using == Using::PhaseAlone {
             return self.turns_alike(friction);
         }
-        // With phases alone the amplitude need not be right, only plausible.
+        // If only phases are compared, the amplitude needs to be plausible and not right.
         let gross = if self.using == Using::Phase {
             0.9
         } else {
@@ -89,7 +90,7 @@ impl Problem<'_> {
         (0..=PLACES).map(move |i| end * f64::from(i) / f64::from(PLACES))
     }
 
-    /// Returns whether some friction force explains the motion once its unit is corrected.
+    /// Returns true if some friction force explains the motion after its unit is corrected by `factor`.
     fn mends(&self, factor: f64) -> bool {
         let parts = self
             .forces()
@@ -97,8 +98,8 @@ impl Problem<'_> {
         parts.fold(f64::INFINITY, f64::min) < MENDED
     }
 
-    /// Returns whether amplitudes without phases are as small as those of an almost stuck contact, and amplitudes
-    /// larger by a power of 1000 are explained too.
+    /// Returns true if two things hold for amplitudes without phases. They are as small as those of an almost stuck
+    /// contact, and amplitudes larger by a power of 1000 are explained too.
     pub(super) fn doubts_unit(&self) -> bool {
         if self.using != Using::Amplitude {
             return false;
@@ -126,7 +127,7 @@ impl Problem<'_> {
         for seen in self.observations {
             let answer = model::answer(self.system, seen, friction).ok_or(MeasureError::NoFit)?;
             for (datum, value) in seen.motions.iter().zip(&answer.values) {
-                // A motion of zero amplitude has no phase and explains none.
+                // A motion of zero amplitude has no phase, so that it explains no measured phase.
                 let (size, lag) = polar(value * datum.value.conj());
                 let apart = if 0.0 < size { lag.abs() } else { PI };
                 // A difference within the noise counts as explained.

@@ -1,4 +1,4 @@
-//! Finds the friction force alone, from the sum of squares over the whole range.
+//! Finds the friction force alone. The sum of squares is scanned over the whole range of forces.
 
 use super::answer::{Estimate, Explained, Identified, Verdict};
 use super::data::Weighed;
@@ -10,13 +10,14 @@ use crate::measure::statistics::{CHI, excess, is_chance};
 use crate::study::System;
 use crate::{Complex, Regime};
 
-/// Number of intervals into which the scan divides the range. They are shorter near its start.
+/// Number of intervals into which the scan divides the range of forces. The intervals are shorter near the start of the
+/// range.
 pub(super) const PLACES: u32 = 96;
-/// Steps of a golden-section search. They narrow an interval to 1e-9 of its width.
+/// Number of steps of a golden-section search. They narrow an interval to 1e-9 of its width.
 const SECTIONS: usize = 44;
-/// Steps of a bisection. They narrow an interval to 1e-12 of its width.
+/// Number of steps of a bisection. They narrow an interval to 1e-12 of its width.
 const HALVINGS: usize = 40;
-/// An interval wider than this multiple of its force does not determine the force.
+/// Largest width of an interval, over the force, at which the measurement still determines the force.
 const WIDE: f64 = 1.0;
 
 /// Measurements and the scene that is compared with them.
@@ -80,7 +81,7 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// Returns the compared quantities, with weights for this friction force.
+    /// Returns the compared quantities of all observations, with weights for this friction force.
     pub(super) fn weighed(
         &self,
         system: &System,
@@ -105,8 +106,8 @@ impl<'a> Problem<'a> {
             .ok_or(MeasureError::NoFit)
     }
 
-    /// Returns the factors that scale the scene's derivatives to the measured values. A factor is 1 if the amplitude
-    /// was measured, and otherwise the measured value's modulus over the scene's amplitude.
+    /// Returns the factors by which the scene's derivatives are scaled to the measured values. A factor is 1 if the
+    /// amplitude was measured. Otherwise it is the measured value's modulus over the scene's amplitude.
     fn sizes(&self, system: &System, seen: &Observation, friction: f64) -> Option<Vec<f64>> {
         if self.using != Using::PhaseAlone {
             return Some(vec![1.0; seen.motions.len()]);
@@ -121,7 +122,7 @@ impl<'a> Problem<'a> {
         )
     }
 
-    /// Returns the sum of squares, or infinity where there is no response.
+    /// Returns the sum of squared residuals, or infinity where there is no response.
     fn squares(&self, weighed: &[Weighed<'_>], friction: f64) -> f64 {
         let sums = self
             .observations
@@ -150,7 +151,7 @@ impl<'a> Problem<'a> {
             .map(|i| (place(i), self.squares(&weighed, place(i))))
             .collect();
         let best = self.lowest(&weighed, &scanned)?;
-        // The second pass uses the errors of the load at the force of the first pass.
+        // The second pass uses the errors of the load at the force that the first pass has found.
         let weighed = self.weighed(self.system, Some(best))?;
         let scanned: Vec<(f64, f64)> = scanned
             .iter()
@@ -195,7 +196,7 @@ impl<'a> Problem<'a> {
         best.map(|(force, _)| force).ok_or(MeasureError::NoFit)
     }
 
-    /// Returns the local minima of the scan, refined by golden sections.
+    /// Returns the local minima of the scan, each refined by golden sections.
     fn minima(&self, weighed: &[Weighed<'_>], scanned: &[(f64, f64)]) -> Vec<(f64, f64)> {
         let mut found = Vec::new();
         for (index, (force, squares)) in scanned.iter().enumerate() {
@@ -235,7 +236,8 @@ impl<'a> Problem<'a> {
         if left.1 <= right.1 { left } else { right }
     }
 
-    /// Returns the force at which the sum of squares rises above `most`, on one side of a minimum.
+    /// Returns the force at which the sum of squares rises above `most`, on the side of the minimum that `side` gives
+    /// by its sign.
     fn edge(&self, weighed: &[Weighed<'_>], force: f64, most: f64, side: f64) -> f64 {
         let end = if side < 0.0 {
             self.range.0
@@ -303,7 +305,7 @@ impl Alone {
             verdict = Verdict::AlmostStuck;
         }
         if verdict == Verdict::Stuck {
-            // Every force from the lower bound on fits equally well.
+            // Every force from the lower bound on fits equally well. The lower bound is then the answer.
             friction.value = friction.from;
         }
         if !is_chance(self.misfit, self.freedom) {
@@ -338,7 +340,7 @@ pub(super) fn verdict(friction: &Estimate, levels: usize, explained: &[Explained
     }
 }
 
-/// Returns the relative change of the friction force over that of the motion.
+/// Returns the condition: relative change of the friction force over the relative change of the motion that causes it.
 fn condition(problem: &Problem<'_>, friction: &Estimate, explained: &[Explained]) -> f64 {
     let Some(along) = Along::new(problem.system, Direction::Friction) else {
         return f64::INFINITY;

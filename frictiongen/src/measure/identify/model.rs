@@ -14,7 +14,7 @@ use crate::{Complex, Of, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// The response of a scene at an observation.
+/// The response of a scene to the load of an observation.
 pub(super) struct Answer {
     pub(super) r: f64,
     pub(super) beta: f64,
@@ -23,7 +23,7 @@ pub(super) struct Answer {
     pub(super) values: Vec<Complex<f64>>,
 }
 
-/// Returns the stiffness of the first spring.
+/// Returns the stiffness of the first spring, N/m.
 fn reference(system: &System) -> f64 {
     system
         .scene()
@@ -67,12 +67,12 @@ pub(super) fn answer(system: &System, seen: &Observation, friction: f64) -> Opti
     })
 }
 
-/// Largest multiple of the greatest limit at other frequencies up to which friction forces are scanned. At an
-/// antiresonance of the contact no finite force sticks it, so that the scan needs a bound.
+/// Upper bound of the scan, as a multiple of the greatest limit at other frequencies. At an antiresonance of the
+/// contact no finite force makes it stick, so that the scan needs a bound.
 const FAR: f64 = 20.0;
 
-/// Returns two forces in N: the one from which on the contact is stuck, and the upper bound of the scan. They differ
-/// only where the first is more than [`FAR`] times the limits at other frequencies.
+/// Returns two forces in N: the force from which on the contact is stuck, and the upper bound of the scan. They differ
+/// only if the first one exceeds the limits at other frequencies more than [`FAR`] times.
 pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f64)> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let limit = system.at(r).ok()?.sliding_limit();
@@ -148,7 +148,7 @@ fn set(scene: &mut Scene, unknown: Unknown, value: f64) -> Option<()> {
     Some(())
 }
 
-/// Returns the scene with other values of its unknowns.
+/// Returns the scene with other values of its unknowns. Returns `None` if the scene is then invalid.
 pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> Option<System> {
     let mut scene = system.scene().clone();
     for (unknown, value) in unknowns.iter().zip(values) {
@@ -168,7 +168,7 @@ pub(super) enum Direction {
     Quantity(Quantity),
 }
 
-/// A scene that computes one derivative along with every answer.
+/// A scene whose answers have the derivative with respect to one variable.
 pub(super) struct Along<'s> {
     system: &'s System,
     direction: Direction,

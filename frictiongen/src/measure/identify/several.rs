@@ -12,14 +12,14 @@ use crate::measure::statistics::{NORMAL, excess, is_chance};
 use crate::study::{System, sensitivity::Quantity};
 use nalgebra::{DMatrix, DVector};
 
-/// Step of a finite difference relative to the value, where there is no derivative.
+/// Step of a finite difference, relative to the value. It is used where there is no exact derivative.
 const DIFFERENCE: f64 = 1e-6;
-/// First guess of the damping ratio if the scene has none.
+/// Starting value of the damping ratio if the scene has no damping.
 const SOME_DAMPING: f64 = 0.01;
-/// Number of friction forces, from the search for friction alone, that serve as starts.
+/// Number of friction forces that serve as starting points. They come from the search for the friction force alone.
 const STARTS: usize = 3;
 
-/// Returns the bounds of an unknown.
+/// Returns the lower and the upper bound of an unknown.
 fn bounds(unknown: Unknown, start: f64) -> (f64, f64) {
     match unknown {
         Unknown::Stiction | Unknown::Quantity(Quantity::Stiction) => (1.0, 10.0),
@@ -78,7 +78,7 @@ impl Several<'_, '_> {
         })
     }
 
-    /// Returns the derivatives of the residuals by dual numbers.
+    /// Returns the derivatives of the residuals with respect to one unknown, by dual numbers.
     fn exact(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         let system = self.system(parameters)?;
         let friction = *parameters.first()?;
@@ -87,8 +87,8 @@ impl Several<'_, '_> {
             None => vec![Direction::Friction],
             Some(place) => directions(*self.unknowns.get(place)?, masses),
         };
-        // The derivative is taken at a factor of 1 on the changed scene, whose frequencies already include the factor.
-        // The chain rule divides by it.
+        // The derivative is taken with respect to a factor at the value 1. The frequencies of the changed scene already
+        // include the present factor, by which the chain rule divides.
         let factor = match index
             .checked_sub(1)
             .and_then(|place| self.unknowns.get(place))
@@ -114,8 +114,8 @@ impl Several<'_, '_> {
         Some(DVector::from_vec(all))
     }
 
-    /// Returns the derivatives of the residuals by finite differences, for points where an event is about to appear or
-    /// vanish.
+    /// Returns the derivatives of the residuals by finite differences. They serve where dual numbers give none, because
+    /// an event is about to appear or vanish.
     fn difference(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         let value = *parameters.get(index)?;
         let step = DIFFERENCE * value.abs().max(DIFFERENCE);

@@ -1,23 +1,23 @@
-//! Checks that refuse unusable recordings.
+//! Checks that reject unusable recordings.
 
 use super::channel::Channel;
 use super::unit::Dimension;
 use crate::measure::MeasureError;
 use std::f64::consts::PI;
 
-/// Least number of samples in a usable recording.
+/// Smallest number of samples in a usable recording.
 const FEWEST: usize = 16;
-/// Number of equal samples in a row from which they count as a flat interval.
+/// Number of equal successive samples that count as a flat interval.
 const FLAT: usize = 4;
-/// Number of flat intervals from which they count as clipping. Fewer may be chance.
+/// Number of flat intervals that count as clipping. Fewer may be chance.
 const PLACES: i32 = 2;
-/// Distance before a flat interval over which the slope is taken, in cycles.
+/// Distance before a flat interval over which the slope of the signal is taken, in cycles.
 const BEFORE: f64 = 0.02;
-/// Least slope before a flat interval at which clipping is possible, over the largest slope of a cycle.
+/// Smallest slope before a flat interval at which clipping is possible, as a fraction of the largest slope in a cycle.
 const STEEP: f64 = 0.1;
-/// Least ratio of two slopes that indicates clipping: the slope just before a flat interval over the slope over twice
-/// that distance. The ratio is a half before a stop, which a motion reaches along a parabola, and nearly 1 before
-/// clipping. For a sinusoid clipped at 0.99 of its amplitude the ratio is 0.75.
+/// Smallest ratio of two slopes that indicates clipping: the slope just before a flat interval, over the slope taken
+/// over twice that distance. Before a stop the ratio is a half, because the motion reaches a stop along a parabola.
+/// Before clipping the ratio is nearly 1. For a sinusoid clipped at 0.99 of its amplitude it is 0.75.
 const STRAIGHT: f64 = 0.7;
 /// Largest acceleration next to a flat interval of rounded samples, as a multiple of ω²A. With an acceleration a, the
 /// slope of the parabola next to the interval is √(2ag/A), where g is the distance to the next rounded value.
@@ -100,7 +100,7 @@ fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
         .windows(2)
         .filter(|pair| matches!(pair, [a, b] if (*a < middle) != (*b < middle)))
         .count();
-    // A cycle has two crossings of the mean. Noise adds crossings, which makes the cycle look shorter and the test
+    // A cycle has two crossings of the mean. Noise adds crossings, so that the cycle looks shorter and the test becomes
     // milder.
     let cycle = 2.0 * values.len() as f64 / crossings.max(1) as f64;
     let reach = ((BEFORE * cycle).ceil() as usize).max(2);

@@ -7,10 +7,10 @@ use super::unit::{Dimension, Unit};
 use crate::measure::MeasureError;
 use std::fmt::Write as _;
 
-/// Facts for reading a CSV that the file itself does not contain, such as the sampling rate.
+/// Information for reading a CSV that the file itself does not contain, such as the sampling rate.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CsvRequest {
-    /// Samples per second. It is needed if no column contains the time.
+    /// Sampling rate, samples per second. It is needed if no column contains the time.
     pub rate: Option<f64>,
     /// The columns to read, with their meaning. With an empty list, every column is read under its own name.
     pub columns: Vec<Column>,
@@ -135,7 +135,7 @@ impl Table {
             .collect()
     }
 
-    /// Returns the index of a column from its name, or from its number as text.
+    /// Returns the index of a column. `asked` is its name, or its number as text.
     fn place(&self, asked: &str) -> Option<usize> {
         let named = |name: &String| name == asked || Unit::split(name).0 == asked;
         let by_number = || asked.parse::<usize>().ok()?.checked_sub(1);

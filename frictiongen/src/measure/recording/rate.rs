@@ -2,8 +2,8 @@
 
 use crate::measure::MeasureError;
 
-/// Largest difference between two time steps, over the mean step, of evenly spaced samples. A clock with six digits
-/// causes such differences by rounding.
+/// Largest difference between two time steps that still count as even, as a fraction of the mean step. A clock with six
+/// digits causes such differences by rounding.
 const EVEN: f64 = 1e-2;
 
 /// Returns the sampling rate of times in s. Fails if the times are not evenly spaced. `place` names a sample in the

@@ -13,17 +13,17 @@ use std::fmt::Write as _;
 const TIME_RESPONSE: i64 = 1;
 /// Abscissa type 17: time.
 const TIME: i64 = 17;
-/// Largest relative difference of two time steps that count as equal, because the file has six digits.
+/// Largest relative difference of two time steps that count as equal. The file has six digits of the times.
 const SAME: f64 = 2e-5;
 
-/// One data set of the file, that is, one channel.
+/// One data set of the file. It contains one channel.
 struct Set {
     line: usize,
     channel: Channel,
     step: f64,
 }
 
-/// The lines of a file with their numbers.
+/// The lines of a file, with their numbers.
 struct Lines<'t> {
     lines: std::iter::Peekable<std::iter::Enumerate<std::str::Lines<'t>>>,
     last: usize,
@@ -47,7 +47,8 @@ impl<'t> Lines<'t> {
     }
 }
 
-/// Returns the characters of a line from one column up to another, without blanks. The line may be shorter.
+/// Returns the characters of a line between two columns, without blanks. A line that ends earlier gives fewer
+/// characters.
 fn field(line: &str, from: usize, to: usize) -> &str {
     line.get(from..to.min(line.len())).unwrap_or("").trim()
 }

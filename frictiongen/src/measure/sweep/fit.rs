@@ -1,4 +1,4 @@
-//! Finds starting points of the fit to a sweep, and searches from them.
+//! Finds starting points for the fit to a sweep, and fits from them.
 
 use super::model::{Form, Sweep};
 use crate::measure::MeasureError;
@@ -8,11 +8,11 @@ use crate::measure::least_squares::{Fit, minimise};
 const FACTORS: [f64; 2] = [0.5, 2.0];
 /// Number of intervals into which the range of frequency factors is divided.
 const TRIED: u32 = 40;
-/// Factors by which the scene's own mass and stiffness ratios are multiplied in the starting points: `TWO` for two
-/// storeys, `THREE` for three.
+/// Factors by which the starting points multiply the scene's own mass and stiffness ratios: `TWO` for two storeys,
+/// `THREE` for three.
 const TWO: [f64; 7] = [0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 3.3];
 const THREE: [f64; 3] = [0.7, 1.0, 1.4];
-/// Number of best starting points from which a fit is run.
+/// Number of starting points from which a fit runs. They are those with the smallest sums of squares.
 const STARTS: usize = 6;
 /// Misfit below which a fit from the scene's own parameters is accepted: sum of squared residuals over the degrees of
 /// freedom.
@@ -22,7 +22,7 @@ const GOOD: f64 = 2.0;
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
-/// Relative distance from the best fit within which a further fit ends early, because it has returned to the best fit.
+/// Relative distance from the best fit within which another fit ends early, because it leads to the best fit again.
 const BACK: f64 = 1e-5;
 
 impl Sweep<'_> {

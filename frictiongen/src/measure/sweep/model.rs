@@ -1,4 +1,4 @@
-//! Compares a sweep with a scene of other parameters: amplitudes and their derivatives.
+//! Compares a sweep with the scene for given parameters: amplitudes and their derivatives.
 
 use super::SweepPoint;
 use crate::Complex;
@@ -12,9 +12,10 @@ use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use nalgebra::{DMatrix, DVector};
 
-/// Bound on the difference of the logarithms of two amplitudes. A larger difference counts as this one.
+/// Bound on the difference of the logarithms of two amplitudes. A larger difference counts as if it were equal to the
+/// bound.
 const FAR: f64 = 3.0;
-/// Starting point of the damping ratio if the scene has no damping.
+/// Starting value of the damping ratio if the scene has no damping.
 const SOME_DAMPING: f64 = 0.005;
 
 /// A sweep and the scene to fit. The parameters are a factor on all frequencies, then γ₂ …, κ₂ …, and optionally ζ.
