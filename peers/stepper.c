@@ -27,24 +27,24 @@ enum { MOST = 10, STATES = 2 * MOST };
 static const double PI = 3.14159265358979323846, REPEATS = 1e-9, EVENT = 1e-12;
 
 typedef struct {
-    int n, j, base;              /* masses, place of the contact, base motion */
+    int n, j, base;              /* number of masses, mass in contact, 1 if the base moves */
     double r, beta, mu;
-    double k[MOST][MOST], c[MOST][MOST], p[MOST]; /* x'' = p cos t - c x' - k x, friction apart */
-    double phi[MOST][MOST];      /* [mode][mass] */
-    double w[MOST], zeta;        /* frequencies of the modes over that of the excitation */
-    double complex v[MOST];      /* steady answers of the modes to the load */
-    double push[MOST];           /* steady displacement of a mode by beta */
-    double step[MOST][2][2];     /* sliding: exact over one step */
-    int m;                       /* states while stuck */
-    double a[STATES][STATES], e[STATES][STATES]; /* stuck: generator, exact over one step */
-    double complex held[STATES]; /* stuck: steady answers to the load */
-    double bend[MOST];           /* stuck: displacements by that of the contact */
+    double k[MOST][MOST], c[MOST][MOST], p[MOST]; /* x'' = p cos t - c x' - k x without friction */
+    double phi[MOST][MOST];      /* mode shapes, [mode][mass] */
+    double w[MOST], zeta;        /* natural frequencies over that of the excitation, damping ratio */
+    double complex v[MOST];      /* complex amplitudes of the modes under the load */
+    double push[MOST];           /* static displacement of each mode under the force beta */
+    double step[MOST][2][2];     /* sliding: exact propagator of each mode over one step */
+    int m;                       /* number of states while the contact sticks */
+    double a[STATES][STATES], e[STATES][STATES]; /* stuck: matrix a of x' = a x, e = exp(a step) */
+    double complex held[STATES]; /* stuck: complex amplitudes of the states under the load */
+    double bend[MOST];           /* stuck: static displacements for a displacement of the contact of 1 */
 } Scene;
 
 typedef struct {
-    double t;                    /* from the start of the cycle */
-    int way;                     /* direction of sliding, 0 while stuck */
-    double q[MOST], u[MOST];     /* modes and their rates */
+    double t;                    /* time since the start of the cycle, in rad */
+    int way;                     /* direction of sliding: -1 or 1, 0 while stuck */
+    double q[MOST], u[MOST];     /* modal displacements and velocities */
 } State;
 
 typedef struct { int cycles, repeats, stops, reversals; double contact, mass; } Found;
@@ -119,7 +119,7 @@ static void free_stuck(const Scene *s, double t, double *x) {
     }
 }
 
-/* Returns the index in the chain of mass i of those that remain free while the contact sticks. */
+/* Returns the index in the chain of the i-th mass that can move while the contact sticks. */
 static int place(const Scene *s, int i) { return i < s->j ? i : i + 1; }
 
 static void prepare(Scene *s, int n, int contact, int excited, double zeta, double r, double beta) {
@@ -230,7 +230,7 @@ static State after(const Scene *s, const State *x, double t, int whole) {
     return y;
 }
 
-/* Returns 1 if the present phase, sliding or stuck, has ended in this state. */
+/* Returns 1 if the state shows that the present phase (sliding or stuck) has ended. */
 static int over(const Scene *s, const State *x) {
     return x->way ? x->way * of(s, x->u, s->j) <= 0 : fabs(load(s, x)) > s->mu * s->beta;
 }

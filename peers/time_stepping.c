@@ -29,12 +29,12 @@ static const double PI = 3.14159265358979323846;
 typedef struct {
     int n, j, e, steps;
     double a, b, r, beta, dt;
-    double theta, lower[MOST], pivot[MOST]; /* of the matrix of an implicit step, taken apart */
-    double column[MOST], inverse_mass;      /* its answer to the contact, and the contact's own */
-    double *force;                          /* at half steps of a cycle */
+    double theta, lower[MOST], pivot[MOST]; /* parameter of the method, and LU factors of the implicit step's matrix */
+    double column[MOST], inverse_mass;      /* velocities after a unit impulse in the contact: of all masses, of its mass */
+    double *force;                          /* the load at each half step of a cycle */
 } Chain;
 
-typedef struct { double x[MOST], v[MOST]; int way; } State; /* way: direction of sliding, 0 while stuck */
+typedef struct { double x[MOST], v[MOST]; int way; } State; /* way: direction of sliding (-1 or 1), 0 while stuck */
 
 static double stiffness(const Chain *c, const double *x, int i) {
     double f = (i + 1 < c->n ? 2 : 1) * x[i];
@@ -123,7 +123,7 @@ static void rk4(const Chain *c, State *s, double h, const double *force) {
     }
 }
 
-/* Returns 1 if the present phase of the contact, sliding or stuck, has ended in this state. */
+/* Returns 1 if the state shows that the present phase of the contact (sliding or stuck) has ended. */
 static int over(const Chain *c, const State *s, double force) {
     return s->way ? s->way * s->v[c->j] <= 0 : fabs(holding(c, s, force)) > c->beta;
 }

@@ -1,4 +1,4 @@
-//! Compiles the peers in C; without a compiler the program runs without them and says so.
+//! Compiles the other programs that are written in C. Without a compiler the program runs without them and says so.
 
 use std::path::PathBuf;
 use std::process::Command;

@@ -1,8 +1,8 @@
-/* The thesis's formulas by hand, as a peer: modal data are given, everything else is as printed
- * (the corrections of docs/corrections.md made, without which the answers would be wrong).
+/* The formulas of the thesis, written by hand to compare with. Modal data are given. All other formulas are as printed,
+ * with the corrections of docs/corrections.md, without which the results would be wrong.
  *
- * Compiled once for each number of masses (-DMASSES=n), so that every loop has a constant length,
- * and with one zeta for all modes.  Undamped scenes have their own, shorter formulas.
+ * The file is compiled once for each number of masses (-DMASSES=n), so that every loop has a constant length. All modes
+ * have the same zeta. Undamped scenes have their own, shorter formulas.
  */
 #include <complex.h>
 #include <math.h>
@@ -15,18 +15,18 @@
 enum { N = MASSES, GRID = 200, GOLDEN = 40 };
 static const double PI = 3.14159265358979323846, GOLD = 0.61803398874989484820;
 
-/* By mode: sqrt(lambda); load and friction to the contact's relative motion and to the mass that is
- * looked at; the square of the contact's share.  Then what the relative motion takes off for a moving
- * base, mu, the inverse mass of the contact and zeta. */
+/* For each mode: sqrt(lambda); residues from load and friction to the contact's relative motion, and to the observed
+ * mass; square of the mode's component in the contact. Then the coefficient of the base motion in the relative motion,
+ * mu, the inverse effective mass of the contact, and zeta. */
 typedef struct {
     double root[N], load[N], friction[N], far_load[N], far_friction[N], share[N];
     double base, mu, inverse_mass, zeta;
 } NAME(Thesis);
 typedef NAME(Thesis) Thesis;
 
-/* What depends on the frequency alone. */
+/* Values that depend on the frequency alone. */
 typedef struct {
-    double r, R[N], u[N], g[N], weight[N]; /* weight: friction to the mass over cos(pi/2R) */
+    double r, R[N], u[N], g[N], weight[N]; /* weight: residue from friction to the observed mass over cos(pi/2R) */
     double U, G, Hc;
     double complex V, H, far_V;
 } At;
@@ -65,7 +65,7 @@ static At at_damped(const Thesis *s, double r) {
 
 static double start(const Thesis *s, const At *a) { return a->Hc + s->mu * s->inverse_mass / (a->r * a->r); }
 
-/* (3.15, 5.55) with the maximum taken of the whole sum. */
+/* Velocity constraint (3.15, 5.55), with the maximum of the whole sum over the modes. */
 static double constraint_undamped(const Thesis *s, const At *a, double t) {
     double sum = 0, c = cos(t);
     for (int i = 0; i < N; i++) {
@@ -85,7 +85,7 @@ static double constraint_damped(const Thesis *s, const At *a, double t) {
     return sum / (a->r * a->r * sin(t));
 }
 
-/* (5.29) of the mass looked at. */
+/* Displacement (5.29) of the observed mass. */
 static double motion_undamped(const Thesis *s, const At *a, double beta, double phi, double t) {
     double sum = 0;
     for (int i = 0; i < N; i++)
@@ -103,7 +103,7 @@ static double motion_damped(const Thesis *s, const At *a, double beta, double ph
     return cabs(a->far_V) * cos(t + phi + carg(a->far_V)) + beta * sum;
 }
 
-/* The largest |f| over (0, top): 200 points, then a golden section about the best. */
+/* Returns the largest |f| over (0, top): 200 points, then a golden-section search about the best one. */
 #define LARGEST(f, top)                                                                         \
     double best = 0, place = 0, width = (top) / (GRID + 1);                                     \
     for (int k = 1; k <= GRID; k++) {                                                           \
@@ -136,7 +136,7 @@ static void answer_undamped(const Thesis *s, const At *a, double S, double *out)
     out[1] = V / (s->mu * fabs(creal(a->H)));
 }
 
-/* Each of these takes pairs of r and beta. */
+/* Each of the following functions takes pairs of r and beta. */
 void NAME(limits_without_search_undamped_)(const Thesis *s, size_t n, const double (*p)[2], double (*out)[2]) {
     for (size_t k = 0; k < n; k++) {
         At a = at_undamped(s, p[k][0]);
@@ -164,7 +164,7 @@ void NAME(limits_undamped_)(const Thesis *s, size_t n, const double (*p)[2], dou
 void NAME(limits_damped_)(const Thesis *s, size_t n, const double (*p)[2], double (*out)[2]) {
     for (size_t k = 0; k < n; k++) {
         At a = at_damped(s, p[k][0]);
-        /* Damped, S is of the value and not of its modulus. */
+        /* With damping, S is the maximum of the value and not of its modulus. */
 #define F(t) fmax(constraint_damped(s, &a, t), 0)
         LARGEST(F, PI)
 #undef F
@@ -172,7 +172,7 @@ void NAME(limits_damped_)(const Thesis *s, size_t n, const double (*p)[2], doubl
     }
 }
 
-/* The exact amplitude of the mass looked at, at a point that is known to be continuous. */
+/* Computes the exact amplitude of the observed mass, at points at which the motion is known to be continuous. */
 void NAME(amplitude_undamped_)(const Thesis *s, size_t n, const double (*p)[2], double (*out)[2]) {
     for (size_t k = 0; k < n; k++) {
         double beta = p[k][1];

@@ -1,5 +1,5 @@
-//! The reference program, which is built against an earlier commit with its own searches. It returns the time of its
-//! passes. Its passes alternate with the rounds of this program.
+//! Runs the reference program, which is built against an earlier commit with its own searches. The reference program
+//! returns the time of its passes, which alternate with the rounds of this program.
 
 use crate::clock::Job;
 use crate::methods::{Method, Pair};

@@ -1,9 +1,9 @@
-//! The chains. An entry begins with `orbit` if its steady states with stops are measured, otherwise with `plain`. It
-//! continues with the name, the number of masses, the index of the observed mass, the description, and what an exact
-//! scene provides.
+//! The chains that are measured. An entry begins with `orbit` if its steady states with stops are measured, otherwise
+//! with `plain`. It continues with the name, the number of masses, the index of the observed mass, the description, and
+//! what an exact scene provides.
 //!
-//! Masses and springs are equal, because one of the peers, `peers/stepper.c`, has no others. The observed mass is the
-//! last one that is named.
+//! Masses and springs are equal, because `peers/stepper.c` supports no others. The observed mass is the one whose
+//! amplitude is measured.
 
 /// Passes every chain to a macro.
 macro_rules! chains {

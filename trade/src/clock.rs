@@ -1,14 +1,14 @@
-//! Nanoseconds a call: medians and minima over interleaved rounds.
+//! Measures the time of a call in ns: medians and minima over rounds in which all jobs take turns.
 
 use std::time::Instant;
 
-/// Shortest pass, in s. A shorter pass is repeated within its round.
+/// Shortest pass, in s. A shorter pass is repeated within its round until it takes this time.
 const SHORTEST: f64 = 2e-4;
 /// Longest pass, in s. A longer pass is reduced to fewer points, but not below `FEWEST_POINTS`.
 const LONGEST: f64 = 0.05;
 const FEWEST_POINTS: usize = 8;
 
-/// A function that is timed. It is called at the first `points` points, `passes` times.
+/// A function to be timed. A pass calls it at the first `points` points, and a round has `passes` passes.
 pub struct Job<'a> {
     seconds: Box<dyn FnMut(usize, usize) -> f64 + 'a>,
     points: usize,
@@ -19,14 +19,14 @@ pub struct Job<'a> {
 /// Time of a call over all rounds, ns.
 #[derive(Clone, Copy, Debug)]
 pub struct Time {
-    /// Median over the rounds.
+    /// Median over the rounds, ns.
     pub median: f64,
-    /// Shortest time.
+    /// Shortest time of a round, ns.
     pub least: f64,
 }
 
 impl<'a> Job<'a> {
-    /// Creates a job with at most `points` calls a pass.
+    /// Creates a job with at most `points` calls in a pass.
     pub fn new(points: usize, mut run: impl FnMut(usize) + 'a) -> Self {
         Self::timed_by(points, move |count, passes| {
             let start = Instant::now();
@@ -37,7 +37,8 @@ impl<'a> Job<'a> {
         })
     }
 
-    /// Creates a job that measures its own time: `seconds` takes the numbers of points and passes.
+    /// Creates a job that measures its own time. `seconds` takes the number of points and the number of passes, and
+    /// returns the time in s.
     pub fn timed_by(points: usize, seconds: impl FnMut(usize, usize) -> f64 + 'a) -> Self {
         Self {
             seconds: Box::new(seconds),

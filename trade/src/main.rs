@@ -1,4 +1,4 @@
-//! Speed against accuracy: every method of this library and of others, measured in the same run.
+//! Measures speed against accuracy: every method of this library and of others, in the same run.
 //!
 //! `scripts/trade` runs this program. `trade FOLDER` writes `trade.csv`, `trade.md` and the pictures to a folder.
 //! `trade --quick FOLDER` measures less, with up to two masses, in seconds. `--before PROGRAM` names the program with

@@ -15,32 +15,32 @@ use frictiongen::kernel::Float;
 use frictiongen::kernel::number::dd::Dd;
 use frictiongen::{FrictionSystem, MotionAt, System};
 
-/// Program that computes a quantity.
+/// A method of computing a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum By {
-    /// Emitted scene, double precision.
+    /// Emitted scene in double precision.
     Double,
-    /// Emitted scene, single precision.
+    /// Emitted scene in single precision.
     Single,
-    /// Run-time `System`.
+    /// `System` at run time.
     RunTime,
-    /// Formulas of the thesis in C.
+    /// Formulas of the thesis, written in C.
     Hand,
     /// Eigenproblem solved at each r, by nalgebra.
     Textbook,
     /// Harmonic balance up to a given harmonic.
     Balance(usize),
-    /// Event stepper in C.
+    /// Event stepper, written in C.
     Stepper,
-    /// Emitted scene with tables, double precision, to 10 to the minus this exponent. The tables of the finest accuracy
-    /// are built at run time.
+    /// Emitted scene with tables in double precision. The accuracy is 10 to the minus this exponent. The tables of the
+    /// finest accuracy are built at run time.
     Table(u8),
-    /// Emitted scene of an earlier commit, double precision, with its own searches.
+    /// Emitted scene of an earlier commit in double precision, with its own searches.
     Before,
 }
 
 impl By {
-    /// Returns the name in the tables.
+    /// Returns the name of the method in the tables.
     pub fn name(self) -> String {
         match self {
             Self::Double => "emitted f64".into(),
@@ -57,26 +57,26 @@ impl By {
     }
 }
 
-/// Measurement of one quantity, by one program, in one scene.
+/// Measurement of one quantity by one method in one scene.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Scene.
+    /// Scene that was measured.
     pub label: Label,
-    /// Program that computes the quantity.
+    /// Method that computed the quantity.
     pub by: By,
-    /// Quantity.
+    /// Quantity that was computed.
     pub method: Method,
-    /// Time of a call.
+    /// Time of a call, ns.
     pub time: Time,
-    /// Errors against the same formula in double-double, all points.
+    /// Relative errors against the same formula in double-double, at all points.
     pub rounding: Errors,
-    /// Errors against the exact value, usual points.
+    /// Relative errors against the exact value, at usual points.
     pub usual: Errors,
-    /// Errors against the exact value, all points.
+    /// Relative errors against the exact value, at all points.
     pub error: Errors,
-    /// Operations of a call without those of a search, for emitted scenes only.
+    /// Operations of a call without those of a search. Only emitted scenes have them.
     pub operations: Option<Operations>,
-    /// Figures of a table, for scenes with tables only.
+    /// Size and look-up cost of a table. Only scenes with tables have them.
     pub table: Option<Figures>,
 }
 
@@ -86,15 +86,15 @@ pub struct Measure {
     pub extent: Extent,
     /// The program with the earlier searches, `None` if it could not be built.
     pub before: Option<Before>,
-    /// Results.
+    /// Results, one row for each quantity, method and scene.
     pub rows: Vec<Row>,
-    /// Times of single calls.
+    /// Distributions of the times of single calls.
     pub tails: Vec<Tail>,
     /// Scenes for which the finest tables were refused.
     pub refused: Vec<Refused>,
 }
 
-/// Points of a scalar: for the clock, for the errors at usual points and at the edges, and with stops.
+/// Points of a scalar: for the clock, for the errors at usual points and at the edges of the domain, and with stops.
 struct Sets<S> {
     timed: Set<S>,
     usual: Set<S>,
@@ -102,7 +102,7 @@ struct Sets<S> {
     stops: Set<S>,
 }
 
-/// The scene in double-double, against which results are judged.
+/// The scene in double-double, which gives the exact values.
 struct Reference {
     system: System<Dd>,
     fill: Fill<Dd>,
@@ -145,7 +145,7 @@ impl Reference {
     }
 }
 
-/// A program and a quantity whose time is not known yet.
+/// A method and a quantity whose time is not measured yet.
 struct Entry<'a, S> {
     by: By,
     method: Method,
@@ -173,7 +173,7 @@ fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Ti
     let (mut rounding, usual) = (errors(first, method), errors(first, exact));
     let mut error = usual.clone();
     if entry.table.is_some() {
-        // The edges lie outside the range of the tables. The points of the clock lie inside.
+        // The points at the edges lie outside the range of the tables. The points of the clock lie inside.
         error = error.with(&errors(&sets.timed, exact));
     } else if !stops {
         rounding = rounding.with(&errors(&sets.edges, method));
@@ -192,7 +192,7 @@ fn judged<S: Float>(label: Label, entry: &Entry<'_, S>, sets: &Sets<S>, time: Ti
     }
 }
 
-/// Creates a row without errors.
+/// Creates a row with a time and without errors.
 fn only_timed(label: Label, by: By, method: Method, time: Time) -> Row {
     Row {
         label,
@@ -308,7 +308,7 @@ impl Visitor for Measure {
             .extend(rows.map(|(method, t)| only_timed(label, By::Before, *method, *t)));
         #[cfg(with_c)]
         {
-            // The stepper is judged by the amplitude of the contact, because it returns no other.
+            // The stepper is judged by the amplitude of the contact, because it returns no other amplitude.
             let contact = contact_amplitudes(&reference, &wide.timed, self.extent.stepped);
             self.stepped(label, Method::Amplitude, &contact);
             let stops = asked(

@@ -1,4 +1,4 @@
-//! Quantities that are measured, computed in the same way by emitted and run-time systems.
+//! Quantities that are measured. Emitted and run-time systems compute them in the same way.
 
 use crate::scenes::Orbit;
 use crate::without_search;
@@ -8,11 +8,11 @@ use frictiongen::{ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Stea
 /// A quantity that a scene computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Method {
-    /// Both limits, with S of the velocity constraint from the guaranteed search.
+    /// Both limits β_lim and β*_lim. S of the velocity constraint comes from the guaranteed search.
     Limits,
-    /// Both limits, with the limit for τ → 0 as S.
+    /// Both limits, where S is the velocity constraint for τ → 0.
     WithoutSearch,
-    /// Both limits, with the sum of the maxima of each mode as S.
+    /// Both limits, where S is the sum of the maxima of each mode.
     PerMode,
     /// Exact maximum of a mass's motion.
     Amplitude,
@@ -22,7 +22,7 @@ pub enum Method {
     Fundamental,
     /// Amplitude of the continuous motion in the contact.
     Contact,
-    /// Amplitude in the contact of the steady state with stops.
+    /// Amplitude of the contact in a steady state with stops.
     Orbit,
 }
 
@@ -48,7 +48,7 @@ impl Method {
         Self::Contact,
     ];
 
-    /// Returns the name in the tables.
+    /// Returns the name of the quantity in the tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Limits => "limits, exact S",
@@ -62,7 +62,7 @@ impl Method {
         }
     }
 
-    /// Returns the quantity whose exact value this one approximates.
+    /// Returns the quantity with the exact value that this quantity approximates.
     pub fn exact(self) -> Self {
         match self {
             Self::Limits | Self::WithoutSearch | Self::PerMode => Self::Limits,
@@ -73,9 +73,9 @@ impl Method {
     }
 }
 
-/// A point (r, β), or the two numbers of a result (both limits, or the amplitude twice).
+/// A point (r, β), or the two numbers of a result. A result is both limits, or the amplitude twice.
 pub type Pair<S> = [S; 2];
-/// Function that computes a quantity at every point, NaN where there is no result.
+/// Function that computes a quantity at every point. It gives NaN where there is no result.
 pub type Fill<S> = Box<dyn Fn(Method, &[Pair<S>], &mut [Pair<S>])>;
 
 /// Creates the function that computes the quantities of a system, emitted or not.
@@ -113,7 +113,7 @@ where
     })
 }
 
-/// Computes one result at each point.
+/// Computes one result at each point, and writes it to the output.
 pub fn each<S: Float>(
     points: &[Pair<S>],
     out: &mut [Pair<S>],

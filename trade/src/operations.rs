@@ -1,14 +1,14 @@
-//! Number of operations of an emitted solver, as its documentation lists them.
+//! Number of operations of an emitted solver, read from its documentation.
 
 use crate::methods::Method;
 use crate::scenes::Label;
 use frictiongen_codegen::{Limits, emit, parse_text};
 
-/// Operations from r to both limits, without those of a search.
+/// Number of operations from r to both limits, without those of a search.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Operations {
-    /// All operations that the documentation lists: of the function without search, or of the frequency stage with a
-    /// search.
+    /// All operations that the documentation lists. They are those of the function without search, or of the frequency
+    /// stage if the quantity needs a search.
     pub total: usize,
     /// Divisions, including those of 1/r and of the two limits.
     pub divisions: usize,
@@ -16,7 +16,7 @@ pub struct Operations {
     pub roots: usize,
     /// Pairs of sine and cosine.
     pub circular: usize,
-    /// e^x − 1, 1 − sin(x)/x and 1 − e^{−2a} − 2a·e^{−a}, a polynomial each.
+    /// Number of evaluations of e^x − 1, 1 − sin(x)/x and 1 − e^{−2a} − 2a·e^{−a}. Each is a polynomial.
     pub exponential: usize,
 }
 
@@ -30,7 +30,7 @@ pub fn of(label: &Label, method: Method) -> Option<Operations> {
     }
     let description = parse_text(label.text, &Limits::MACRO).ok()?;
     let code = emit(&description).to_string();
-    // The frequency stage comes first, then the function without search.
+    // The documentation lists the frequency stage first, then the function without search.
     let mut lists = code.split(MARK).skip(1);
     let (stage, without_search) = (listed(lists.next()?)?, listed(lists.next()?)?);
     if method == Method::WithoutSearch {

@@ -11,7 +11,7 @@ use crate::tables::pools;
 use std::fmt::{Result as Written, Write};
 use table::{Table, Tally, cell, verdict};
 
-/// Ratio of the times of C and of this library at which they are equal.
+/// Aim for the time of C over the time of this library: both are equally fast.
 const EVEN: f64 = 1.0;
 /// Aims for the time of the event stepper over that of the closed form: without search, and with search.
 const STEPPER: [f64; 2] = [1e4, 1e3];
@@ -49,7 +49,7 @@ fn shown(ns: f64) -> String {
     }
 }
 
-/// Returns the aim for the time of C over that of this library.
+/// Returns the aim for the time of C over the time of this library.
 fn aim_against_hand(label: &Label, method: Method) -> f64 {
     match (method, label.masses, label.zeta > 0.0) {
         (Method::WithoutSearch, 1, false) => 1.1,

@@ -6,18 +6,18 @@ use frictiongen::System;
 use frictiongen::kernel::Float;
 use frictiongen::kernel::number::dd::Dd;
 
-/// Extent of a measurement.
+/// Extent of a measurement: numbers of points and rounds.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
-    /// Number of points for the clock.
+    /// Number of points at which calls are timed.
     pub timed: usize,
-    /// Number of usual points for the errors, without those at the edges.
+    /// Number of usual points for the errors. Points at the edges come in addition.
     pub usual: usize,
-    /// Number of rounds of the clock.
+    /// Number of rounds in which calls are timed.
     pub rounds: usize,
     /// Number of points with stops.
     pub orbits: usize,
-    /// Number of points for the event stepper.
+    /// Number of points at which the event stepper runs.
     pub stepped: usize,
     /// Number of points that are timed one by one.
     pub tail: usize,
@@ -25,9 +25,9 @@ pub struct Extent {
     pub masses: usize,
 }
 
-/// Values of β over the smaller limit, at usual points.
+/// Values of β at usual points, as fractions of the smaller limit.
 pub const USUAL: [f64; 3] = [0.5, 0.1, 0.9];
-/// Values of β over the smaller limit, at the edges.
+/// Values of β at the edges, as fractions of the smaller limit.
 pub const EXTREME: [f64; 4] = [0.5, 1e-3, 0.9, 1.0 - 1e-6];
 /// Fractional part of the golden ratio. Its multiples cover an interval evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -36,18 +36,19 @@ fn spread(index: usize) -> f64 {
     ((index as f64 + 0.5) * GOLDEN).fract()
 }
 
-/// Usual frequency ratios, evenly spread over 0.2 to 2.5.
+/// Returns usual frequency ratios, evenly spread over 0.2 to 2.5.
 pub fn usual(count: usize) -> Vec<f64> {
     (0..count).map(|i| 0.2 + 2.3 * spread(i)).collect()
 }
 
-/// Frequency ratios with evenly spread logarithms.
+/// Returns frequency ratios with evenly spread logarithms.
 pub fn logarithmic(count: usize, [low, high]: [f64; 2]) -> Vec<f64> {
     let ratio = |i| low * (high / low).powf(spread(i));
     (0..count).map(ratio).collect()
 }
 
-/// Frequency ratios at the edges of the domain: next to every resonance and its subharmonics, and far away.
+/// Returns frequency ratios at the edges of the domain: next to every resonance and its subharmonics, and far away from
+/// all resonances.
 pub fn edges(resonances: &[f64]) -> Vec<f64> {
     let mut ratios = Vec::new();
     for resonance in resonances {
@@ -64,7 +65,7 @@ pub fn edges(resonances: &[f64]) -> Vec<f64> {
     ratios
 }
 
-/// Points rounded to a scalar, with the results of double-double at the rounded points.
+/// Points rounded to a scalar, with the results of double-double at these rounded points.
 pub struct Set<S> {
     /// The points (r, β).
     pub points: Vec<Pair<S>>,
@@ -94,7 +95,7 @@ impl<S: Float> Set<S> {
         Self::of(points.collect(), reference, &Method::JUDGED)
     }
 
-    /// Creates points between the limits whose steady state double-double finds.
+    /// Creates points between the limits. Points are left out if double-double finds no steady state.
     pub fn with_stops(system: &System<Dd>, reference: &Fill<Dd>, most: usize) -> Self {
         let mut points = Vec::new();
         let found = |r: f64, i: usize| -> Option<Pair<S>> {
@@ -133,8 +134,8 @@ impl<S: Float> Set<S> {
         }
     }
 
-    /// Returns the relative forward errors of results of `method` against double-double's results of `truth`, and the
-    /// number of points without result.
+    /// Returns the relative errors of the results `answers` against double-double's results for the quantity `truth`.
+    /// Also counts the points without a result.
     pub fn errors(&self, answers: &[Pair<S>], truth: Method) -> Errors {
         let exact = self.truths.iter().find(|(method, _)| *method == truth);
         let mut errors = Vec::new();

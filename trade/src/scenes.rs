@@ -1,7 +1,7 @@
 //! The scenes: chains of 1, 2, 5 and 10 equal masses and springs with each contact, undamped and with ζ = 0.02 in every
 //! mode, in both precisions.
 
-/// Emits every scene four times, and lists the scenes.
+/// Emits every scene four times (undamped and damped, in both precisions), and lists the scenes.
 macro_rules! scenes {
     ($($orbit:ident struct $name:ident $masses:literal $watched:literal $body:tt $provide:tt)*) => {
         /// Undamped scenes.
@@ -69,7 +69,7 @@ pub struct Label {
     pub name: &'static str,
     /// Number of masses.
     pub masses: usize,
-    /// Index of the observed mass.
+    /// Index of the observed mass, whose amplitude is measured.
     pub watched: usize,
     /// Damping ratio of every mode.
     pub zeta: f64,
@@ -77,10 +77,11 @@ pub struct Label {
     pub text: &'static str,
 }
 
-/// Function from (r, β) to the steady amplitude |z̄| in the contact, `None` if the scene does not provide it.
+/// Function from (r, β) to the amplitude |z̄| of the contact in the steady state. `None` if the scene does not provide
+/// steady states.
 pub type Orbit<S> = Option<fn(S, S) -> Option<S>>;
 
-/// Visitor of the emitted scenes, whose types differ.
+/// Visitor of the emitted scenes. The scenes have different types, so that a list cannot contain them.
 pub trait Visitor {
     /// Receives one scene, in double and in single precision.
     fn scene<D, S>(

@@ -39,7 +39,7 @@ pub fn csv(rows: &[Row]) -> Result<String, std::fmt::Error> {
     Ok(text)
 }
 
-/// Formats an error, or nothing if there is none.
+/// Formats an error. Returns an empty text if there is none.
 fn figure(error: f64) -> String {
     if error.is_nan() {
         String::new()
@@ -48,25 +48,25 @@ fn figure(error: f64) -> String {
     }
 }
 
-/// Rows with the same program, quantity and number of masses, taken together.
+/// Rows with the same method, quantity and number of masses, taken together.
 pub struct Pool {
     /// Number of masses.
     pub masses: usize,
-    /// Program that computes the quantity.
+    /// Method that computes the quantity.
     pub by: By,
-    /// Quantity.
+    /// Quantity that is computed.
     pub method: Method,
     /// Median over the scenes of their median times, ns.
     pub time: f64,
-    /// Errors against the exact value at usual points.
+    /// Relative errors against the exact value at usual points.
     pub usual: Errors,
-    /// Errors against the exact value at all points.
+    /// Relative errors against the exact value at all points.
     pub error: Errors,
-    /// Fewest and most operations.
+    /// Smallest and largest number of operations.
     pub operations: Option<(usize, usize)>,
 }
 
-/// Returns all pools in order. Rows of the earlier searches are left out, because they have times only.
+/// Returns all pools in order. The rows of the earlier searches have times only and are left out.
 pub fn pools(rows: &[Row]) -> Vec<Pool> {
     let key = |row: &Row| (row.label.masses, row.method, row.by);
     let judged = rows.iter().filter(|row| row.by != By::Before);

@@ -1,4 +1,4 @@
-//! Slowest calls of exact limits, compared with the median.
+//! Finds the slowest calls of exact limits, and compares them with the median.
 
 use crate::methods::{Fill, Method, Pair};
 use crate::points::logarithmic;
@@ -7,24 +7,24 @@ use frictiongen::{Effort, System};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Range of frequency ratios.
+/// Range of frequency ratios in which the calls are timed.
 pub const RANGE: [f64; 2] = [0.02, 10.0];
-/// Number of calls at each point. The shortest time counts.
+/// Number of calls at each point. The shortest of their times counts.
 const CALLS: usize = 3;
-/// Number of slowest points that are timed again with more calls, because an interruption of a call does not count.
+/// Number of slowest points that are timed again with more calls. An interruption of a call must not count.
 const SLOWEST: usize = 100;
 const CALLS_OF_SLOWEST: usize = 20;
 /// Largest number of rounds of timing the slowest points again. A round may bring other points among the slowest.
 const TIMES_ANEW: usize = 10;
 
-/// Distribution of the times of a scene's points, ns.
+/// Distribution of the times of calls at the points of a scene, ns.
 #[derive(Clone, Copy, Debug)]
 pub struct Tail {
-    /// Scene.
+    /// Scene whose calls are timed.
     pub label: Label,
     /// Number of points.
     pub points: usize,
-    /// Median.
+    /// Median time.
     pub median: f64,
     /// Time that 99 of 100 calls do not exceed.
     pub hundredth: f64,

@@ -1,4 +1,5 @@
-//! Limits without search. `before/` has its own version of this file, because its commit has no function for them.
+//! Computes limits without search. `before/` has its own version of this file, because its commit has no function for
+//! them.
 
 use crate::methods::Pair;
 use frictiongen::FrictionSystem;

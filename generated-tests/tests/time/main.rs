@@ -1,4 +1,4 @@
-//! Motion in time: the real-time stepper, and friction laws that depend on the speed.
+//! Tests of motion in time: the real-time stepper, and friction laws that depend on the speed.
 
 mod step_readings;
 mod stepper;

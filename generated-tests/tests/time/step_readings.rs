@@ -1,5 +1,5 @@
-//! One stepper in three implementations: emitted with tables computed at the start, emitted with constant tables, and
-//! the run-time system.
+//! Compares three implementations of one stepper: emitted with tables computed at the start, emitted with constant
+//! tables, and the run-time system.
 
 use frictiongen::study::SystemInput;
 use frictiongen::{Given, OutOfDomain, StepLoad, Stepping, Steps, System};
@@ -12,7 +12,7 @@ fn system<S: Float>(name: &str) -> System<S> {
     known.expect("a scene").1.parse().expect("a valid scene")
 }
 
-/// Returns the inputs of a step. They are irregular, and large enough for a stop every few steps.
+/// Returns the inputs of a step. They change irregularly, and are large enough for a stop every few steps.
 fn acting(step: u32) -> [f64; 4] {
     let t = f64::from(step);
     [
@@ -23,7 +23,7 @@ fn acting(step: u32) -> [f64; 4] {
     ]
 }
 
-/// Sizes of these inputs in a scene: base, velocity of the base, force and friction.
+/// Factors that give the inputs their size in a scene: base, velocity of the base, force and friction.
 struct Strength {
     base: f64,
     velocity: f64,
@@ -33,7 +33,7 @@ struct Strength {
     loaded: &'static [usize],
 }
 
-/// Returns every number that a stepper reports after each step, and the number of events.
+/// Runs a stepper. Returns every number that it reports after each step, and the number of events.
 fn run<T: Stepping>(mut stepper: T, strength: &Strength, masses: usize) -> (Vec<f64>, u32) {
     let (mut said, mut events) = (Vec::new(), 0);
     let number = T::Scalar::constant;
@@ -99,7 +99,7 @@ const BOWED: Strength = Strength {
     loaded: &[1, 0],
 };
 
-/// An emitted stepper and that of the run-time system agree bit for bit where both compute their tables at the start.
+/// An emitted stepper and that of the run-time system agree bit for bit if both compute their tables at the start.
 #[test]
 fn emitted_and_run_time_say_the_same_bits() {
     fn check<F: Steps>(name: &str, emitted: &F, dt: f64, strength: &Strength, masses: usize)
@@ -121,14 +121,15 @@ fn emitted_and_run_time_say_the_same_bits() {
         }
         println!("{name}: {} values the same, {events} events", one.len());
     }
-    // The steps have another length than the declared one.
+    // These steps have another length than the scene declares.
     check("Shaken", &shown::Shaken, 1.1e-3, &SHAKEN, 2);
     check("Pushed", &shown::Pushed, 1e-3, &PUSHED, 1);
     check("Bowed", &shown::Bowed, 4e-4, &BOWED, 2);
 }
 
-/// Constant tables are rounded once, and tables computed at the start a few times. Both give the same motion, up to the
-/// growth of rounding in 4000 steps. Where the end of a step lies next to an event, the two may differ by that event.
+/// Constant tables are rounded once, and tables computed at the start a few times. Both must give the same motion, up
+/// to the growth of rounding in 4000 steps. If the end of a step lies next to an event, the two may differ by that
+/// event.
 #[test]
 fn constant_tables_say_the_same_to_rounding() {
     fn check(name: &str, constant: impl Stepping, system: impl Stepping, strength: &Strength) {
@@ -170,7 +171,8 @@ fn constant_tables_say_the_same_to_rounding() {
 }
 
 frictiongen::friction_system! {
-    /// A step of nearly a radian of the faster mode, in which a series with too few terms would show.
+    /// A scene whose step is nearly a radian of the faster mode. A series with too few terms would be wrong in such a
+    /// step.
     struct Long {
         masses: { a: 1.0, b: 2.0 },
         springs: { base - a: 400.0, a - b: 300.0 },
@@ -187,7 +189,7 @@ const LONG: &str =
     "struct Long { masses: { a: 1.0, b: 2.0 }, springs: { base - a: 400.0, a - b: 300.0 },
     contact: b - wall, excitation: a, damping: modal(0.02), stiction: 1.2, provide: [stepper] }";
 
-/// Constant tables of a long step agree with those of the run-time system.
+/// Constant tables of a long step must agree with those of the run-time system.
 #[test]
 fn a_declared_step_of_a_radian() {
     let system: System = LONG.parse().expect("a scene");
@@ -211,7 +213,7 @@ fn a_declared_step_of_a_radian() {
     assert!(apart < 1e-13 * size, "{:e}", apart / size);
 }
 
-/// Inputs by name and inputs by position give the same steps.
+/// Inputs given by name and inputs given by position must give the same steps.
 #[test]
 fn named_inputs_are_those_by_place() {
     let system: System = system("Bowed");
@@ -243,7 +245,7 @@ fn named_inputs_are_those_by_place() {
     assert!(one.displacement() != 0.0);
     let third = by_name.mass("string").expect("a mass");
     assert!((third.displacement() - one.displacement()).abs() < 1e-12 * one.displacement().abs());
-    // After `restore` the same steps lead to the same bits.
+    // After `restore` the same steps must lead to the same bits.
     let saved = by_field.save();
     let input = shown::BowedInput {
         force: 1.0,
@@ -255,7 +257,7 @@ fn named_inputs_are_those_by_place() {
     assert_eq!(by_field.advance(input).expect("a sound input"), first);
 }
 
-/// The error for a wrong input has the name of that input, and the stepper does not change.
+/// The error for a wrong input must have the name of that input, and the stepper must not change.
 #[test]
 fn faulty_inputs_are_refused_by_name() {
     fn told<T: std::fmt::Debug>(result: Result<T, OutOfDomain>) -> OutOfDomain {
@@ -342,7 +344,7 @@ fn faulty_inputs_are_refused_by_name() {
         refused[1]
     );
     assert_eq!(run.steps(), 0);
-    // Functions of the closed forms refuse the friction law by its name.
+    // Functions of the closed forms refuse this friction law, and the error names it.
     let told = system
         .at(0.9)
         .map(|_| ())

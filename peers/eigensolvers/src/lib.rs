@@ -1,1 +1,1 @@
-//! Natural frequencies and mode shapes compared with nalgebra and faer: `tests/eigensolvers.rs`.
+//! Compares natural frequencies and mode shapes with nalgebra and faer. The comparison is `tests/eigensolvers.rs`.

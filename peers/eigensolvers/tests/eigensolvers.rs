@@ -1,4 +1,4 @@
-//! Natural frequencies and mode shapes, compared with two general eigensolvers.
+//! Compares natural frequencies and mode shapes with two general eigensolvers.
 //!
 //! nalgebra and faer get the matrix Γ^−½ K̄ Γ^−½. It is built here from the numbers that also form the text of the
 //! scene. The coefficients lie within two decades. With a wider range the general solvers, not the project, lose the
@@ -7,7 +7,7 @@
 use frictiongen::study::System;
 use std::fmt::Write as _;
 
-/// Node numbers that are no masses.
+/// Number that stands for the base in place of the index of a mass.
 const BASE: usize = usize::MAX;
 const WALL: usize = usize::MAX - 1;
 
@@ -159,7 +159,7 @@ impl Case {
     }
 }
 
-/// Eigenvalues in ascending order, with their unit vectors.
+/// Eigenvalues in ascending order, each with its unit vector.
 type Pairs = Vec<(f64, Vec<f64>)>;
 
 fn sorted(mut pairs: Pairs) -> Pairs {
@@ -246,7 +246,7 @@ fn compare(case: &Case, label: &str, pairs: &Pairs) -> usize {
     compared
 }
 
-/// Number of components of all shapes, Σ N².
+/// Number of components of all mode shapes, Σ N².
 const COMPONENTS: usize = 2 * 2 + 3 * 3 + 4 * 4 + 5 * 5 + 7 * 7 + 4 * 4 + 10 * 10;
 /// Number of comparisons: the components, and 35 frequencies as ratios and in rad/s.
 const COMPARED: usize = 2 * 35 + COMPONENTS;

@@ -1,6 +1,6 @@
-//! Times limits and amplitudes by the searches before, in turns with the trade's own rounds.
+//! Times limits and amplitudes by the searches of an earlier commit. The main program runs rounds in turn with its own.
 //!
-//! Reads requests line by line, and answers each with a line:
+//! Reads requests line by line, and answers each request with one line:
 //!
 //! ```text
 //! scene NAME ZETA R,BETA R,BETA …    how many points there are
@@ -28,7 +28,7 @@ use std::time::Instant;
 
 type Failure = Box<dyn std::error::Error>;
 
-/// Every scene in double precision.
+/// Every scene in double precision, with the function that computes its quantities.
 struct Scenes(Vec<(Label, Fill<f64>)>);
 
 impl Visitor for Scenes {
@@ -48,7 +48,7 @@ fn pair(text: &str) -> Result<Pair<f64>, Failure> {
     Ok([r.parse()?, beta.parse()?])
 }
 
-/// The scene that passes are of, and its points.
+/// The scene that is being timed, and its points.
 struct Chosen<'a> {
     fill: &'a Fill<f64>,
     points: Vec<Pair<f64>>,

@@ -1,9 +1,9 @@
-//! Limits without search by way of `at`.
+//! Limits without search, computed by way of `at`.
 
 use crate::methods::Pair;
 use frictiongen::{FrictionSystem, LimitsAt};
 
-/// Both limits at r.
+/// Computes both limits at r.
 pub fn limits<F: FrictionSystem>(system: &F, r: F::Scalar) -> Option<Pair<F::Scalar>> {
     let at = system.at(r).ok()?;
     Some([at.continuous_limit_without_search(), at.sliding_limit()])

@@ -19,7 +19,7 @@ const CAPTION: &str = "Down and to the left is better.  A mark is one way with o
 /// Smallest ratio of the end points of an error axis.
 const LEAST_SPAN: f64 = 40.0;
 
-/// Name and mark of a method in the picture.
+/// Name and mark of one method in the picture.
 struct Look {
     /// First characters of the method's name in the table.
     by: &'static str,
@@ -28,7 +28,8 @@ struct Look {
     marker: Marker,
 }
 
-/// Methods of this library have round marks in cool colours, other methods have angular marks in warm colours.
+/// Looks of all methods. Methods of this library have round marks in cool colours. Other methods have angular marks in
+/// warm colours.
 const LOOKS: [Look; 9] = [
     Look::new("emitted f64", "ours: compiled, f64", 0, Marker::Dot),
     Look::new("emitted f32", "ours: compiled, f32", 5, Marker::Circle),

@@ -1,4 +1,4 @@
-//! `trade-picture FOLDER` draws `trade.csv` of this folder: `trade.svg` and, for telephones, `trade-narrow.svg`.
+//! `trade-picture FOLDER` draws `trade.csv` of the folder as `trade.svg`, and for telephones as `trade-narrow.svg`.
 
 use std::path::Path;
 

@@ -1,6 +1,6 @@
-//! Rows of `trade.csv`, combined into the marks of the picture.
+//! Combines rows of `trade.csv` into the marks of the picture.
 
-/// One method for one answer with one number of masses, over all contacts and dampings.
+/// One mark of the picture: one method for one answer with one number of masses, over all contacts and dampings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pool {
     /// Name of the method.
@@ -11,11 +11,11 @@ pub struct Pool {
     pub masses: usize,
     /// Median of the scenes' times, ns.
     pub time: f64,
-    /// The largest of the scenes' errors at usual points.
+    /// Largest relative error of the scenes at usual points.
     pub error: f64,
 }
 
-/// The columns that are read.
+/// Names of the columns that the picture uses.
 const COLUMNS: [&str; 7] = [
     "scene",
     "masses",
@@ -72,7 +72,7 @@ pub fn pools(table: &str) -> Result<Vec<Pool>, String> {
     Ok(pools)
 }
 
-/// Returns a row if it has a time and an error, and if its answer is for the scene of the row.
+/// Parses a row. Returns `None` if it has no time or no error, or if its answer belongs to another scene.
 fn row(line: &str, places: &[usize]) -> Result<Option<Row>, String> {
     let cells = cells(line);
     let cell = |index: usize| cells.get(places[index]).map_or("", String::as_str);
@@ -84,7 +84,7 @@ fn row(line: &str, places: &[usize]) -> Result<Option<Row>, String> {
     };
     let (scene, by, answer) = (cell(0), cell(3), cell(4));
     let (masses, zeta, time, error) = (number(1)?, number(2)?, number(5)?, number(6)?);
-    // The damping of the event stepper is relative to the base, which makes another scene.
+    // The event stepper damps the motion relative to the base, which makes another scene.
     let other = by == "C event stepper" && scene.starts_with("Base") && zeta > 0.0;
     let shown = time > 0.0 && time.is_finite() && error.is_finite() && !other;
     Ok(shown.then(|| Row {

@@ -1,4 +1,4 @@
-//! The panels of the picture: the answers that each panel shows, and its notes.
+//! Panels of the picture: the answers that each panel shows, and its notes.
 
 use frictiongen_plot::Anchor;
 
@@ -8,13 +8,13 @@ pub struct Question {
     pub title: &'static str,
     /// Height of the panel's frame, in pixels.
     pub height: f64,
-    /// Returns whether the panel shows a method, an answer and a number of masses.
+    /// Returns true if the panel shows a method, an answer and a number of masses.
     pub shows: fn(&str, &str, usize) -> bool,
     /// Notes in the panel.
     pub notes: &'static [Beside],
 }
 
-/// A note beside a mark.
+/// A note that stands beside a mark.
 pub struct Beside {
     /// Method, answer and number of masses of the mark.
     pub of: (&'static str, &'static str, usize),
@@ -22,7 +22,7 @@ pub struct Beside {
     pub text: &'static str,
     /// Factors by which time and error of the mark are multiplied to give the position of the note.
     pub off: (f64, f64),
-    /// Side of the mark on which the note is.
+    /// Side of the note at which it touches its position.
     pub anchor: Anchor,
     /// True if the note is about this method alone and has its colour.
     pub coloured: bool,
@@ -93,7 +93,7 @@ pub const ALL: [Question; 6] = [
     Question {
         title: "**(b)** both limits, approximate",
         height: 300.0,
-        // With one mass the sum of the modes' maxima is exact.
+        // With one mass the limit per mode is exact, so that this panel of approximations leaves it out.
         shows: |by, answer, masses| {
             answer == WITHOUT || (answer == PER_MODE && by == OURS && masses > 1)
         },
@@ -142,7 +142,7 @@ pub const ALL: [Question; 6] = [
     Question {
         title: "**(e)** amplitude in the contact, no stops",
         height: 230.0,
-        // The event stepper gives the amplitude of the contact.
+        // The event stepper gives only the amplitude of the contact.
         shows: |by, answer, _| answer == CONTACT || (answer == AMPLITUDE && by == STEPPER),
         notes: &[
             Beside::centred((STEPPER, AMPLITUDE, 1), "1", 8.0),

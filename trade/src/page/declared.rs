@@ -1,5 +1,5 @@
-//! Section on tables of a declared accuracy, compared with exact results (now and by the earlier searches) and with
-//! limits without search.
+//! Section on tables of a declared accuracy. It compares them with exact results (by the present and by the earlier
+//! searches), and with limits without search.
 
 use super::table::{Table, Tally, cell, verdict};
 use super::{of, shown};
@@ -8,11 +8,12 @@ use crate::methods::Method;
 use crate::tabled::{Refused, USUAL};
 use std::fmt::{Result as Written, Write};
 
-/// Aims for both limits from tables: how much faster than by the earlier searches, and than limits without search.
+/// Aims for both limits from tables: the earlier searches take this many times as long, and so do limits without
+/// search.
 const LIMITS: [f64; 2] = [100.0, 3.0];
-/// Aim for the contact's amplitude of five damped masses: how much faster than before.
+/// Aim for the contact's amplitude of five damped masses: the earlier program takes this many times as long.
 const CONTACT: f64 = 50.0;
-/// Typical scenes by name and modal damping ratio.
+/// Typical scenes, by name and modal damping ratio ζ.
 const TYPICAL: [(&str, f64); 4] = [
     ("Wall1", 0.02),
     ("Base2", 0.0),
@@ -39,13 +40,13 @@ fn exponent(row: &Row) -> Option<u8> {
     }
 }
 
-/// Rows of tables, with the exponents of their accuracies.
+/// Returns the rows of tables, each with the exponent of its accuracy.
 fn tables(rows: &[Row], method: Method) -> impl Iterator<Item = (&Row, u8)> {
     let of_method = rows.iter().filter(move |row| row.method == method);
     of_method.filter_map(|row| Some((row, exponent(row)?)))
 }
 
-/// Formats the largest error, and marks one that is beyond the accuracy.
+/// Formats the largest error. Marks an error that is beyond the accuracy.
 fn error(row: &Row, exponent: u8) -> String {
     let worst = row.error.worst();
     let within = worst <= 10_f64.powi(-i32::from(exponent));
@@ -59,7 +60,7 @@ fn size(row: &Row) -> String {
     figures.unwrap_or_else(|| " |  | ".to_owned())
 }
 
-/// Returns the median time of another program, and its ratio to the time of a row.
+/// Returns the median time of another method, and its ratio to the time of a row.
 fn over(rows: &[Row], row: &Row, by: By, method: Method) -> Option<(f64, f64)> {
     let other = of(rows, row, by, method)?;
     Some((other.time.median, other.time.median / row.time.median))

@@ -10,10 +10,11 @@ use std::fmt::{Result as Written, Write};
 
 /// Largest allowed time of a run-time system over that of the emitted scene.
 const RUN_TIME: f64 = 1.2;
-/// Largest allowed times over the median: for all but a thousandth of the calls, and for all calls.
+/// Largest allowed times over the median time. The first one holds for all but a thousandth of the calls, the second
+/// one for all calls.
 const TAILS: [f64; 2] = [10.0, 40.0];
 
-/// Returns the aim for exact limits: how much faster than before, by the number of masses.
+/// Returns the aim for exact limits: the earlier searches take this many times as long, for a number of masses.
 fn aim_against_before(masses: usize, method: Method) -> Option<f64> {
     match (method, masses) {
         (Method::Limits, 1) => Some(4.0),

@@ -7,7 +7,7 @@ use std::fmt::{self, Display};
 pub struct Table(String);
 
 impl Table {
-    /// Creates a table without rows. Bars separate the names of the columns.
+    /// Creates a table without rows. `columns` has the names of the columns, with bars between them.
     pub fn new(columns: &str) -> Self {
         let rule = "|---".repeat(1 + columns.matches('|').count());
         Self(format!("| {columns} |\n{rule}|\n"))
@@ -18,7 +18,7 @@ impl Table {
         Self::new(&format!("scene | ζ | {columns}"))
     }
 
-    /// Adds a row. A bar within a cell splits it into two.
+    /// Adds a row. A bar within a cell splits the cell into two.
     pub fn row(&mut self, cells: &[&dyn Display]) {
         self.0.extend(cells.iter().map(|cell| format!("| {cell} ")));
         self.0.push_str("|\n");
@@ -37,7 +37,7 @@ impl Display for Table {
     }
 }
 
-/// Number of results that have an aim, and number of those that missed it.
+/// Number of results that have an aim, and number of results that missed their aim.
 #[derive(Default)]
 pub struct Tally {
     all: usize,
@@ -45,7 +45,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Counts a result, and returns the text of its verdict.
+    /// Counts a result. Returns the text of its verdict.
     pub fn judge(&mut self, reached: bool) -> &'static str {
         self.all += 1;
         self.missed += usize::from(!reached);
@@ -59,7 +59,7 @@ impl Display for Tally {
     }
 }
 
-/// Returns the text that tells if an aim is reached.
+/// Returns the text that says whether an aim is reached.
 pub fn verdict(reached: bool) -> &'static str {
     if reached { "yes" } else { "**missed**" }
 }

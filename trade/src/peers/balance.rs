@@ -7,13 +7,13 @@ use nalgebra::{DMatrix, DVector};
 use num_complex::Complex;
 use std::f64::consts::PI;
 
-/// Highest harmonics.
+/// Highest harmonics of the compared expansions.
 pub const ORDERS: [usize; 4] = [1, 3, 9, 25];
-/// Ratio of ε to the velocity without friction.
+/// Ratio of ε to the largest velocity without friction.
 const WIDTH: f64 = 0.02;
 const MOST_STEPS: usize = 60;
 const REPEATS: f64 = 1e-10;
-/// Shortest fraction of a Newton step.
+/// Smallest fraction of a Newton step that is tried.
 const SHORTEST: f64 = 1.0 / 64.0;
 
 /// Computes the amplitude of the observed mass with harmonics up to `order`.
@@ -29,7 +29,7 @@ pub fn filler(modal: Modal, order: usize) -> Fill<f64> {
     })
 }
 
-/// Sums a mode's contributions over 1 − (nR)² + 2iζnR.
+/// Returns a sum over the modes: each mode's share over 1 − (nR)² + 2iζnR.
 fn response(modal: &Modal, shares: &[f64], r: f64) -> Complex<f64> {
     let terms = shares.iter().zip(&modal.root).map(|(share, root)| {
         let ratio = r / root;
@@ -38,7 +38,7 @@ fn response(modal: &Modal, shares: &[f64], r: f64) -> Complex<f64> {
     terms.sum()
 }
 
-/// Samples of half a cycle: e^{int} by sample and harmonic.
+/// Samples of half a cycle: the values e^{int} for each sample and harmonic.
 struct Half {
     orders: Vec<usize>,
     waves: Vec<Vec<Complex<f64>>>,
@@ -56,7 +56,7 @@ impl Half {
         }
     }
 
-    /// Returns the largest |Σ X_n e^{int}| at the samples.
+    /// Returns the largest |Re Σ X_n e^{int}| at the samples.
     fn largest(&self, harmonics: &[Complex<f64>]) -> f64 {
         let value = |waves: &Vec<Complex<f64>>| -> f64 {
             waves.iter().zip(harmonics).map(|(w, x)| (w * x).re).sum()
@@ -103,7 +103,7 @@ fn amplitude(modal: &Modal, half: &Half, r: f64, beta: f64) -> Option<f64> {
     None
 }
 
-/// Returns the friction force over β and its slope, at the samples.
+/// Returns, at the samples, the friction force over β and its derivative with respect to the velocity.
 fn force(half: &Half, width: f64, z: &[Complex<f64>]) -> Vec<(f64, f64)> {
     let velocity = |waves: &Vec<Complex<f64>>| -> f64 {
         let terms = waves.iter().zip(z).zip(&half.orders);
@@ -112,7 +112,7 @@ fn force(half: &Half, width: f64, z: &[Complex<f64>]) -> Vec<(f64, f64)> {
     let values = half.waves.iter().map(|waves| {
         let v = velocity(waves);
         let size = v.hypot(width);
-        // The force and its slope by the velocity.
+        // These are the force and its derivative with respect to the velocity.
         (v / size, width * width / (size * size * size))
     });
     values.collect()
@@ -127,7 +127,7 @@ fn coefficient(half: &Half, force: &[(f64, f64)], index: usize) -> Complex<f64> 
     terms.sum::<Complex<f64>>() * (2.0 / half.waves.len() as f64)
 }
 
-/// Returns the residual of the balance and its derivative.
+/// Returns the residual of the balance and its derivative, for given harmonics.
 fn balanced(
     half: &Half,
     receptances: &[Complex<f64>],

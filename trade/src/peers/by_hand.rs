@@ -1,4 +1,4 @@
-//! Formulas of the thesis in C, written by hand: `c/thesis.c`.
+//! Runs formulas of the thesis that are written by hand in C: `c/thesis.c`.
 
 use super::Modal;
 use crate::methods::{Fill, Method, Pair};
@@ -48,7 +48,7 @@ pub const METHODS: [Method; 3] = [Method::Limits, Method::WithoutSearch, Method:
 
 /// Creates the function that computes the quantities in C.
 pub fn filler(modal: &Modal) -> Fill<f64> {
-    // The members of `Thesis` in order.
+    // The data are the members of `Thesis` in order.
     let mut data = Vec::new();
     for part in [
         &modal.root,

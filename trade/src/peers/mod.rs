@@ -1,4 +1,4 @@
-//! Other programs that compute the same quantities.
+//! Other programs that compute the same quantities, for comparison.
 
 pub mod balance;
 #[cfg(with_c)]
@@ -10,7 +10,7 @@ pub mod textbook;
 use crate::scenes::Label;
 use frictiongen::System;
 
-/// Modal data of a scene, in the form that the peers take.
+/// Modal data of a scene, in the form that the other programs take.
 #[derive(Clone, Debug)]
 pub struct Modal {
     /// Natural frequency ratios √λ.
@@ -23,7 +23,7 @@ pub struct Modal {
     pub far_load: Vec<f64>,
     /// Residues from friction to the observed mass.
     pub far_friction: Vec<f64>,
-    /// Squares (φᵀw)².
+    /// Squares (φᵀw)² of the modes' components in the contact.
     pub share: Vec<f64>,
     /// Coefficient of the base motion in the relative motion.
     pub base: f64,

@@ -1,21 +1,22 @@
-//! The plain exact event stepper in C, `peers/stepper.c`, run as a program with its own clock.
+//! Runs the plain exact event stepper `peers/stepper.c`. The program measures its own time.
 
 use crate::clock::Time;
 use crate::scenes::Label;
 use std::process::Command;
 
-/// Largest number of cycles. Friction alone damps an undamped transient, which takes thousands of cycles.
+/// Upper bound on the number of cycles. In an undamped scene only friction damps the transient, which takes thousands
+/// of cycles.
 const MOST_CYCLES: &str = "2000";
 
-/// Result of a run.
+/// Result of a run of the event stepper.
 pub struct Run {
-    /// Time in ns.
+    /// Time of the run, ns.
     pub time: f64,
     /// Amplitude |z̄| in the contact in the last cycle.
     pub amplitude: f64,
 }
 
-/// Runs the stepper, or returns `None` for a contact that it does not support.
+/// Runs the stepper. Returns `None` for a contact that the stepper does not support.
 pub fn run(label: &Label, [r, beta]: [f64; 2]) -> Option<Run> {
     let (contact, excited) = match &label.name[..4] {
         "Wall" => (label.masses, 1),
@@ -40,7 +41,7 @@ pub fn run(label: &Label, [r, beta]: [f64; 2]) -> Option<Run> {
     })
 }
 
-/// Returns the times over all runs.
+/// Returns median and shortest time over all runs.
 pub fn time(runs: &[Run]) -> Time {
     let mut times: Vec<f64> = runs.iter().map(|run| run.time).collect();
     times.sort_by(f64::total_cmp);

@@ -1,4 +1,5 @@
-//! The textbook method: a new eigenproblem at each r (the thesis's mode shapes contain r), then the printed sums.
+//! The textbook method. It solves a new eigenproblem at each r, because the thesis's mode shapes contain r, and then
+//! evaluates the printed sums.
 
 use super::{dot, vectors};
 use crate::methods::{Fill, Method};
@@ -38,7 +39,7 @@ fn limits(
     zeta: f64,
     r: f64,
 ) -> [f64; 2] {
-    // K̄ψ = r²Γψ/R², ψᵀΓψ = 1/r².
+    // The matrix solves K̄ψ = r²Γψ/R² with ψᵀΓψ = 1/r².
     let eigen = (k / (r * r)).symmetric_eigen();
     let q = (1.0 - zeta * zeta).sqrt();
     let (mut v, mut h) = (Complex::new(-base, 0.0), Complex::new(0.0, 0.0));

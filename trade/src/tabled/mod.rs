@@ -1,4 +1,4 @@
-//! Scenes of a declared accuracy: limits and the contact's amplitude from tables.
+//! Scenes of a declared accuracy, whose limits and contact amplitude come from tables.
 
 mod scenes;
 
@@ -10,12 +10,12 @@ use frictiongen::study::table::{Request, TableError, Tables};
 
 /// Range of frequency ratios of the tables.
 const RANGE: (f64, f64) = (0.2, 2.5);
-/// Exponent of the finest accuracy, which not every scene can reach. Its tables are built at run time.
+/// Exponent of the finest accuracy, 10⁻¹². Not every scene can reach it. Its tables are built at run time.
 pub const FINEST: u8 = 12;
-/// Exponent of the accuracy that the page uses most.
+/// Exponent of the accuracy that the page uses most, 10⁻⁴.
 pub const USUAL: u8 = 4;
 
-/// Size of a table, and the work of a look-up.
+/// Size of a table, and the cost of a look-up.
 #[derive(Clone, Copy, Debug)]
 pub struct Figures {
     /// Bytes of pieces, buckets, zeros and poles.
@@ -28,20 +28,20 @@ pub struct Figures {
 
 /// One table of a scene.
 pub struct Tabled {
-    /// Exponent of the accuracy, which is 10 to the minus this.
+    /// Exponent of the accuracy. The accuracy is 10 to the minus this exponent.
     pub exponent: u8,
     /// Quantity that the table contains.
     pub method: Method,
     /// Function that evaluates the table.
     pub fill: Fill<f64>,
-    /// Size of the table, and the work of a look-up.
+    /// Size of the table, and the cost of a look-up.
     pub figures: Figures,
 }
 
 /// Reason why a scene has no tables of the finest accuracy.
 #[derive(Clone, Copy, Debug)]
 pub struct Refused {
-    /// Scene.
+    /// Scene without such tables.
     pub label: Label,
     /// Frequency ratio at which the accuracy is missed.
     pub at: f64,
@@ -67,7 +67,7 @@ fn figures(tables: &Tables<f64>) -> Figures {
     }
 }
 
-/// Returns the tables of a scene, and the reason if the finest accuracy is refused. All but the finest tables are
+/// Returns the tables of a scene, and the reason if the finest accuracy is refused. All tables except the finest are
 /// emitted.
 pub fn of(label: &Label, system: &System) -> (Vec<Tabled>, Option<Refused>) {
     let (limits, contact) = scenes::emitted(label.name, label.zeta > 0.0).expect("a scene");
@@ -90,7 +90,7 @@ pub fn of(label: &Label, system: &System) -> (Vec<Tabled>, Option<Refused>) {
         fill: contact,
         figures: figures_of(USUAL, true),
     });
-    // The leak lets jobs own the functions that they call. The system lives until the program ends.
+    // The leak lets jobs own the functions that they call. The leaked system lives until the program ends.
     let system: &'static System = Box::leak(Box::new(system.clone()));
     let refused = match system.compile_for(request(FINEST, false)) {
         Ok(built) => {

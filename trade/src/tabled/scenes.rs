@@ -3,7 +3,7 @@
 use crate::methods::{Fill, each, limits};
 use frictiongen::{FrictionSystem, LimitsAt};
 
-/// Emits every chain with each accuracy, and lists the chains.
+/// Emits every chain with tables of each accuracy, and lists the chains.
 macro_rules! tabled {
     ($($orbit:ident struct $name:ident $masses:literal $watched:literal $body:tt $provide:tt)*) => {
         mod undamped {
@@ -83,7 +83,7 @@ where
     Box::new(move |_, points, out| limits(&system, points, out, |at| at.continuous_limit()))
 }
 
-/// Computes the contact's amplitude at r and β.
+/// Computes the amplitude of the contact at r and β.
 fn contact(amplitude: impl Fn(f64, f64) -> Option<f64> + 'static) -> Fill<f64> {
     Box::new(move |_, points, out| {
         each(points, out, |[r, beta]| Some([amplitude(r, beta)?; 2]));

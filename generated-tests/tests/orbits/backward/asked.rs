@@ -3,14 +3,14 @@
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::{DataAt, DataMotion};
 
-/// The contact or the mass whose motion is asked for.
+/// Selects a motion: that of the contact, or that of a mass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Of {
     Contact,
     Mass(usize),
 }
 
-/// A question to a scene.
+/// A question to a scene, whose answer is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asked {
     ContinuousLimit,
@@ -19,9 +19,9 @@ pub enum Asked {
     SlidingLimit,
     Stuck(usize),
     Amplitude(Of),
-    /// Lag of a motion. The watched answer of a mass is its velocity at the lag, which must be zero.
+    /// Lag of a motion, rad. For a mass the judged number is the velocity at the lag, which must be zero.
     Phase(Of),
-    /// Displacement of a mass at its lag, which must be the largest.
+    /// Displacement of a mass at its lag. It must be the largest displacement.
     Height(usize),
     Estimate(usize),
     Displacement(Of),
@@ -30,7 +30,7 @@ pub enum Asked {
 }
 
 impl Asked {
-    /// Returns the name of the kind of question, under which answers are tallied.
+    /// Returns the name of the kind of question, under which the tally counts the answers.
     pub fn kind(self) -> &'static str {
         match self {
             Self::ContinuousLimit => "continuous limit",
@@ -68,7 +68,7 @@ impl Asked {
         matches!(self, Self::Phase(Of::Contact))
     }
 
-    /// Returns whose continuous motion the answer describes, if it describes one.
+    /// Returns the motion (contact or mass) that the answer describes, or `None` if the answer describes no motion.
     pub fn of(self) -> Option<Of> {
         match self {
             Self::Amplitude(of)
@@ -100,14 +100,14 @@ impl<S: Float> Place<S> {
     }
 }
 
-/// A question in a form that can be differentiated. A maximum is evaluated at its instant. The value there has the same
-/// derivative as the maximum, because it is stationary at that instant.
+/// A question in a form that has derivatives. A maximum is evaluated at its instant. This value has the same derivative
+/// as the maximum, because the motion is stationary at that instant.
 #[derive(Clone, Copy, Debug)]
 pub struct Watched<S> {
     pub asked: Asked,
     /// Instant of the maximum.
     pub instant: Option<S>,
-    /// Lag that the system returned, at which the velocity is watched.
+    /// Lag that the system returned. The velocity at this lag is judged.
     pub lag: Option<S>,
 }
 
@@ -121,7 +121,7 @@ impl<S: Float> Watched<S> {
     }
 }
 
-/// Returns the answers to all questions of one place. The function computes each motion once for all its questions.
+/// Returns the answers to all questions at one place. The function computes each motion only once.
 pub fn answers<S: Float>(
     at: &DataAt<'_, S>,
     place: &Place<S>,

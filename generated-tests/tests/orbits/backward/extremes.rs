@@ -13,15 +13,15 @@ use frictiongen_kernel::{Complex, Float};
 use generated_tests::reference::{description, exact};
 use serde_json::Value;
 
-/// Bar for the backward error, in roundings of 2^-52 of each input.
+/// Largest accepted backward error, in roundings of 2^-52 of each input.
 const BAR: f64 = 64.0;
 
 /// Number of scenes and values in the reference.
 const SCENES: u64 = 48;
 const VALUES: u64 = 2337;
-/// Number of those values that belong to nearly equal modes.
+/// Number of reference values in scenes with nearly equal modes.
 const ILL_VALUES: u64 = 44;
-/// Factor of the bar that values of nearly equal modes may reach.
+/// Factor by which values of scenes with nearly equal modes may exceed `BAR`.
 const ILL: f64 = 64.0;
 
 fn scenes() -> Vec<Value> {
@@ -32,7 +32,7 @@ fn list(value: &Value) -> &[Value] {
     value.as_array().map_or(&[], Vec::as_slice)
 }
 
-/// Reads a number that the reference gives as an exact double.
+/// Reads a number of the reference, which is written as an exact double.
 fn double(value: &Value) -> f64 {
     match value {
         Value::String(text) => text.parse().expect("a number"),
@@ -45,7 +45,7 @@ struct Case {
     want: Dd,
 }
 
-/// A place of the reference, with all values known there.
+/// One place (r, β, τ) of the reference, with all values known there.
 struct Cases {
     name: String,
     place: Place<f64>,
@@ -90,7 +90,7 @@ fn cases(scene: &Value) -> Vec<Cases> {
     all
 }
 
-/// Returns the answer of a system through its public interface.
+/// Returns the answer of a system to a question, through its public interface.
 fn ask<S: Float>(system: &System<S>, name: &str, place: &Place<f64>, asked: Asked) -> S {
     let constant = |value: f64| S::constant(value);
     let at = system.at(constant(place.r)).expect("in the domain");
@@ -142,7 +142,7 @@ fn told(judge: &Judge<'_>, case: &Case, got: Dd) -> Answer {
     }
 }
 
-/// Compares every value of the reference with systems in one scalar. `epsilon` is one rounding of the scenes' inputs.
+/// Compares every value of the reference with systems over one scalar. `epsilon` is one rounding of the scenes' inputs.
 fn compared<S: Float>(epsilon: f64, read: impl Fn(S) -> Dd) -> Tally {
     let mut tally = Tally::default();
     let mut worst_of_ill: f64 = 0.0;
@@ -186,13 +186,13 @@ fn compared<S: Float>(epsilon: f64, read: impl Fn(S) -> Dd) -> Tally {
     tally
 }
 
-/// Returns whether modes are so close that modal data rounded one by one lose the difference between them.
+/// Returns true if modes are so close that modal data rounded separately lose the difference between them.
 fn is_ill_conditioned(scene: &Value) -> bool {
     scene["name"] == "nearly equal modes"
 }
 
-/// Checks the double-double evaluation, which is the reference of all other tests here, to the 20 digits of the JSON
-/// file.
+/// Checks the double-double evaluation against the 20 digits of the JSON file. All other tests here use it as the
+/// reference.
 #[test]
 fn double_double_is_a_reference() {
     let tally = compared::<Dd>(2f64.powi(-64), |value| value);
@@ -201,7 +201,7 @@ fn double_double_is_a_reference() {
     assert_eq!((tally.scenes, tally.answers()), (SCENES, VALUES));
 }
 
-/// Compares every value with the run-time system.
+/// Compares every value of the reference with the run-time system.
 #[test]
 fn every_value() {
     let tally = compared::<f64>(f64::EPSILON, Dd::from);

@@ -1,19 +1,19 @@
-//! The smallest displacement of the inputs that explains all answers of a place together.
+//! Finds the smallest displacement of the inputs that explains all answers at a place together.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Number of changes of the weights.
+/// Largest number of times that the fit changes its weights.
 const ROUNDS: usize = 60;
-/// Number of changes of the weights in plain double precision, which is enough at most places.
+/// Number of weight changes in plain double precision. They are enough at most places.
 const QUICK_ROUNDS: usize = 4;
-/// Number of changes where the fit exceeds the bar by the factor `FAR`. The equations are then not yet those of the
+/// Number of weight changes if the fit exceeds the bar by the factor `FAR`. The equations then do not yet belong to the
 /// right place, so more changes would be wasted.
 const FAR_ROUNDS: usize = 4;
 const FAR: f64 = 100.0;
-/// A fit below this fraction of the bar is not improved further.
+/// Fraction of the bar below which a fit is not improved further.
 const ENOUGH: f64 = 0.25;
-/// Lower bound on a weight, as a fraction of the largest. A weight of zero could not grow again.
+/// Lower bound on a weight, as a fraction of the largest weight. A weight of zero could not grow again.
 const FAINT: f64 = 1e-9;
 
 /// Returns the smallest k found such that some inputs δ with |δ_j| ≤ k leave |b_i − Σ a_ij δ_j| ≤ k. The search stops
@@ -24,7 +24,7 @@ const FAINT: f64 = 1e-9;
 pub fn fit(a: &[Vec<Dd>], b: &[Dd], bar: f64) -> f64 {
     let plain: Vec<Vec<f64>> = a.iter().map(|row| to_f64(row)).collect();
     let quick = lawson(a, b, bar, QUICK_ROUNDS, |b, inputs, answers| {
-        // A second solution for the residuals of the answers removes the rounding of the first one.
+        // A second solution, for the residuals of the first one, removes its rounding errors.
         let moved = shortest(&plain, &to_f64(b), inputs, answers)?;
         let more = shortest(&plain, &left(a, b, &moved), inputs, answers)?;
         Some(
@@ -44,7 +44,7 @@ pub fn fit(a: &[Vec<Dd>], b: &[Dd], bar: f64) -> f64 {
     }))
 }
 
-/// Runs Lawson's iteration, where `shortest` returns the δ of given weights.
+/// Runs Lawson's iteration. `shortest` returns the δ for given weights.
 fn lawson(
     a: &[Vec<Dd>],
     b: &[Dd],
@@ -85,7 +85,7 @@ fn to_f64(values: &[Dd]) -> Vec<f64> {
     values.iter().map(|value| value.to_f64()).collect()
 }
 
-/// Returns b − aδ.
+/// Returns the residuals b − aδ.
 fn left(a: &[Vec<Dd>], b: &[Dd], moved: &[f64]) -> Vec<f64> {
     let left = a.iter().zip(b).map(|(row, b)| {
         let moves = row.iter().zip(moved);
@@ -96,7 +96,7 @@ fn left(a: &[Vec<Dd>], b: &[Dd], moved: &[f64]) -> Vec<f64> {
     left.collect()
 }
 
-/// Returns the largest modulus, or infinity if any value is NaN.
+/// Returns the largest absolute value, or infinity if any value is NaN.
 fn worst(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |most: f64, value| {
         if value.is_nan() {
@@ -120,7 +120,7 @@ pub fn shortest<S: Float>(
     let answers: Vec<S> = answer_weights.iter().map(root).collect();
     let zero = S::constant(0.0);
     if inputs.len() < answers.len() {
-        // The system is (√v a, √w) δ against (√v b, 0).
+        // The least squares system is (√v a, √w) δ ≈ (√v b, 0).
         let columns = (0..inputs.len()).map(|j| {
             let weighted = a.iter().zip(&answers);
             let mut column: Vec<S> = weighted.map(|(row, root)| row[j] * *root).collect();
@@ -133,7 +133,7 @@ pub fn shortest<S: Float>(
         let [q, r] = orthogonal(columns)?;
         let mut moved = vec![zero; inputs.len()];
         for j in (0..inputs.len()).rev() {
-            // The residual after this column is the aim of the next ones.
+            // The residual after this column is the right-hand side for the next columns.
             let along = dot(&q[j], &aim);
             for (value, q) in aim.iter_mut().zip(&q[j]) {
                 *value = *value - along * *q;
@@ -146,8 +146,8 @@ pub fn shortest<S: Float>(
         }
         return Some(moved);
     }
-    // The unknown is the shortest z with Mᵀz = b. Its elements are √w δ and √v times the residuals. A column of M has
-    // the a_ij/√w_j of one answer and 1/√v_i.
+    // The unknown is the shortest z with Mᵀz = b. Its elements are √w δ and √v times the residuals. Column i of M
+    // belongs to answer i, and contains the a_ij/√w_j and 1/√v_i.
     let columns = a.iter().zip(&answers).enumerate().map(|(i, (row, root))| {
         let mut column: Vec<S> = row.iter().zip(&inputs).map(|(a, w)| *a / *w).collect();
         column.resize(inputs.len() + answers.len(), zero);
@@ -199,7 +199,7 @@ fn orthogonal<S: Float>(columns: impl Iterator<Item = Vec<S>>) -> Option<[Vec<Ve
     Some([all, parts])
 }
 
-/// One input cannot explain two answers that it changes in the same way and whose errors have opposite signs.
+/// One input must not explain two answers that it changes in the same way, if their errors have opposite signs.
 #[test]
 fn nothing_is_explained_twice() {
     let dd = Dd::from;

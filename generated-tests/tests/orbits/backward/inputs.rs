@@ -9,7 +9,7 @@ use frictiongen_model::scene::{Damping, Scene};
 use generated_tests::data::Data;
 use std::cell::OnceCell;
 
-/// A scene in double-double, with the derivatives that displace it.
+/// A scene in double-double, with its derivatives with respect to all inputs.
 pub struct Exact {
     pub data: Data<Dd>,
     modal: Modal,
@@ -20,14 +20,14 @@ pub struct Exact {
 /// A scene with its derivatives with respect to one number of its description.
 struct Along {
     modal: Modal<Dual<Dd>>,
-    /// The number itself, which turns the derivative into one per relative change.
+    /// Value of the number. It turns the derivative into one per relative change.
     value: Dd,
 }
 
-/// A displaced scene with derivatives.
+/// A displaced scene whose data carry derivatives with respect to one number of the description.
 pub struct Moving {
     pub data: Data<Dual<Dd>>,
-    /// The number itself, as in [`Along`].
+    /// Value of the number, as in [`Along`].
     pub value: Dd,
 }
 
@@ -48,8 +48,8 @@ impl Exact {
         }
     }
 
-    /// Returns the scene with every number displaced by `by` roundings. The modal data changes to first order, because
-    /// the second order is below a rounding of double-double.
+    /// Returns the scene with every number displaced by `by` roundings. The modal data change to first order. The
+    /// second order is below a rounding of double-double.
     pub fn displaced(&self, by: &[f64], epsilon: f64) -> (Data<Dd>, Modal) {
         let mut modal = self.modal.clone();
         for (along, by) in self.along().iter().zip(by) {
@@ -63,8 +63,8 @@ impl Exact {
         (data(&modal), modal)
     }
 
-    /// Returns a scene, displaced or not, whose description is constant. It serves for derivatives with respect to r, β
-    /// and τ.
+    /// Returns a scene, displaced or not, without derivatives with respect to its description. It serves for
+    /// derivatives with respect to r, β and τ.
     pub fn fixed(modal: &Modal) -> Data<Dual<Dd>> {
         data(&modal.fixed())
     }
@@ -119,7 +119,7 @@ impl Exact {
         let along = |(quantity, value): (Quantity, f64)| {
             let modal = self.modal.along(&self.scene, quantity)?;
             let value = Dd::from(value);
-            // For equal modes only another basis of modes changes smoothly, so such a scene is not displaced.
+            // Equal modes change smoothly only in another basis of modes, so that such a scene is not displaced.
             let mut turned = false;
             let mut own = self.modal.clone();
             each(&mut own, &modal, |own, along| {
@@ -144,7 +144,7 @@ impl Exact {
     }
 }
 
-/// Visits every number of the modal data together with the same number of another set.
+/// Visits every number of the modal data, together with the corresponding number of another set of modal data.
 fn each<A, B>(modal: &mut Modal<A>, other: &Modal<B>, mut visit: impl FnMut(&mut A, &B)) {
     let single = [
         (&mut modal.inverse_mass, &other.inverse_mass),

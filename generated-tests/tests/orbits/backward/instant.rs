@@ -1,22 +1,23 @@
-//! Exact instants of the maxima of a sum, each next to the instant that a search of the code under test has found.
+//! Finds the exact instants of maxima of a sum. Each instant is near the one that a search of the code under test has
+//! found.
 
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::data::{DataAt, DataMotion};
 
-/// Returns the zero of `of` next to `from`, or nothing if the iteration leaves the neighbourhood or does not converge.
-/// `epsilon` is the accuracy of `from`. The zero is found to a thousandth of it.
+/// Returns the zero of `of` near `from`. Returns `None` if the iteration leaves the neighbourhood or does not converge.
+/// `epsilon` is the accuracy of `from`. The accuracy of the result is a thousandth of `epsilon`.
 fn zero(of: impl Fn(Dd) -> Dd, from: Dd, epsilon: f64) -> Option<Dd> {
-    // Where the function is flat, the first step must be wider.
+    // A second attempt has a wider first step, for a function that is flat at its zero.
     [epsilon, 1e6 * epsilon]
         .into_iter()
         .find_map(|first| secant(&of, from, first, 1e-3 * epsilon))
 }
 
-/// Largest distance between the given instant and the maximum. A phase that rounding has turned by a tenth of a radian
-/// still belongs to its own maximum.
+/// Largest distance, in rad, between the found instant and the maximum. A phase that rounding has shifted by a tenth of
+/// a radian still belongs to its own maximum.
 const ABOUT: f64 = 0.5;
 
-/// Number of roundings by which the value at the found instant may exceed that at the exact instant.
+/// Number of roundings by which the value at the found instant may exceed the value at the exact instant.
 const NEARLY: f64 = 64.0;
 
 /// Finds a zero by the secant method, down to a step of `last`.
@@ -51,7 +52,7 @@ pub fn acceleration(motion: &DataMotion<'_, Dd>, tau: Dd, epsilon: f64) -> Dd {
     (motion.velocity(tau + step) - motion.velocity(tau - step)) / (step + step)
 }
 
-/// Returns the instant of the maximum of the exact motion next to the found instant, which need not be a stationary
+/// Returns the instant of the exact motion's maximum near the found instant. The found instant need not be a stationary
 /// point.
 pub fn largest(motion: &DataMotion<'_, Dd>, found: Option<Dd>, epsilon: f64) -> Dd {
     let Some(found) = found else {
@@ -70,19 +71,19 @@ pub fn largest(motion: &DataMotion<'_, Dd>, found: Option<Dd>, epsilon: f64) -> 
     found + Dd::from(lowest(below, -ABOUT, ABOUT, f64::NEG_INFINITY))
 }
 
-/// Returns the instant of the maximum of a mass, next to its instant with other inputs.
+/// Returns the instant of a mass's maximum, near the instant `tau` that it has with other inputs.
 pub fn followed(motion: &DataMotion<'_, Dd>, tau: Dd, epsilon: f64) -> Dd {
     let exact = stationary(motion, tau, epsilon);
     higher(|tau| motion.displacement(tau).abs(), exact, tau)
 }
 
-/// Returns the instant of the maximum of the velocity constraint, next to the instant that was found.
+/// Returns the instant of the velocity constraint's maximum, near the instant that the search has found.
 pub fn constraining(at: &DataAt<'_, Dd>, found: Dd, epsilon: f64) -> Dd {
     let exact = zero(|tau| at.constraint_slope(tau), found, epsilon);
     higher(|tau| at.constraint(tau), exact, found)
 }
 
-/// Returns the exact instant, or the found one if the exact one is that of a minimum.
+/// Returns the exact instant, or the found instant if the exact one belongs to a minimum.
 fn higher(of: impl Fn(Dd) -> Dd, exact: Option<Dd>, found: Dd) -> Dd {
     exact.filter(|tau| of(*tau) > of(found)).unwrap_or(found)
 }

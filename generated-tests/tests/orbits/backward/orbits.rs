@@ -1,6 +1,6 @@
-//! Backward error of steady states with stops, against the same states in double-double.
+//! Backward error of steady states with stops, found by comparison with the same states in double-double.
 //!
-//! Derivatives are differences in double-double, with respect to every number of the description, r and β. Where a stop
+//! Derivatives are differences in double-double, with respect to every number of the description, r and β. If a stop
 //! begins or ends within rounding, the displaced motion has another sequence of events. Such places are counted and
 //! left out.
 
@@ -19,20 +19,20 @@ use std::collections::BTreeMap;
 const MASSES: usize = 5;
 /// Largest ratio of a natural frequency to the excitation frequency. Faster modes need too many steps.
 const FASTEST: f64 = 60.0;
-/// Relative step of a difference, whose error is of the order of its square.
+/// Relative step of a difference. Its error is of the order of the square of the step.
 const STEP: f64 = 1e-7;
-/// Largest Floquet multiplier of a judged place. With a multiplier nearer to 1 the motion from rest hardly reaches the
-/// steady state.
+/// Largest Floquet multiplier at which a place is judged. With a multiplier nearer to 1 the motion from rest hardly
+/// reaches the steady state.
 const SLOW: f64 = 0.999;
 
-/// Largest fraction of places above the bar. A steady state collects the rounding of many events.
+/// Largest fraction of places above the bar. The rounding errors of many events add up in a steady state.
 const ABOVE: f64 = 0.1;
-/// Upper bound on the error of any place in a short run.
+/// Upper bound on the error of any place in a short run, in roundings.
 const MOST_OF_FEW: f64 = 1024.0;
-/// Upper bound on the error of any place in a long run, which is 2e-11 of the motion in double precision.
+/// Upper bound on the error of any place in a long run, in roundings. It is 2e-11 of the motion in double precision.
 const MOST: f64 = 131_072.0;
 
-/// Names of the answers of a steady state, with angles last.
+/// Names of the answers of a steady state. Angles come last.
 const NAMES: [&str; 9] = [
     "contact amplitude",
     "amplitude",
@@ -45,14 +45,14 @@ const NAMES: [&str; 9] = [
     "origin",
 ];
 
-/// Answers, each with the size in whose roundings it is counted.
+/// Answers of a steady state, each with the size by whose roundings its error is measured.
 type Answers<S> = [(S, S); NAMES.len()];
 
 fn answers<S: Plain>(orbit: &SystemOrbit<'_, S>, mass: usize, tau: S) -> Answers<S> {
     let motion = orbit.mass_at(mass).expect("a mass");
     let (contact, one) = (orbit.contact(), S::constant(1.0));
     let amplitude = motion.amplitude();
-    // The size is that of the largest motion, because the motion of the whole chain determines the stops.
+    // The size is that of the largest motion in the chain, because the motion of the whole chain determines the stops.
     let largest = (0..)
         .map_while(|mass| orbit.mass_at(mass))
         .map(|motion| motion.amplitude());
@@ -78,12 +78,12 @@ fn pattern<S: Float>(orbit: &SystemOrbit<'_, S>) -> Pattern {
     (orbit.period(), orbit.stops(), orbit.reversals())
 }
 
-/// Returns the numbers of a description that are displaced.
+/// Returns the numbers of a description that the test displaces.
 fn numbers(scene: &mut Scene) -> Vec<&mut f64> {
     let mut all: Vec<&mut f64> = Vec::new();
     all.extend(scene.masses.iter_mut().map(|mass| &mut mass.value));
     all.extend(scene.springs.iter_mut().map(|spring| &mut spring.stiffness));
-    // μ = 1 is the smallest value. Any larger value changes the rule for a stop, so μ is then not displaced.
+    // μ = 1 is not displaced. It is the smallest value, and any larger value changes the rule for a stop.
     if scene.stiction > 1.0 {
         all.push(&mut scene.stiction);
     }
@@ -97,7 +97,7 @@ fn numbers(scene: &mut Scene) -> Vec<&mut f64> {
     all
 }
 
-/// Reason for which a place is left out.
+/// Reason why the test leaves out a place.
 type Left = &'static str;
 
 /// Exact answers, with their changes per relative change of each input, and the sequence of events.
@@ -162,7 +162,7 @@ impl Exactly {
     }
 }
 
-/// Returns a − b, and for angles the difference within half a turn.
+/// Returns a − b. For angles the difference is within half a turn.
 fn difference(index: usize, a: Dd, b: Dd) -> Dd {
     if NAMES[index] == "origin" {
         angle(a - b)
@@ -175,7 +175,7 @@ fn difference(index: usize, a: Dd, b: Dd) -> Dd {
 #[derive(Default)]
 struct Seen {
     places: usize,
-    /// Largest backward error of each kind of answer, if it were the only answer of its place.
+    /// Largest backward error of each kind of answer, if the answer is taken alone.
     alone: BTreeMap<&'static str, (f64, String)>,
     together: (f64, String),
     above: usize,

@@ -1,4 +1,4 @@
-//! The questions to a system at one place, with its answers.
+//! Asks a system all questions at one place, and collects its answers.
 
 use crate::backward::asked::{Asked, Of, Watched, motion};
 use crate::backward::instant::{acceleration, constraining, largest};
@@ -9,15 +9,17 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::DataMotion;
 
-/// Fraction of the largest motion against which the motion of a mass far from load and contact is measured.
+/// Fraction of the largest motion. The motion of a mass far from load and contact is measured against this size if it
+/// is smaller.
 const FAR: f64 = 1e-3;
-/// Fraction of the largest motion whose 64 roundings allow for a sum over modes. Modal data rounded once and such a sum
-/// leave a few roundings of the largest motion, and 64 roundings of this fraction are four.
+/// Fraction of the largest motion of which 64 roundings are allowed for a sum over modes. Such a sum, from modal data
+/// rounded once, has an error of a few roundings of the largest motion. 64 roundings of this fraction are four.
 const SUM: f64 = 1.0 / 16.0;
-/// Size of a motion below [`FAR`] of the largest motion, as a multiple of the largest. Such a motion is nearly all a
-/// remainder of larger ones. Near a resonance of the stuck chain the remainder has hundreds of their roundings.
+/// Size against which a motion below [`FAR`] of the largest motion is measured, as a multiple of the largest motion.
+/// Such a motion is a remainder of larger ones that cancel. Near a resonance of the stuck chain the remainder has an
+/// error of hundreds of their roundings.
 const LEFT: f64 = 256.0;
-/// Fraction of the largest motion below which a mass does not move, apart from rounding of double-double.
+/// Fraction of the largest motion below which a mass counts as not moving. Only rounding of double-double is left.
 const UNREACHED: f64 = 1e-20;
 /// Ratio of the largest response to V above which V is 0 in double-double as well.
 const NOTHING: f64 = 1e25;
@@ -26,7 +28,7 @@ const HARMONICS: [u32; 2] = [1, 3];
 /// Instants at which the size of a velocity is sampled, in half periods.
 const SAMPLES: [f64; 5] = [0.0, 0.15, 0.35, 0.6, 0.85];
 
-/// Returns the instant at which a search ends.
+/// Returns the instant at which a search has ended.
 pub fn first<S: Float>(peak: &Peak<S>) -> Option<S> {
     let mut places = peak.places.iter().flatten();
     places.next().map(|place| place.tau)
@@ -38,15 +40,15 @@ pub struct Questions<'j, 'a, S, E> {
     /// Conversion of a scalar to double-double without loss.
     exact: E,
     epsilon: f64,
-    /// True if double-double searches for every maximum itself.
+    /// True if the test searches for every maximum itself in double-double.
     searched: bool,
-    /// Ratio of the largest response to V. V is a difference of the masses' responses and keeps their rounding, which
-    /// phase and limits inherit.
+    /// Ratio of the largest response to V. V is a difference of the masses' responses and keeps their rounding errors.
+    /// Phase and limits inherit these errors.
     faint: Dd,
     pub told: Vec<Answer>,
     /// Number of masses that the load does not reach while the contact is stuck.
     pub unreached: u64,
-    /// Number of searches for an amplitude that stopped without a result.
+    /// Number of searches for an amplitude that ended without a result.
     pub given_up: u64,
     scalar: std::marker::PhantomData<S>,
 }
@@ -86,7 +88,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         self.faint.to_f64()
     }
 
-    /// Adds an answer that is measured against its own size. `largest` is the largest of its kind.
+    /// Adds an answer that is measured against its own size. `largest` is the largest answer of its kind.
     fn plain(&mut self, asked: Asked, got: Complex<S>, instant: Option<Dd>, largest: Dd) {
         let watched = Watched {
             asked,
@@ -102,7 +104,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         self.note(watched, got, own, largest.max(carried));
     }
 
-    /// Adds all continuous limits.
+    /// Adds the answers for all continuous limits.
     pub fn limits(&mut self, at: &SystemAt<'_, S>, found: Option<S>, per_mode: bool) {
         let zero = Dd::from(0.0);
         let real = |value: S| Complex::new(value, S::constant(0.0));
@@ -126,18 +128,18 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         }
     }
 
-    /// Returns whether V is larger than what double-double leaves of a difference.
+    /// Returns true if V is larger than the rounding error of a difference in double-double.
     pub fn is_reached(&self) -> bool {
         self.faint() < NOTHING
     }
 
-    /// Adds β*_lim.
+    /// Adds the answer for β*_lim.
     pub fn sliding(&mut self, at: &SystemAt<'_, S>) {
         let limit = Complex::new(at.sliding_limit(), S::constant(0.0));
         self.plain(Asked::SlidingLimit, limit, None, Dd::from(0.0));
     }
 
-    /// Adds the stuck response of masses, and returns whether one exists.
+    /// Adds the stuck response of masses. Returns true if a stuck response exists.
     pub fn stuck(&mut self, at: &SystemAt<'_, S>, asked: &[usize], masses: usize) -> bool {
         let Ok(stuck) = at.stuck() else { return false };
         let every = (0..masses).map(|mass| modulus(self.judge.at().stuck_amplitude(mass)));
@@ -148,7 +150,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             };
             let own = modulus(self.judge.at().stuck_amplitude(mass));
             if own.to_f64() <= UNREACHED * largest.to_f64() {
-                // The terms cancel altogether, and only rounding is left.
+                // The terms cancel altogether, so that only rounding is left.
                 let exact = Complex::new((self.exact)(got.re), (self.exact)(got.im));
                 let left = modulus(exact).to_f64() / largest.to_f64();
                 let nothing = own.is_zero() && got.re.is_zero() && got.im.is_zero();
@@ -156,19 +158,19 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
                     self.unreached += 1;
                     continue;
                 }
-                // A larger remainder is judged as any other answer, against a size of nearly zero.
+                // A larger remainder is judged as any other answer. Its size is nearly zero.
             }
             self.plain(Asked::Stuck(mass), got, None, largest);
         }
         true
     }
 
-    /// Adds the contact's motion.
+    /// Adds the answers for the contact's motion.
     pub fn contact(&mut self, motion: &SystemMotion<'_, S>, tau: S) {
         let zero = S::constant(0.0);
         let contact = motion.contact();
         let exact = self.judge.at().contact(self.judge.place().beta);
-        // Next to a limit the exact contact may not move at all, although it moves one rounding away.
+        // Next to a limit the exact contact may not move at all, although it does at a β one rounding away.
         let told = (self.exact)(contact.amplitude());
         let own = exact.amplitude().max(told);
         let real = |value: S| Complex::new(value, zero);
@@ -186,7 +188,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             instant: None,
             lag: None,
         };
-        // The rounding of an angle is that of a half turn.
+        // The rounding of an angle is that of half a turn, π.
         self.note(
             watched,
             Complex::new(phase, Dd::from(0.0)),
@@ -214,7 +216,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         }
     }
 
-    /// Adds the motions of masses.
+    /// Adds the answers for the motions of masses.
     pub fn masses(&mut self, motion: &SystemMotion<'_, S>, asked: &[usize], masses: usize, tau: S) {
         let zero = Dd::from(0.0);
         let (at, beta) = (self.judge.at(), self.judge.place().beta);
@@ -260,7 +262,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         let of = Of::Mass(mass);
         let real = |value: S| Complex::new(value, S::constant(0.0));
         let peak = of_mass.peak();
-        // The remainder of larger motions is all rounding, in double-double too.
+        // Such a motion is a remainder of larger motions. It consists of rounding only, in double-double too.
         let is_far = exact.amplitude_monoharmonic() < widest * Dd::from(FAR);
         let found = if self.searched && !is_far {
             None
@@ -279,7 +281,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             self.mark_searched(found.is_none());
         }
         self.wide(Asked::Estimate(mass), estimate, None, amplitude, widest);
-        // The instant counts from the contact's maximum, which has the rounding of V.
+        // The instant counts from the contact's maximum, so that it has the rounding error of V.
         let carried = widest.max(amplitude * self.faint);
         let there = real(of_mass.displacement(tau));
         self.wide(Asked::Displacement(of), there, None, amplitude, carried);
@@ -289,7 +291,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         if given_up {
             return;
         }
-        // A lag is right if the mass has zero velocity there, and its largest displacement.
+        // A lag is right if the mass has zero velocity and its largest displacement at that lag.
         let lag = (self.exact)(of_mass.phase());
         let contact = motion(self.judge.at(), Of::Contact, self.judge.place().beta);
         let falls = acceleration(exact, lag - contact.phase(), self.epsilon).abs();
@@ -314,8 +316,8 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
     }
 
     /// Returns the larger of the free response and the fundamental, and 0 for other orders. The fundamental is the
-    /// difference of the free response and the response to friction. Near a resonance both are larger than their
-    /// difference.
+    /// difference of the free response and the response to friction. Near a resonance both of them are larger than
+    /// their difference.
     fn whole(&self, exact: &DataMotion<Dd>, of: Of, n: u32) -> Dd {
         if n != 1 {
             return Dd::from(0.0);
@@ -338,7 +340,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         }
     }
 
-    /// Adds an answer of known size. `largest` is the largest of its kind.
+    /// Adds an answer of known size. `largest` is the largest answer of its kind.
     fn wide(&mut self, asked: Asked, got: Complex<S>, instant: Option<Dd>, own: Dd, largest: Dd) {
         let watched = Watched {
             asked,
@@ -356,12 +358,12 @@ struct MassPlace<'d> {
     widest: Dd,
 }
 
-/// Returns 0, or NaN where the lag is NaN.
+/// Returns 0, or NaN if the lag is NaN.
 fn zero_at(lag: Dd) -> Complex<Dd> {
     Complex::new(lag * Dd::from(0.0), Dd::from(0.0))
 }
 
-/// Returns the ratio of the largest free response to that of the contact.
+/// Returns the ratio of the largest free response to the free response of the contact.
 fn faint(judge: &Judge<'_>, masses: usize) -> Dd {
     let (at, zero) = (judge.at(), Dd::from(0.0));
     let own = at.contact(zero).amplitude();

@@ -1,5 +1,5 @@
-//! Faulty answers exceed the bar: the tests insert errors of a thousand roundings, NaN or another maximum. No
-//! displacement of the inputs explains these faults.
+//! Tests that faulty answers exceed the bar. The faults are errors of a thousand roundings, NaN, or another maximum. No
+//! displacement of the inputs explains them.
 
 use crate::backward::asked::{Asked, Of, Place};
 use crate::backward::inputs::Exact;
@@ -11,7 +11,7 @@ use frictiongen_kernel::Complex;
 use frictiongen_kernel::number::dd::Dd;
 use std::collections::BTreeMap;
 
-/// Number of roundings of its size that are added to an answer.
+/// Error that is added to an answer, in roundings of its size.
 const FAULT: f64 = 1e3;
 
 /// Scenes of one to four masses, with every contact, damped and undamped.
@@ -30,8 +30,8 @@ const SCENES: [&str; 6] = [
      contact: d - wall, excitation: a, damping: modal[0.01, 0.3, 1.0, 1.7], stiction: 1.3 }",
 ];
 
-/// Visits each scene at ordinary frequencies, and a thousandth away from a resonance and a subharmonic, where
-/// conditions are 10³.
+/// Visits each scene at several frequencies: ordinary ones, and ones a thousandth away from a resonance or a
+/// subharmonic, where conditions are 10³.
 fn each_place(mut visit: impl FnMut(&Judge<'_>, &[Answer], &str)) {
     for text in SCENES {
         let system: System = text.parse().expect("a scene");
@@ -129,7 +129,7 @@ fn another_phase_is_above_it() {
     report(&seen, 1);
 }
 
-/// Asserts that every kind was asked for, and that no fault was missed.
+/// Asserts that every kind of question was asked, and that no fault stayed within the bar.
 fn report(seen: &BTreeMap<&str, (u64, u64)>, kinds: usize) {
     for (kind, (all, missed)) in seen {
         println!("{kind:>22}: {all} faults, {missed} missed");

@@ -1,25 +1,26 @@
-//! Results for each kind of answer, and the places that were left out.
+//! Counts results for each kind of answer, and the places that were left out.
 
 use crate::backward::judge::{Answer, Judged, Verdict};
 use std::collections::BTreeMap;
 
-/// Condition below which the worst error of all answers together is printed.
+/// Condition below which the tally records the worst error of all answers together.
 const ORDINARY: f64 = 100.0;
 
 /// Results for one kind of answer.
 #[derive(Default)]
 struct Kind {
     count: u64,
-    /// Number of answers that exceed the bar when taken alone.
+    /// Number of answers that exceed the bar if taken alone.
     above: u64,
-    /// Number of answers of far masses that exceed the bar of their own size or of a thousandth of the largest motion.
+    /// Number of answers of far masses whose error exceeds the bar. The error is measured against their own size, or a
+    /// thousandth of the largest motion if that is larger.
     far: u64,
     direct: Worst,
     of_its_own: Worst,
     alone: Worst,
 }
 
-/// The worst error so far, and its place.
+/// The worst error so far, and the place where it occurred.
 #[derive(Default)]
 struct Worst(f64, String);
 
@@ -48,7 +49,7 @@ pub struct Tally {
     disagreeing: u64,
     /// Places above the bar.
     pub above: Vec<String>,
-    /// Number of those places that nothing explains.
+    /// Number of the places above the bar that nothing explains.
     pub wrong: u64,
     skipped: BTreeMap<&'static str, u64>,
 }

@@ -1,11 +1,11 @@
-//! β_lim and β*_lim are the friction ratios at which the integrated motion changes its regime.
+//! Tests that the integrated motion changes its regime at the friction ratios β_lim and β*_lim.
 
 use crate::plain_integration::equations::{Chain, Contact, STEPS, State, TOLERANCE, solve};
 use crate::plain_integration::scenes::{on_base, on_each_other, on_wall};
 use frictiongen::study::System;
 use std::f64::consts::PI;
 
-/// Returns the formal motion: it reverses at τ = 0 and τ = π, and z̄′ in between is ignored.
+/// Returns the formal motion. Its contact reverses at τ = 0 and τ = π, and the sign of z̄′ in between is ignored.
 ///
 /// Friction is +β for half a period even where that is not physical. The result is the phase and the start of the half
 /// period, by Newton's method on y(π) = −y(0), z̄′(0) = 0.
@@ -78,7 +78,8 @@ enum Verdict {
 
 fn verdict(chain: &Chain) -> Verdict {
     let (t, start) = formal(chain);
-    // The contact comes to rest from the positive direction, so the load has to exceed a static friction of −μβ.
+    // The contact comes to rest from the positive direction, so that the static friction is −μβ. The load has to exceed
+    // it.
     if -chain.holding_force(t, &start) <= chain.mu * chain.beta {
         return Verdict::Holds;
     }
@@ -101,11 +102,12 @@ fn check_boundary(mut chain: Chain, text: &str, beyond: Verdict) -> usize {
     let at = system.at(chain.r).unwrap();
     let limit = at.continuous_limit();
     assert!(limit < at.sliding_limit(), "{text}");
-    // S determines the limit where leaving S out changes it.
+    // S determines the limit if the limit without S is different.
     let by_search = limit < at.continuous_limit_without_search() * (1.0 - 1e-3);
     assert_eq!(by_search, beyond == Verdict::Turns, "{text}");
     let mut compared = 0;
-    // The grid of z̄′ limits the closer pair of factors, not the integration.
+    // The error of the verdict comes from the sampling of z̄′, not from the integration. It sets the distance of the
+    // closer factors from 1.
     for factor in [0.5, 0.98, 1.0 - 1e-5] {
         chain.beta = factor * limit;
         assert_eq!(

@@ -27,7 +27,7 @@ pub type State = [f64; 6];
 /// State of the contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Contact {
-    /// Slides in the direction of this sign.
+    /// The contact slides in the direction of this sign.
     Slides(f64),
     Holds,
 }
@@ -37,7 +37,7 @@ pub fn dot(a: &[f64; 3], b: &[f64]) -> f64 {
 }
 
 impl Chain {
-    /// Returns p cos τ_e − C̄x̄′ − K̄x̄, the force that remains for inertia and contact.
+    /// Returns p cos τ_e − C̄x̄′ − K̄x̄, the force that is left for inertia and contact.
     pub fn load(&self, t: f64, y: &State) -> [f64; 3] {
         std::array::from_fn(|i| {
             self.p[i] * t.cos() - dot(&self.c[i], &y[3..]) - dot(&self.k[i], &y[..3])
@@ -88,8 +88,8 @@ impl Chain {
         dot(&self.w, &y[3..]) + self.s * t.sin()
     }
 
-    /// Returns the response without friction at τ_e, as the start of an integration. It exists only for
-    /// [`Chain::linear`] equations.
+    /// Returns the response without friction at τ_e, as the start of an integration. It exists only for equations that
+    /// are [`Chain::linear`].
     pub fn frictionless(&self, t: f64) -> State {
         let n = self.n;
         // The equations are [K̄ − r²Γ, C̄; −C̄, K̄ − r²Γ][a; b] = [p; 0] with x̄ = a cos τ_e + b sin τ_e.

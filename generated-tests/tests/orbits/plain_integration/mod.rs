@@ -1,4 +1,4 @@
-//! The closed forms, compared with plain time integration.
+//! Compares the closed forms with plain time integration.
 //!
 //! The integration shares only the numbers of the scenes with the project. It uses matrices written by hand, the
 //! classical Runge-Kutta method with a fixed step, and reversals by bisection within a step. Damped scenes run until
@@ -57,7 +57,7 @@ fn compare(chain: &Chain, damped: bool, text: &str, names: &[&str]) {
             amplitude,
         );
         // The instant of a maximum is usually known only to the square root of its value's accuracy. Here both sides
-        // solve for zero velocity, so the instant is known better.
+        // solve for zero velocity, which gives the instant with full accuracy.
         near(
             &format!("phase of {name}"),
             wrapped(mass.phase() - lag),
@@ -87,8 +87,8 @@ fn compare(chain: &Chain, damped: bool, text: &str, names: &[&str]) {
             near(&format!("Im X_{n} of {name}"), harmonic.im, im, amplitude);
         }
     }
-    // There are two values of the contact. Each mass has two values, nine instants with two values and three harmonics
-    // with two values.
+    // The contact has two values. Each mass has two values, nine instants with two values, and three harmonics with two
+    // values.
     println!("{} compared, none skipped", compared.get());
     assert_eq!(compared.get(), 2 + names.len() * (2 + 2 * 9 + 2 * 3));
     assert_eq!(names.len(), chain.n);

@@ -1,8 +1,9 @@
-//! The scenes, as matrices written by hand and as descriptions.
+//! The scenes of the comparison, as matrices written by hand and as descriptions.
 
 use crate::plain_integration::equations::Chain;
 
-/// Returns three masses of 2, 3 and 1.5 kg on springs of 50, 40, 60 and 20 N/m, with γ and κ by hand.
+/// Returns three masses of 2, 3 and 1.5 kg on springs of 50, 40, 60 and 20 N/m. The mass and stiffness ratios γ and κ
+/// are written by hand.
 pub fn on_wall(damped: bool) -> (Chain, &'static str) {
     let k = [[1.8, -0.8, 0.0], [-0.8, 2.0, -1.2], [0.0, -1.2, 1.6]];
     let gamma = [1.0, 1.5, 0.75];
@@ -122,7 +123,7 @@ pub fn on_each_other(damped: bool) -> (Chain, &'static str) {
              contact: b - a, excitation: a, stiction: 1.25 }",
         );
     }
-    // Modal damping by hand: det(K̄ − λΓ) = 2λ² − 6.5λ + 1.5 = 0, and φ ∝ (1.5, 2.5 − λ).
+    // Modal damping is computed by hand: det(K̄ − λΓ) = 2λ² − 6.5λ + 1.5 = 0, and φ ∝ (1.5, 2.5 − λ).
     for (zeta, sign) in [(0.08, -1.0), (0.03, 1.0)] {
         let lambda = (6.5 + sign * (6.5f64 * 6.5 - 12.0).sqrt()) / 4.0;
         let shape = [1.5, 2.5 - lambda];

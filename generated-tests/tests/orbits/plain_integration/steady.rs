@@ -1,4 +1,4 @@
-//! Time integration between reversals, and the steady motion that it reaches.
+//! Time integration from reversal to reversal, and the steady motion that it reaches.
 
 use crate::plain_integration::equations::{Chain, Contact, STEPS, State, solve};
 use std::f64::consts::PI;
@@ -12,7 +12,7 @@ pub struct Piece {
     pub contact: Contact,
 }
 
-/// A reversal of the contact.
+/// A reversal of the contact's velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct Reversal {
     pub t: f64,
@@ -21,8 +21,8 @@ pub struct Reversal {
     pub from: f64,
 }
 
-/// Integrates from t over `span` with the contact sliding all the time. Returns an error where the contact would stop,
-/// or where it reverses more than twice a period.
+/// Integrates from t over `span` with the contact sliding all the time. Returns an error if the contact would stop, or
+/// if it reverses more than twice a period.
 pub fn integrate(
     chain: &Chain,
     (t0, y0, sign): (f64, State, f64),
@@ -83,8 +83,8 @@ pub fn integrate(
     Ok((y, sign, reversals))
 }
 
-/// The steady motion: its steps over one period, from the middle of a slide in the direction of −z̄, and the maximum of
-/// z̄.
+/// The steady motion over one period, as its steps and its maximum of z̄. The period starts in the middle of a slide in
+/// the direction of −z̄.
 pub struct Steady {
     pub pieces: Vec<Piece>,
     pub top: Reversal,
@@ -97,10 +97,10 @@ pub fn distance(chain: &Chain, a: &State, b: &State) -> f64 {
     })
 }
 
-/// Returns the steady motion, by Newton's method on y ↦ −y(τ + π), or for a damped scene after the transient has died
-/// out.
+/// Returns the steady motion. For an undamped scene Newton's method finds it as a fixed point of y ↦ −y(τ + π). A
+/// damped scene runs until the transient has died out.
 pub fn steady(chain: &Chain, damped: bool) -> Steady {
-    // A quarter of a period after the maximum of the frictionless z̄ the contact slides fast.
+    // A quarter of a period after the maximum of z̄ without friction, the contact slides fast.
     let velocity = |t: f64| chain.relative_velocity(t, &chain.frictionless(t));
     let start = (0..400)
         .map(|i| f64::from(i) * PI / 200.0)
@@ -117,8 +117,8 @@ pub fn steady(chain: &Chain, damped: bool) -> Steady {
         end
     };
     if damped {
-        // The states at successive half periods alternate in sign. The symmetry of the equations turns them into the
-        // same half period each time.
+        // The states after successive half periods alternate in sign. The symmetry of the equations maps each half
+        // period to the first one.
         for _ in 0..400 {
             let end = half(&y).map(|value| -value);
             let change = (0..6).fold(0.0, |most: f64, i| most.max((end[i] - y[i]).abs()));
@@ -199,7 +199,7 @@ impl Steady {
                 }
             }
             let value = chain.step(piece.t, &piece.y, low, piece.contact)[k];
-            // The half periods mirror each other, so the sign of a maximum shifts it to the positive one.
+            // The two half periods mirror each other. A negative extreme stands for a positive one half a period later.
             if value.abs() > best.0 {
                 best = (
                     value.abs(),

@@ -7,10 +7,10 @@ use frictiongen_kernel::response::motion::Motion;
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::{Data, DataMotion};
 
-/// Names and values, in the order in which they are asked.
+/// Names and values of the answers, in the order in which they are asked.
 pub type Answers<S> = Vec<(String, S)>;
 
-/// Returns whether an answer is a phase, which may jump by a turn.
+/// Returns true if an answer is a phase, which may jump by a whole turn.
 pub fn is_phase(name: &str) -> bool {
     name.ends_with("phase")
 }
@@ -40,7 +40,7 @@ fn steady<S: Float, W: AsRef<[Wave<S, Damped<S>>]>>(
     }
 }
 
-/// Returns the answers through the public interface.
+/// Returns the answers of a system through its public interface.
 pub fn of_system<S: Float>(at: &SystemAt<'_, S>, masses: usize, beta: S) -> Answers<S> {
     let mut all = vec![
         (String::from("continuous limit"), at.continuous_limit()),
@@ -67,7 +67,7 @@ pub fn of_system<S: Float>(at: &SystemAt<'_, S>, masses: usize, beta: S) -> Answ
     all
 }
 
-/// Returns the answers from modal data that need not belong to a scene.
+/// Returns the answers that follow from modal data. The data need not belong to a scene.
 pub fn of_data<S: Float>(data: &Data<S>, r: S, beta: S) -> Answers<S> {
     let at = data.at(r);
     let mut all = vec![

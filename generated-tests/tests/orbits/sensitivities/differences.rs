@@ -1,4 +1,4 @@
-//! Richardson-extrapolated differences, and their comparison with the slope of a dual number.
+//! Computes differences with Richardson extrapolation, and compares them with the slope of a dual number.
 //!
 //! The tolerance is the error of the difference itself. It is ten times the last change by extrapolation, plus the
 //! rounding of the values over the smallest step. The rounding is 2^-84 of the values, because a search distinguishes
@@ -11,16 +11,17 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
 const LEVELS: usize = 4;
-/// Largest tolerance, relative to the slope and to the value over the variable. A larger one would prove nothing.
+/// Largest tolerance, relative to the slope and to the value over the variable. A comparison with a larger tolerance
+/// would prove nothing.
 const VACUOUS: f64 = 1e-9;
-/// Scale of a value that is 0 and so has no scale of its own.
+/// Scale for a value that is 0 and has no size of its own.
 const OF_NOTHING: f64 = 1e-20;
 
 /// Side from which a difference is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     Both,
-    /// From above, at the bound ζ = 0 of a quantity's range.
+    /// The difference uses larger values only, because a quantity such as ζ = 0 is at the lower bound of its range.
     Above,
 }
 
@@ -30,7 +31,8 @@ struct Difference {
     error: f64,
 }
 
-/// Extrapolates the differences of f(x + h_k) and f(x − h_k), or f(x) for one side, in `values`, with h_k = h/2^k.
+/// Extrapolates differences to h = 0. `values` has f(x + h_k) and f(x − h_k), or f(x) for a one-sided difference, with
+/// h_k = h/2^k.
 fn extrapolated(values: &[[Dd; 2]], h: Dd, side: Side, size: f64) -> Difference {
     let two = Dd::from(2.0);
     let mut step = h;
@@ -66,7 +68,7 @@ fn extrapolated(values: &[[Dd; 2]], h: Dd, side: Side, size: f64) -> Difference 
 #[derive(Default)]
 pub struct Outcome {
     pub compared: usize,
-    /// Number of answers that only one of both evaluations has.
+    /// Number of answers that only one of the two evaluations has.
     pub skipped: usize,
     pub worst: f64,
     /// Largest tolerance, relative to the slope and to the value over the variable.
@@ -103,7 +105,7 @@ fn turned(value: Dd, by: Dd) -> Dd {
     value - turns * turn
 }
 
-/// Compares the answers that both sides have. `at` returns the answers with the variable shifted by its argument.
+/// Compares the answers that both evaluations have. `at` returns the answers with the variable shifted by its argument.
 /// `unit` is the scale on which the answers vary.
 pub fn compare(
     name: &str,

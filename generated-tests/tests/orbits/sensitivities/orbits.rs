@@ -16,7 +16,7 @@ use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// A point (r, β) of an orbit, with its number of stops, reversals and cycles of its period.
+/// A point (r, β) of an orbit, with the numbers of its stops, its reversals and the cycles of its period.
 type Place = (f64, f64, (usize, usize, u32));
 
 /// Scenes of 1, 2, 3 and 5 masses, with contacts to wall, base and mass, damped and undamped. They have μ = 1 or above,
@@ -88,7 +88,7 @@ fn answers(orbit: &SystemOrbit<'_, Sensitive>, masses: usize) -> Answers<Sensiti
             orbit.reversed_contact_phase(),
         ),
     ];
-    // The order of the stops depends on where the search from rest ended, so they are sorted.
+    // The order of the stops depends on the phase at which the search ended, so that they are sorted.
     let mut stops: Vec<_> = orbit.sticking_intervals().collect();
     stops.sort_by(|(a, _), (b, _)| a.partial_cmp(b).expect("a number"));
     for (place, (start, length)) in stops.into_iter().enumerate() {
@@ -237,7 +237,8 @@ fn as_the_closed_form() {
                         motion.mass_at(mass).expect("a mass"),
                         orbit.mass_at(mass).expect("a mass"),
                     );
-                    // The quadrature for an orbit's harmonics has weights rounded to `f64`, so its tolerance is wider.
+                    // The weights of the quadrature for an orbit's harmonics are rounded to `f64`, so that its
+                    // tolerance is wider.
                     for (a, b, tolerance) in [
                         (closed.amplitude(), found.amplitude(), 1e-24),
                         (closed.phase(), found.phase(), 1e-24),
@@ -259,7 +260,7 @@ fn as_the_closed_form() {
     assert_eq!(compared, 666);
 }
 
-/// Where no derivative exists, the answer is an error and never a number.
+/// If no derivative exists, the answer is an error and never a number.
 #[test]
 fn refused() {
     let refused = |text: &str, r: f64, beta: f64| {
@@ -272,7 +273,7 @@ fn refused() {
             .expect_err("no derivative")
     };
     let block = "struct A { masses: { a: 1.0 }, springs: { base - a: 1.0 }, contact: a - wall, excitation: a, }";
-    // The state is one of a continuum.
+    // This state is one of a continuum.
     assert_eq!(refused(block, 0.5, 0.1), NoDerivative::Marginal);
     // At the boundary of the continuous regime a stop is about to appear. Both sides of the boundary are refused.
     let system: System = block.parse().expect("a valid scene");
@@ -284,7 +285,7 @@ fn refused() {
             "{share}"
         );
     }
-    // Farther from the boundary each side has its derivatives.
+    // A little farther from the boundary, the motion on each side has derivatives.
     for (share, stops) in [(1.0 - 1e-6, 0), (1.0 + 1e-6, 2)] {
         let varied = system.unvaried();
         let beta = Dual::variable(Dd::from(limit * share));
@@ -297,7 +298,7 @@ fn refused() {
             "{share}: {slope}"
         );
     }
-    // The orbit belongs to another r than the one of the derivatives.
+    // These derivatives belong to another r than the orbit.
     let varied = system.unvaried();
     let orbit = system
         .at(0.4)

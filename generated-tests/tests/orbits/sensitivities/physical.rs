@@ -12,9 +12,9 @@ use frictiongen::study::{
 };
 use frictiongen::{NotContinuous, Of, Regime};
 
-/// Frequency in Hz, friction in N, and the regime there.
+/// Frequency in Hz, friction force in N, and the regime at this point.
 type Place = (f64, f64, Regime);
-/// A scene in two orders, its load and its points.
+/// A scene in two orders of its masses and springs, with its load and its points.
 type Case = (&'static str, &'static str, Load, &'static [Place]);
 
 /// Scenes, each in two orders. The symbols of the quantities identify them in both.
@@ -89,7 +89,7 @@ fn response(scene: &Scene, (hertz, friction, load): (f64, f64, Load), of: Of) ->
     (scale.displacement(amplitude), phase)
 }
 
-/// Returns a scene and a point with one parameter shifted.
+/// Returns a scene and a point after one parameter has been shifted.
 fn shifted(
     scene: &Scene,
     (hertz, friction, load): (f64, f64, Load),
@@ -147,7 +147,7 @@ fn in_physical_units() {
                 let symbol = |which: usize, found: &ParameterSensitivity| {
                     found.parameter.symbol(systems[which].scene(), &point)
                 };
-                // The order of the lists changes the derivatives only by rounding of the values.
+                // The order of masses and springs must change the derivatives only by rounding of the values.
                 for found in &all[0] {
                     let twin = all[1]
                         .iter()
@@ -177,8 +177,9 @@ fn in_physical_units() {
                 let of = systems[0].motion_named(name).expect("a motion");
                 let at = (*hertz, *friction, *load);
                 for found in &all[0] {
-                    // The steps are powers of two near p/10³ and half of that. The remaining error is of fourth order,
-                    // some 1e-8 of the change of an answer over p. The rounding of the values adds 1e-11.
+                    // The steps are powers of two near p/10³ and half of that, where p is the value of the parameter.
+                    // The remaining error is of fourth order, some 1e-8 of the change of an answer over p. The rounding
+                    // of the values adds 1e-11.
                     let h = (found.value.log2().floor() - 11.0).exp2();
                     let middle = response(scene, at, of);
                     let turn = std::f64::consts::TAU;

@@ -71,7 +71,8 @@ pub fn place<S: Float>(system: &System<S>, r: f64) -> f64 {
     0.4 * at.continuous_limit().min(at.sliding_limit()).to_f64()
 }
 
-/// Returns the answers that do not depend on r or β: frequencies, the limits at r = 0 and r = ∞, and thresholds.
+/// Returns the answers that do not depend on r or β: frequencies, the limits at r = 0 and r = ∞, and resonance
+/// thresholds.
 fn special<S: Float>(modal: &Modal<S>, equal: bool) -> Answers<S> {
     let ends = modal.ends();
     let mut all = vec![
@@ -79,7 +80,7 @@ fn special<S: Float>(modal: &Modal<S>, equal: bool) -> Answers<S> {
         (String::from("continuous at ∞"), ends.continuous_at_infinity),
         (String::from("sliding at ∞"), ends.sliding_at_infinity),
     ];
-    // Equal modes have no order in which they change smoothly.
+    // Equal modes have no order that would change smoothly, so that their frequencies are left out.
     if !equal {
         let frequencies = modal.natural_frequencies().into_iter().enumerate();
         all.extend(frequencies.map(|(i, omega)| (format!("frequency {i}"), omega)));
@@ -126,12 +127,12 @@ pub fn moved(scene: &Scene, quantity: Quantity, by: f64) -> Scene {
     scene
 }
 
-/// Returns a number with twenty bits less, so that it can be shifted exactly.
+/// Returns a number with its last twenty bits cleared, so that it can be shifted without rounding.
 fn short(value: f64) -> f64 {
     f64::from_bits(value.to_bits() & !0xF_FFFF)
 }
 
-/// Returns the scene with short numbers, and with no quantity at a bound of its range.
+/// Returns the scene with shortened numbers, and with no quantity at a bound of its range.
 pub fn shortened(text: &str) -> Scene {
     let system: System = text.parse().expect("a valid scene");
     let mut scene = system.scene().clone();
@@ -202,7 +203,7 @@ fn exact_modal(system: &System<Dd>) -> Modal {
     system.modal().clone()
 }
 
-/// `sensitivities` lists every quantity of the description, with the slopes that `along` gives.
+/// `sensitivities` must list every quantity of the description, with the slopes that `along` gives.
 #[test]
 fn the_whole_gradient() {
     let mut compared = 0;

@@ -81,7 +81,7 @@ fn modal_data() {
                 let varied = system.along(quantity).expect("a quantity of the scene");
                 let at = varied.at(Dual::fixed(exact_r)).expect("in the domain");
                 let dual = of_system(&at, modal.loads.len(), Dual::fixed(exact_beta));
-                // ζ = 0 is a bound of its range, but ζ = 1 is not.
+                // ζ = 0 is a bound of the damping ratio's range, but ζ = 1 is not.
                 let damping = matches!(quantity, Quantity::DampingRatio(_));
                 let side = if damping && value.is_zero() {
                     Side::Above
@@ -142,8 +142,8 @@ fn frequency_and_friction_ratio() {
     outcome.report("r and β", (1560, 0));
 }
 
-/// A search for S of hundreds of steps returns a finite derivative. Its derivative with respect to r must not grow from
-/// step to step.
+/// A search for S that takes hundreds of steps must return a finite derivative. Its derivative with respect to r must
+/// not grow from step to step.
 #[test]
 fn a_long_search() {
     let text = "struct A { masses: { a: 0.93, b: 3.2, c: 1.2, d: 1.6, e: 0.39, f: 0.88, g: 0.55, h: 2.7,
@@ -159,7 +159,8 @@ fn a_long_search() {
     let unvaried = exact.unvaried();
     let at = unvaried.at(Dual::variable(r)).expect("in the domain");
     let slope = at.continuous_limit().slope;
-    // β_lim is a smooth function of r over some 1e-8 here. Differences at 1e-12 lose (1e-4)² of it.
+    // Here β_lim is a smooth function of r over some 1e-8. A difference over 1e-12 therefore has a relative error of
+    // (1e-4)².
     let h = r * Dd::from(1e-12);
     let difference = (limit(r + h) - limit(r - h)) / (h + h);
     assert!(

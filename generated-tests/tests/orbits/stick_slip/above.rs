@@ -4,8 +4,8 @@
 use frictiongen::System;
 use serde_json::Value;
 
-/// Tolerance, which allows for the reference's own error. The reference follows the motion for up to 900 cycles,
-/// without Newton's method.
+/// Tolerance. It allows for the error of the reference, which follows the motion for up to 900 cycles without Newton's
+/// method.
 const TOLERANCE: f64 = 1e-5;
 
 fn number(value: &Value) -> f64 {

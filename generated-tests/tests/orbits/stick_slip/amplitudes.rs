@@ -1,4 +1,4 @@
-//! The largest |x̄| of a mass with stops, compared with its samples and with the contact.
+//! Compares the largest |x̄| of a mass in a motion with stops with samples of the motion, and with the contact.
 
 use frictiongen::friction_system;
 
@@ -13,8 +13,8 @@ friction_system! {
     }
 }
 
-/// While the contact is stuck, its mass moves only by rounding. A search for a level that only this rounding meets must
-/// not leave the stop.
+/// While the contact is stuck, its mass moves only by rounding. A search for a level that only this rounding reaches
+/// must not leave the stop.
 #[test]
 fn of_masses_that_hardly_move() {
     const SAMPLES: u32 = 400;
@@ -38,7 +38,8 @@ fn of_masses_that_hardly_move() {
         };
         let sampled = (0..SAMPLES).map(sample).fold(0.0, f64::max);
         let amplitude = first.amplitude();
-        // Samples at 2π/400 miss at most (π/400)²/2 = 3e-5 of a sinusoid, and 1e-3 of its tenth harmonic.
+        // The spacing 2π/400 of the samples misses at most (π/400)²/2 = 3e-5 of a sinusoid, and 1e-3 of its tenth
+        // harmonic.
         assert!(
             sampled <= amplitude * (1.0 + 1e-12) && amplitude <= sampled * (1.0 + 1e-3),
             "r = {r}, β = {beta}: {amplitude:e}, of samples {sampled:e}"

@@ -1,5 +1,5 @@
-//! Motions exactly on the boundary between two sequences of events. The cases are the limit of sticking, a start at the
-//! break-away level, two equal maxima, and a stop of zero length.
+//! Tests motions exactly on the boundary between two sequences of events. The cases are the limit of sticking, a start
+//! at the break-away level, two equal maxima, and a stop of zero length.
 
 use frictiongen::System;
 use frictiongen::kernel::simulation::{Contact, Event};
@@ -17,8 +17,8 @@ fn block(rest: &str) -> System {
     ))
 }
 
-/// The force in the stuck contact is cos τ. At μβ = 1 it touches the break-away level once in each half cycle, and the
-/// contact never slides.
+/// The force in the stuck contact is cos τ. At μβ = 1 it just reaches the break-away level once in each half cycle, and
+/// the contact never slides.
 #[test]
 fn at_the_level_exactly() {
     let mut seen = 0;
@@ -41,7 +41,7 @@ fn at_the_level_exactly() {
     println!("{seen} runs of 200 cycles at the level, none skipped");
 }
 
-/// The relative velocity touches zero and keeps its sign, without friction.
+/// Without friction the relative velocity touches zero and keeps its sign. This must not count as a reversal.
 ///
 /// At r = 1/2, x̄ = 4/3 (cos τ − ½ sin 2τ) has x̄′ = −4/3 (sin τ + cos 2τ) = −4/3 (1 − sin τ)(1 + 2 sin τ). It has a
 /// zero of second order at π/2, and simple zeros at 7π/6 and 11π/6.
@@ -71,8 +71,8 @@ fn a_velocity_that_touches_zero() {
     assert!(cycles >= 100 && reversals + 1 >= 2 * cycles && reversals <= 2 * cycles + 2);
 }
 
-/// The contact force starts at the break-away level itself, with zero slope, and grows. Rounding may report that the
-/// contact does not break away at first, but the contact must slide.
+/// The contact force starts at the break-away level itself, with zero slope, and grows. Because of rounding the contact
+/// may seem to stay stuck at first, but it must slide.
 #[test]
 fn from_the_level_itself() {
     let pair = system(
@@ -115,8 +115,8 @@ fn from_the_level_itself() {
             }
             lengths.push(found);
         }
-        // A start velocity of 1e-9 changes the first segment, and the later ones by as much, multiplied by the
-        // divergence of the motions.
+        // A start velocity of 1e-9 changes the first segment by that order. The change of later segments is multiplied
+        // by the divergence of the motions.
         let last = lengths.pop().expect("a run");
         for other in &lengths {
             for (a, b) in other.iter().zip(&last) {
@@ -139,7 +139,7 @@ fn of_equal_maxima_the_positive_lag() {
     );
     let at = chain.at(0.617).expect("in the domain");
     let orbit = |beta: f64| at.orbit(beta).expect("a steady state");
-    // Returns the start of the stop at the largest z̄, and the distance of its middle from π.
+    // The closure returns the start of the stop at the largest z̄, and the distance of the stop's middle from π.
     let stop = |orbit: &SystemOrbit<'_>| {
         let positive =
             |start: f64| orbit.contact().displacement(start + 1e-3 - orbit.origin()) > 0.0;
@@ -177,8 +177,8 @@ fn of_equal_maxima_the_positive_lag() {
     }
 }
 
-/// With μ = 1 one steady state exists for every start and every cut of the motion. Stops shorter than 1/1000 are among
-/// those tested.
+/// With μ = 1 every start, and every section at which the search cuts the motion, must lead to the same steady state.
+/// Some of the tested stops are shorter than 1/1000 rad in τ.
 #[test]
 fn a_short_stop_from_anywhere() {
     let wall = block("damping: modal(0.02)");
@@ -218,7 +218,7 @@ fn a_short_stop_from_anywhere() {
             "from {state:?}"
         );
         let apart = (orbit.stuck_fraction() - expected.stuck_fraction()).abs();
-        // The length of a short stop is the root of a difference, so the bound is wide.
+        // The length of a short stop is the square root of a difference, so that its tolerance is wide.
         assert!(apart < 1e-9, "from {state:?}: {apart:e}");
         compared += 1;
     }
@@ -226,8 +226,8 @@ fn a_short_stop_from_anywhere() {
     assert_eq!(compared, 60_000);
 }
 
-/// Without friction the block follows 1/(1 − r² + 2iζr). This also holds where the excitation is so near to the
-/// resonance that the motion is computed from differences.
+/// Without friction the block follows 1/(1 − r² + 2iζr). This also holds so near the resonance that the motion is
+/// computed from differences.
 #[test]
 fn next_to_a_resonance_without_friction() {
     let mut compared = 0;
@@ -239,7 +239,7 @@ fn next_to_a_resonance_without_friction() {
             let mass = orbit.mass_at(0).expect("a mass");
             let (re, im) = ((1.0 - r) * (1.0 + r), 2.0 * zeta * r);
             let (size, lag) = (1.0 / re.hypot(im), im.atan2(re));
-            // ζ and r are known to 1.1e-16, and the detuning comes from their products.
+            // ζ and r are rounded to 1.1e-16, and the detuning is a product of such numbers.
             let budget = 1e-12_f64.max(4e-16 * size);
             assert!(
                 (mass.amplitude() - size).abs() < budget * size,

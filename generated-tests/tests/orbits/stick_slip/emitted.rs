@@ -109,10 +109,10 @@ macro_rules! same {
             println!("{values} values of {orbits} orbits and {seen} segments compared, no orbit: {without:?}");
             let points = [$($points)*].len();
             assert_eq!(seen, points * 2 * 100);
-            // Only one point lies on a resonance that its friction does not bound.
+            // Only one point of `plain` lies on a resonance that friction does not bound.
             let unbounded = if stringify!($test) == "plain" { 2 } else { 0 };
             assert_eq!(orbits, points * 2 - unbounded);
-            // An orbit has seven numbers, six of each motion, and the multipliers.
+            // An orbit has seven numbers of its own, six numbers for each motion, and the multipliers.
             assert!(values > orbits * (7 + 6 * (1 + masses)), "{values}");
             assert!(stops > 0, "no orbit that stops");
             let none: NoOrbit = $test::$name::at(0.5).expect("in the domain").orbit(<$scalar>::NAN).expect_err("none");
@@ -172,7 +172,7 @@ same!(
         damping: rayleigh(0.3, 1.4),
     }
 );
-// The chain has a pair of equal modes, one of which the contact does not touch.
+// This chain has a pair of equal modes, one of which the contact does not touch.
 same!(
     mirrored, f64, ((0.3, 0.2), (0.8, 0.1), (1.9, 0.1)), ([0.3, 0.1, 0.0], [-0.2, 0.4, 0.0]),
     struct Mirrored {
@@ -207,7 +207,7 @@ mod named {
     }
 }
 
-/// A mass is found by its name, and a run is an iterator.
+/// A mass can be found by its name, and a run is an iterator.
 #[test]
 fn by_name() {
     let orbit = named::Frame::at(0.3).expect("in the domain").orbit(0.4);

@@ -1,4 +1,5 @@
-//! Over a cycle of the steady state, the work of the load equals the losses by friction and modal damping.
+//! Tests the energy balance of the steady state: over a cycle the work of the load equals the losses by friction and
+//! modal damping.
 
 use frictiongen::System;
 use frictiongen::kernel::simulation::Contact;
@@ -25,13 +26,15 @@ pub fn section(system: &System, orbit: &SystemOrbit<'_>) -> (Vec<f64>, Vec<f64>)
         .unzip()
 }
 
-/// Returns the input less the losses, and the losses by modal damping, both over the input.
+/// Returns the work of the load minus the losses, and the losses by modal damping. Both are fractions of the work of
+/// the load.
 fn balance(system: &System, r: f64, beta: f64) -> (f64, f64) {
     let orbit = system.at(r).expect("in the domain").orbit(beta);
     let orbit = orbit.unwrap_or_else(|error| panic!("r = {r}, β = {beta}: {error}"));
     let scene = system.scene();
     let (m1, k1) = (scene.masses[0].value, scene.springs[0].stiffness);
-    // The input is ∮ pᵀx̄′ cos τ dτ = −π Im X₁ of the loaded mass. Base motion acts through the base springs.
+    // The work of the load is ∮ pᵀx̄′ cos τ dτ = −π Im X₁ of the loaded mass. Base motion acts through the springs to
+    // the base.
     let moved = |mass: usize| orbit.mass_at(mass).expect("a mass").harmonic(1).im;
     let input = match scene.excitation {
         frictiongen::study::scene::Excitation::Force(mass) => -PI * moved(mass),
@@ -49,7 +52,7 @@ fn balance(system: &System, r: f64, beta: f64) -> (f64, f64) {
             springs.sum()
         }
     };
-    // A run from the section gives the exact sliding distances and events.
+    // A run in time from this state gives the exact sliding distances and events.
     let (x, v) = section(system, &orbit);
     let mut run = system
         .simulation_from(r, beta, (&x, &v))

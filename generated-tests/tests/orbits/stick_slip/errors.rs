@@ -1,8 +1,8 @@
-//! Every reason for which no steady state is returned, provoked on purpose, emitted and at run time.
+//! Provokes every reason for which no steady state is returned, in emitted scenes and at run time.
 
 use frictiongen::{Given, NoOrbit, OutOfDomain, System};
 
-/// Emits a scene, and asks it and the run-time system of the same text.
+/// Emits a scene. Asks the scene and the run-time system of the same text for a steady state.
 macro_rules! refused {
     ($test:ident, $error:expr, ($($points:tt)*), struct $name:ident { $($body:tt)* }) => {
         mod $test {
@@ -68,7 +68,7 @@ refused!(
         contact: block - wall, excitation: block,
     }
 );
-// `reference/orbits_more.json` has a hundred segments at r = 0.01, β = 0.5.
+// The motion of `reference/orbits_more.json` at r = 0.01, β = 0.5 has a hundred segments.
 refused!(
     too_many_events, NoOrbit::TooManyEvents, ((0.01, 0.5), (0.008, 0.3)),
     struct Block {
@@ -76,7 +76,7 @@ refused!(
         contact: block - wall, excitation: block,
     }
 );
-// The load drives a mode that the contact does not touch.
+// The load of this scene drives a mode that the contact does not touch.
 refused!(
     undamped, NoOrbit::Undamped(0), ((0.6, 0.1), (1.3, 0.2)),
     struct Pair {
@@ -92,7 +92,7 @@ refused!(
         contact: block - base, excitation: base, stiction: 3.0,
     }
 );
-// With so little friction the free vibration from the start outlives all cycles that the search follows.
+// Friction is so small that the free vibration from the start lasts longer than all cycles that the search follows.
 refused!(
     unsettled, NoOrbit::Unsettled, ((0.06501, 0.000_001_849), (0.1382, 0.000_005_223)),
     struct Block {
@@ -124,8 +124,8 @@ fn a_state_out_of_domain() {
     assert_eq!(found, wanted);
 }
 
-/// A large free vibration, compared with which friction is below rounding, seems steady. It must not be reported as the
-/// steady state.
+/// Friction is below rounding compared with a large free vibration, so that the vibration seems steady. It must not be
+/// reported as the steady state.
 #[test]
 fn nothing_larger_than_the_motion() {
     let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },

@@ -1,13 +1,13 @@
-//! Runs of a million events miss no event, and their phase does not drift.
+//! Tests that runs of a million events miss no event, and that their phase does not drift.
 
 use frictiongen::System;
 use frictiongen::kernel::simulation::{Contact, Event};
 
-/// Number of events, in every build profile.
+/// Number of events of a run, the same in every build profile.
 const EVENTS: u64 = 1_000_000;
 
-/// Asserts that after the transient every cycle has `per_cycle` events. Their phases must equal those of the fixed
-/// point of the map, which is found without a run.
+/// Asserts that after the transient every cycle has `per_cycle` events. Their phases must equal those of the steady
+/// state, which is found as a fixed point of the map, without a run.
 fn run(text: &str, r: f64, beta: f64, per_cycle: u64) {
     let system: System = text.parse().expect("a scene");
     let mut run = system.simulation(r, beta).expect("in the domain");
@@ -52,8 +52,8 @@ fn run(text: &str, r: f64, beta: f64, per_cycle: u64) {
     println!("{events} events compared, none skipped, worst {worst:e}");
     // The number of cycles must belong to exactly this number of events.
     assert_eq!(run.run().cycles() - from, EVENTS / per_cycle, "{text}");
-    // The last event must be as exact as the first. Stops that the velocity reaches with zero slope are known to half
-    // the digits.
+    // The last event must be as exact as the first one. If the velocity reaches zero with zero slope, the instant of a
+    // stop is known only to half of the digits.
     assert!(worst < 1e-9, "{text}: {worst:e}");
 }
 

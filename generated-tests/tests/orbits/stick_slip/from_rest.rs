@@ -1,4 +1,4 @@
-//! States that motion from rest reaches, above β*_lim and below, compared with [`Plain`] runs.
+//! Compares the states that motion from rest reaches, above and below β*_lim, with [`Plain`] runs.
 
 use super::plain::Plain;
 use frictiongen::study::{SystemAt, orbit::SystemOrbit};
@@ -8,18 +8,18 @@ use nalgebra::DVector;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Number of cycles after which a run counts as not repeating.
+/// Number of cycles after which a run counts as one that does not repeat.
 const MOST: usize = 1500;
-/// Longest period that the test looks for, in cycles.
+/// Longest period of a run that the test looks for, in cycles.
 const LONGEST: usize = 64;
-/// Largest change over a period in a settled run.
+/// Largest change of the state over a period at which a run counts as settled.
 const SETTLED: f64 = 1e-10;
-/// Smallest change over a shorter period in a settled run. A free vibration that decays slowly nearly repeats after
-/// such a period.
+/// Smallest change of the state over a shorter period in a settled run. A free vibration that decays slowly nearly
+/// repeats after such a period.
 const APART: f64 = 1e-6;
-/// Tolerance of the comparison. The run's events are known to 2e-11, and the run has settled to 1e-10.
+/// Tolerance of the comparison. The run's events have errors of 2e-11, and the settled run still changes by 1e-10.
 const TOLERANCE: f64 = 1e-8;
-/// Friction ratios, as factors of β*_lim.
+/// Tested friction ratios, as factors of β*_lim.
 const FACTORS: [f64; 10] = [1.001, 1.003, 1.01, 1.02, 1.03, 1.05, 1.08, 1.12, 1.2, 1.3];
 
 /// Returns a damped chain of one to four masses with a random contact.
@@ -70,7 +70,7 @@ fn chain(random: &mut Random) -> String {
     )
 }
 
-/// Steady state of a run: its period in cycles, and its events.
+/// Steady state of a run: its period in cycles, its events and its amplitudes.
 #[derive(Debug)]
 struct Settled {
     period: usize,
@@ -80,7 +80,7 @@ struct Settled {
     largest: Vec<f64>,
 }
 
-/// Runs until the motion has settled. `nudge` displaces the first mass at the start.
+/// Runs until the motion has settled. `nudge` displaces the first mass at the start by a small length.
 fn settled(plain: &Plain, masses: usize, nudge: f64) -> Option<Settled> {
     let mut run = plain.rest();
     run.state[0] += nudge;
@@ -119,8 +119,8 @@ fn settled(plain: &Plain, masses: usize, nudge: f64) -> Option<Settled> {
     None
 }
 
-/// Returns the largest difference of the amplitudes, relative to the largest one. The difference is infinite if the
-/// events differ.
+/// Returns the largest difference of the amplitudes, relative to the largest amplitude. Returns infinity if the events
+/// differ.
 fn difference(found: &Settled, expected: &Settled) -> f64 {
     let counts = |of: &Settled| (of.period, of.stops, of.reversals);
     if counts(found) != counts(expected) {
@@ -145,7 +145,7 @@ fn answered(orbit: &SystemOrbit<'_>, masses: usize) -> Settled {
     }
 }
 
-/// Judges one point (r, β). Returns the kind of its state, or the difference of answer and run.
+/// Judges one point (r, β). Returns the kind of its state, or a text with the difference between answer and run.
 fn judged(system: &System, at: &SystemAt<'_>, r: f64, beta: f64) -> (&'static str, String) {
     let masses = system.scene().masses.len();
     let plain = Plain::new(system.scene(), r, beta);
@@ -166,7 +166,7 @@ fn judged(system: &System, at: &SystemAt<'_>, r: f64, beta: f64) -> (&'static st
         };
         return (kind, String::new());
     }
-    // If a start that is off by 1e-9 makes a difference of the same size, no program can decide.
+    // If a start displaced by 1e-9 changes the result, no program can decide between the two results.
     let sensitive = [1e-9, -1e-9, 1e-8].into_iter().any(|nudge| {
         settled(&plain, masses, nudge).is_none_or(|nudged| {
             0.1 * apart < difference(&nudged, &run) || difference(&answer, &nudged) < TOLERANCE
@@ -180,7 +180,7 @@ fn judged(system: &System, at: &SystemAt<'_>, r: f64, beta: f64) -> (&'static st
     (kind, format!("{apart:.1e}: {answer:?}, run {run:?}"))
 }
 
-/// Judges random scenes at factors of a limit. Returns the count of each kind of state, and the differences.
+/// Judges random scenes at the friction ratios `FACTORS`. Returns the count of each kind of state, and the differences.
 fn survey(
     scenes: usize,
     factors: &[f64],
@@ -249,8 +249,8 @@ fn long() {
     }
 }
 
-/// Below both limits with μ > 1 the closed form exists, but motion from rest may end in stick-slip. `response` reports
-/// this.
+/// Below both limits with μ > 1 the closed form exists, but motion from rest may end in stick-slip. `response` must
+/// report the stick-slip state.
 #[test]
 fn response_from_rest() {
     let system: System = "struct Chain {

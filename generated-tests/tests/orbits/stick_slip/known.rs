@@ -1,4 +1,4 @@
-//! Steady states that an implementation easily gets wrong.
+//! Tests steady states that an implementation easily gets wrong.
 
 use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{NoOrbit, System};
@@ -59,7 +59,8 @@ fn steady_states_that_are_approached_slowly() {
     assert_eq!(compared, 2);
 }
 
-/// At r = 1/2 a free vibration in step with every second half cycle loses no energy until it makes the contact stop.
+/// At r = 1/2 a free vibration has two cycles in each cycle of the excitation. It loses no energy until it makes the
+/// contact stop.
 #[test]
 fn one_of_a_continuum() {
     let base = block("base", "");
@@ -141,7 +142,7 @@ fn the_closed_form_on_either_side() {
                 compared += 2 + 4 * 2 + 4;
             }
             let stuck = at.stuck().expect("a response");
-            // The start is the stuck motion itself at a maximum of the excitation, Re(A e^{iτ}) and its derivative.
+            // The start is the exact stuck motion at a maximum of the excitation, Re(A e^{iτ}), with its derivative.
             let state = masses
                 .clone()
                 .map(|mass| stuck.mass_at(mass).expect("a mass"));
@@ -164,12 +165,12 @@ fn the_closed_form_on_either_side() {
         }
     }
     println!("{compared} values compared, none skipped");
-    // There are five ratios of scenes with one, one, two and five masses.
+    // The scenes have one, one, two and five masses, and five frequency ratios in all.
     assert_eq!(places, 5 * 9);
     assert_eq!(compared, 20 * (2 + 2 * 3) + places * (14 + 2 * 2));
 }
 
-/// At β below β*_lim by rounding only, the contact must not move. At β = β*_lim the limit decides.
+/// If β is below β*_lim by rounding only, the contact must not move. At β = β*_lim exactly, the limit decides.
 #[test]
 fn at_the_sliding_limit() {
     let base = block("base", "");
@@ -216,8 +217,8 @@ fn hardly_sliding() {
     assert_eq!(compared, 200 * 3);
 }
 
-/// Between β*_lim and β_n on the resonance friction bounds no sliding motion, but a contact that is at rest on the base
-/// stays at rest.
+/// On the resonance, between β*_lim and β_n, friction does not bound a sliding motion. A contact that is at rest on the
+/// base stays at rest.
 #[test]
 fn stuck_on_a_resonance() {
     let base = block("base", "stiction: 1.5");
@@ -254,7 +255,7 @@ fn where_there_is_none() {
         error(&wall, 0.5, f64::NAN),
         NoOrbit::OutOfDomain(_)
     ));
-    // The pair is symmetric, and the load drives a mode that the contact does not touch.
+    // This pair of masses is symmetric, and the load drives a mode that the contact does not touch.
     let pair: System = "struct Pair {
         masses: { left: 1, right: 1 },
         springs: { base - left: 1, left - right: 1, right - wall: 1 },
@@ -265,10 +266,8 @@ fn where_there_is_none() {
     assert_eq!(error(&pair, 0.6, 0.1), NoOrbit::Undamped(0));
 }
 
-/// Two oscillators of the same frequency rub on each other, and the second is four times as heavy.
-///
-/// Their difference moves as one oscillator under 5/4 of the friction. The two modes are equal, and their basis is
-/// turned so that the contact drives only one of them.
+/// The difference of their displacements moves as one oscillator under 5/4 of the friction. The two modes are equal,
+/// and their basis is chosen so that the contact drives only one of them.
 #[test]
 fn equal_modes_are_turned() {
     let alike: System = "struct Alike {

@@ -1,4 +1,4 @@
-//! Stick-slip motion in time and its steady states.
+//! Tests of stick-slip motion in time, and of its steady states.
 
 mod above;
 mod amplitudes;

@@ -1,13 +1,14 @@
-//! Floquet multipliers, compared with finite differences of the period map, which the test follows in time.
+//! Compares Floquet multipliers with finite differences of the period map. The test follows the map in time.
 
 use super::energy::section;
 use frictiongen::System;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
-/// Step of the central differences. Curvature costs h², and rounding ε/h.
+/// Step of the central differences. Their error is of the order of the step's square, plus ε over the step for
+/// rounding.
 const STEP: f64 = 1e-5;
-/// Error of both, multiplied by the sensitivity of the eigenvalues.
+/// Tolerance: both errors of the differences, multiplied by the sensitivity of the eigenvalues.
 const TOLERANCE: f64 = 1e-6;
 
 /// Returns the state one period after a state at a maximum of the excitation.
@@ -69,7 +70,7 @@ fn finite_differences() {
             let orbit = orbit.unwrap_or_else(|error| panic!("{what}: {error}"));
             let (x, v) = section(&system, &orbit);
             let state = [x, v].concat();
-            // The state is a fixed point of the map.
+            // The state must be a fixed point of the map.
             let again = period(&system, r, beta, &state);
             assert_eq!(again.len(), state.len());
             for (a, b) in again.iter().zip(&state) {
@@ -107,7 +108,7 @@ fn finite_differences() {
         }
     }
     println!("{fixed} coordinates and {compared} multipliers compared, none skipped");
-    // There are points of one, two, three and two masses, and each mass has two multipliers.
+    // The points have one, two, three and two masses. Each mass has two multipliers.
     let all = 5 * 2 + 4 * 4 + 3 * 6 + 3 * 4;
     assert_eq!((fixed, compared), (all, all));
 }
@@ -140,7 +141,7 @@ fn of_a_contact_that_never_slides() {
                     .enumerate()
                     .min_by(|a, b| a.1.total_cmp(&b.1))
                     .expect("one is left");
-                // The bound allows for the rounding of a few turns.
+                // The tolerance allows for the rounding of a few rotations.
                 assert!(distance < 1e-12, "{text}, r = {r}: {found} of {expected:?}");
                 expected.swap_remove(nearest);
                 compared += 1;

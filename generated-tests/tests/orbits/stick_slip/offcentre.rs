@@ -1,5 +1,5 @@
-//! States with an offset: a contact that comes to rest off its centre, and members of a continuum. The file also tests
-//! the phase of a contact that stops at its largest displacement.
+//! Tests states with an offset: a contact that comes to rest off its centre, and members of a continuum. The file also
+//! tests the phase of a contact that stops at its largest displacement.
 
 use frictiongen::study::sensitivity::{OperatingPoint, Parameter};
 use frictiongen::{Of, Regime, Run as _, System};
@@ -15,7 +15,7 @@ fn block() -> System {
     )
 }
 
-/// At r = 1/2n an undamped motion keeps a free vibration. Every call answers with the member of the continuum that
+/// At r = 1/2n an undamped motion keeps a free vibration. Every call must return the member of the continuum that
 /// motion from rest approaches.
 #[test]
 fn one_rule_at_half_the_resonance() {
@@ -25,7 +25,8 @@ fn one_rule_at_half_the_resonance() {
     assert_eq!(response.regime(), Regime::Continuous);
     assert!(response.is_marginal() && response.is_from_rest());
     let amplitude = |of| response.swing(of).expect("a motion").amplitude;
-    // The closed form is the symmetric member, with amplitude 4/3. The last member has an offset of 2/15.
+    // The closed form is the symmetric member of the continuum, with amplitude 4/3. The last member has an offset of
+    // 2/15.
     for found in [
         amplitude(Of::Contact),
         amplitude(Of::Mass(0)),
@@ -56,8 +57,7 @@ fn one_rule_at_half_the_resonance() {
     assert!((wider - range).abs() < 1e-9, "{wider}");
 }
 
-/// Checks the offset of a contact that ends stuck, and the largest displacements with that offset, against runs in
-/// time.
+/// Compares with runs in time: the offset of a contact that ends stuck, and the largest displacements with that offset.
 #[test]
 fn where_a_contact_comes_to_rest() {
     let frame = system(
@@ -98,7 +98,8 @@ fn where_a_contact_comes_to_rest() {
                     }
                 }
                 let what = format!("{}, r = {r}, {over}", system.scene().name);
-                // With μ = 1 the run approaches the offset at which friction just suffices, as 1/n.
+                // With μ = 1 the offset of the run approaches the offset at which friction just suffices to hold the
+                // contact. The distance falls as 1/n.
                 let crawls = system.scene().stiction == 1.0
                     && response.offset().abs() == response.offset_range().expect("a range");
                 let bar = if crawls { 1e-2 } else { 1e-9 };
@@ -106,7 +107,7 @@ fn where_a_contact_comes_to_rest() {
                 assert!(apart.abs() < bar, "{what}: {apart:e}");
                 for (mass, largest) in largest.into_iter().enumerate() {
                     let told = response.swing(Of::Mass(mass)).expect("a mass").amplitude;
-                    // Instants 0.01 apart miss a maximum by 1e-5 of it.
+                    // Samples at instants 0.01 rad apart miss a maximum by 1e-5 of its value.
                     let low = told * (1.0 - 2e-5) - bar;
                     assert!(
                         (low..=told + bar).contains(&largest),
@@ -198,13 +199,14 @@ fn the_phase_of_a_stop() {
             .derivative;
         let h = 1e-5;
         let difference = (phase(beta + h) - phase(beta - h)) / (2.0 * h);
-        // The bound allows for differences of numbers known to 1e-12 over 2e-5, and for a third derivative.
+        // The tolerance allows for two errors: that of numbers known to 1e-12 divided by 2e-5, and that of the third
+        // derivative.
         assert!(
             (slope - difference).abs() < 1e-6,
             "{beta}: {slope} {difference}"
         );
     }
-    // The phase of the fundamental is another one.
+    // The phase of the fundamental is another number.
     let orbit = block
         .at(0.3)
         .expect("in the domain")

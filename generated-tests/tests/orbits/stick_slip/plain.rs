@@ -1,4 +1,4 @@
-//! The motion from rest by dense matrix exponentials, over steps that are halved down to an event.
+//! Integrates the motion from rest by dense matrix exponentials, over steps that are halved down to an event.
 //!
 //! The integrator shares no formula with the project. It has no modes of the chain with a stuck contact, no series, no
 //! search with bounds and no Newton's method.
@@ -9,14 +9,14 @@ use std::f64::consts::TAU;
 
 /// Number of steps in a cycle.
 const STEPS: u32 = 256;
-/// Largest number of halvings of a step, with which events are known to 2e-11 rad.
+/// Largest number of times that a step is halved. Events are then known to 2e-11 rad.
 const HALVINGS: usize = 30;
-/// Time in τ after a break-away or a reversal in which rounding decides the sign of the velocity.
+/// Time in τ after a break-away or a reversal during which rounding would decide the sign of the velocity.
 const GRACE: f64 = 2e-6;
 
-/// Number of halvings below which the test also looks for events that begin and end within a step.
+/// Number of halvings up to which the integrator also looks for events that begin and end within a step.
 const GRAZES: usize = 14;
-/// Distance of the force from the break-away level, as a fraction of it, below which a step is halved.
+/// Distance of the force from the break-away level below which a step is halved, as a fraction of that level.
 const NEAR: f64 = 1e-6;
 
 /// Returns the minimum of a cubic from the values and slopes at both end points of the unit interval.
@@ -40,15 +40,16 @@ fn lowest([a, slope_a]: [f64; 2], [b, slope_b]: [f64; 2]) -> f64 {
 /// A scene at one frequency ratio and one friction ratio. A state has x, dx/dτ, cos τ, sin τ and 1.
 pub struct Plain {
     masses: usize,
-    /// exp(A·step/2^k) while the contact slides backward, sticks or slides forward.
+    /// exp(A·step/2^k) for each number k of halvings, while the contact slides backward, sticks or slides forward.
     moves: [Vec<DMatrix<f64>>; 3],
-    /// The rate of z̄, and the force that keeps this rate constant.
+    /// Row vectors that multiply the state. `rate` gives the velocity of z̄, and `holding` the contact force that keeps
+    /// this velocity constant.
     rate: DVector<f64>,
     holding: DVector<f64>,
     /// Derivatives of the quantity that decides the next event, while the contact slides backward, sticks or slides
     /// forward.
     slopes: [DVector<f64>; 3],
-    /// Γ⁻¹w/m*.
+    /// Γ⁻¹w/m*, the change of the masses' velocities per unit of change of the contact's velocity.
     lift: DVector<f64>,
     grip: f64,
 }
@@ -57,13 +58,13 @@ pub struct Plain {
 pub struct Run<'p> {
     plain: &'p Plain,
     pub state: DVector<f64>,
-    /// Direction of sliding: −1, 0 or 1.
+    /// Direction of sliding: −1, 0 (stuck) or 1.
     pub way: i32,
     grace: f64,
     pub stops: usize,
     pub reversals: usize,
     pub stuck: f64,
-    /// Largest |x| of each mass, while it is recorded.
+    /// Largest |x| of each mass, if the run records it.
     pub largest: Option<Vec<f64>>,
 }
 
@@ -150,7 +151,7 @@ impl Plain {
         let weights = mass.map(|value| if value > 0.0 { 1.0 / value } else { 0.0 });
         let mobility = (contact.transpose() * &weights * &contact)[(0, 0)];
         let lift = &weights * &contact / mobility;
-        // dv/dτ without the contact force, as a matrix that acts on the state.
+        // This matrix gives dv/dτ without the contact force when it multiplies the state.
         let mut free = DMatrix::zeros(n, size);
         free.view_mut((0, 0), (n, n))
             .copy_from(&(-&weights * &stiffness / (r * r)));
@@ -165,7 +166,7 @@ impl Plain {
         };
         let mut rate = row(&contact, n);
         rate[2 * n + 1] = share;
-        // wᵀv′ + s cos τ, over its change for a unit of force.
+        // This row vector is wᵀv′ + s cos τ over its change for a unit of contact force.
         let mut holding = free.transpose() * &contact;
         holding[2 * n] += share;
         holding *= r * r / mobility;
@@ -231,12 +232,12 @@ impl Run<'_> {
         for _ in 0..STEPS {
             self.step(0);
         }
-        // The excitation is known more exactly than from the matrix exponential.
+        // The excitation is set to its exact value, which is more accurate than that of the matrix exponential.
         let n = self.plain.masses;
         (self.state[2 * n], self.state[2 * n + 1]) = (1.0, 0.0);
     }
 
-    /// Restarts the counts, and records the largest displacements of the masses.
+    /// Resets the counts of events, and begins to record the largest displacements of the masses.
     pub fn count(&mut self) {
         (self.stops, self.reversals, self.stuck) = (0, 0, 0.0);
         self.largest = Some(vec![0.0; self.plain.masses]);
@@ -254,7 +255,7 @@ impl Run<'_> {
         let slope = &plain.slopes[(self.way + 1) as usize];
         let [from, to] =
             [&self.state, &next].map(|state| [row.dot(state), length * slope.dot(state)]);
-        // Distance of the deciding quantity from its limit.
+        // The closure returns the distance of the deciding quantity from its limit.
         let room = |sign: f64, limit: f64| {
             let [from, to] = [from, to].map(|[value, slope]| [limit - sign * value, -sign * slope]);
             (
@@ -315,7 +316,7 @@ impl Run<'_> {
         self.grace = GRACE;
     }
 
-    /// Records the largest |x| of a step, at its end points and where a velocity changes its sign.
+    /// Records the largest |x| of each mass within a step: at its end points, and where a velocity changes its sign.
     fn note_peaks(&mut self, next: &DVector<f64>, halvings: usize) {
         let Some(mut largest) = self.largest.take() else {
             return;

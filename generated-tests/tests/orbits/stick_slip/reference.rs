@@ -1,5 +1,5 @@
-//! The steady states of `reference/orbits.json`. Another program followed each motion for up to thousands of cycles,
-//! with an error of about 1e-9.
+//! Compares with the steady states of `reference/orbits.json`. Another program followed each motion for up to thousands
+//! of cycles, with an error of about 1e-9.
 
 use frictiongen::System;
 use serde_json::Value;

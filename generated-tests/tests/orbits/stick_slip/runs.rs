@@ -1,5 +1,5 @@
-//! Motions in time, compared with `reference/runs.json`, made by an integrator that shares no code with this project:
-//! every segment, and the state after the last one.
+//! Compares motions in time with `reference/runs.json`, which an integrator that shares no code with this project made.
+//! Every segment is compared, and the state after the last one.
 
 use super::independent::number;
 use frictiongen::System;
@@ -7,8 +7,8 @@ use frictiongen::kernel::simulation::{Contact, Event};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// Tolerance of the comparison. Both sides round the time of an event to some 1e-15 over the slope of the function
-/// there, and each event inherits the error of the last one. The tolerance is twenty times the resulting error.
+/// Tolerance of the comparison. Both sides round the time of an event to some 1e-15 over the slope of the function at
+/// the event. Each event inherits the error of the previous one. The tolerance is twenty times the resulting error.
 const TOLERANCE: f64 = 1e-10;
 
 fn numbers(value: &Value) -> Vec<f64> {
@@ -16,7 +16,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     list.iter().map(number).collect()
 }
 
-/// Collects the largest error of each kind, relative to the scale of its kind.
+/// Collects the largest error of each kind of value, relative to the scale of that kind.
 fn compare(expected: &Value, worst: &mut BTreeMap<&'static str, (f64, String)>) -> (usize, usize) {
     let text = expected["description"].as_str().expect("text");
     let (r, beta) = (number(&expected["r"]), number(&expected["beta"]));
@@ -53,7 +53,7 @@ fn compare(expected: &Value, worst: &mut BTreeMap<&'static str, (f64, String)>) 
         };
         assert_eq!(run.run().contact(), contact, "{what}: segment {index}");
         let mut length = 0.0;
-        // A segment longer than a cycle is returned in several segments.
+        // The simulation returns a segment longer than a cycle in several pieces.
         let found = loop {
             let piece = run.next().expect("it never ends");
             assert_eq!(piece.contact, contact, "{what}: segment {index}");

@@ -1,11 +1,11 @@
-//! Steady states that repeat after several cycles of the excitation, compared with a run in time, emitted and at run
+//! Compares steady states that repeat after several cycles of the excitation with a run in time, emitted and at run
 //! time.
 
 use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{Complex, Of, SteadyState, System};
 use std::f64::consts::TAU;
 
-/// Emits a scene, and asks it and the run-time system of the same text.
+/// Emits a scene. Compares the scene's orbit and that of the run-time system of the same text with a run in time.
 macro_rules! repeats {
     ($test:ident, $period:expr, $r:expr, $beta:expr, struct $name:ident { $($body:tt)* }) => {
         mod $test {
@@ -58,7 +58,7 @@ repeats!(
         contact: block - wall, excitation: base, damping: modal(0.03443), stiction: 3.0,
     }
 );
-// The motion has more segments than the orbit can store, so every second one is computed again.
+// This motion has more segments than the orbit can store. The orbit therefore computes every second segment again.
 repeats!(
     after_five_cycles_of_many_segments, 5, 0.07241, 0.2439,
     struct Pair {
@@ -144,7 +144,7 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     assert!(worst < 1e-9, "off by {worst:e}");
     for (mass, largest) in largest.iter().enumerate() {
         let amplitude = orbit.mass_at(mass).expect("a mass").amplitude();
-        // The largest sample is below the maximum by up to (step/2)²/2 of the curvature of the fastest motion.
+        // The largest sample is below the maximum by at most (step/2)²/2 of the curvature of the fastest motion.
         assert!(
             largest - amplitude < 1e-9 && amplitude - largest < 1e-4,
             "{largest} {amplitude}"
@@ -199,8 +199,8 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     );
 }
 
-/// A free vibration that decays slowly nearly repeats after several cycles, on its way to a state of fewer cycles. The
-/// search must not report such a longer period.
+/// A free vibration that decays slowly nearly repeats after several cycles, although its final state repeats after
+/// fewer cycles. The search must not report the longer period.
 #[test]
 fn no_longer_than_it_is() {
     let one = |contact: &str, excitation: &str, stiction: f64| {

@@ -1,5 +1,5 @@
-//! Steady states that motion from rest reaches more slowly than the search follows it. They lie near a resonance of
-//! masses that the contact does not move.
+//! Tests steady states that motion from rest reaches more slowly than the search follows it. They lie near a resonance
+//! of masses that the contact does not move.
 
 use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{SteadyState, System};
@@ -13,8 +13,8 @@ fn two() -> System {
     text.parse().expect("a scene")
 }
 
-/// Returns the largest difference of the displacements over a cycle between the orbit and a run of `cycles` cycles from
-/// rest.
+/// Returns the largest difference between the displacements of the orbit and those of a run, over one cycle. The run
+/// has come from rest through `cycles` cycles.
 fn from_a_run(system: &System, (r, beta): (f64, f64), cycles: u32, orbit: &SystemOrbit<'_>) -> f64 {
     let mut run = system.simulation(r, beta).expect("a run");
     let mut on = |mut left: f64| {
@@ -38,7 +38,7 @@ fn from_a_run(system: &System, (r, beta): (f64, f64), cycles: u32, orbit: &Syste
     worst
 }
 
-/// The largest multiplier of these points is above 0.9990 a cycle, so that after 512 cycles from rest more than half of
+/// At these points the largest multiplier is above 0.9990 for each cycle. After 512 cycles from rest more than half of
 /// the deviation remains. The run continues until 1e-8 of the deviation remains.
 #[test]
 fn a_run_comes_to_the_state_at_last() {
@@ -64,8 +64,8 @@ fn a_run_comes_to_the_state_at_last() {
     }
 }
 
-/// Towards the resonance the amplitude on both sides tends to √(1 − β²), as the square root of the distance. The mean
-/// of both sides is nearer.
+/// On both sides of the resonance the amplitude tends to √(1 − β²), with a difference that falls as the square root of
+/// the distance. The mean of both sides is closer.
 #[test]
 fn both_sides_tend_to_the_same() {
     let system = two();

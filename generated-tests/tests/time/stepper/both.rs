@@ -1,4 +1,4 @@
-//! The stepper and the plain integrator under the same input.
+//! Runs the stepper and the plain integrator under the same input.
 
 use crate::stepper::plain::chain::Chain;
 use crate::stepper::plain::{Input as Polynomials, Plain};
@@ -7,17 +7,19 @@ use crate::stepper::rig::{Kind, Load, Rig, advance, begin, rig};
 use frictiongen_kernel::stepper::Input;
 use frictiongen_model::scene::Scene;
 
-/// A stepper and a plain integrator, both from rest.
+/// A stepper and a plain integrator that both start from rest.
 pub struct Both {
     pub plain: Plain,
     pub rig: Rig<f64>,
     kind: Input,
     last: Load,
     dt: f64,
-    /// Largest displacement and velocity of a mass, and largest differences of both.
+    /// Largest displacement and velocity of any mass (`size`), and largest differences of displacements and velocities
+    /// (`apart`).
     pub size: [f64; 2],
     pub apart: [f64; 2],
-    /// Number of events of the stepper, and number of steps in which the integrator has another number.
+    /// Number of events of the stepper (`events`), and number of steps in which the integrator has another number of
+    /// events (`otherwise`).
     pub events: u64,
     pub otherwise: u32,
 }
@@ -76,7 +78,7 @@ impl Both {
         }
     }
 
-    /// Returns the largest difference of displacements or velocities, relative to the largest of them.
+    /// Returns the largest difference of displacements or of velocities, each relative to the largest value.
     pub fn error(&self) -> f64 {
         (self.apart[0] / self.size[0]).max(self.apart[1] / self.size[1])
     }

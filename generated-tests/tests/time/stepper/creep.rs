@@ -1,4 +1,4 @@
-//! A stuck contact does not creep.
+//! Tests that a stuck contact does not creep.
 
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, advance, begin, rig, scene};
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, WALL};
@@ -8,8 +8,8 @@ use fuzzing::Random;
 
 /// Asserts that a stuck contact keeps its displacement to the bit.
 ///
-/// A constant load stresses the contact with `share` of the break-away force. A dither of 4 % of that force acts on the
-/// mass of the contact, and a small random force on every mass.
+/// A constant load acts on the contact with the fraction `share` of the break-away force. An oscillating force of 4 %
+/// of the break-away force acts on the mass of the contact, and a small random force on every mass.
 fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
     let scene = scene(text);
     let (k1, m1) = (scene.springs[0].stiffness, scene.masses[0].value);
@@ -35,7 +35,7 @@ fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
         advance(&mut rig, &load);
     }
     assert!(rig.contact().is_sticking(), "{text}");
-    // A small force shows what fraction of the force on the mass acts in the contact.
+    // A small force shows which fraction of the force on the mass acts in the contact.
     let before = rig.contact().force().to_f64();
     load.forces[contact] = 0.01 * grip;
     for _ in 0..20_000 {
@@ -59,7 +59,7 @@ fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
         }
         load.forces[contact] += 0.02 * grip * f64::from(2 * (step % 2)) - 0.02 * grip;
         if on_base {
-            // The base is at rest in the mean, and slow.
+            // The base moves slowly about its rest position.
             let angle = 1e-3 * f64::from(step % 6283);
             load.base = [1e-4 * friction / k1 * angle.sin(), 0.0];
             load.base[1] = 1e-4 * friction / k1 * 1e-3 / dt * angle.cos();
@@ -75,7 +75,7 @@ fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
         scene.name
     );
     assert!(largest > share && largest < 1.0);
-    // The same comparison detects a slip.
+    // The same comparison must detect a slip, which a larger force causes.
     load.forces[contact] = 3.0 * grip + mean;
     advance(&mut rig, &load);
     advance(&mut rig, &load);
@@ -98,8 +98,9 @@ fn none() {
     all(1_000_000);
 }
 
-/// A base moves to and fro within one step. The force of the wall's spring on the contact is then largest in the middle
-/// of the step, and equal at both ends. Friction below that maximum slips, and friction above it does not.
+/// A base moves to and fro within one step. The spring force on the contact is then largest in the middle of the step,
+/// and equal at both ends. The contact must slip if friction is below that maximum, and must stick if friction is above
+/// it.
 #[test]
 fn the_force_within_a_step_counts() {
     let scene = scene(

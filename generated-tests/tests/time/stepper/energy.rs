@@ -1,7 +1,7 @@
-//! Energy balance over many random steps: the work of the load is friction, damping and stored energy, and no step
-//! creates energy.
+//! Tests the energy balance over many random steps. The work of the load equals friction, damping and stored energy,
+//! and no step creates energy.
 //!
-//! `Work::damping` is the remainder of the other three, so the sum alone proves nothing. Without damping it must
+//! `Work::damping` is computed from the other three, so that the sum alone proves nothing. Without damping it must
 //! vanish. With damping it must grow in every step, and equal a quadrature of ẋᵀCẋ (`independent`). The stored energy
 //! must follow from the motions of the masses.
 
@@ -22,7 +22,7 @@ fn without_damping(text: &str) -> String {
     format!("{}{end}", before.trim_end().trim_end_matches(','))
 }
 
-/// Returns ½ẋᵀMẋ + ½xᵀKx, with the energy of the springs to a moving base.
+/// Returns the energy ½ẋᵀMẋ + ½xᵀKx, with that of the springs to a moving base.
 fn stored(scene: &Scene, chain: &Chain, [x, v]: [&DVector<f64>; 2], base: f64) -> f64 {
     let kinetic = v.component_mul(&chain.m).dot(v);
     let mut sum = 0.5 * (kinetic + (&chain.k * x).dot(x));
@@ -32,7 +32,8 @@ fn stored(scene: &Scene, chain: &Chain, [x, v]: [&DVector<f64>; 2], base: f64) -
     sum
 }
 
-/// Checks the balance over a run, relative to the work in and out. `rounding` is that of the scalar.
+/// Checks the energy balance over a run, relative to the work that goes into the chain and out of it. `rounding` is the
+/// rounding unit of the scalar.
 fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
     let scene = scene(text);
     let chain = Chain::of(&scene, &[]);
@@ -55,7 +56,7 @@ fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
         [work.load, work.friction, work.damping, work.stored].map(S::to_f64)
     };
     let mut before = work(&rig);
-    // The work in and out is the scale of the errors of a step and of the whole run.
+    // The errors of a step and of the whole run are measured by the work that passes through the chain.
     let (mut passed, mut largest, mut made, mut off) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
     for step in 0..steps {
         let load = next();
@@ -64,7 +65,7 @@ fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
         let gained = [0, 1, 2].map(|k| now[k] - before[k]);
         passed += gained[0].abs();
         largest = largest.max(now[3].abs()).max(gained[0].abs());
-        // Sums grow, and with them the rounding of a difference.
+        // The sums grow, and the rounding error of their differences grows with them.
         let noise = rounding * (now[0].abs() + largest);
         made = made.max(-gained[1] / noise);
         made = made.max(-gained[2] / noise);
@@ -72,7 +73,8 @@ fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
             let column = |of: &dyn Fn(usize) -> f64| DVector::from_fn(n, |mass, _| of(mass));
             let x = column(&|mass| rig.mass(mass).displacement().to_f64());
             let v = column(&|mass| rig.mass(mass).velocity().to_f64());
-            // With held input the velocity of the base moves it during a step, so the base ends the step elsewhere.
+            // With zero-order hold the base moves with its velocity during a step. At the end of the step it is
+            // therefore not at the sample's displacement.
             let base = match kind.input {
                 Input::Hold => load.base[0] + load.base[1] * dt,
                 Input::Linear => load.base[0],
@@ -92,7 +94,7 @@ fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
          {off:.1e}, made at most {made:.1} roundings",
         scene.name, before[0], before[1], before[2],
     );
-    // Stored energy is a sum of squares over the modes, with a hundred terms at most.
+    // The stored energy is a sum of squares over the modes, with at most a hundred terms.
     assert!(off < 100.0 * rounding, "{text}: {off:e}");
     assert!(residue < 30.0 * rounding, "{text}: {residue:e}");
     assert!(made < 30.0, "{text}: {made}");

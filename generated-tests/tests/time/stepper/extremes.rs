@@ -1,4 +1,5 @@
-//! Extreme loads and steps: the bound on events is kept and reported, no energy is created, and no result is NaN.
+//! Tests extreme loads and steps. The stepper keeps and reports the bound on events, creates no energy, and returns no
+//! NaN.
 
 use crate::stepper::both::Both;
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, rig, scene};
@@ -9,7 +10,7 @@ use frictiongen_kernel::stepper::{Input, MAX_EVENTS, MAX_PARTS, Sample};
 use frictiongen_model::scene::{Excitation, Scene};
 use fuzzing::Random;
 
-/// Results of a run.
+/// Numbers of events and of exceeded bounds in a run.
 #[derive(Clone, Copy, Debug, Default)]
 struct Seen {
     events: u64,
@@ -38,8 +39,8 @@ fn run<S: Plain>(
         seen.most = seen.most.max(stepped.events);
         seen.exceeded += u64::from(stepped.exceeded);
         let what = format!("{}, {radians} rad, step {step}: {stepped:?}", scene.name);
-        // The fastest mode of the chain with a stuck contact is no faster than that of the free chain, but its damping
-        // may differ.
+        // The fastest mode of the chain with a stuck contact is no faster than that of the free chain. Its damping may
+        // be larger, so that the bound has a factor of 2.
         let parts = (2.0 * radians).ceil().max(1.0) as u32;
         assert!(
             stepped.events <= parts.min(MAX_PARTS) * MAX_EVENTS,
@@ -55,7 +56,7 @@ fn run<S: Plain>(
         let now = [work.load, work.friction, work.damping].map(S::to_f64);
         through = through.max(work.stored.to_f64().abs());
         through = through.max((now[0] - before[0]).abs());
-        // Every sub-step rounds the state once, and the energy with it.
+        // Every sub-step rounds the state once, and therefore also the energy.
         let noise = rounding * (now[0].abs() + through) * (100.0 + f64::from(parts));
         for k in [1, 2] {
             assert!(now[k] - before[k] >= -noise, "{what}: {now:?}, {before:?}");
@@ -72,15 +73,15 @@ fn run<S: Plain>(
 
 const ALL: [&str; 7] = [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE, TEN];
 
-/// Steps in radians of the fastest mode, from far below it to far above it.
+/// Lengths of a step in radians of the fastest mode, from far below a radian to far above.
 const RADIANS: [f64; 5] = [1e-3, 0.3, 3.0, 40.0, 900.0];
 
 fn steps(radians: f64) -> u32 {
     if radians > 10.0 { 20 } else { 150 }
 }
 
-/// Applies a force on every mass that changes its sign in every step, from 10⁴ to 10⁻⁴ times the break-away force. The
-/// base moves as irregularly.
+/// Applies a force to every mass that changes its sign in every step. Its size is 10⁻⁴ to 10⁴ times the break-away
+/// force. The base moves as irregularly. One in `one_in` cases runs.
 fn alternating(one_in: usize) -> Seen {
     let (mut all, mut turn) = (Seen::default(), 0);
     for text in ALL {
@@ -122,7 +123,8 @@ fn alternating(one_in: usize) -> Seen {
     all
 }
 
-/// Every ninth case runs, because nine shares no divisor with the numbers of the loops.
+/// Every ninth case runs. Nine shares no divisor with the numbers of cases in the loops, so that all kinds of cases
+/// occur.
 #[test]
 fn alternating_at_the_step_rate() {
     let all = alternating(9);
@@ -136,7 +138,7 @@ fn all_alternating_at_the_step_rate() {
     assert!(all.events > 10_000 && all.most > 50);
 }
 
-/// Forces near the break-away force, with F that varies in time, and with F = 0.
+/// The forces lie near the break-away force. F varies in time, or is 0.
 #[test]
 fn grazing() {
     let mut events = 0;
@@ -167,8 +169,8 @@ fn grazing() {
     assert!(events > 1000);
 }
 
-/// Under these forces, none of them within a rounding of the break-away force, the motion is that of the plain
-/// integrator.
+/// Under these forces the stepper must agree with the plain integrator. None of the forces is within a rounding of the
+/// break-away force.
 #[test]
 fn grazing_moves_as_the_plain_integrator_says() {
     for text in ALL {
@@ -198,7 +200,7 @@ fn grazing_moves_as_the_plain_integrator_says() {
                 both.error()
             );
             assert_eq!(both.otherwise, 0, "{text}, {mu}");
-            // A zero that is nearly double is known to the root of a rounding.
+            // A zero that is nearly double is known only to the square root of a rounding.
             assert!(
                 both.events > 20 && both.error() < 1e-8,
                 "{text}, {mu}: {:e}",
@@ -208,7 +210,8 @@ fn grazing_moves_as_the_plain_integrator_says() {
     }
 }
 
-/// With steep friction laws the contact chatters. A law that is too steep for its step is refused.
+/// With steep friction laws the contact stops and slips in quick succession. A law that is too steep for its step must
+/// be refused.
 #[test]
 fn steep_laws() {
     let mut all = Seen::default();
@@ -260,8 +263,8 @@ fn steep_laws() {
     assert!(all.events > 1000);
 }
 
-/// A law has too many lines for the speed to pass through all of them in one sub-step. The stepper reports this, and
-/// creates no energy.
+/// This law has so many lines that the speed cannot pass through all of them in one sub-step. The stepper must report
+/// this, and must create no energy.
 #[test]
 fn more_than_is_followed() {
     let mut exceeded = 0;
@@ -291,8 +294,8 @@ fn more_than_is_followed() {
     assert!(exceeded > 100);
 }
 
-/// Under the strongest accepted force, always along the motion, the work grows until a step is refused, and is finite
-/// until then.
+/// The strongest accepted force acts along the motion in every step. The work grows until a step is refused, and must
+/// be finite until then.
 #[test]
 fn work_stays_finite() {
     fn check<S: Plain>(text: &str, radians: f64) {
@@ -333,7 +336,7 @@ fn work_stays_finite() {
                 );
             }
         }
-        // In a step of many turns the force cannot follow the direction of the motion.
+        // In a step with many turns of a mode the force cannot follow the direction of the motion.
         assert!(
             refused || radians > 10.0,
             "{text}, {radians} rad, {strongest:e}: {:?}",

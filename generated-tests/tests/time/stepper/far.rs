@@ -1,27 +1,28 @@
-//! A chain far away from its start. The force in its stuck contact is a difference of displacements, of which single
-//! precision keeps few digits.
+//! Tests a chain far away from its start. The force in its stuck contact is a difference of displacements, of which
+//! single precision keeps few digits.
 
 use frictiongen::{StepLoad, Stepping, System};
 use frictiongen_kernel::Plain;
 
-/// A motor turns a load through a shaft, and a weak spring connects the chain to its base.
+/// A motor turns a load through a shaft. A weak spring connects the chain to its base.
 const DRIVE: &str = "struct Drive { masses: { motor: 0.02, load: 0.05 },
     springs: { base - motor: 1e-3, motor - load: 800 }, contact: load - wall, excitation: motor, stiction: 1.2,
     provide: [stepper]";
 
-/// Results of a run.
+/// Results of a run: one entry for each rest after a push.
 #[derive(Debug, Default)]
 struct Run {
     events: u32,
-    /// Displacements of the contact at the ends of the rests.
+    /// Displacements of the contact, one for each rest.
     places: Vec<f64>,
-    /// Forces in the stuck contact there.
+    /// Forces in the stuck contact, one for each rest.
     forces: Vec<f64>,
-    /// Creep of the contact during the rests.
+    /// Largest change of the contact's displacement during a rest.
     crept: f64,
 }
 
-/// Runs pushes of some seconds, each followed by a rest in which the torque trembles far below the break-away force.
+/// Runs pushes of some seconds. After each push follows a rest, in which the torque varies by far less than the
+/// break-away force.
 fn run<S: Plain>(pushes: u32, friction: f64, damping: &str) -> Run {
     let system: System<S> = format!("{DRIVE}{damping} }}").parse().expect("a scene");
     let dt = S::constant(1e-3);
@@ -63,10 +64,10 @@ fn run<S: Plain>(pushes: u32, friction: f64, damping: &str) -> Run {
     run
 }
 
-/// In single precision four pushes have the events of double precision, up to one in a hundred.
+/// In single precision four pushes must have the same number of events as in double precision, within one in a hundred.
 ///
-/// A displacement is a sum over some 10⁴ steps, each rounded at a value of 2000, so single precision has six digits of
-/// it. The forces are differences.
+/// A displacement is a sum over some 10⁴ steps, each rounded at a value of 2000. Single precision therefore gives it to
+/// six digits. The forces are differences of such displacements.
 #[test]
 fn four_pushes_have_the_events_of_double_precision() {
     for damping in [", damping: modal(0.05)", ""] {
@@ -75,7 +76,7 @@ fn four_pushes_have_the_events_of_double_precision() {
             let narrow = run::<f32>(4, friction, damping);
             println!("F {friction}{damping}: f64 {wide:?}");
             println!("   f32 {narrow:?}");
-            // Without damping the shaft rings while the load stops, with hundreds of events.
+            // Without damping the shaft oscillates while the load stops, which causes hundreds of events.
             let events = narrow.events.abs_diff(wide.events);
             assert!(
                 events <= wide.events / 100,
@@ -88,7 +89,7 @@ fn four_pushes_have_the_events_of_double_precision() {
                 continue;
             }
             for (found, want) in narrow.forces.iter().zip(&wide.forces) {
-                // A shaft with a stiffness of 800 whose twist is off by one rounding of 2000 has a force error of 0.1.
+                // An error of one rounding of 2000 in the twist of a shaft of stiffness 800 is a force of 0.1.
                 assert!(
                     (found - want).abs() < 1e-4 * friction,
                     "F {friction}{damping}"

@@ -1,4 +1,4 @@
-//! Random loads: the stepper is compared with the integrator that shares no code with it.
+//! Compares the stepper under random loads with the integrator that shares no code with it.
 
 use crate::stepper::both::Both;
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, advance, begin, loaded, rig, scene};
@@ -7,7 +7,7 @@ use frictiongen_kernel::stepper::Input;
 use frictiongen_model::scene::{Excitation, Scene};
 use fuzzing::Random;
 
-/// Returns a load without a rule: a ground motion of a few incommensurable waves, or random forces.
+/// Returns an irregular load: a ground motion of a few incommensurable sinusoids, or random forces.
 pub fn loads(scene: &Scene, seed: u64, dt: f64) -> impl FnMut() -> Load {
     let mut random = Random(seed);
     let n = scene.masses.len();
@@ -42,8 +42,8 @@ pub fn loads(scene: &Scene, seed: u64, dt: f64) -> impl FnMut() -> Load {
     }
 }
 
-/// Tolerance of the comparison. Both sides round each step, but friction removes old errors, so that roundings do not
-/// add up.
+/// Tolerance of the comparison. Both sides round each step. Friction reduces earlier errors, so that the roundings do
+/// not add up.
 const BAR: f64 = 3e-14;
 
 fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
@@ -57,7 +57,8 @@ fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
     }
     let (found, want) = (both.rig.work(), both.plain.work);
     let load = want.load - want.carried;
-    // The energy that the base's pull stores counts as stored energy and as load alike.
+    // The energy that the base's displacement stores in its springs counts twice alike: as stored energy and as work of
+    // the load.
     let damping = (found.damping - want.damping).abs() / load.abs();
     let friction = (found.friction - want.friction).abs() / load.abs();
     println!(
@@ -76,7 +77,7 @@ fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
     assert!(damping < 10.0 * bar && friction < 10.0 * bar);
 }
 
-/// Coulomb's law with both kinds of input and all contacts.
+/// Compares with Coulomb's law, both kinds of input and all contacts.
 #[test]
 fn any_load() {
     for text in [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE] {
@@ -88,14 +89,14 @@ fn any_load() {
     }
 }
 
-/// The base jumps, with a velocity at each sample or without one. With linear input its cubic bends within a step. With
-/// held input the base jumps away from its contact, which may stay stuck.
+/// The base jumps, with or without a velocity at each sample. With linear input the base's cubic bends within a step.
+/// With zero-order hold the base jumps while its contact may stay stuck.
 #[test]
 fn jumping_base() {
     for text in [BASE, ONE_ON_BASE, WALL_BASE] {
         for kind in [LINEAR, HOLD] {
             for (velocity, grip) in [(1.0, 0.5), (0.0, 0.5), (0.0, 10.0)] {
-                // A contact that holds firmly keeps a mass at rest while a held base only jumps.
+                // With zero-order hold, a contact that sticks firmly keeps a mass at rest while the base only jumps.
                 if grip > 1.0 && kind.input == Input::Hold {
                     continue;
                 }
@@ -123,7 +124,7 @@ fn jumping_base() {
                     both.otherwise,
                     both.error()
                 );
-                // An event on a sample may count in either step.
+                // If an event lies on a sample, it may count in the step before or in the step after.
                 assert!(both.otherwise <= 3, "{text}, {velocity}, {grip}");
                 assert!(
                     both.error() < 1e-12,
@@ -135,7 +136,7 @@ fn jumping_base() {
     }
 }
 
-/// With some masses loaded in any order, or none, the motion equals that with zero force on the others.
+/// If some masses are loaded in any order, or none, the motion must equal that with zero force on the other masses.
 #[test]
 fn some_masses_loaded() {
     for text in [WALL, BASE, PAIR, WALL_BASE] {
@@ -188,8 +189,8 @@ fn some_masses_loaded() {
     }
 }
 
-/// The law falls and rises so steeply that it bends the motion more than the spring does. A power series then reaches
-/// only a fraction of a step.
+/// The law falls and rises so steeply that it changes the motion faster than the spring does. A power series then
+/// converges only over a fraction of a step.
 #[test]
 fn steep_law() {
     let law = &[[0.002, 0.2], [0.005, 1.1]];
@@ -200,7 +201,7 @@ fn steep_law() {
     }
 }
 
-/// The kinetic friction force depends on the speed.
+/// Compares with a kinetic friction force that depends on the speed.
 #[test]
 fn stribeck() {
     let laws: [&[[f64; 2]]; 2] = [&[[0.02, 0.7], [0.08, 0.5]], &[[0.03, 0.6], [0.1, 0.9]]];

@@ -1,5 +1,5 @@
-//! Random scenes with all contacts and dampings, μ = 1 and above, 1 to 64 masses, both laws and both inputs. The plain
-//! integrator checks double precision, and double precision checks single precision.
+//! Compares the stepper in random scenes: all contacts and dampings, μ = 1 and above, 1 to 64 masses, both friction
+//! laws and both inputs. The plain integrator checks double precision, and double precision checks single precision.
 
 use crate::stepper::both::Both;
 use crate::stepper::independent::loads;
@@ -86,7 +86,7 @@ fn parsed(text: &str) -> Option<Scene> {
     Some(system.ok()?.scene().clone())
 }
 
-/// Counts of the scenes, and their errors.
+/// Counts of the scenes by kind, and their errors.
 #[derive(Debug, Default)]
 struct Seen {
     scenes: u32,
@@ -104,7 +104,7 @@ struct Seen {
     lost: u32,
 }
 
-/// Returns whether a scene is refused because too many modes are beyond critical damping for a motion in time.
+/// Returns true if a scene is refused because too many modes are beyond critical damping for a motion in time.
 fn lost(scene: &Scene, precision: Precision) -> bool {
     let scene = Scene {
         precision,
@@ -189,7 +189,7 @@ fn check(seen: &Seen, bar: f64) {
     assert!(kinds.iter().all(|count| *count > 1), "{kinds:?}");
     assert!(seen.events > 100 && seen.otherwise == 0);
     assert!(seen.worst < bar, "{:e}", seen.worst);
-    // Single precision has 5e8 times the rounding, and may miss a grazing event in one scene of ten.
+    // Single precision has 5e8 times the rounding error. In one scene of ten it may miss a grazing event.
     assert!(seen.single < 5e-3, "{:e}", seen.single);
     let mut singles = seen.singles.clone();
     singles.sort_by(f64::total_cmp);
@@ -198,8 +198,8 @@ fn check(seen: &Seen, bar: f64) {
     assert!(most < 2e-5, "{most:e}");
 }
 
-/// Below critical damping the modes of the chain with a stuck contact keep their digits, however many they are. Above
-/// it, pairs of real roots cost up to six digits with 8 masses.
+/// Below critical damping the modes of the chain with a stuck contact must keep their digits, however many masses there
+/// are. Above critical damping, pairs of real roots cost up to six digits with 8 masses.
 #[test]
 fn scenes_at_random() {
     check(&all(&[1, 2, 3, 5, 8], 40, 300), 1e-8);
@@ -213,9 +213,9 @@ fn more_scenes_at_random() {
     check(&all(&[16, 33, 64], 60, 300), 1e-12);
 }
 
-/// With many masses and every mode critically damped, the poles of the chain with a stuck contact crowd between double
-/// roots. All functions for motion in time refuse a scene that would lose half of its digits, with the same
-/// error. An accepted scene keeps its digits.
+/// If many masses have only critically damped modes, the poles of the chain with a stuck contact lie close together
+/// between double roots. All functions for motion in time must refuse a scene that would lose half of its digits, with
+/// the same error. An accepted scene must keep its digits.
 #[test]
 fn critical_damping_of_many_masses() {
     let mut refused = Vec::new();

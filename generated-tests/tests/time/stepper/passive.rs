@@ -1,5 +1,5 @@
-//! Undamped chains keep their energy: the stored energy is the work of the load, over the number of steps that a device
-//! takes in a day.
+//! Tests that undamped chains keep their energy. The stored energy must equal the work of the load, over the number of
+//! steps that a device takes in a day.
 //!
 //! The tables turn a mode by a product of shears, which conserves a quadratic form for any rounding of the tables. Only
 //! the rounding of the state changes the energy (docs/decisions/0001-passive-step.md).
@@ -27,10 +27,12 @@ const CHAIN: &str = "struct Chain { masses: { a: 1, b: 0.5, c: 2 },
 const MASS: &str =
     "struct Mass { masses: { m: 2 }, springs: { base - m: 2 }, contact: m - wall, excitation: m }";
 
-/// Angles of a step in rad. Beyond 1 the stepper divides the step into two or three.
+/// Angles by which the mode turns in a step, in rad. Above 1 rad the stepper divides the step into two or three
+/// sub-intervals.
 const ANGLES: [f64; 7] = [0.03, 0.18, 0.59, 0.60, 1.16, 2.0, 2.9];
 
-/// Returns the stored energy less the work of the load, over the initial energy: the largest and the last value.
+/// Returns the drift: stored energy minus the work of the load, over the initial energy. The results are its largest
+/// size and its last value.
 fn drift(
     mut stepper: impl Stepping<Scalar: Scalar>,
     energy: f64,
@@ -54,8 +56,8 @@ fn drift(
     [largest, last]
 }
 
-/// Returns the drift of a chain that is released with every mass at 1 mm, so that only the first spring is strained,
-/// without a load.
+/// Returns the drift of a chain without a load. It is released with every mass at 1 mm, so that only the first spring
+/// is strained.
 fn released<S: Plain>(text: &str, dt: f64, steps: u32) -> [f64; 2] {
     let system: System<S> = text.parse().expect("a scene");
     let scene = system.scene();
@@ -85,7 +87,7 @@ fn all(steps: u32, single: f64, double: f64) {
     }
 }
 
-/// Without a load the energy drifts by less than the tolerances, in both precisions.
+/// Without a load the drift of the energy must stay within the tolerances, in both precisions.
 #[test]
 fn without_load() {
     all(1_000_000, 3e-4, 1e-12);
@@ -97,7 +99,7 @@ fn without_load_over_a_hundred_million_steps() {
     all(100_000_000, 1e-3, 1e-9);
 }
 
-/// Constant tables, rounded once from double-double, keep the energy as well.
+/// Constant tables, which are rounded once from double-double, must keep the energy as well.
 #[test]
 fn by_declared_tables() {
     let state = [1e-3; 3];
@@ -107,8 +109,8 @@ fn by_declared_tables() {
     assert!(off[0] < 3e-4, "{off:?}");
 }
 
-/// The energy balance under a force that continues, and after a force that has shaken a chain whose contact then
-/// sticks.
+/// Tests the energy balance in two cases: under a force that continues, and after a force that has moved a chain whose
+/// contact then sticks.
 #[test]
 fn under_load() {
     let text = |input: &str| {
@@ -132,7 +134,7 @@ fn under_load() {
         ("driven, contact stuck", 1e6, &wave),
         ("shaken, contact stuck", 1e6, &push),
     ] {
-        // The scale is the energy that 100 N store in the first spring.
+        // The drift is measured by the energy that 100 N store in the first spring.
         let energy = 0.5 * 1e4 / 3.3e5;
         let load = |step| [force(step), friction];
         let from = |system: &System<f32>| {
@@ -140,8 +142,8 @@ fn under_load() {
         };
         let declared = Declared::stepper(Declared::STEP).expect("its step");
         let held = [from(&hold), drift(declared, energy, 500_000, load)];
-        // The work of a piecewise linear force has weights of its own. Their rounding adds up to 2e-9 of the energy a
-        // step, so its tolerance is wider.
+        // The work of a piecewise linear force has its own weights. Their rounding errors add up to 2e-9 of the energy
+        // in a step, so that the tolerance is wider.
         let straight = from(&linear);
         println!("{name}: {held:?}, in straight lines {straight:?}");
         assert!(
@@ -152,21 +154,21 @@ fn under_load() {
     }
 }
 
-/// A damped mode loses the energy of its damping, even if the loss is small compared with a rounding, and never gains
-/// energy.
+/// A damped mode must lose the energy that damping takes, even if the loss in a step is less than a rounding. It must
+/// never gain energy.
 #[test]
 fn damped_modes_decay_by_their_damping() {
     for zeta in [1e-9, 1e-7, 1e-5, 1e-3] {
         let text = format!("{}, damping: modal({zeta}) }}", MASS.trim_end_matches(" }"));
         for angle in ANGLES {
-            // The run ends at a tenth of the energy, or earlier where the rounding of tables would already show.
+            // The run ends at a tenth of the energy. It ends earlier if the rounding of the tables would show before.
             let steps = (1.15 / (zeta * angle)).clamp(1000.0, 500_000.0) as u32;
             let [_, single] = released::<f32>(&text, angle, steps);
             let [_, double] = released::<f64>(&text, angle, steps);
-            // At the end points of a cycle the mass has a velocity, and y + ζu is the quantity that decays.
+            // At the end of the run the mass has a velocity. The quantity that decays exactly is y + ζu.
             let want = (-2.0 * zeta * angle * f64::from(steps)).exp_m1();
             println!("ζ {zeta:e}, {angle} rad: {single:.6}, {double:.6} for {want:.6}");
-            // In most steps single precision does not resolve a loss of less than half a rounding a step.
+            // Single precision does not resolve a loss of less than half a rounding in most steps.
             let unseen = if zeta < 1e-8 { -want } else { 0.0 };
             assert!(
                 (want - 1e-3..want + unseen + 1e-3).contains(&single),

@@ -1,4 +1,4 @@
-//! The plain integrator, compared with the exact event-driven motion in time, and with itself.
+//! Compares the plain integrator with the exact event-driven motion in time, and with itself.
 
 use crate::stepper::plain::chain::Chain;
 use crate::stepper::plain::{Input, Plain};
@@ -7,8 +7,8 @@ use frictiongen::System;
 use fuzzing::Random;
 use std::f64::consts::TAU;
 
-/// Returns the largest difference from the exact motion, as a fraction of the base motion, with `steps` cubics a cycle,
-/// and the number of events.
+/// Returns the largest difference from the exact motion, as a fraction of the base motion, and the number of events.
+/// The base motion consists of `steps` cubics in a cycle.
 fn off(text: &str, [r, beta]: [f64; 2], steps: i32) -> (f64, u64) {
     let system: System = text.parse().expect("a scene");
     let scene = system.scene();
@@ -46,13 +46,13 @@ fn off(text: &str, [r, beta]: [f64; 2], steps: i32) -> (f64, u64) {
     (worst, plain.events)
 }
 
-/// Order of the error for a base motion that cubics interpolate.
+/// Measures the order of the error for a base motion that cubics interpolate.
 ///
-/// Cubics between instants approximate a cosine with an error of h⁴/384, with h in radians, and its second derivative
-/// with an error of h²/12. A contact with the base feels the second derivative. With μ > 1 a break-away is late by as
-/// much, and the force neglected in that time is not small. With μ = 1 it is small. The order is therefore 4 for a
-/// contact with the wall, and 3 for a contact with the base. With μ > 1 the order is 2, but the delay of a break-away
-/// changes its sign within a cubic.
+/// Cubics between instants approximate a cosine with an error of h⁴/384, with h in radians. Their second derivative has
+/// an error of h²/12, which a contact with the base feels. With μ > 1 a break-away is late by as much, and the force
+/// neglected in that time is not small. With μ = 1 it is small. The order is therefore 4 for a contact with the wall,
+/// and 3 for a contact with the base. With μ > 1 the order is 2, but the delay of a break-away changes its sign within
+/// a cubic.
 #[test]
 fn a_cosine_of_the_base() {
     for (text, at, mu, order, bar) in [
@@ -75,7 +75,7 @@ fn a_cosine_of_the_base() {
     }
 }
 
-/// Returns the cubic with displacement and velocity at both end points.
+/// Returns the cubic with the given displacements and velocities at both end points of a step.
 pub fn hermite([y0, v0]: [f64; 2], [y1, v1]: [f64; 2], dt: f64) -> [f64; 4] {
     let rise = (y1 - y0) / dt;
     [
@@ -86,7 +86,7 @@ pub fn hermite([y0, v0]: [f64; 2], [y1, v1]: [f64; 2], dt: f64) -> [f64; 4] {
     ]
 }
 
-/// Checks the energy, and the agreement with half the step, for a law of the speed and forces on all masses.
+/// Checks the energy and compares with steps of half the length, for a law of the speed and forces on all masses.
 #[test]
 fn against_itself() {
     let laws: [&[[f64; 2]]; 2] = [&[], &[[0.2, 0.6], [0.5, 0.9]]];

@@ -1,4 +1,4 @@
-//! A stepper of a scene in any scalar, with every mass loaded or only some.
+//! Creates a stepper of a scene in any scalar, with forces on every mass or on some masses.
 
 use frictiongen_kernel::Plain;
 use frictiongen_kernel::number::dd::Dd;
@@ -10,7 +10,7 @@ use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Excitation, Scene};
 use frictiongen_model::transient::Transient;
 
-/// Number of coefficients of an input, which is a cubic.
+/// Number of coefficients of an input over a step, for a cubic.
 const D: usize = 4;
 
 /// Tables of a stepper, stored in vectors.
@@ -67,7 +67,7 @@ impl<S> Store<S, D> for Numbers<S> {
     }
 }
 
-/// Kind of input, and the friction law.
+/// Kind of input, and points of the friction law.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind<'a> {
     pub input: Input,
@@ -85,7 +85,7 @@ pub const HOLD: Kind<'static> = Kind {
     law: &[],
 };
 
-/// A stepper that keeps the scene as long as the program runs.
+/// A stepper whose scene lives as long as the program runs.
 pub type Rig<S> = Stepper<'static, S, D, Lists<S>, Numbers<S>>;
 
 /// Input of one step in the units of the scene, with a force on each mass.
@@ -109,7 +109,7 @@ pub fn rig<S: Plain>(scene: &Scene, kind: Kind<'_>, dt: f64) -> Rig<S> {
     try_rig(scene, kind, dt).expect("a step")
 }
 
-/// Returns a stepper of a scene at rest, or the error for a step that it refuses.
+/// Returns a stepper of a scene at rest, or the error if the step is refused.
 pub fn try_rig<S: Plain>(
     scene: &Scene,
     kind: Kind<'_>,
@@ -119,7 +119,7 @@ pub fn try_rig<S: Plain>(
     loaded(scene, kind, dt, &every)
 }
 
-/// Returns a stepper of a scene at rest with forces on these masses only.
+/// Returns a stepper of a scene at rest, with forces on the given masses only.
 pub fn loaded<S: Plain>(
     scene: &Scene,
     kind: Kind<'_>,
@@ -187,7 +187,7 @@ pub fn advance<S: Plain>(rig: &mut Rig<S>, load: &Load) -> Stepped<S> {
     with(load, |sample| rig.advance(sample)).expect("a sound load")
 }
 
-/// Advances a stepper by one step, or returns the error for a load that it refuses.
+/// Advances a stepper by one step, or returns the error if the load is refused.
 pub fn try_advance<S: Plain>(
     rig: &mut Rig<S>,
     load: &Load,
@@ -195,7 +195,7 @@ pub fn try_advance<S: Plain>(
     with(load, |sample| rig.advance(sample))
 }
 
-/// Gives a stepper the load at the start.
+/// Gives a stepper the load at the start of the run.
 pub fn begin<S: Plain>(rig: &mut Rig<S>, load: &Load) {
     with(load, |sample| rig.begin(sample)).expect("a sound load");
 }

@@ -22,7 +22,7 @@ pub const WALL_BASE: &str = "struct WallBase { masses: { a: 1, b: 1 },
     springs: { base - a: 80, a - b: 70 },
     contact: b - wall, excitation: base, damping: modal(0.01) }";
 
-/// Returns the scene with another μ.
+/// Returns the description with another μ.
 pub fn sticky(text: &str, mu: f64) -> String {
     let body = text.trim_end().strip_suffix('}').expect("a scene");
     format!("{body}, stiction: {mu} }}")

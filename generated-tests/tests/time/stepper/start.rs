@@ -1,4 +1,4 @@
-//! The state of the contact that a stepper reports before its first step.
+//! Tests the state of the contact that a stepper reports before its first step.
 
 use crate::stepper::independent::loads;
 use crate::stepper::rig::{Load, scene};
@@ -8,7 +8,7 @@ use frictiongen::{StepLoad, Stepping, System};
 use frictiongen_kernel::simulation::Contact;
 use frictiongen_model::scene::Node;
 
-/// Converts a load, and passes it to `then`.
+/// Converts a load to a `StepLoad`, and passes it to `then`.
 fn with<T>(load: &Load, then: impl FnOnce(&StepLoad<'_, f64>) -> T) -> T {
     let forces: Vec<(usize, f64)> = load.forces.iter().copied().enumerate().collect();
     then(&StepLoad {
@@ -28,8 +28,8 @@ fn state(stepper: &SystemStepper<'_>, masses: usize) -> [Vec<f64>; 2] {
     [of(|mass| mass.displacement()), of(|mass| mass.velocity())]
 }
 
-/// A stepper starts from the state and under the load of another one. If the contact of the other sticks, the new one
-/// reports sticking with the same force. If it slides, the new one reports sliding.
+/// A stepper starts from the state and under the load of another stepper. If the other contact sticks, the new one must
+/// report sticking with the same force. If it slides, the new one must report sliding.
 #[test]
 fn sticks_with_its_force_or_slides() {
     for text in [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE] {
@@ -45,13 +45,13 @@ fn sticks_with_its_force_or_slides() {
         let (mut stuck, mut slid, mut worst) = (0, 0, 0.0_f64);
         for _ in 0..2000 {
             let mut load = next();
-            // A moving base shakes loose a contact that rubs on it, unless friction is high.
+            // A moving base breaks away a contact that rubs on it, unless friction is high.
             load.friction *= if on_base { 20.0 } else { 3.0 };
             with(&load, |load| stepper.step(load)).expect("a sound load");
             let [x, v] = state(&stepper, masses);
             let mut again = system.stepper_from(dt, (&x, &v)).expect("a state");
             let (want, unloaded) = (stepper.contact(), again.contact());
-            // Without a load the base is at rest.
+            // In a scene without load on the base, the base is at rest.
             if !on_base {
                 assert_eq!(unloaded.is_sticking(), want.is_sticking(), "{text}");
             }
@@ -62,7 +62,7 @@ fn sticks_with_its_force_or_slides() {
             if want.is_sticking() {
                 stuck += 1;
                 assert_eq!(found.velocity().to_bits(), 0);
-                // The acceleration of the base is not known before the first step.
+                // The acceleration of a moving base is unknown before the first step.
                 if on_base {
                     continue;
                 }
@@ -78,13 +78,14 @@ fn sticks_with_its_force_or_slides() {
             described.name
         );
         assert!(stuck > 20 && slid > 20);
-        // The state of the chain with a stuck contact is a projection of the masses' state, and back.
+        // The state goes from the masses to the chain with a stuck contact and back, which rounds it.
         assert!(worst < 1e-12, "{text}: {worst:e}");
     }
 }
 
 /// Many masses have random velocities, but both masses of the contact have the same one. The relative velocity is a sum
-/// over modes and consists of rounding only, more of it than the sum alone shows. The contact must stick.
+/// over modes that consists of rounding only. The rounding is larger than the terms of the sum suggest. The contact
+/// must stick.
 #[test]
 fn a_given_state_sticks_but_for_its_rounding() {
     let names: Vec<String> = (0..40).map(|i| format!("m{i}")).collect();
@@ -119,7 +120,8 @@ fn a_given_state_sticks_but_for_its_rounding() {
     }
 }
 
-/// A contact at rest under more than its break-away force slides at once, and the first step counts the break-away.
+/// A contact at rest under more than its break-away force must slide at once, and the first step must count the
+/// break-away.
 #[test]
 fn goes_at_once_beyond_the_grip() {
     let system: System = sticky(ONE, 1.5).parse().expect("a scene");

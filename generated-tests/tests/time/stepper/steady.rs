@@ -1,5 +1,5 @@
-//! A stepper driven by a sampled cosine. It approaches the steady state of `orbit`, and follows the event-driven motion
-//! in time, with the order of its input.
+//! Drives a stepper by a sampled cosine. It must approach the steady state of `orbit`, and must follow the event-driven
+//! motion in time, with the order of its input.
 
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, begin, rig};
 use crate::stepper::scenes::{BASE, ONE_ON_BASE, PAIR, WALL, WALL_BASE, sticky};
@@ -7,7 +7,7 @@ use frictiongen::System;
 use frictiongen_model::scene::{Excitation, Scene};
 use std::f64::consts::TAU;
 
-/// A cosine that is sampled `steps` times a cycle.
+/// A cosine load or base motion that is sampled `steps` times in a cycle.
 struct Wave {
     steps: u32,
     dt: f64,
@@ -55,15 +55,15 @@ impl Wave {
         }
     }
 
-    /// Takes step number `step`. Held input is that at the start of the step, and linear input reaches its value at the
-    /// end.
+    /// Takes step number `step`. With zero-order hold the input is that at the start of the step. With linear input it
+    /// is the value at the end of the step.
     fn drive(&self, rig: &mut Rig<f64>, kind: Kind<'_>, step: u32) {
         let hold = kind.input == frictiongen_kernel::stepper::Input::Hold;
         advance(rig, &self.at(if hold { step } else { step + 1 }));
     }
 }
 
-/// Returns the distance of the last of many cycles from the steady state, over the amplitude, and the number of stops.
+/// Returns the distance of the stepper's last cycle from the steady state, over the amplitude, and the number of stops.
 fn from_orbit(
     text: &str,
     kind: Kind<'_>,
@@ -98,8 +98,8 @@ fn from_orbit(
     (worst, stops, orbit.stops())
 }
 
-/// The runs have 50, 200 and 1000 steps a cycle. The order is 2 for linear input and 1 for held input. For the cubics
-/// of the base it is at least 2.
+/// The runs have 50, 200 and 1000 steps in a cycle. The error must have order 2 with linear input and order 1 with
+/// zero-order hold. With the cubics of the base the order must be at least 2.
 #[test]
 fn tends_to_the_steady_state() {
     for (text, at, mu) in [
@@ -126,7 +126,7 @@ fn tends_to_the_steady_state() {
         for (_, stops, want) in linear {
             assert_eq!(stops as usize, want, "{text}");
         }
-        // With held input the base jumps, and the contact with it.
+        // With zero-order hold the base jumps, and the contact jumps with it.
         if !text.contains("excitation: base") {
             assert!((0.8..1.3).contains(&orders[2]), "{text}: {orders:?}");
         }

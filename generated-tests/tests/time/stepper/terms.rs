@@ -1,4 +1,4 @@
-//! The number of terms of a power series. The terms themselves bound the remainder.
+//! Tests the number of terms of a power series. The neglected terms themselves bound the remainder.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::stepper::series_terms;
@@ -10,8 +10,8 @@ fn ends<S: Float>(epsilon: f64) {
         let terms = series_terms::<S>(S::constant(rate), epsilon);
         let term = |n: u32| (1..=n).fold(1.0, |term, k| term * rate / f64::from(k));
         let left: f64 = (terms..terms + 20).map(term).sum();
-        // The first neglected term is at most a sixteenth of a rounding, and each later one less than a fifth of the
-        // last.
+        // The first neglected term is at most a sixteenth of a rounding. Each later term is less than a fifth of the
+        // previous one.
         assert!(left < epsilon / 12.0, "{rate}: {left:e} after {terms}");
         // One term less would not be enough.
         assert!(epsilon / 16.0 < term(terms - 1), "{rate}: {terms}");

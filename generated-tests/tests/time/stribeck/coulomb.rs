@@ -1,5 +1,4 @@
-//! Friction laws that equal Coulomb's law, exactly or nearly, compared with runs with a constant kinetic friction
-//! force.
+//! Compares friction laws that equal Coulomb's law, exactly or nearly, with a constant kinetic friction force.
 
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE};
 use crate::stribeck::{follow, lined, scaled, units};
@@ -7,8 +6,8 @@ use frictiongen::System;
 
 const ALL: [&str; 7] = [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE, TEN];
 
-/// Returns the largest difference of two runs over some cycles, relative to the largest displacement or velocity, and
-/// the number of events in each run.
+/// Returns the largest difference of two runs over some cycles, relative to the largest displacement or velocity. Also
+/// returns the number of events in each run.
 fn apart(
     one: (&System, f64, f64),
     other: (&System, f64, f64),
@@ -40,8 +39,8 @@ fn apart(
     ((worst[0] / largest[0]).max(worst[1] / largest[1]), events)
 }
 
-/// A law with the level 1 at every speed, in five lines, is Coulomb's law, so the power series must agree with the
-/// closed form. Both round. Friction reduces old errors, except for a factor at each event.
+/// A law with the level 1 at every speed, in five lines, is Coulomb's law. The power series must therefore agree with
+/// the closed form. Both round. Friction reduces earlier errors, except for a factor at each event.
 #[test]
 fn a_constant_level() {
     let mut compared = 0;
@@ -70,8 +69,8 @@ fn a_constant_level() {
     assert_eq!(compared, 56);
 }
 
-/// A friction force that falls to 0.8 F within a short speed v is nearly Coulomb's law with 0.8 F and μ/0.8. The
-/// difference is of the order of v.
+/// A friction force that falls to 0.8 F up to a small speed v is nearly Coulomb's law with 0.8 F and μ/0.8. The
+/// difference must be of the order of v.
 #[test]
 fn a_sudden_fall() {
     let mut compared = 0;

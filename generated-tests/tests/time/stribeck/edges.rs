@@ -1,11 +1,12 @@
-//! Speeds that just reach a point of the law, extreme numbers, and refused numbers.
+//! Tests speeds that just reach a point of the law, extreme numbers, and refused numbers.
 
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE};
 use crate::stribeck::{follow, lined, scaled, units};
 use frictiongen::kernel::Plain;
 use frictiongen::{Given, OutOfDomain, System, Unsupported};
 
-/// Returns the largest speed of the contact over the first cycles, and the position of the mass after them.
+/// Returns the largest speed of the contact over the first cycles, the position of the mass after them, and the number
+/// of events.
 fn peak(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2]) -> (f64, f64, usize) {
     let ([_, speed], amplitude) = units(&lined(text, 1.2, &[]), r);
     let scene = lined(text, 1.2, &scaled(law, speed));
@@ -19,15 +20,16 @@ fn peak(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2]) -> (f64, f64, usize) 
     (largest, run.run().mass(0).displacement(), calls)
 }
 
-/// The speed has its peak at a point of the law. On either side of the point, and within roundings, the motion changes
-/// only by the effect of the shifted point.
+/// The speed has its peak at a point of the law. If the point is shifted by roundings or a little more, the motion must
+/// change only by the effect of the shift.
 #[test]
 fn a_grazed_point() {
     let mut compared = 0;
     for text in [ONE, WALL, ONE_ON_BASE] {
         let at = [0.8, 0.3];
         let law = |v: f64| [[v, 0.7], [v + 0.5, 0.9]];
-        // The peak changes little with the point, so a fixed-point iteration finds a point that the peak touches.
+        // The peak changes little with the point. A fixed-point iteration therefore finds a point that the peak just
+        // reaches.
         let mut v = 0.5;
         for _ in 0..60 {
             v += 0.5 * (peak(text, &law(v), at).0 - v);
@@ -83,8 +85,8 @@ fn sound<S: Plain>(
     Ok(events)
 }
 
-/// Runs frequencies, friction forces and loads over many decades, in both precisions. No result is NaN, the friction
-/// force keeps its bounds, and every call ends.
+/// Runs frequencies, friction forces and loads over many decades, in both precisions. No result may be NaN, the
+/// friction force must keep its bounds, and every call must end. One in `one_in` cases runs.
 fn far(one_in: usize) -> [usize; 3] {
     let (mut runs, mut refused, mut events) = (0, 0, 0);
     let mut turn = 0;
@@ -120,7 +122,8 @@ fn far(one_in: usize) -> [usize; 3] {
     [runs, events, refused]
 }
 
-/// Every eleventh case runs, because eleven shares no divisor with the numbers of the loops.
+/// Every eleventh case runs. Eleven shares no divisor with the numbers of cases in the loops, so that all kinds of
+/// cases occur.
 #[test]
 fn extremes() {
     let [runs, events, refused] = far(11);
@@ -155,12 +158,12 @@ fn refused() {
             OutOfDomain::LoadAmplitude(Given::of(amplitude))
         );
     }
-    // No number can represent a speed over the speed of the load here.
+    // Here no number can represent a speed over the speed of the load.
     assert_eq!(
         refused(0.5, 0.3, 1e-320),
         OutOfDomain::LoadAmplitude(Given::Positive)
     );
-    // The law ends at once here.
+    // Under this load the speeds of the law are tiny compared with the motion, so that the law is too steep.
     assert_eq!(refused(0.5, 0.3, 1e308), OutOfDomain::Steepness);
     for r in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let given = Given::of(r);
@@ -193,7 +196,7 @@ fn refused() {
     let none = system.simulation_from(0.5, 0.3, (&[0.0; 3], &[0.0; 3]));
     assert_eq!(none.map(drop).expect_err("none"), constant);
     assert_eq!(system.at(0.5).map(drop).expect_err("none"), constant);
-    // The law is nearly vertical.
+    // This law is nearly vertical.
     let steep: System = lined(text, 1.2, &[[1e-9, 1.2]])
         .try_into()
         .expect("a scene");
@@ -225,7 +228,7 @@ fn refused() {
 }
 
 /// The contact of the initial state slides with the speed of a point of the law, and becomes slower or faster. The
-/// point itself decides nothing, so a point next to that speed gives the same motion, in a run and in a stepper.
+/// point itself must decide nothing. A point next to that speed must give the same motion, in a run and in a stepper.
 #[test]
 fn from_a_point() {
     let (x, v) = ([0.002], [0.01]);
@@ -238,7 +241,7 @@ fn from_a_point() {
         };
         let run = |point: f64| {
             let system = system(point);
-            // P/k₁ and ω are 1 up to roundings.
+            // In this scene P/k₁ and ω are 1 up to roundings.
             let (r, scale) = (0.5, 1e-2);
             let speed = scale * r * 20.0;
             let state = ([x[0] / scale], [v[0] / speed]);

@@ -1,13 +1,13 @@
-//! Emitted runs equal those of a run-time system to the last bit.
+//! Tests that emitted runs equal those of a run-time system to the last bit.
 
 use frictiongen::kernel::simulation::Segment;
 use frictiongen::kernel::{Float, Scalar};
 use frictiongen::{Given, OutOfDomain, Run, SimulatesUnder, System};
 
-/// A segment, and the numbers after it as bits.
+/// A segment, and the numbers at its end as bits.
 type Passed<S> = (Segment<S>, [u64; 5]);
 
-/// Returns a hundred segments, each with the state of the contact and of a mass at its end.
+/// Returns a hundred segments of a run, each with the state of the contact and of a mass at its end.
 fn said<F: SimulatesUnder>(
     system: &F,
     [r, beta, amplitude]: [F::Scalar; 3],

@@ -1,5 +1,5 @@
-//! The equations of motion by Runge-Kutta steps of fourth order. A step is cut where the contact meets a point of its
-//! law, stops or breaks away, which bisection finds.
+//! Integrates the equations of motion by Runge-Kutta steps of fourth order. A step ends where the contact reaches a
+//! point of its law, stops or breaks away. Bisection finds that instant.
 
 use crate::stepper::plain::chain::Chain;
 use nalgebra::DVector;
@@ -8,11 +8,11 @@ use nalgebra::DVector;
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Slip {
     Stuck,
-    /// Slides in the direction of this sign, on this line of the law.
+    /// The contact slides in the direction of this sign, on this line of the friction law.
     Slides(f64, usize),
 }
 
-/// A harmonic load on a mass or of the base.
+/// A harmonic load on a mass, or a harmonic motion of the base.
 #[derive(Clone, Copy, Debug)]
 pub struct Load {
     pub on: Option<usize>,
@@ -31,9 +31,9 @@ pub struct Run {
     pub v: DVector<f64>,
     slip: Slip,
     time: f64,
-    /// Number of stops, break-aways and reversals.
+    /// Number of stops, break-aways and reversals since the start.
     pub events: usize,
-    /// Number of times that the speed met a point of the law.
+    /// Number of times that the speed has reached a point of the law.
     pub crossed: usize,
 }
 
@@ -63,7 +63,7 @@ impl Run {
         self.chain.mu * self.load.friction
     }
 
-    /// Returns the base's displacement, velocity and acceleration.
+    /// Returns displacement, velocity and acceleration of the base.
     fn base(&self, time: f64) -> [f64; 3] {
         let Load {
             amplitude,
@@ -82,7 +82,7 @@ impl Run {
         }
     }
 
-    /// Returns M times the acceleration without the contact.
+    /// Returns M times the acceleration of the masses without the contact force.
     fn pull(&self, (x, v): &State, time: f64) -> DVector<f64> {
         let mut sum = -(&self.chain.k * x) - &self.chain.c * v;
         sum += &self.chain.to_base * self.base(time)[0];
@@ -138,8 +138,8 @@ impl Run {
         )
     }
 
-    /// Returns two distances that stay positive while the contact stays in its state: to the bound below and to the
-    /// bound above.
+    /// Returns two distances that stay positive while the contact does not change its state: from the lower bound and
+    /// from the upper bound.
     fn room(&self, state: &State, time: f64) -> [f64; 2] {
         match self.slip {
             Slip::Stuck => {
@@ -157,7 +157,7 @@ impl Run {
 
     /// Advances the run by step `number` of length h.
     pub fn step(&mut self, number: usize, h: f64) {
-        // The time follows from the number, so that no rounding adds up.
+        // The time follows from the number of the step, so that rounding errors do not add up.
         self.time = number as f64 * h;
         let mut left = h;
         while left > 0.0 {
@@ -173,7 +173,7 @@ impl Run {
         let mut length = h;
         let mut met = inside(self, h);
         if met != [true; 2] {
-            // `low` is the last instant before the event, and `high` the first one after it.
+            // `low` is the last instant before the event, and `high` is the first instant after it.
             let (mut low, mut high) = (0.0, h);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
@@ -199,7 +199,7 @@ impl Run {
         self.slip = match self.slip {
             Slip::Stuck => {
                 self.events += 1;
-                // The first side is the bound −μF.
+                // Side 0 is the lower bound −μF.
                 Slip::Slides(if side == 0 { -1.0 } else { 1.0 }, 0)
             }
             Slip::Slides(sign, line) if side == 1 => {

@@ -7,18 +7,18 @@ use std::fmt::Write;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Length of a step in units of √(m/k). A cycle of a block on its spring has 63 steps.
+/// Length of a step in units of √(m/k). A free oscillation of one mass has 63 steps in a cycle.
 const STEP: f64 = 0.1;
-/// Number of steps that are searched for events.
+/// Number of steps in which the program looks for steps with and without an event.
 const STEPS: usize = 2000;
 /// Number of steps of each kind that are timed.
 const TIMED: usize = 40;
-/// Number of repetitions of each step, all from the same state.
+/// Number of repetitions of each timed step. Each repetition starts from the same state.
 const REPEATS: u32 = 200;
-/// Amplitudes of the load over the friction force: a usual one and a violent one.
+/// Amplitudes of the load over the friction force: a usual one and a very large one.
 const LOADS: [f64; 2] = [3.0, 1e4];
 
-/// Returns the nanoseconds of a step from a given state, without the time to copy the state.
+/// Returns the time of a step from a given state in ns, without the time to copy the state.
 fn time<T: Clone>(state: &T, mut advance: impl FnMut(&mut T)) -> f64 {
     let mut of = |steps: bool| {
         let times = (0..7).map(|_| {
@@ -37,8 +37,8 @@ fn time<T: Clone>(state: &T, mut advance: impl FnMut(&mut T)) -> f64 {
     1e9 * (of(true) - of(false)) / f64::from(REPEATS)
 }
 
-/// Returns the median times of steps without event and with one event, then the time of the slowest step under violent
-/// loads and its number of events.
+/// Returns three times in ns: the median of steps without an event, the median of steps with one event, and the slowest
+/// step under the very large load. Also returns the number of events of the slowest step.
 fn kinds<T: Clone>(start: &T, advance: impl Fn(&mut T, f64) -> u32) -> (f64, f64, f64, u32) {
     let mut noise = Random(7);
     let (mut stepper, mut seen) = (start.clone(), [Vec::new(), Vec::new()]);

@@ -1,5 +1,5 @@
-//! The stepper compared with usual fixed-step integrators: error against the exact steady state, nanoseconds a step,
-//! and stops. A second table has the times of a step without event, with one event, and of the slowest step.
+//! Compares the stepper with usual fixed-step integrators: error against the exact steady state, nanoseconds per step,
+//! and stops. A second table has the times of a step without event, of a step with one event, and of the slowest step.
 //! `step_trade [--untimed] PAGE` rewrites the tables between the marks of the page.
 
 mod kinds;
@@ -30,12 +30,12 @@ const IN_C: [(&str, &str); 4] = [
 struct Exact {
     amplitude: f64,
     stops: usize,
-    /// Displacement at the end of each step of a cycle, for each number of steps.
+    /// Displacement at the end of each step of a cycle, one list for each number of steps.
     displacements: [Vec<f64>; 3],
 }
 
 impl Exact {
-    /// Returns the largest deviation at the ends of the steps, over the amplitude.
+    /// Returns the largest deviation of a run at the ends of its steps, over the amplitude.
     fn error(&self, which: usize, run: &Run) -> f64 {
         let pairs = self.displacements[which].iter().zip(&run.displacements);
         pairs.fold(0.0, |worst: f64, (want, found)| {
@@ -49,7 +49,7 @@ impl Exact {
     }
 }
 
-/// Runs a stepper, given by the names of its type and of its input, at a point.
+/// Runs a stepper at a point. The arguments name the stepper's type and the type of its input.
 macro_rules! stepper {
     ($frame:ident, $input:ident, $point:expr, $steps:expr, $runs:expr, $hold:literal) => {{
         let beta = $point.beta;

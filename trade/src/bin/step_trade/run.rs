@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use std::process::Command;
 use std::time::Instant;
 
-/// Point at which a method runs.
+/// Point (number of masses, r, β) at which a method runs.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
     /// Number of masses.
@@ -28,23 +28,23 @@ impl Point {
 /// Result of a run, from its last cycle.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Nanoseconds a step, the median of the runs.
+    /// Time of a step in ns, the median over the repeated runs.
     pub time: f64,
-    /// Number of stops of the contact.
+    /// Number of stops of the contact in the last cycle.
     pub stops: usize,
-    /// Displacement of the contact at the end of each step.
+    /// Displacement of the contact at the end of each step of the last cycle.
     pub displacements: Vec<f64>,
 }
 
-/// Returns the median.
+/// Returns the median of times.
 pub fn median(mut times: Vec<f64>) -> f64 {
     times.sort_by(f64::total_cmp);
     times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// Runs a stepper of this library. `make` creates one, `advance` takes a step under a force and returns the number of
-/// events, and `place` returns the displacement of the contact. Every stop is followed by a break-away, and no point
-/// has reversals. Half of the events are therefore stops.
+/// Runs a stepper of this library. `make` creates one. `advance` takes a step under a force and returns the number of
+/// events. `place` returns the displacement of the contact. Every stop is followed by a break-away, and no point has
+/// reversals, so that half of the events are stops.
 pub fn ours<T>(
     point: &Point,
     (steps, runs, hold): (usize, usize, bool),
@@ -52,7 +52,8 @@ pub fn ours<T>(
     advance: impl Fn(&mut T, f64) -> u32,
     place: impl Fn(&T) -> f64,
 ) -> Run {
-    // A force that is constant within a step is taken at the start of the step, a linear one at its end.
+    // If the force is constant within a step, it has the value at the start of the step. If it is linear, it reaches
+    // the value at the end.
     let first = usize::from(!hold);
     let forces: Vec<f64> = (first..first + steps)
         .map(|step| (TAU * step as f64 / steps as f64).cos())
@@ -83,7 +84,7 @@ pub fn ours<T>(
     }
 }
 
-/// Runs a method in C, which has its own clock.
+/// Runs a method in C. The C program measures its own time.
 #[cfg(with_c)]
 pub fn in_c(method: &str, point: &Point, steps: usize, runs: usize) -> Option<Run> {
     let contact = point.masses;

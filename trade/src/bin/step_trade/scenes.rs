@@ -1,4 +1,4 @@
-//! Chains of equal masses and springs. The last mass rubs on the wall, the first one is excited.
+//! Chains of equal masses and springs. The last mass rubs on the wall, and the first one is excited.
 
 /// Rayleigh coefficients of the mass matrix and of the stiffness matrix in the scenes below, in units of m and k.
 pub const RAYLEIGH: [f64; 2] = [0.02, 0.02];

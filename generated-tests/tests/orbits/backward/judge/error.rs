@@ -1,4 +1,4 @@
-//! The error of an answer against the exact value.
+//! Computes the error of an answer against the exact value.
 
 use super::Answer;
 use frictiongen_kernel::number::complex;
@@ -24,13 +24,13 @@ pub(super) fn same(a: Complex<Dd>, b: Complex<Dd>) -> bool {
     a.re == b.re && a.im == b.im
 }
 
-/// Returns whether an answer is an infinite limit. A limit grows without bound near a zero of its denominator, so its
-/// reciprocal is compared there.
+/// Returns true if an answer is a limit and may be infinite. Near a zero of its denominator a limit grows without
+/// bound, so that its reciprocal is compared.
 pub(super) fn may_be_infinite(answer: &Answer) -> bool {
     answer.watched.asked.is_limit() && answer.got.re.to_f64() == f64::INFINITY
 }
 
-/// Returns the error of an answer. For a limit that is infinite the error is 1/got − 1/exact, multiplied by exact².
+/// Returns the error of an answer. For a limit that may be infinite it is 1/got − 1/exact, multiplied by exact².
 pub(super) fn error(answer: &Answer, exact: Complex<Dd>) -> Complex<Dd> {
     let (got, zero) = (answer.got, Dd::from(0.0));
     if may_be_infinite(answer) {
@@ -42,7 +42,7 @@ pub(super) fn error(answer: &Answer, exact: Complex<Dd>) -> Complex<Dd> {
     }
 }
 
-/// Returns the sign of the derivatives of an answer in [`error`].
+/// Returns the sign with which derivatives of an answer enter [`error`].
 pub(super) fn sense(answer: &Answer) -> f64 {
     if may_be_infinite(answer) { -1.0 } else { 1.0 }
 }

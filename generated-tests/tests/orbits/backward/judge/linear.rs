@@ -13,11 +13,11 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use generated_tests::data::DataAt;
 
-/// Weight of the residual of an input in such a step. The weight of an answer is 1.
+/// Weight of the residual of an input in a step of the fit. The weight of an answer is 1.
 const STILL: f64 = 1e-4;
-/// Weight of an answer that is below the bar.
+/// Weight of an answer whose error is below the bar.
 const IDLE: f64 = 1e-100;
-/// The columns of r, β and τ come first, then those of the description.
+/// Indices of the columns: r, β and τ come first, then the numbers of the description.
 const RATIO: usize = 0;
 pub(super) const BETA: usize = 1;
 const TAU: usize = 2;
@@ -36,9 +36,9 @@ impl Linear {
         fit(&self.a, &self.b, bar)
     }
 
-    /// Returns the step from the displacement of these derivatives to the displacement of the next ones. Each answer
-    /// above the bar is weighted by its sensitivity to the inputs, so that the curvature of the worst answer does not
-    /// outweigh the others.
+    /// Returns the step from one displacement of the inputs to the next one, at which derivatives are evaluated again.
+    /// Each answer above the bar is weighted by its sensitivity to the inputs, so that the curvature of the worst
+    /// answer does not outweigh the others.
     pub fn step(&self, to: &[f64], bar: f64) -> Option<Vec<f64>> {
         let rest = self.a.iter().zip(&self.b).map(|(row, b)| {
             let there = row.iter().zip(to);
@@ -71,7 +71,7 @@ impl Linear {
         self.a.iter().map(sum).fold(1.0, f64::max)
     }
 
-    /// Computes k of every answer alone, |b|/(1 + Σ|a|).
+    /// Computes the backward error k of every answer taken alone, |b|/(1 + Σ|a|).
     pub fn each_alone(&self, told: &[Answer], judged: &mut [Judged]) {
         let mut rows = self.a.iter().zip(&self.b);
         for (answer, judged) in told.iter().zip(judged) {
@@ -93,7 +93,8 @@ impl Linear {
 }
 
 impl Judge<'_> {
-    /// Returns the equations about inputs displaced by these roundings. `every` selects all inputs, or only r, β and τ.
+    /// Returns the equations of the fit at displaced inputs. `to` is the displacement in roundings. `every` selects all
+    /// inputs, or only r, β and τ.
     pub(super) fn linear(
         &self,
         told: &[Answer],
@@ -121,7 +122,8 @@ impl Judge<'_> {
             let follow = |watched: &Watched<Dd>| follow(&at, &place, *watched, self.epsilon);
             let questions: Vec<_> = here.iter().map(follow).collect();
             let moved = answers(&at, &place, &questions);
-            // Some exact values are known better than by the formulas. The displaced value keeps that correction.
+            // Some exact values are more accurate than the formulas in double-double. The value at the displaced inputs
+            // keeps that difference.
             let better = exact.iter().zip(self.exact(&here));
             let there = moved.iter().zip(better).map(|(moved, (exact, here))| {
                 Complex::new(
@@ -168,7 +170,7 @@ impl Judge<'_> {
         linear
     }
 
-    /// Returns x ∂f/∂x of every question, for every input x.
+    /// Returns x ∂f/∂x of every question f, for every input x.
     fn columns(
         &self,
         modal: &Modal,
@@ -212,7 +214,7 @@ impl Judge<'_> {
     }
 }
 
-/// Returns the same question at another r and β, with the instant of its maximum there.
+/// Returns the same question at another r and β, with the instant of its maximum at that r and β.
 fn follow(
     at: &DataAt<'_, Dd>,
     place: &Place<Dd>,

@@ -24,15 +24,16 @@ use generated_tests::data::{Data, DataAt};
 use linear::Linear;
 use turning::Turning;
 
-/// Up to this number of roundings an answer needs no displaced input.
+/// Number of roundings up to which an error needs no displaced input as an explanation.
 pub const PLAIN: f64 = 4.0;
 /// Upper bound on the error of any answer, in roundings. A stuck response is a difference of free responses, which may
 /// be larger by this factor.
 const MOST: f64 = 4096.0;
-/// Condition above which the answers of a place need not share one displacement. They come from different sums, and the
-/// condition magnifies the rounding of each. Each answer alone must still have a displacement.
+/// Condition above which the answers of a place need not share one displacement. The answers are different sums, and
+/// the condition magnifies the rounding of each sum. Each answer alone must still have a displacement.
 const AGREEING: f64 = 100.0;
-/// Number of evaluations of the derivatives: `FEW_TURNS` for r, β and τ, then `TURNS` for every input.
+/// Number of times that the derivatives are evaluated: `FEW_TURNS` times for r, β and τ alone, then `TURNS` times for
+/// every input.
 const FEW_TURNS: usize = 6;
 const TURNS: usize = 12;
 
@@ -43,33 +44,33 @@ pub struct Answer {
     pub watched: Watched<Dd>,
     /// The answer that was returned.
     pub got: Complex<Dd>,
-    /// True if double-double has searched for the instant itself.
+    /// True if the test has found the instant by its own search in double-double.
     pub searched: bool,
-    /// Size in whose roundings the error is counted where answers are explained.
+    /// Size by whose roundings the error is measured when a displacement of the inputs must explain it.
     pub size: Dd,
-    /// The answer's own size, or a thousandth of the largest motion if that is larger.
+    /// The larger of two sizes: the answer's own size, and a thousandth of the largest motion.
     pub strict: Dd,
     /// The answer's own size.
     pub own: Dd,
 }
 
-/// Errors of one answer.
+/// Errors of one answer, measured in several ways.
 #[derive(Clone, Copy, Debug)]
 pub struct Judged {
     /// The exact answer.
     pub exact: Complex<Dd>,
-    /// Error in roundings of its size.
+    /// Error in roundings of `Answer::size`.
     pub direct: f64,
-    /// Error in roundings of its strict size.
+    /// Error in roundings of `Answer::strict`.
     pub strict: f64,
-    /// Error in roundings of its own size.
+    /// Error in roundings of `Answer::own`.
     pub of_its_own: f64,
-    /// Backward error in roundings of the inputs, if this were the only answer of its place.
+    /// Backward error, in roundings of the inputs, if this answer is taken alone.
     pub alone: f64,
 }
 
 impl Judged {
-    /// Returns whether the answer belongs to a motion below a thousandth of the largest.
+    /// Returns true if the answer belongs to a motion below a thousandth of the largest motion.
     pub fn is_far(&self, answer: &Answer) -> bool {
         answer.own < answer.strict
     }
@@ -88,26 +89,26 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Returns whether the place keeps the bar: every answer alone, and all answers together unless their condition is
-    /// large.
+    /// Returns true if the place is accepted. Every answer alone must be within the bar. All answers together must be,
+    /// unless their condition is large.
     pub fn keeps(&self, bar: f64) -> bool {
         self.alone <= bar && (self.together <= bar || AGREEING < self.condition)
     }
 
-    /// Returns whether an answer is off by more than any displacement can explain, or is NaN.
+    /// Returns true if an answer has an error larger than any displacement can explain, or is NaN.
     pub fn is_wrong(&self) -> bool {
         !(self.alone <= MOST)
     }
 }
 
-/// Judge of the answers at one place of a scene.
+/// Judges the answers at one place of a scene.
 pub struct Judge<'a> {
     exact: &'a Exact,
     place: Place<Dd>,
     at: DataAt<'a, Dd>,
     epsilon: f64,
     bar: f64,
-    /// Number of times that the derivatives are evaluated again, for few inputs and for all.
+    /// Number of times that the derivatives are evaluated again, for r, β and τ alone and for all inputs.
     turns: [usize; 2],
 }
 
@@ -124,8 +125,8 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Restricts the fit to the derivatives at the place itself, which is enough where a thousand roundings are a small
-    /// distance.
+    /// Restricts the fit to the derivatives at the place itself. They are enough if a thousand roundings of the inputs
+    /// are a small distance.
     pub fn at_once(self) -> Self {
         Self {
             turns: [0, 0],
@@ -133,7 +134,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Returns the scene's own data.
+    /// Returns the data of the scene, not displaced.
     pub fn data(&self) -> &'a Data<Dd> {
         &self.exact.data
     }
@@ -200,7 +201,7 @@ impl<'a> Judge<'a> {
         for group in [Group::Motion, Group::Harmonics] {
             let of_group: Vec<usize> = (0..told.len())
                 .filter(|index| Group::of(told[*index].watched.asked) == group)
-                // An answer of 0 whose exact value is 0 needs no displacement.
+                // An answer of 0 whose exact value is 0 has no error to explain.
                 .filter(|index| judged[*index].direct != 0.0 || !told[*index].size.is_zero())
                 .collect();
             let pick = |index: &usize| told[*index];
@@ -233,7 +234,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Returns the smallest k found, and the condition of the place. The fit first displaces r, β and τ alone, which is
-    /// cheap, and then every input. It evaluates the derivatives again at the result of the last step.
+    /// cheap, and then all inputs. Each time it evaluates the derivatives again at the result of the last step.
     fn explained(
         &self,
         told: &[Answer],
@@ -245,7 +246,7 @@ impl<'a> Judge<'a> {
             linear.fitted(self.bar)
         };
         let (mut best, mut condition) = (f64::INFINITY, 1.0);
-        // At most places the derivatives at the place itself suffice.
+        // At most places the derivatives at the place itself are enough.
         let mut here = Vec::new();
         for every in [false, true] {
             let linear = self.linear(told, exact, &[], every);
@@ -275,11 +276,12 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// Groups of answers, each of which one displacement must explain.
+/// A group of answers that one displacement must explain together.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Group {
     Motion,
-    /// The fundamental is computed from whole responses and not from the motion, so it forms its own group.
+    /// The fundamental. It is computed from whole responses and not from the motion, so that it forms a group of its
+    /// own.
     Harmonics,
 }
 

@@ -1,4 +1,4 @@
-//! Search for maxima by evaluation at instants all over the half period.
+//! Searches for maxima by evaluation at instants all over the half period.
 
 use super::BAR;
 use crate::backward::asked::{Asked, Of, Place, motion};
@@ -9,10 +9,10 @@ use frictiongen_kernel::number::dd::Dd;
 /// Largest ratio of a natural frequency to the excitation frequency for which the brute-force search is short enough.
 pub(super) const FASTEST: f64 = 60.0;
 
-/// Searches for larger values at instants all over the half period, and judges the answers by the values found.
+/// Searches for larger values at instants all over the half period. Judges the answers by the values found.
 ///
-/// The search runs in double precision first, and then closer in double-double. If the code under test has searched in
-/// double-double itself, its value must be the largest.
+/// The search runs in double precision first, and then on a finer grid in double-double. If double-double has also
+/// searched for the maximum by the library's method, that maximum must be the largest value.
 pub(super) fn by_force<S: Float>(
     judge: &Judge<'_>,
     told: &mut [Answer],
@@ -27,7 +27,7 @@ pub(super) fn by_force<S: Float>(
         let higher = |best: (f64, f64), one: (f64, f64)| if best.0 < one.0 { one } else { best };
         let mut about = Dd::from(all.fold((0.0, 0.0), higher).1);
         let mut value = of(about);
-        // The search then closes in on the maximum, with steps that are halved each time.
+        // The search then approaches the maximum, with steps that are halved each time.
         let mut width = Dd::from(step);
         for _ in 0..24 {
             width = width * Dd::from(0.5);

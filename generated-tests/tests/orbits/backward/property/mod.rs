@@ -61,20 +61,21 @@ fn run<S: Float>(scenes: &[u64], range: &Range, exact: impl Fn(S) -> Dd + Copy +
     })
 }
 
-/// Number of kinds of answers in a run of some length.
+/// Number of kinds of answers that occur in a long run.
 const KINDS: usize = 17;
-/// Upper bounds of a run, as fractions of its places.
+/// Upper bounds on fractions of the places of a run.
 struct Shares {
-    /// Places above the bar. They are stuck responses that are differences of larger free responses, and places whose
-    /// condition is near the largest at which all answers must agree.
+    /// Places above the bar. There are two kinds: stuck responses that are differences of larger free responses, and
+    /// places whose condition is near the largest one at which all answers must agree.
     above: f64,
     /// Places without a common displacement, all of them with a condition above 100.
     disagreeing: f64,
-    /// Places without any explanation. Either no digit of the contact's force is known, not even in double-double. Or r
-    /// lies within a rounding of a resonance, and this rounding decides whether the contact moves.
+    /// Places without any explanation, for one of two reasons. No digit of the contact's force may be known, not even
+    /// in double-double. Or r lies within a rounding of a resonance, and this rounding decides whether the contact
+    /// moves.
     wrong: f64,
 }
-/// In a hundred places a single one is a larger fraction than in thousands.
+/// Bounds of a short run. One place in a hundred is a larger fraction than one place in thousands.
 const FEW: Shares = Shares {
     above: 0.0,
     disagreeing: 0.04,
@@ -89,7 +90,7 @@ const MANY: Shares = Shares {
 /// Prints a run and asserts its bounds.
 fn report(title: &str, tally: &Tally, most: &Shares) {
     tally.print(title);
-    // Only few places ask for the limit per mode.
+    // The limit per mode may be missing, because few places ask for it.
     assert!(KINDS - 1 <= tally.counts().count(), "a kind is missing");
     let [above, disagreeing, wrong] = tally.shares();
     assert!(

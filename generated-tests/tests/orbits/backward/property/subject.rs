@@ -20,8 +20,8 @@ pub const DOUBLE: Range = Range {
     exponents: 300.0,
     decades: 3.0,
 };
-/// Ranges for single precision. Far masses of a chain move by r⁻² per link, so that in f32 nothing of their motion is
-/// left beyond this range.
+/// Ranges for single precision. A far mass of a chain moves by r⁻² for each link between it and the load. Beyond this
+/// range nothing of its motion is left in f32.
 pub const SINGLE: Range = Range {
     exponents: 20.0,
     decades: 1.0,
@@ -36,7 +36,7 @@ pub struct Subject<S> {
 }
 
 impl<S: Float> Subject<S> {
-    /// Returns the scene of a seed, or nothing if the scene is refused.
+    /// Returns the scene of a seed, or `None` if the scene is refused.
     pub fn of(seed: u64, range: &Range) -> Option<Self> {
         let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5851_F42D);
         let text = scene(&mut random, range.decades);
@@ -50,8 +50,8 @@ impl<S: Float> Subject<S> {
         })
     }
 
-    /// Draws the next place. r lies anywhere, or near a resonance or a fraction of one. β lies anywhere up to the
-    /// limit, or near it.
+    /// Draws the next place. r lies anywhere, near a resonance, or near a fraction of a resonance. β lies anywhere up
+    /// to the limit, or near the limit.
     pub fn place(&mut self, range: &Range) -> (S, impl Fn(&mut Self, S) -> Place<S> + use<S>) {
         let random = &mut self.random;
         let resonances = &self.system.modal().resonances;

@@ -12,30 +12,31 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::data::Data;
 
-/// Spacing, in places, of the searches for maxima in double-double.
+/// Double-double searches for the maxima itself at every place with this spacing.
 const SEARCHED: u64 = 16;
-/// Largest ratio of a natural frequency to r at which double-double searches.
+/// Largest ratio of a natural frequency to r up to which double-double searches.
 const SEARCHABLE: f64 = 1e3;
-/// Spacing, in places, of the brute-force searches for maxima.
+/// The brute-force search runs at every place with this spacing.
 const BY_FORCE: u64 = 8;
-/// Spacing, in places, of the questions for the limit per mode, each of which needs many searches.
+/// The test asks for the limit per mode at every place with this spacing, because that limit needs many searches.
 const PER_MODE: u64 = 256;
-/// Spacing, in places, of the questions to every mass.
+/// The test asks for the motion of every mass at every place with this spacing.
 const EVERY_MASS: u64 = 16;
-/// Largest rounding of r in an angle of the fastest mode. Beyond it no digit of U and S is known.
+/// Largest change, in rad, of the fastest mode's angle by a rounding of r. With a larger change no digit of U and S is
+/// known.
 const SLOW: f64 = 1e-3;
-/// Largest fraction of V that may be rounding. With more rounding no digit is known of a mass's motion, because its
-/// phase counts from the contact's.
+/// Largest fraction of V that may be rounding. With a larger fraction no digit of a mass's motion is known, because its
+/// phase counts from the contact's phase.
 const LOST: f64 = 1e-2;
 
-/// A place whose answers are to be judged.
+/// A place of a random scene, at which all questions are asked.
 pub struct Asking<'s, S> {
     pub subject: &'s Subject<S>,
     pub point: u64,
     pub mass: usize,
 }
 
-/// Returns all answers of a system at one place, or nothing if the place is skipped.
+/// Returns all answers of a system at one place, or `None` if the place is skipped.
 pub fn told<'e, S: Float>(
     asking: &Asking<'e, S>,
     place: &Place<S>,
@@ -70,7 +71,7 @@ pub fn told<'e, S: Float>(
     if !questions.stuck(&at, &asked, masses) {
         tally.skip("a resonance of the stuck chain");
     }
-    // In so slow a motion every angle is below the rounding of r, so that U and S may have any value.
+    // If the motion is this slow, every angle is below the rounding of r. U and S may then have any value.
     let zero = S::constant(0.0);
     let (continuous, without) = (at.continuous_limit(), at.continuous_limit_without_search());
     let nearly = S::constant(1.0 + BAR * S::EPSILON);
@@ -88,7 +89,7 @@ pub fn told<'e, S: Float>(
             questions.limits(&at, first(&found), number.is_multiple_of(PER_MODE));
         }
         match at.motion(place.beta) {
-            // Only rounding is left of V.
+            // V consists of rounding only.
             _ if questions.faint() * S::EPSILON > LOST => {
                 tally.skip("a contact that the load does not reach to rounding");
             }

@@ -1,5 +1,5 @@
-//! Steady states compared with `reference/orbits_more.json`, made by an integrator that shares no code with this
-//! project (`reference/tools`). The references are asymmetric, subharmonic, unstable or marginal, or have many
+//! Compares steady states with `reference/orbits_more.json`. An integrator that shares no code with this project made
+//! it (`reference/tools`). The references are asymmetric, subharmonic, unstable or marginal states, or states with many
 //! segments.
 //!
 //! This module has the tests. `points` reads the references, and `values` compares them.
@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use values::{Tally, all_motions, all_values, bars};
 
-/// Tolerance for a motion that approaches its limit as 1/√n, extrapolated from 4096 cycles.
+/// Tolerance for a motion that approaches its limit as 1/√n and is extrapolated from 4096 cycles.
 const CONTINUED: f64 = 2e-6;
 
 fn reported(point: &Point) -> bool {
@@ -23,7 +23,7 @@ fn reported(point: &Point) -> bool {
         && count(&point.expected["segments"]) <= 64
 }
 
-/// States that repeat after one cycle.
+/// Compares states that repeat after one cycle.
 #[test]
 fn of_one_cycle() {
     let points = points(reported);
@@ -46,7 +46,7 @@ fn of_one_cycle() {
     tally.end(bars);
 }
 
-/// τ counts from the largest of several maxima of z̄.
+/// If z̄ has several maxima, τ must count from the largest one.
 #[test]
 fn counted_from_the_largest() {
     let several = |point: &Point| {
@@ -62,7 +62,7 @@ fn counted_from_the_largest() {
         let start = contact.displacement(0.0);
         let samples = (0..2000).map(|k| contact.displacement(TAU * f64::from(k) / 2000.0));
         let largest = samples.fold(f64::MIN, f64::max);
-        // A sample exceeds the maximum at most by rounding.
+        // A sample must not exceed the maximum by more than rounding.
         assert!(
             largest <= start + 1e-12 * start.abs().max(1.0),
             "{what}: {largest} above {start}"
@@ -103,7 +103,7 @@ fn the_rule_matters() {
     assert!(other >= 20);
 }
 
-/// States that repeat after several cycles.
+/// Compares states that repeat after several cycles.
 #[test]
 fn of_several_cycles() {
     let mut tally = Tally::default();
@@ -111,20 +111,21 @@ fn of_several_cycles() {
     for point in points(|point| point.kind() == "steady" && count(&point.expected["period"]) > 1) {
         all_values(&point, &mut tally);
         *told.entry(count(&point.expected["period"])).or_insert(0) += 1;
-        // The motion has more segments than the orbit can store, so some are computed again on request.
+        // The motion has more segments than the orbit can store, so that some are computed again when they are asked
+        // for.
         followed += usize::from(count(&point.expected["segments"]) > 64);
     }
     println!("periods and how many: {told:?}; {followed} of more than 64 segments");
     assert!(told.len() >= 12 && told.values().sum::<usize>() >= 40 && followed >= 10);
     tally.end(|kind| match kind {
-        // Central differences lose more digits over this number of stops.
+        // Over this number of stops, central differences lose more digits.
         "multiplier" => 1e-3,
         _ => bars(kind),
     });
 }
 
-/// An orbit from which deviations grow is reported as unstable if the motion starts on it. Motion from rest is also
-/// unstable where it neither repeats nor settles.
+/// A motion that starts on an unstable orbit must be reported as unstable. Motion from rest is also unstable if it
+/// neither repeats nor settles.
 #[test]
 fn unstable() {
     let points = points(|point| point.kind() == "unstable");
@@ -146,7 +147,8 @@ fn unstable() {
                 assert!(!seen.is_settled() && !seen.is_stable(), "{what}");
                 let largest = largest_seen(point);
                 let amplitude = seen.contact().amplitude();
-                // The motion has no period, and the run has its largest value in other cycles.
+                // The motion has no period. The largest value of the run may lie in cycles that the orbit does not
+                // have.
                 assert!(
                     (amplitude / largest - 1.0).abs() < 0.25,
                     "{what}: {amplitude}, {largest}"
@@ -162,7 +164,7 @@ fn unstable() {
             .collect();
         let (x, v) = state.split_at(state.len() / 2);
         match at.orbit_from(point.beta, (x, v)) {
-            // Rounding grows on the unstable orbit, and may lead to the period that motion from rest reaches.
+            // Rounding grows on the unstable orbit, and may lead to the state that motion from rest reaches.
             Ok(orbit) => {
                 let rest = point.orbit().expect("what the motion from rest tends to");
                 assert!(orbit.period() > 16 && orbit.is_stable(), "{what}");
@@ -228,7 +230,7 @@ fn too_many_events() {
     println!("{} states of more than 64 segments", points.len());
 }
 
-/// States that a motion approaches while its stops shrink for ever.
+/// Compares states that a motion approaches while its stops become ever shorter.
 #[test]
 fn marginal() {
     let points = points(|point| point.kind() == "marginal");

@@ -1,4 +1,4 @@
-//! The references, each with its system.
+//! Reads the references, and pairs each with its system.
 
 use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{NoOrbit, System};
@@ -16,7 +16,7 @@ fn references() -> Vec<Value> {
     serde_json::from_str(include_str!("../../../../reference/orbits_more.json")).expect("JSON")
 }
 
-/// A reference with its system and point.
+/// A reference state with its system, r and β.
 pub struct Point {
     pub expected: Value,
     pub system: System,

@@ -6,15 +6,15 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
-/// Tolerance for values. The reference ends Newton's method at 1e-14 to 1e-12 of the state, and rounds the time of each
-/// event to 1e-15 over the slope of the velocity. The tolerance is twenty times the resulting error.
+/// Tolerance for values. The reference ends Newton's method at a step of 1e-14 to 1e-12 of the state. It rounds the
+/// time of each event to 1e-15 over the slope of the velocity. The tolerance is twenty times the resulting error.
 const TOLERANCE: f64 = 1e-11;
-/// Tolerance for phases. The instant of a maximum has half the digits of its value, or those of an event.
+/// Tolerance for phases, in rad. The instant of a maximum has half the digits of its value, or the digits of an event.
 const PHASES: f64 = 1e-7;
-/// Tolerance for multipliers, which the reference has from central differences over 1e-6 of the state.
+/// Tolerance for multipliers. The reference computes them by central differences over 1e-6 of the state.
 const MULTIPLIERS: f64 = 1e-4;
 
-/// Numbers of compared and skipped values, and the worst error of each kind.
+/// Numbers of compared and skipped values, and the worst error of each kind of value.
 #[derive(Default)]
 pub struct Tally {
     compared: usize,
@@ -37,7 +37,7 @@ impl Tally {
         *self.skipped.entry(why).or_insert(0) += 1;
     }
 
-    /// Prints the results, and asserts that every kind is within its tolerance.
+    /// Prints the results, and asserts that every kind of value is within its tolerance.
     pub fn end(&self, bar: impl Fn(&str) -> f64) {
         println!(
             "{} values compared, skipped: {:?}",

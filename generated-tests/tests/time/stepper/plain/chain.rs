@@ -1,12 +1,13 @@
-//! A scene as matrices, in the units of its description.
+//! A scene as matrices, in SI units or the other units of its description.
 
 use frictiongen_model::scene::{Damping, Excitation, Node, Scene};
 use nalgebra::{DMatrix, DVector};
 
-/// The equations Mẍ + Cẋ + Kx + w f = p(t) + k_base y(t), and z = wᵀx − s y.
+/// The equations of motion Mẍ + Cẋ + Kx + w f = p(t) + k_base y(t), with z = wᵀx − s y. f is the contact force, and y
+/// the displacement of the base.
 #[derive(Clone, Debug)]
 pub struct Chain {
-    /// Values of the masses.
+    /// The masses, the diagonal of M.
     pub m: DVector<f64>,
     pub c: DMatrix<f64>,
     pub k: DMatrix<f64>,
@@ -14,20 +15,21 @@ pub struct Chain {
     pub w: DVector<f64>,
     /// 1 if the contact rubs on the moving base, otherwise 0.
     pub s: f64,
-    /// Stiffness of the springs from each mass to the base.
+    /// Stiffness k_base of the springs from each mass to the base.
     pub to_base: DVector<f64>,
     /// Inverse effective mass of the contact, wᵀM⁻¹w.
     pub inverse_mass: f64,
     /// Ratio of static to kinetic friction force.
     pub mu: f64,
-    /// Kinetic friction force over F at speeds: (0, 1), then the law's points.
+    /// Points (speed, kinetic friction force over F): (0, 1), then the points of the law.
     pub law: Vec<[f64; 2]>,
-    /// Largest rate of any motion, in 1/s.
+    /// Largest rate of any motion of the chain, in 1/s.
     pub fastest: f64,
 }
 
 impl Chain {
-    /// Returns the matrices of a scene. `law` has the points of a kinetic friction force that depends on the speed.
+    /// Returns the matrices of a scene. `law` has the points of a kinetic friction force that depends on the speed. It
+    /// is empty for Coulomb's law.
     pub fn of(scene: &Scene, law: &[[f64; 2]]) -> Self {
         let n = scene.masses.len();
         let m: DVector<f64> = DVector::from_iterator(n, scene.masses.iter().map(|mass| mass.value));
@@ -72,7 +74,7 @@ impl Chain {
             }
             _ => {
                 for (mode, column) in order.iter().enumerate() {
-                    // The eigenvectors become Mφ with φᵀMφ = 1.
+                    // The eigenvectors are scaled to Mφ with φᵀMφ = 1.
                     let shape = eigen.eigenvectors.column(*column).component_mul(&root);
                     c += &shape * shape.transpose() * (2.0 * zeta(mode) * omega[mode]);
                 }
@@ -98,7 +100,8 @@ impl Chain {
         }
     }
 
-    /// Returns the largest rate including the slopes of the law, which depend on F.
+    /// Returns the largest rate of any motion, including the effect of the law's slopes. These slopes are proportional
+    /// to F.
     pub fn rate(&self, friction: f64) -> f64 {
         let slopes = self.law.windows(2).map(|ends| {
             let [[v0, f0], [v1, f1]] = [ends[0], ends[1]];

@@ -1,8 +1,8 @@
-//! The motion in time, by an integrator that shares no code with this project.
+//! Integrates the motion in time, with an integrator that shares no code with this project.
 //!
-//! The displacements of the masses are Taylor series of the equations of motion with dense matrices. The force in a
-//! stuck contact follows from the constraint. Events are zeros of polynomials, found with bounds that exclude intervals
-//! without a zero.
+//! The displacements of the masses are Taylor series that follow from the equations of motion with dense matrices. The
+//! force in a stuck contact follows from the constraint. Events are zeros of polynomials. Bounds exclude intervals
+//! without a zero, so that no zero is missed.
 //!
 //! A step is divided into sub-steps. The sub-steps are so short, and the series so long, that the remainder is below
 //! rounding.
@@ -18,8 +18,8 @@ use zeros::{first, shifted, slope, value};
 /// Largest length of a sub-step, in radians of the fastest mode.
 const PART: f64 = 0.4;
 
-/// Returns the number of terms of a series over this angle of the fastest mode. The remainder is below 1e-22 of the
-/// motion.
+/// Returns the number of terms of a series over a sub-step in which the fastest mode turns by `radians`. The remainder
+/// is below 1e-22 of the motion.
 fn order(radians: f64) -> usize {
     let (mut term, mut order) = (1.0, 0);
     while term > 1e-22 || order < 5 {
@@ -33,14 +33,14 @@ fn order(radians: f64) -> usize {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Slip {
     Stuck,
-    /// Slides in the direction of this sign, on this line of the law.
+    /// The contact slides in the direction of this sign, on this line of the friction law.
     Slides(f64, usize),
 }
 
-/// Input over one step, as polynomials of the time since its start.
+/// The input over one step, as polynomials of the time since the start of the step.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// Force on each mass: value and slope.
+    /// Force on each mass: its value at the start and its slope.
     pub forces: Vec<[f64; 2]>,
     /// Displacement of the base.
     pub base: [f64; 4],
@@ -48,12 +48,13 @@ pub struct Input {
     pub friction: f64,
 }
 
-/// Work in J since the start.
+/// Work and losses in J since the start of the run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Work {
-    /// Work of the forces, ∫ p ẋ, and of the base through its springs, ∫ (k_base y) ẋ, which has no potential.
+    /// Work of the forces, ∫ p ẋ, and of the base through its springs, ∫ (k_base y) ẋ. The force k_base y has no
+    /// potential, because y is prescribed.
     pub load: f64,
-    /// Work into the contact, ∫ f ż.
+    /// Work that goes into the contact, ∫ f ż.
     pub friction: f64,
     /// Loss by damping, ∫ ẋᵀCẋ.
     pub damping: f64,
@@ -69,15 +70,16 @@ pub struct Plain {
     pub v: DVector<f64>,
     pub slip: Slip,
     pub work: Work,
-    /// Number of stops, break-aways and reversals since the start.
+    /// Number of stops, break-aways and reversals since the start of the run.
     pub events: u64,
     /// Contact force at the end of the last step.
     pub force: f64,
-    /// Values of the contact. `held_at` is z where it sticks, `base_rate` the velocity of the base at the end of the
-    /// last step. `wedged` is set if the force reached the break-away level without a slip.
+    /// State of the contact. `held_at` is z while the contact sticks. `base_rate` is the velocity of the base at the
+    /// end of the last step. `wedged` is true if the force has reached the break-away level without a slip.
     held_at: f64,
     base_rate: f64,
-    /// Largest term of `base_rate`, in which its rounding is measured. The velocity itself may be zero.
+    /// Largest term in the sum for `base_rate`. It measures the rounding error of that velocity, which may itself be
+    /// zero.
     base_rate_size: f64,
     wedged: bool,
     order: usize,
@@ -94,7 +96,7 @@ struct Series {
 }
 
 impl Plain {
-    /// Starts a run from a state of the masses and of the base.
+    /// Creates a run from a state of the masses and of the base.
     pub fn new(chain: Chain, (x, v): (&[f64], &[f64]), base: [f64; 2]) -> Self {
         let mut run = Self {
             x: DVector::from_column_slice(x),
@@ -119,7 +121,7 @@ impl Plain {
         run
     }
 
-    /// Returns z and ż for this displacement and velocity of the base.
+    /// Returns z and ż of the contact, for this displacement and velocity of the base.
     pub fn relative(&self, base: [f64; 2]) -> [f64; 2] {
         let chain = &self.chain;
         [
@@ -128,13 +130,13 @@ impl Plain {
         ]
     }
 
-    /// Returns ½ẋᵀMẋ + ½xᵀKx.
+    /// Returns the energy ½ẋᵀMẋ + ½xᵀKx.
     pub fn stored(&self) -> f64 {
         let kinetic = self.v.component_mul(&self.chain.m).dot(&self.v);
         0.5 * (kinetic + (&self.chain.k * &self.x).dot(&self.x))
     }
 
-    /// Returns the line of the law at a speed.
+    /// Returns the index of the line of the law at a speed.
     fn piece(&self, speed: f64) -> usize {
         let law = &self.chain.law;
         law.iter()
@@ -142,7 +144,7 @@ impl Plain {
             .expect("the law starts at 0")
     }
 
-    /// Returns the kinetic friction force on a line of the law, over F: its value extrapolated to speed 0, and its
+    /// Returns the kinetic friction force over F on a line of the law, as its value extrapolated to speed 0 and its
     /// slope.
     fn level(&self, piece: usize) -> [f64; 2] {
         let law = &self.chain.law;
@@ -159,7 +161,7 @@ impl Plain {
         let radians = dt * self.chain.rate(input.friction);
         let parts = (radians / PART).ceil().max(1.0);
         self.order = order(radians / parts);
-        // A jump of the base does not move the masses. A jump of its velocity may reverse the contact.
+        // A jump of the base does not move the masses. A jump of the base's velocity may reverse the contact.
         let [z, rate] = self.relative([input.base[0], input.base[1]]);
         self.held_at = z;
         let jump = (input.base[1] - self.base_rate).abs();
@@ -174,7 +176,7 @@ impl Plain {
             size.max((rate * dt.powi(power as i32)).abs())
         });
         for part in 0..parts as usize {
-            // The input is expanded about the start of the sub-step.
+            // The polynomials of the input are rewritten about the start of the sub-step.
             let from = dt * part as f64 / parts;
             let span = dt * (part + 1) as f64 / parts - from;
             let base = shifted(&input.base, from);
@@ -246,7 +248,7 @@ impl Plain {
         panic!("events without end");
     }
 
-    /// Moves the contact back to its stuck position, which removes the rounding.
+    /// Moves the contact back to its stuck position, to remove rounding errors.
     fn pin(&mut self, base: &[f64]) {
         let [z, _] = self.relative([base[0], base[1]]);
         let held_at = self.held_at;
@@ -256,7 +258,7 @@ impl Plain {
         self.held_at = held_at;
     }
 
-    /// Sets the relative velocity to exactly 0, by an impulse in the contact.
+    /// Sets the relative velocity to exactly 0, by an impulse at the contact.
     fn rest(&mut self, base: &[f64]) {
         let [z, rate] = self.relative([base[0], base[1]]);
         let chain = &self.chain;
@@ -305,8 +307,8 @@ impl Plain {
         Series { x, z, force }
     }
 
-    /// Returns the length of the motion up to the next event, and that event. `excess` is the excess of force where the
-    /// contact has just left rest.
+    /// Returns the time to the next event, and that event. If the contact has just left rest, `excess` is the excess of
+    /// the contact force over friction.
     fn next(&self, series: &Series, friction: f64, left: f64, excess: Option<f64>) -> (f64, Next) {
         let Slip::Slides(sign, piece) = self.slip else {
             let size = 1.0 + if self.wedged { 1e-13 } else { 0.0 };
@@ -325,7 +327,7 @@ impl Plain {
         let mut speed: Vec<f64> = slope(&series.z).iter().map(|rate| sign * rate).collect();
         let halt;
         if let Some(excess) = excess {
-            // From rest the exact values replace the first coefficients, and a factor t or t² is divided out.
+            // From rest, exact values replace the first coefficients. The polynomial is divided by t or t².
             speed[0] = 0.0;
             speed[1] = self.chain.inverse_mass * excess;
             let lead = if excess > 0.0 { 1 } else { 2 };
@@ -346,7 +348,7 @@ impl Plain {
             } else if c[1] < 0.0 {
                 Some(0.0)
             } else {
-                // The speed is exactly that of a point of the law, and leaves it along this line.
+                // The speed is exactly that of a point of the law, and changes along this line.
                 first(&c[1..], 0.0, best.0)
             };
             if let Some(at) = found.filter(|at| *at < best.0 || best.1 == Next::End) {
@@ -366,7 +368,7 @@ impl Plain {
         best
     }
 
-    /// Returns displacements and velocities at an instant of a series.
+    /// Returns displacements and velocities of the masses at an instant of a series.
     fn at(series: &Series, t: f64) -> (DVector<f64>, DVector<f64>) {
         let mut terms = series.x.iter().enumerate().rev();
         let (last, top) = terms.next().expect("terms");
@@ -381,7 +383,7 @@ impl Plain {
     }
 }
 
-/// Event at the end of a motion without events.
+/// Event that ends a smooth piece of motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Next {
     End,

@@ -1,10 +1,10 @@
-//! The work over a motion without events, by quadrature of the powers.
+//! The work over a piece of motion without events, by quadrature of the powers.
 
 use super::zeros::{slope, value};
 use super::{Plain, Series};
 
 impl Plain {
-    /// Adds the work, by Gauss's rule with eight points.
+    /// Adds the work of a piece of length `at`, by Gauss's rule with eight points.
     pub(super) fn collect(&mut self, series: &Series, base: &[f64], loads: &[Vec<f64>], at: f64) {
         const POINTS: [[f64; 2]; 4] = [
             [0.183_434_642_495_649_8, 0.362_683_783_378_362],

@@ -1,18 +1,18 @@
-//! The first zero of a polynomial, without missing any. A bound on all derivatives excludes intervals, and the
-//! remaining ones are halved.
+//! Finds the first zero of a polynomial, and misses none. A bound on all derivatives excludes intervals without a zero,
+//! and the other intervals are halved.
 
 /// Returns the value of Σ c_k tᵏ.
 pub fn value(c: &[f64], t: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * t + c)
 }
 
-/// Returns the coefficients of the derivative.
+/// Returns the coefficients of the polynomial's derivative.
 pub fn slope(c: &[f64]) -> Vec<f64> {
     let rest = c.iter().enumerate().skip(1);
     rest.map(|(k, c)| k as f64 * c).collect()
 }
 
-/// Returns the coefficients of the polynomial about t.
+/// Returns the coefficients of the same polynomial about the point t.
 pub fn shifted(c: &[f64], t: f64) -> Vec<f64> {
     let mut c = c.to_vec();
     for low in 0..c.len() {
@@ -23,8 +23,8 @@ pub fn shifted(c: &[f64], t: f64) -> Vec<f64> {
     c
 }
 
-/// Returns the first zero, up to `to`, of a polynomial that is positive at `from`. A zero without a change of sign
-/// counts.
+/// Returns the first zero, between `from` and `to`, of a polynomial that is positive at `from`. A zero without a change
+/// of sign counts.
 pub fn first(c: &[f64], from: f64, to: f64) -> Option<f64> {
     let half = 0.5 * (to - from);
     let middle = from + half;
@@ -41,7 +41,7 @@ pub fn first(c: &[f64], from: f64, to: f64) -> Option<f64> {
     if about[0] > rest {
         return None;
     }
-    // An interval as short as a rounding that has no change of sign contains a double zero.
+    // If an interval is as short as a rounding and has no change of sign, it contains a double zero.
     if half <= 1e-15 * to.abs() || half < 1e-300 {
         return (about[0] <= rest).then_some(middle);
     }
@@ -86,7 +86,7 @@ fn monotone(c: &[f64], from: f64, to: f64) -> Option<f64> {
 
 #[test]
 fn zeros_of_known_polynomials() {
-    // (t − 1/4)(t − 3/4) is tested from the left, from between its zeros with the opposite sign, and on an interval
+    // The test uses (t − 1/4)(t − 3/4) from the left, from between its zeros with the opposite sign, and on an interval
     // without zeros.
     let c = [0.1875, -1.0, 1.0];
     assert!((first(&c, 0.0, 1.0).expect("a zero") - 0.25).abs() < 1e-15);
