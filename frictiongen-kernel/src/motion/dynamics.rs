@@ -20,7 +20,7 @@ pub struct HeldMode<S> {
     pub q: S,
     /// −(contact force)/y: the contact force per unit of y, with the opposite sign.
     pub force: S,
-    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] that [`state`](Self::state) uses.  It turns the products of a motion with the
+    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] that `state` uses.  It turns the products of a motion with the
     /// mode's two states into y and u.
     pub inverse: [S; 3],
 }
