@@ -16,8 +16,8 @@ const NODES: usize = 5;
 /// Distance in half-turns above which two instants do not belong to one witness. Tuned: a polynomial through two
 /// different maxima would follow neither of them.
 const JUMP: f64 = 0.05;
-/// Distance from the start of the half period, in radians of the fastest mode, below which a witness may use the Taylor
-/// series in τ (module `early`). τ then stays in the range of that series, also between the instants.
+/// Distance of an instant from the start of the half period, in radians of the fastest mode, below which a witness may
+/// use the Taylor series in τ (module `early`). All instants of such a witness lie within the range of that series.
 const EARLY: f64 = 1.2;
 /// Distance from the start, in the same radians, below which a witness uses only the Taylor series in τ. Tuned: closer
 /// to the start, F/sin τ is a quotient of two small intervals.

@@ -130,8 +130,8 @@ pub(crate) fn compared<S: Float>(
     ];
     let [square_at, square_over] = &squares;
     let joined = Series::joined(square_at, square_over);
-    // This is the smallest value of the polynomial, and its rounding error. Near a zero the polynomial is divided by
-    // the distance from the zero.
+    // `own` is the range of the polynomial's values. Near a zero the polynomial is divided by the distance from the
+    // zero.
     let own = match zero {
         None => Series::joined(&own_at, &own_over).range(away),
         Some(_) => {

@@ -12,8 +12,8 @@ const TERMS: usize = 13;
 const OF_COSINE: [f64; 4] = [1.0, 0.0, -1.0, 0.0];
 /// Largest |τ|, in rad, for which the series of sin τ/τ is used. Every instant of a witness near the start is smaller.
 const FARTHEST: f64 = 1.3;
-/// Bound on the terms of sin τ/τ and of its slope that [`PAIRS`] leaves out, up to [`FARTHEST`]. Their sum is below
-/// 20·1.3¹⁹/21! < 6·10⁻¹⁷.
+/// Bound on the neglected terms of the series of sin τ/τ and of its slope, for |τ| up to [`FARTHEST`]. Beyond the
+/// [`PAIRS`] terms that are used, their sum is below 20·1.3¹⁹/21! < 6·10⁻¹⁷.
 const SINC_REST: f64 = 1e-16;
 /// Number of powers of τ² in the series of sin τ/τ. The next term is below one rounding up to
 /// [`FARTHEST`].

@@ -18,7 +18,7 @@ impl Cells<'_> {
         let ([_, second, third], (sine, cosine)) = self.derivatives(t);
         let level = self.level_over.value();
         let (at, over) = if matches!(part.witness, Witness::BreakAway) {
-            // These terms are N − μm* − H_c and (μ − 1)m*. Their sum is D′(0).
+            // D′(0) is N − m* − H_c. It is computed as the sum of N − μm* − H_c and (μ − 1)m*.
             let more = Interval::point(part.share);
             let more = more + more + more * more;
             let above = |seen: &Seen<ORDER>, level: &Series<ORDER>| {

@@ -56,7 +56,7 @@ struct Cell {
     /// Errors of a and g (`off`), and their exact values α and γ (`exact`).
     off: [Interval; 2],
     exact: [Interval; 2],
-    /// Relative error of |V|.
+    /// Relative error of the table's |V|.
     size: Interval,
     /// Error of arg V, in rad.
     turned: Interval,
@@ -66,11 +66,11 @@ struct Cell {
 
 /// Errors and exact values of the functions, as series at the centre of an interval and over it.
 struct Functions {
-    /// a·b/β_table − α, and α.
+    /// Error of the table's first function, a·b/β_table − α, and the exact value α = β_lim·U/|V|.
     quadrature: [Series<SHORT>; 2],
-    /// g·b/β_table − γ, and γ.
+    /// Error of the table's second function, g·b/β_table − γ, and the exact value γ = β_lim·G/|V|.
     displacement: [Series<SHORT>; 2],
-    /// arg V of the table minus the exact arg V.
+    /// Error of arg V: the table's value minus the exact value, rad.
     angle: Series<SHORT>,
 }
 
@@ -179,7 +179,7 @@ impl<S: Float> Moving<'_, S> {
         self.piece.coefficients.len() > ANGLE
     }
 
-    /// Returns the largest rounding error in the evaluation of a function.
+    /// Returns the largest rounding error in the evaluation of one of the table's functions.
     fn rounding(&self, function: usize) -> f64 {
         if self.piece.coefficients.len() <= function {
             return 0.0;

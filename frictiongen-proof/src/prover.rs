@@ -267,7 +267,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         None
     }
 
-    /// Returns both stages with κ > 0. In a wholly undamped chain both signs are valid, because F(π − τ) = −F(τ).
+    /// Returns the chain at the centre and over the interval, both with κ > 0. In a wholly undamped chain both signs
+    /// are valid, because F(π − τ) = −F(τ).
     fn oriented(
         &self,
         at: Stage<ORDER>,

@@ -110,7 +110,7 @@ impl Cells<'_> {
         (from < to).then_some(Region { from, to })
     }
 
-    /// Returns N at an r in the interval, approximately.
+    /// Returns an approximate value of N (the level above the witness) at an r in the interval.
     fn level_at_away(&self, away: f64) -> f64 {
         value_at(&self.full_at, away)
     }
@@ -181,8 +181,8 @@ mod tests {
     use super::super::tests::random;
     use super::*;
 
-    /// For every position of the witness, the region must contain the instant at every share up to the returned one. A
-    /// slightly larger share must lie outside the region.
+    /// Inside the returned share of a side, every instant must lie in the region, for all positions of the witness.
+    /// Just outside this share some instant must lie outside the region.
     #[test]
     fn within_the_region() {
         let (mut state, mut told) = (9, 0);

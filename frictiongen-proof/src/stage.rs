@@ -225,7 +225,7 @@ impl<const N: usize> Stage<N> {
                     *im = *im - term * loss;
                 }
                 if mode.kind != Kind::Undamped {
-                    // These are c(g + 2ζx·u/x²) and c·g/x².
+                    // The terms are c(g + 2ζx·u/x²) for the velocity constraint, and c·g/x² for the displacement.
                     let own = free - scaled(Series::fixed(c));
                     let carried = x.times(mode.zeta.doubled()) * forced_slope;
                     reversal = reversal + own + carried;

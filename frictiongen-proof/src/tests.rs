@@ -263,7 +263,8 @@ fn witnesses_that_are_none() {
             let r = 0.2 + 1.5 * random(&mut state);
             let all = Interval::new(r * (1.0 - 2e-5), r * (1.0 + 2e-5));
             let tau = exact.at(r).unwrap().tau;
-            // The instant is at the maximum, near it, anywhere, or at the start.
+            // The instant of the witness is at the maximum, near the maximum, anywhere, or at the start of the half
+            // period.
             let t = match (turn % 4, tau) {
                 (0, Some(tau)) => Some(tau / std::f64::consts::PI),
                 (1, Some(tau)) => {

@@ -168,8 +168,8 @@ mod tests {
         assert_eq!((compared, clock.cycles), (200_000, 318));
     }
 
-    /// A run of three cycles counts three cycles, however many equal pieces each cycle has.  Rounding may take the sum
-    /// of the pieces to either side of a whole cycle.
+    /// A run over exactly three cycles, in many equal steps, must count three cycles.  Rounding may put the sum of the
+    /// steps just below or just above a whole cycle.
     #[test]
     fn a_cycle_is_counted_once() {
         for pieces in 1..2000_u32 {

@@ -44,7 +44,8 @@ pub(super) fn member<S: Float>(
         }
     }
     for _ in 0..2 {
-        // The cycle map keeps the symmetric member, because `other` is needed for the eigenvector.
+        // `other` holds the symmetric member only until the cycle map has advanced.  Afterwards the linear system is
+        // solved in `other`.
         cycle_map.save(workspace.other);
         unit(workspace.matrix, size);
         cycle_map.advance_half(Some(workspace.matrix))?;

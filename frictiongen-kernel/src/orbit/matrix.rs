@@ -197,7 +197,7 @@ impl<'a, S: Float> Matrix<'a, S> {
         (Complex::new(first, zero), Complex::new(second, zero))
     }
 
-    /// Makes one double-shift step on the block [start, end).
+    /// Makes one double-shift QR step on the diagonal block of the rows from `start` up to, but not including, `end`.
     fn francis(&mut self, start: usize, end: usize, rounds: u32) {
         let m = end - 1;
         let (mut s, mut t) = (

@@ -9,9 +9,9 @@ use crate::number::scalar::Float;
 
 /// Number of sampled instants in a half-turn of the fastest motion.
 const PLACES: f64 = 16.0;
-/// Lower bound on the sampled instants of a segment.
+/// Lower bound on the number of instants that are sampled in a segment.
 const FEWEST: f64 = 8.0;
-/// Upper bound on the sampled instants of a segment.
+/// Upper bound on the number of instants that are sampled in a segment.
 const MOST: f64 = 4096.0;
 /// Number of steps of a refinement.  Each step keeps 0.62 of the interval, so that only rounding is left after the last
 /// one.

@@ -21,13 +21,13 @@ const MOST_STEPS: u32 = 64;
 const NEWTON_STEPS: u32 = 10;
 /// Ratio of a Newton step to the whole Euler step below which the Newton step is small.
 const SMALL: f64 = 1e-3;
-/// The first σ, which makes an Euler step of 16 half cycles.
+/// The first σ. It makes an Euler step of 16 half cycles.
 const FIRST_SHIFT: f64 = 0.0625;
 /// Factor on σ after an Euler step that succeeds.  It lengthens the next step.
 const LONGER: f64 = 0.25;
 /// Factor on σ after an Euler step that fails.  It shortens the next attempt.
 const SHORTER: f64 = 8.0;
-/// The largest σ, at which an Euler step is shorter than half a cycle.
+/// The largest σ that is tried.  An Euler step with this σ is shorter than half a cycle.
 const LARGEST_SHIFT: f64 = 64.0;
 /// Change of the state over half a cycle, relative to the state, below which Newton's method on the map takes over.
 const NEAR: f64 = 1e-11;

@@ -18,11 +18,11 @@ const MAX_CYCLES_NEAR: u32 = 128;
 const MOST_TRIED: u32 = 3;
 /// Number of cycles after which the search looks for a subharmonic state for the first time.
 const FIRST_ASKED: u32 = 16;
-/// The search tries a number of cycles as a period only if the motion then is this close to its earlier state.  The
-/// distance is relative to the size of the motion.
+/// Largest distance of the motion from its earlier state, relative to the size of the motion, at which the search tries
+/// a number of cycles as a period.
 const NEARLY_BACK: f64 = 1e-2;
-/// The search tries a number of cycles as a period only if the motion is closer to its earlier state than after any
-/// smaller number of cycles, by this factor.
+/// Largest ratio of two distances of the motion from its earlier state at which the search tries a number of cycles as
+/// a period.  The ratio is the distance after that number over the smallest distance after fewer cycles.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {

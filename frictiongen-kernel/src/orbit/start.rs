@@ -1,4 +1,4 @@
-//! Starts of a motion that the search follows to its steady state.
+//! Initial states of a motion that the search follows to its steady state.
 
 use super::closed;
 use super::cycle_map::CycleMap;

@@ -23,7 +23,7 @@ pub(super) struct SegmentStart<S> {
     pub(super) cycle: S,
     /// Length of the segment in τ.
     pub(super) length: S,
-    /// z̄ at the start.
+    /// Relative displacement z̄ of the contact at the start of the segment.
     pub(super) relative: S,
     /// Number of segments after this one that are not stored.  They are computed again from this one.
     pub(super) more: u32,

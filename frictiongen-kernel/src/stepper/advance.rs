@@ -6,7 +6,7 @@ use crate::motion::Contact;
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
-    /// Advances through the sub-interval.
+    /// Advances the modes and the contact through the whole sub-interval.
     pub(super) fn advance(&mut self) {
         if self.status.law.level.is_zero() {
             return self.advance_without_friction();

@@ -74,7 +74,8 @@ impl Cost {
 }
 
 impl Extent {
-    /// Returns the cost of advancing one sub-interval by the tables.  A failed attempt costs the same.
+    /// Returns the cost of advancing one sub-interval by the tables.  The cost is the same if the contact turns out to
+    /// have an event.
     const fn attempt(&self) -> u64 {
         let Self {
             modes,

@@ -3,8 +3,9 @@
 
 use crate::number::scalar::Float;
 
-/// Returns start + Σ a·b, where the products are summed first.  If an input changes its sign within a sub-interval, the
-/// products cancel.  Added one by one to `start`, they would leave the rounding errors of larger numbers.
+/// Returns start + Σ a·b.  The products are summed first, because they cancel if an input changes its sign within a
+/// sub-interval.  If each product were added to `start` on its own, the rounding errors would be larger than the sum of
+/// the products.
 #[inline(always)]
 pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) -> S {
     match (a.as_slice(), b.as_slice()) {

@@ -79,8 +79,8 @@ impl<S: Float> StepScene<'_, S> {
         } else {
             TERMS
         };
-        // The last coefficient of the input starts a series of its own.  The number of the input's coefficients is
-        // therefore added to the number of terms.
+        // The last coefficient of the input adds to the motion a power series that begins that many orders later.  The
+        // number of terms therefore increases by the number of the input's coefficients.
         (terms + self.coefficients()).clamp(5, TERMS)
     }
 

@@ -187,7 +187,8 @@ impl<const N: usize> Series<N> {
         let own = Self::trimmed(&self.terms);
         let mut square = Self::fixed(Interval::ZERO);
         for (k, term) in square.terms.iter_mut().enumerate() {
-            // The symmetric products occur twice. The middle one is a square.
+            // Each product a_j a_{k−j} with j ≠ k − j occurs twice. For even k the square of the middle coefficient
+            // remains.
             let half = Self::convolved(own, own, k, k / 2 + 1);
             *term = match own.get(k / 2) {
                 Some(middle) if k % 2 == 0 => half.doubled() + middle.squared(),
@@ -324,8 +325,8 @@ impl<const N: usize> Series<N> {
         refined
     }
 
-    /// Returns an interval of the polynomial's values for all t in an interval. It is the intersection of the mean
-    /// value form at the middle with plain interval evaluation.
+    /// Returns bounds on the polynomial's values for all t in an interval. Two methods give bounds: the mean value form
+    /// at the middle, and plain interval evaluation. The result is their intersection.
     #[must_use]
     pub fn range(&self, t: Interval) -> Interval {
         let middle = Interval::point(t.middle());

@@ -18,9 +18,10 @@ use std::f64::consts::PI;
 
 /// Smallest number of extremes for a fit: one more than the unknowns of their decrease.
 const FEWEST: usize = 4;
-/// Smallest change back that ends a swing, in standard deviations of the noise. [`PART`] is a second lower bound.
+/// Smallest motion in the opposite direction that ends a swing, in standard deviations of the noise. [`PART`] is a
+/// second lower bound.
 const TURN: f64 = 8.0;
-/// Smallest change back that ends a swing, as a fraction of the whole range of the samples.
+/// Smallest motion in the opposite direction that ends a swing, as a fraction of the whole range of the samples.
 const PART: f64 = 0.02;
 /// Decrease in a half cycle, as a fraction of a swing, below which it counts as rounding error.
 const ROUNDING: f64 = 1e-9;

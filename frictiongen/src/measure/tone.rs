@@ -228,7 +228,7 @@ pub(super) const FEWEST_CYCLES: f64 = 4.0;
 pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
     let count = samples.len();
     let mean = samples.iter().sum::<f64>() / count as f64;
-    // Zeros refine the frequency grid of the spectrum. A long recording has a fine grid anyway.
+    // Appended zeros make the frequency grid of the spectrum finer. A long recording has a fine grid anyway.
     let padding = if count < LONG { PADDING } else { 1 };
     let padded = (padding * count).next_power_of_two();
     let mut spectrum: Vec<Complex<f64>> = samples

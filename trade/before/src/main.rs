@@ -1,4 +1,5 @@
-//! Times limits and amplitudes by the searches of an earlier commit. The main program runs rounds in turn with its own.
+//! Measures the time of limits and amplitudes, computed with the searches of an earlier commit. The main program
+//! alternates these measurements with its own.
 //!
 //! Reads requests line by line, and answers each request with one line:
 //!

@@ -112,7 +112,7 @@ fn force(half: &Half, width: f64, z: &[Complex<f64>]) -> Vec<(f64, f64)> {
     let values = half.waves.iter().map(|waves| {
         let v = velocity(waves);
         let size = v.hypot(width);
-        // These are the force and its derivative with respect to the velocity.
+        // The pair is the force and its derivative with respect to the velocity.
         (v / size, width * width / (size * size * size))
     });
     values.collect()

@@ -26,7 +26,7 @@ pub(crate) enum Walk<S> {
 /// Value of the function at the start of a walk.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Start<S> {
-    /// The value that evaluation of the function gives.
+    /// Any value.  The walk evaluates the function at its start.
     Anywhere,
     /// Exactly zero, with this slope.
     Zero(S),
@@ -157,7 +157,7 @@ fn gap<S: Float>(local: &Local<S>, level: S, negative: bool) -> Local<S> {
 enum Verdict<S> {
     /// The function is positive.
     Above,
-    /// The function has a zero at this distance.
+    /// The function has a zero at this distance from the present instant.
     Zero(S),
     /// The function touches zero without crossing it.  At this distance it has the same value as now.
     Past(S),

@@ -1,4 +1,5 @@
-//! Finds the largest |value| of a sum between two events, by the search that also finds events.
+//! Finds the largest absolute value of a sum over oscillators between two events.  The search for events also finds
+//! peaks.
 
 use super::first::{Start, Walk, first_reach};
 use crate::motion::series::Sum;
@@ -60,7 +61,7 @@ impl<S: Float> Sum<'_, S> {
             } else if zero < width {
                 width
             } else {
-                // The function is zero within rounding all around, so that its curvature gives no width.
+                // The function is zero within rounding everywhere.  Its curvature then gives no width of the peak.
                 self.reach * S::constant(1.0 / f64::from(MAX_CLIMBS))
             };
             from = tau.max(top) + step;

@@ -124,8 +124,8 @@ mod tests {
 
     #[test]
     fn a_slight_bound_leaves_a_fall_its_root() {
-        // 2h − h²/2 minus a tiny cubic term vanishes at 4.  Newton's method starts right of the top at 2, and
-        // approaches the root from the right.
+        // The cubic is 2h − h²/2 minus a tiny term in h³, with its root near 4.  Newton's method must approach this
+        // root from the right.  The top of the cubic is at 2.
         for bound in [1e-12_f32, 1e-9, 1e-7, 1e-4] {
             let h = safe(0.0, 2.0, -1.0, bound, 10.0);
             // The chord from Newton's last point is nearer to the root than that point.

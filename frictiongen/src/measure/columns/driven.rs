@@ -63,7 +63,7 @@ impl Driven {
         self.time.push(stepper.time());
     }
 
-    /// Returns the rows.
+    /// Returns the rows of the table, one for each sample.
     pub fn rows(&self) -> impl Iterator<Item = DrivenRow<'_>> {
         (0..self.time.len()).map(|index| DrivenRow {
             driven: self,
@@ -71,7 +71,7 @@ impl Driven {
         })
     }
 
-    /// Returns the columns.
+    /// Returns the columns of the table, with their names and units.
     #[must_use]
     pub fn columns<'d>(system: &System, parts: &[Part]) -> Vec<Column<'d, DrivenRow<'d>>> {
         let mut columns = Columns::new(&Measure::si(system));

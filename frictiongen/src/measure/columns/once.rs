@@ -12,9 +12,9 @@ pub type Keyed = (&'static str, SingleValue);
 pub enum SingleValue {
     /// A number, if it is known.
     Number(Option<f64>),
-    /// A count.
+    /// A number of items.
     Count(usize),
-    /// A flag.
+    /// True or false.
     Flag(bool),
     /// A word or a sentence.
     Text(String),

@@ -26,7 +26,7 @@ impl<'a> TransmissibilityTable<'a> {
         Self { system, masses }
     }
 
-    /// Returns the columns.
+    /// Returns the columns of the table, with their names and units.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, Measured>> {
         let mut columns = Columns::new(&Measure::si(self.system));

@@ -119,7 +119,8 @@ pub struct Identified {
     pub misfit: Option<f64>,
     /// Degrees of freedom: number of data less the number of unknowns that they determine.
     pub freedom: usize,
-    /// Condition of the fit: the largest factor from a relative error of the data to the determined parameters.
+    /// Condition number of the fit: largest ratio of the relative error of a fitted value to the relative error of the
+    /// data that causes it.
     pub condition: f64,
     /// Each observation with the response of the scene.
     pub explained: Vec<Explained>,
@@ -144,7 +145,8 @@ impl Identified {
         open.map(|(unknown, _)| *unknown).collect()
     }
 
-    /// Returns the residuals of an observation over the load: measured less computed.
+    /// Returns the residuals of an observation: measured minus computed motions, each divided by the amplitude of the
+    /// load.
     #[must_use]
     pub fn residuals(&self, observations: &[Observation], index: usize) -> Vec<Complex<f64>> {
         let (Some(seen), Some(explained)) = (observations.get(index), self.explained.get(index))

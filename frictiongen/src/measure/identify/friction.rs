@@ -325,7 +325,8 @@ impl Alone {
     }
 }
 
-/// Returns the verdict for an interval of the friction force.
+/// Returns the conclusion about the friction force from its interval, the number of forces that fit, and the regimes of
+/// the contact.
 pub(super) fn verdict(friction: &Estimate, levels: usize, explained: &[Explained]) -> Verdict {
     let stuck = explained.iter().all(|point| point.regime == Regime::Stuck);
     let width = friction.to - friction.from;

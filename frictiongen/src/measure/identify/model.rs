@@ -19,7 +19,7 @@ pub(super) struct Answer {
     pub(super) r: f64,
     pub(super) beta: f64,
     pub(super) regime: Regime,
-    /// Computed motions over the load, in the order of the observation's motions.
+    /// Computed motions divided by the amplitude of the load, in the order of the observation's motions.
     pub(super) values: Vec<Complex<f64>>,
 }
 

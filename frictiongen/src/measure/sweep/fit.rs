@@ -131,7 +131,7 @@ impl Sweep<'_> {
                     let back = pairs.fold(0.0_f64, |most, (new, old)| {
                         most.max((new - old).abs() / old.abs().max(BACK))
                     });
-                    // Most further fits return to the fit from which they started.
+                    // Most of these fits lead back to the best fit. They end as soon as they have returned to it.
                     (BACK < back).then(|| self.linearise(at, Form::Plain))?
                 };
                 let residuals = |at: &[f64]| self.residuals(at, Form::Plain);

@@ -118,7 +118,8 @@ impl<'a> Sweep<'a> {
         values.collect()
     }
 
-    /// Returns the deviation or amplitude of a point, by which its residual is divided.
+    /// Returns the number by which the residual of a point is divided: its standard deviation if it is known, otherwise
+    /// its amplitude.
     fn weight(point: &SweepPoint) -> f64 {
         point.deviation.unwrap_or(point.amplitude)
     }

@@ -112,8 +112,8 @@ fn ask<S: Float>(system: &System<S>, name: &str, place: &Place<f64>, asked: Aske
     }
 }
 
-/// Converts the value of a case to an answer. A displacement is measured against the size of its motion, every other
-/// value against its own size.
+/// Converts the result for a case to an answer that the judge takes. A displacement is measured against the size of its
+/// motion, and a phase against π. Every other value is measured against its own size.
 fn told(judge: &Judge<'_>, case: &Case, got: Dd) -> Answer {
     let real = |value: Dd| Complex::new(value, Dd::from(0.0));
     let instant = match case.asked {

@@ -27,7 +27,7 @@ struct Along {
 /// A displaced scene whose data carry derivatives with respect to one number of the description.
 pub struct Moving {
     pub data: Data<Dual<Dd>>,
-    /// Value of the number, as in [`Along`].
+    /// Value of the number of the description, which turns the derivative into one per relative change.
     pub value: Dd,
 }
 

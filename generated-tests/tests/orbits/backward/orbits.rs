@@ -52,7 +52,8 @@ fn answers<S: Plain>(orbit: &SystemOrbit<'_, S>, mass: usize, tau: S) -> Answers
     let motion = orbit.mass_at(mass).expect("a mass");
     let (contact, one) = (orbit.contact(), S::constant(1.0));
     let amplitude = motion.amplitude();
-    // The size is that of the largest motion in the chain, because the motion of the whole chain determines the stops.
+    // Errors are measured against the largest motion in the chain, because the motion of the whole chain determines the
+    // stops.
     let largest = (0..)
         .map_while(|mass| orbit.mass_at(mass))
         .map(|motion| motion.amplitude());

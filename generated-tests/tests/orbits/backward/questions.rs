@@ -12,8 +12,9 @@ use generated_tests::data::DataMotion;
 /// Fraction of the largest motion. The motion of a mass far from load and contact is measured against this size if it
 /// is smaller.
 const FAR: f64 = 1e-3;
-/// Fraction of the largest motion of which 64 roundings are allowed for a sum over modes. Such a sum, from modal data
-/// rounded once, has an error of a few roundings of the largest motion. 64 roundings of this fraction are four.
+/// Lower bound on the size against which a motion is measured, as a fraction of the largest motion. A sum over modes,
+/// from modal data rounded once, has an error of a few roundings of the largest motion. At the bar, 64 roundings of
+/// this size are four roundings of the largest motion.
 const SUM: f64 = 1.0 / 16.0;
 /// Size against which a motion below [`FAR`] of the largest motion is measured, as a multiple of the largest motion.
 /// Such a motion is a remainder of larger ones that cancel. Near a resonance of the stuck chain the remainder has an

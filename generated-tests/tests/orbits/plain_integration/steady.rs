@@ -17,7 +17,7 @@ pub struct Piece {
 pub struct Reversal {
     pub t: f64,
     pub y: State,
-    /// Direction of sliding before the reversal, as a sign.
+    /// Direction of sliding before the reversal: 1 or −1.
     pub from: f64,
 }
 

@@ -237,8 +237,8 @@ fn as_the_closed_form() {
                         motion.mass_at(mass).expect("a mass"),
                         orbit.mass_at(mass).expect("a mass"),
                     );
-                    // The weights of the quadrature for an orbit's harmonics are rounded to `f64`, so that its
-                    // tolerance is wider.
+                    // An orbit's harmonics come from a quadrature whose weights are rounded to `f64`. Their tolerance
+                    // is therefore wider.
                     for (a, b, tolerance) in [
                         (closed.amplitude(), found.amplitude(), 1e-24),
                         (closed.phase(), found.phase(), 1e-24),
@@ -273,7 +273,7 @@ fn refused() {
             .expect_err("no derivative")
     };
     let block = "struct A { masses: { a: 1.0 }, springs: { base - a: 1.0 }, contact: a - wall, excitation: a, }";
-    // This state is one of a continuum.
+    // This steady state is one of a continuum.
     assert_eq!(refused(block, 0.5, 0.1), NoDerivative::Marginal);
     // At the boundary of the continuous regime a stop is about to appear. Both sides of the boundary are refused.
     let system: System = block.parse().expect("a valid scene");

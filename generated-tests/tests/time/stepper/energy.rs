@@ -56,7 +56,7 @@ fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
         [work.load, work.friction, work.damping, work.stored].map(S::to_f64)
     };
     let mut before = work(&rig);
-    // The errors of a step and of the whole run are measured by the work that passes through the chain.
+    // The work that passes through the chain is the size against which errors are measured.
     let (mut passed, mut largest, mut made, mut off) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
     for step in 0..steps {
         let load = next();

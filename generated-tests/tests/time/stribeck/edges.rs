@@ -158,7 +158,7 @@ fn refused() {
             OutOfDomain::LoadAmplitude(Given::of(amplitude))
         );
     }
-    // Here no number can represent a speed over the speed of the load.
+    // With this load amplitude, the quotient of a speed of the law and the load's speed overflows.
     assert_eq!(
         refused(0.5, 0.3, 1e-320),
         OutOfDomain::LoadAmplitude(Given::Positive)

@@ -50,7 +50,7 @@ pub struct Answer {
     pub size: Dd,
     /// The larger of two sizes: the answer's own size, and a thousandth of the largest motion.
     pub strict: Dd,
-    /// The answer's own size.
+    /// Absolute value of the exact answer, or a comparable size of its motion.
     pub own: Dd,
 }
 

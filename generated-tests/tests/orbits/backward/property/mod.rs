@@ -68,7 +68,8 @@ struct Shares {
     /// Places above the bar. There are two kinds: stuck responses that are differences of larger free responses, and
     /// places whose condition is near the largest one at which all answers must agree.
     above: f64,
-    /// Places without a common displacement, all of them with a condition above 100.
+    /// Places at which no displacement of the inputs explains all answers together. All of them have a condition above
+    /// 100.
     disagreeing: f64,
     /// Places without any explanation, for one of two reasons. No digit of the contact's force may be known, not even
     /// in double-double. Or r lies within a rounding of a resonance, and this rounding decides whether the contact

@@ -9,7 +9,8 @@ use std::f64::consts::{PI, TAU};
 /// Tolerance for values. The reference ends Newton's method at a step of 1e-14 to 1e-12 of the state. It rounds the
 /// time of each event to 1e-15 over the slope of the velocity. The tolerance is twenty times the resulting error.
 const TOLERANCE: f64 = 1e-11;
-/// Tolerance for phases, in rad. The instant of a maximum has half the digits of its value, or the digits of an event.
+/// Tolerance for phases, in rad. The instant of a smooth maximum is known to half of the digits of its value. The
+/// instant of a maximum at a stop is known as well as an event.
 const PHASES: f64 = 1e-7;
 /// Tolerance for multipliers. The reference computes them by central differences over 1e-6 of the state.
 const MULTIPLIERS: f64 = 1e-4;

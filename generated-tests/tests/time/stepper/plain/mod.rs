@@ -90,7 +90,7 @@ pub struct Plain {
 /// Series over a sub-step: displacements and contact force.
 struct Series {
     x: Vec<DVector<f64>>,
-    /// Polynomial of z.
+    /// Coefficients of z as a polynomial of the time.
     z: Vec<f64>,
     force: Vec<f64>,
 }
@@ -348,7 +348,8 @@ impl Plain {
             } else if c[1] < 0.0 {
                 Some(0.0)
             } else {
-                // The speed is exactly that of a point of the law, and changes along this line.
+                // The speed is exactly that of a point of the law, and moves away from it along this line. The zero at
+                // the start is divided out.
                 first(&c[1..], 0.0, best.0)
             };
             if let Some(at) = found.filter(|at| *at < best.0 || best.1 == Next::End) {
