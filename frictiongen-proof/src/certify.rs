@@ -217,7 +217,8 @@ impl Cells<'_> {
         let (t, t_slope, _) = self.instant(side, share);
         let (value, [first, second, _], (sine, cosine)) = self.boxed(t);
         let level = self.level_over.value();
-        // The slope of D in r along the cell follows from these terms.
+        // D changes with r for two reasons: its own slope in r (`of_r`), and its slope in τ (`of_tau`) where the cell
+        // shifts with r.
         let of_tau = level * cosine - first;
         let of_r = self.level_over.term(1) * sine - value.term(1);
         let moves = of_r + of_tau * t_slope * Interval::pi();

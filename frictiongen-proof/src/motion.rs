@@ -165,7 +165,8 @@ impl<S: Float> Moving<'_, S> {
             let off = -(of_root + share * of_gamma) / amplitude;
             let rounded = FEW * unit * own.high / amplitude.low;
             let off = off + Interval::within(rounded * UP);
-            // In the product with |V|, errors of different signs compensate each other.
+            // The amplitude is a product with |V|. The signs of both errors are kept, because they may compensate each
+            // other.
             let of_size = size + Interval::within(self.excitation);
             let off = (off + of_size + off * of_size).size() + FEW * unit;
             // The lag is −asin ρα − arg V.

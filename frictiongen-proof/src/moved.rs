@@ -165,7 +165,7 @@ fn wrong_coefficients_are_not_proven() {
                 "{kind}{count}: piece {place}"
             );
             for function in 0..tables.functions {
-                // The errors of β_lim and |V| are relative.
+                // Errors of β_lim and |V| are relative errors.
                 let scale = match function {
                     0 => sizes[0],
                     4 => sizes[1],

@@ -104,9 +104,9 @@ pub(crate) struct ModeStage<const N: usize> {
     pub x: Series<N>,
     /// r/√λ, the inverse of `x`.
     pub slow: Series<N>,
-    /// κc(1 + g), the coefficient of p in the velocity constraint.
+    /// κc(1 + g), the coefficient of the free displacement p in the velocity constraint.
     pub free: Series<N>,
-    /// κcu/x², the coefficient of cos τ − p′.
+    /// κcu/x², the coefficient of cos τ − p′ in the velocity constraint.
     pub forced_slope: Series<N>,
 }
 

@@ -47,7 +47,7 @@ pub(crate) struct Seen<const N: usize> {
     pub t: Series<N>,
     /// sin τ, or sin τ/τ for a witness near the start.
     pub weight: Series<N>,
-    /// The slope of `weight`.
+    /// The slope in τ of `weight`.
     pub turn: Series<N>,
     /// κ times the velocity constraint of the witness. The largest constraint is at least as large.
     pub constraint: Series<N>,

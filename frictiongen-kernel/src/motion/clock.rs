@@ -20,7 +20,7 @@ impl<S: Float> Total<S> {
         }
     }
 
-    /// Returns the sum with another number added.
+    /// Returns the sum after `term` has been added.
     pub(crate) fn plus(self, term: S) -> Self {
         let (value, error) = two_sum(self.value, term);
         let (value, low) = two_sum(value, self.low + error);

@@ -242,7 +242,7 @@ impl<S: Float> Part<S> {
         }
     }
 
-    /// Returns an upper bound on the amplitude |`steady`| of the force near the resonance.
+    /// Returns an upper bound on |`steady`|.  Near the resonance, `steady` is the complex amplitude of the force.
     pub(crate) fn push(&self) -> S {
         self.steady.re.abs() + self.steady.im.abs()
     }

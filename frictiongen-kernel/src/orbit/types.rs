@@ -51,8 +51,8 @@ impl<S: Float> SegmentStart<S> {
 
 /// A steady state: a motion that repeats after one cycle of the excitation, or after [`Orbit::period`] cycles.
 ///
-/// `P` owns the oscillators, `V` the scalars of memory ([`numbers`](super::numbers)), and `C` the multipliers, two for each mode that
-/// the contact drives.  All three are arrays in emitted code and vectors at run time.
+/// `P` owns the oscillators, `V` the scalars of memory ([`numbers`](super::numbers)), and `C` the multipliers, two for
+/// each mode that the contact drives.  All three are arrays in emitted code and vectors at run time.
 #[derive(Clone, Debug)]
 pub struct Orbit<'a, S, P, V, C> {
     pub(super) setting: Setting<'a, S>,

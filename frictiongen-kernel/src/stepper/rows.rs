@@ -189,7 +189,8 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         step
     }
 
-    /// Computes the weights of all moments, from the motions that a unit of each state and of each drive causes.
+    /// Computes the weights of all moments.  A weight is the moment of the motion that a unit of one state, or of one
+    /// coefficient of a drive, causes.
     fn rows(of: (S, S)) -> [[HeldRow<S, D>; D]; 2] {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let mut rows = [[HeldRow::zero(); D]; 2];

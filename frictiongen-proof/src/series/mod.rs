@@ -71,7 +71,7 @@ impl<const N: usize> Series<N> {
         self.term(0)
     }
 
-    /// Returns the first `M` coefficients.
+    /// Returns the series with its first `M` coefficients only.
     #[must_use]
     pub fn truncated<const M: usize>(&self) -> Series<M> {
         let mut terms = [Interval::ZERO; M];
@@ -160,7 +160,8 @@ impl<const N: usize> Series<N> {
         Interval::new(low - room, high + room)
     }
 
-    /// Returns the same sum term by term. It is used if bounds are infinite or every product is 0.
+    /// Returns Σ a_j b_{k−j} with a rounding after each term. `convolved` uses it if bounds are infinite or every
+    /// product is 0.
     fn convolved_term_by_term(a: &[Interval], b: &[Interval]) -> Interval {
         let pairs = a.iter().zip(b.iter().rev());
         let pairs = pairs.filter(|(a, b)| !a.is_nothing() && !b.is_nothing());
@@ -181,7 +182,7 @@ impl<const N: usize> Series<N> {
         counted
     }
 
-    /// Returns the square.
+    /// Returns the square of the series.
     #[must_use]
     pub fn squared(&self) -> Self {
         let own = Self::trimmed(&self.terms);
@@ -235,7 +236,7 @@ impl<const N: usize> Series<N> {
         (sine, cosine)
     }
 
-    /// Returns the square root.
+    /// Returns the square root of the series.
     #[must_use]
     pub fn sqrt(&self) -> Self {
         let mut root = Self::fixed(self.value().sqrt());

@@ -186,7 +186,8 @@ fn products_with_nothing() {
     assert!(!square.term(2).is_nothing());
 }
 
-/// Refined coefficients must contain the values at any point, lie within the plain ones, and be narrower.
+/// Coefficients tightened by `refined` must contain the values at any point. They must lie within the coefficients
+/// without tightening, and be narrower.
 #[test]
 fn refined() {
     let mut numbers = Numbers(13);

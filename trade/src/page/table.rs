@@ -24,7 +24,7 @@ impl Table {
         self.0.push_str("|\n");
     }
 
-    /// Adds the row of a scene.
+    /// Adds a row that begins with the name and the damping of a scene.
     pub fn scene(&mut self, label: &Label, cells: &[&dyn Display]) {
         let scene: [&dyn Display; 2] = [&label.name, &label.zeta];
         self.row(&[&scene, cells].concat());

@@ -62,8 +62,8 @@ fn third_derivatives_stay_within_their_bound() {
     assert_eq!(compared, 11 * 400 * 40);
 }
 
-/// Slope and curvature of the searched function agree with finite differences.  This also holds near a resonance, where
-/// the forced motion grows from zero.
+/// Slope and curvature of the searched function agree with finite differences.  The test includes frequencies near a
+/// resonance, where the forced motion grows from zero.
 #[test]
 fn slope_and_curve_are_derivatives() {
     // The error of a central difference is h² times a curvature, plus ε/h for rounding.

@@ -121,7 +121,7 @@ impl<S: Float> Watched<S> {
     }
 }
 
-/// Returns the answers to all questions at one place. The function computes each motion only once.
+/// Returns the answers to all questions at one point. The function computes each motion only once.
 pub fn answers<S: Float>(
     at: &DataAt<'_, S>,
     place: &Place<S>,

@@ -45,7 +45,7 @@ struct Case {
     want: Dd,
 }
 
-/// One place (r, β, τ) of the reference, with all values known there.
+/// One point (r, β, τ) of the reference, with all values known there.
 struct Cases {
     name: String,
     place: Place<f64>,

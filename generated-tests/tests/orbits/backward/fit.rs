@@ -1,23 +1,23 @@
-//! Finds the smallest displacement of the inputs that explains all answers at a place together.
+//! Finds the smallest displacement of the inputs that explains all answers at a point together.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
 /// Largest number of times that the fit changes its weights.
 const ROUNDS: usize = 60;
-/// Number of weight changes in plain double precision. They are enough at most places.
+/// Number of weight changes in plain double precision. They are enough at most points.
 const QUICK_ROUNDS: usize = 4;
-/// Number of weight changes if the fit exceeds the bar by the factor `FAR`. The equations then do not yet belong to the
-/// right place, so more changes would be wasted.
+/// Number of weight changes if the fit exceeds the accepted error by the factor `FAR`. The equations then do not yet
+/// belong to the right point, so more changes would be wasted.
 const FAR_ROUNDS: usize = 4;
 const FAR: f64 = 100.0;
-/// Fraction of the bar below which a fit is not improved further.
+/// Fraction of the accepted error below which a fit is not improved further.
 const ENOUGH: f64 = 0.25;
 /// Lower bound on a weight, as a fraction of the largest weight. A weight of zero could not grow again.
 const FAINT: f64 = 1e-9;
 
 /// Returns the smallest k found such that some inputs δ with |δ_j| ≤ k leave |b_i − Σ a_ij δ_j| ≤ k. The search stops
-/// at a k well below the bar.
+/// at a k well below the accepted error.
 ///
 /// It is a Chebyshev fit by Lawson's iteration, which is weighted least squares whose weights grow with the residuals.
 /// Every δ proves its own k, so the result is an upper bound.
@@ -107,8 +107,8 @@ fn worst(values: impl Iterator<Item = f64>) -> f64 {
     })
 }
 
-/// Returns the δ of min Σ w_j δ_j² + Σ v_i (b_i − a_i·δ)². The solution uses orthogonal columns so that the condition
-/// is not squared, because answers near a pole change by 10¹⁶ times their error.
+/// Returns the δ that minimises Σ w_j δ_j² + Σ v_i (b_i − a_i·δ)². The solution uses orthogonal columns, so that the
+/// condition number is not squared. Answers near a pole change by 10¹⁶ times their error.
 pub fn shortest<S: Float>(
     a: &[Vec<S>],
     b: &[S],

@@ -1,7 +1,7 @@
 //! Backward error of steady states with stops, found by comparison with the same states in double-double.
 //!
 //! Derivatives are differences in double-double, with respect to every number of the description, r and β. If a stop
-//! begins or ends within rounding, the displaced motion has another sequence of events. Such places are counted and
+//! begins or ends within rounding, the displaced motion has another sequence of events. Such points are counted and
 //! left out.
 
 use crate::backward::fit::fit;
@@ -21,15 +21,15 @@ const MASSES: usize = 5;
 const FASTEST: f64 = 60.0;
 /// Relative step of a difference. Its error is of the order of the square of the step.
 const STEP: f64 = 1e-7;
-/// Largest Floquet multiplier at which a place is judged. With a multiplier nearer to 1 the motion from rest hardly
+/// Largest Floquet multiplier at which a point is judged. With a multiplier nearer to 1 the motion from rest hardly
 /// reaches the steady state.
 const SLOW: f64 = 0.999;
 
-/// Largest fraction of places above the bar. The rounding errors of many events add up in a steady state.
+/// Largest fraction of points above the accepted error. The rounding errors of many events add up in a steady state.
 const ABOVE: f64 = 0.1;
-/// Upper bound on the error of any place in a short run, in roundings.
+/// Upper bound on the error of any point in a short run, in roundings.
 const MOST_OF_FEW: f64 = 1024.0;
-/// Upper bound on the error of any place in a long run, in roundings. It is 2e-11 of the motion in double precision.
+/// Upper bound on the error of any point in a long run, in roundings. It is 2e-11 of the motion in double precision.
 const MOST: f64 = 131_072.0;
 
 /// Names of the answers of a steady state. Angles come last.
@@ -98,7 +98,7 @@ fn numbers(scene: &mut Scene) -> Vec<&mut f64> {
     all
 }
 
-/// Reason why the test leaves out a place.
+/// Reason why the test leaves out a point.
 type Left = &'static str;
 
 /// Exact answers, with their changes per relative change of each input, and the sequence of events.
@@ -172,7 +172,7 @@ fn difference(index: usize, a: Dd, b: Dd) -> Dd {
     }
 }
 
-/// Results of a run over many places.
+/// Results of a run over many points.
 #[derive(Default)]
 struct Seen {
     places: usize,
@@ -183,7 +183,7 @@ struct Seen {
     skipped: BTreeMap<&'static str, usize>,
 }
 
-/// Judges one place of a random scene.
+/// Judges one point of a random scene.
 fn place<S: Plain>(seed: u64, exact: impl Fn(S) -> f64, seen: &mut Seen) -> Result<(), Left> {
     let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x0B17);
     let text = scene(&mut random, 0.5);

@@ -1,4 +1,4 @@
-//! Asks a system all questions at one place, and collects its answers.
+//! Asks a system all questions at one point, and collects its answers.
 
 use crate::backward::asked::{Asked, Of, Watched, motion};
 use crate::backward::instant::{acceleration, constraining, largest};
@@ -13,8 +13,8 @@ use generated_tests::data::DataMotion;
 /// is smaller.
 const FAR: f64 = 1e-3;
 /// Lower bound on the size against which a motion is measured, as a fraction of the largest motion. A sum over modes,
-/// from modal data rounded once, has an error of a few roundings of the largest motion. At the bar, 64 roundings of
-/// this size are four roundings of the largest motion.
+/// from modal data rounded once, has an error of a few roundings of the largest motion. At the accepted error, 64
+/// roundings of this size are four roundings of the largest motion.
 const SUM: f64 = 1.0 / 16.0;
 /// Size against which a motion below [`FAR`] of the largest motion is measured, as a multiple of the largest motion.
 /// Such a motion is a remainder of larger ones that cancel. Near a resonance of the stuck chain the remainder has an
@@ -35,7 +35,7 @@ pub fn first<S: Float>(peak: &Peak<S>) -> Option<S> {
     places.next().map(|place| place.tau)
 }
 
-/// Collects the answers of one place.
+/// Collects the answers of one point.
 pub struct Questions<'j, 'a, S, E> {
     judge: &'j Judge<'a>,
     /// Conversion of a scalar to double-double without loss.
@@ -263,7 +263,8 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         let of = Of::Mass(mass);
         let real = |value: S| Complex::new(value, S::constant(0.0));
         let peak = of_mass.peak();
-        // Such a motion is a remainder of larger motions. It consists of rounding only, in double-double too.
+        // A motion this small is a remainder of larger motions that cancel. It consists of rounding only, in
+        // double-double too.
         let is_far = exact.amplitude_monoharmonic() < widest * Dd::from(FAR);
         let found = if self.searched && !is_far {
             None
@@ -282,7 +283,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             self.mark_searched(found.is_none());
         }
         self.wide(Asked::Estimate(mass), estimate, None, amplitude, widest);
-        // The instant counts from the contact's maximum, so that it has the rounding error of V.
+        // τ counts from the maximum of the contact, whose phase has the rounding error of V.
         let carried = widest.max(amplitude * self.faint);
         let there = real(of_mass.displacement(tau));
         self.wide(Asked::Displacement(of), there, None, amplitude, carried);

@@ -1,5 +1,5 @@
-//! Tests that faulty answers exceed the bar. The faults are errors of a thousand roundings, NaN, or another maximum. No
-//! displacement of the inputs explains them.
+//! Tests that faulty answers exceed the accepted error. The faults are errors of a thousand roundings, NaN, or another
+//! maximum. No displacement of the inputs explains them.
 
 use crate::backward::asked::{Asked, Of, Place};
 use crate::backward::inputs::Exact;
@@ -73,7 +73,7 @@ fn what_is_right_is_below_the_bar() {
     assert_eq!(places, 24);
 }
 
-/// An error of a thousand roundings in one answer exceeds the bar, with all other answers unchanged.
+/// An error of a thousand roundings in one answer exceeds the accepted error, with all other answers unchanged.
 #[test]
 fn a_thousand_roundings_are_above_it() {
     let mut seen: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
@@ -93,7 +93,7 @@ fn a_thousand_roundings_are_above_it() {
     report(&seen, 17);
 }
 
-/// NaN in place of any answer exceeds the bar.
+/// NaN in place of any answer exceeds the accepted error.
 #[test]
 fn nan_is_above_it() {
     let mut seen: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
@@ -110,7 +110,7 @@ fn nan_is_above_it() {
     report(&seen, 17);
 }
 
-/// An error of 1.5 rad in the contact's phase exceeds the bar.
+/// An error of 1.5 rad in the contact's phase exceeds the accepted error.
 #[test]
 fn another_phase_is_above_it() {
     let mut seen: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
@@ -129,7 +129,7 @@ fn another_phase_is_above_it() {
     report(&seen, 1);
 }
 
-/// Asserts that every kind of question was asked, and that no fault stayed within the bar.
+/// Asserts that every kind of question was asked, and that no fault stayed within the accepted error.
 fn report(seen: &BTreeMap<&str, (u64, u64)>, kinds: usize) {
     for (kind, (all, missed)) in seen {
         println!("{kind:>22}: {all} faults, {missed} missed");

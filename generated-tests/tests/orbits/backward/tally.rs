@@ -1,4 +1,4 @@
-//! Counts results for each kind of answer, and the places that were left out.
+//! Counts results for each kind of answer, and the points that were left out.
 
 use crate::backward::judge::{Answer, Judged, Verdict};
 use std::collections::BTreeMap;
@@ -10,17 +10,17 @@ const ORDINARY: f64 = 100.0;
 #[derive(Default)]
 struct Kind {
     count: u64,
-    /// Number of answers that exceed the bar if taken alone.
+    /// Number of answers that exceed the accepted error if taken alone.
     above: u64,
-    /// Number of answers of far masses whose error exceeds the bar. The error is measured against their own size, or a
-    /// thousandth of the largest motion if that is larger.
+    /// Number of answers of far masses whose error exceeds the accepted error. The error is measured against their own
+    /// size, or a thousandth of the largest motion if that is larger.
     far: u64,
     direct: Worst,
     of_its_own: Worst,
     alone: Worst,
 }
 
-/// The worst error so far, and the place where it occurred.
+/// The worst error so far, and the point where it occurred.
 #[derive(Default)]
 struct Worst(f64, String);
 
@@ -43,13 +43,13 @@ pub struct Tally {
     pub scenes: u64,
     places: u64,
     worst: Worst,
-    /// Worst error of all answers of a place together, where the condition is below [`ORDINARY`].
+    /// Worst error of all answers of a point together, where the condition is below [`ORDINARY`].
     together: Worst,
-    /// Number of places whose answers have no common displacement.
+    /// Number of points whose answers have no common displacement.
     disagreeing: u64,
-    /// Places above the bar.
+    /// Points above the accepted error.
     pub above: Vec<String>,
-    /// Number of the places above the bar that nothing explains.
+    /// Number of the points above the accepted error that nothing explains.
     pub wrong: u64,
     skipped: BTreeMap<&'static str, u64>,
 }
@@ -138,8 +138,8 @@ impl Tally {
         self.kinds.iter().map(|(name, kind)| (*name, kind.count))
     }
 
-    /// Returns three fractions of all places: those above the bar, those without a common displacement, and those that
-    /// nothing explains.
+    /// Returns three fractions of all points: those above the accepted error, those without a common displacement, and
+    /// those that nothing explains.
     pub fn shares(&self) -> [f64; 3] {
         let counts = [
             self.above.len() as f64,

@@ -102,7 +102,7 @@ fn check_boundary(mut chain: Chain, text: &str, beyond: Verdict) -> usize {
     let at = system.at(chain.r).unwrap();
     let limit = at.continuous_limit();
     assert!(limit < at.sliding_limit(), "{text}");
-    // S determines the limit if the limit without S is different.
+    // S comes from the search if the limit is clearly smaller than the limit without search.
     let by_search = limit < at.continuous_limit_without_search() * (1.0 - 1e-3);
     assert_eq!(by_search, beyond == Verdict::Turns, "{text}");
     let mut compared = 0;

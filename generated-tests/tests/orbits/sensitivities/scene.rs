@@ -14,8 +14,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 
-/// Scenes with contacts to wall, base and mass, and with their frequency ratios. Damping is absent, modal (with ζ = 0,
-/// 1 and above) or Rayleigh. Some scenes have exactly equal modes, as twins and as satellites.
+/// Scenes, each with its frequency ratios. They have contacts to wall, base and mass. Damping is absent, modal (with ζ
+/// = 0, 1 and above) or Rayleigh. Some scenes have exactly equal modes, because of equal masses on equal springs.
 pub const SCENES: &[(&str, &str, &[f64])] = &[
     (
         "pair",

@@ -159,8 +159,8 @@ fn a_long_search() {
     let unvaried = exact.unvaried();
     let at = unvaried.at(Dual::variable(r)).expect("in the domain");
     let slope = at.continuous_limit().slope;
-    // Here β_lim is a smooth function of r over some 1e-8. A difference over 1e-12 therefore has a relative error of
-    // (1e-4)².
+    // Near this r, β_lim is smooth over a range of some 1e-8 in r. A central difference with the step 1e-12 therefore
+    // has a relative error of (1e-12/1e-8)².
     let h = r * Dd::from(1e-12);
     let difference = (limit(r + h) - limit(r - h)) / (h + h);
     assert!(

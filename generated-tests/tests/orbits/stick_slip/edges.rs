@@ -88,7 +88,7 @@ fn from_the_level_itself() {
         (2.1, 0.45),
         (0.9, 0.7),
     ] {
-        // F = x̄_b − 2x̄_a, and x̄_b″ = (1 − x̄_b)/r² > 0.
+        // The contact force is F = x̄_b − 2x̄_a. It grows, because x̄_b″ = (1 − x̄_b)/r² > 0.
         let mut lengths: Vec<Vec<f64>> = Vec::new();
         for velocity in [0.0, 1e-18, -1e-18, 3e-17, -3e-17, 1e-16, 1e-9] {
             let what = format!("r = {r}, β = {beta}, from {velocity:e}");

@@ -44,7 +44,7 @@ fn one_rule_at_half_the_resonance() {
     let values = history.tracks[0].displacement.iter();
     let largest = values.fold(0.0_f64, |most, value| most.max(value.abs()));
     assert!((largest - 22.0 / 15.0).abs() < 1e-5, "{largest}");
-    // From a start with a smaller offset the motion keeps its offset.
+    // If the motion starts with a smaller offset than that member, it keeps this offset.
     let motion = at.motion(0.2).expect("a motion");
     let early = -motion.contact().phase();
     let [x, v] = [

@@ -106,7 +106,8 @@ fn short_steps() {
             }
             let error = (apart[0] / size[0]).max(apart[1] / size[1]);
             println!("{}, {radians} rad a step: {error:.1e}", scene.name);
-            // The increment of a step is a difference of inputs that may be a hundred times as large.
+            // The change of a displacement in a step is small compared with the inputs that cause it, by up to a factor
+            // of 100.
             worst = worst.max(error);
         }
     }

@@ -83,9 +83,9 @@ fn sticks_with_its_force_or_slides() {
     }
 }
 
-/// Many masses have random velocities, but both masses of the contact have the same one. The relative velocity is a sum
-/// over modes that consists of rounding only. The rounding is larger than the terms of the sum suggest. The contact
-/// must stick.
+/// Many masses have random velocities, but both masses of the contact have the same one. The relative velocity is
+/// computed as a sum over modes, which leaves only rounding. This rounding is larger than the terms of the sum suggest.
+/// The contact must stick.
 #[test]
 fn a_given_state_sticks_but_for_its_rounding() {
     let names: Vec<String> = (0..40).map(|i| format!("m{i}")).collect();

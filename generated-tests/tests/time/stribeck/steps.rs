@@ -74,7 +74,8 @@ fn from_a_state() {
             follow(&mut on, start + 1, 0.4);
             for mass in masses.clone() {
                 let (a, b) = (from.run().mass(mass), on.run().mass(mass));
-                // Both runs round. A state also does not contain whether a contact at rest sticks.
+                // Both runs have rounding errors. In addition, a state of the masses does not say whether a contact at
+                // rest sticks.
                 let off = (a.displacement() - b.displacement()).abs()
                     + (a.velocity() - b.velocity()).abs();
                 assert!(off < 1e-12, "{text}: {off:e}");

@@ -13,9 +13,9 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use generated_tests::data::DataAt;
 
-/// Weight of the residual of an input in a step of the fit. The weight of an answer is 1.
+/// Weight of the displacement of an input in the weighted least squares of a step. The weight of an answer is 1.
 const STILL: f64 = 1e-4;
-/// Weight of an answer whose error is below the bar.
+/// Weight of an answer whose error is accepted anyway, in the same least squares.
 const IDLE: f64 = 1e-100;
 /// Indices of the columns: r, β and τ come first, then the numbers of the description.
 const RATIO: usize = 0;
@@ -37,8 +37,8 @@ impl Linear {
     }
 
     /// Returns the step from one displacement of the inputs to the next one, at which derivatives are evaluated again.
-    /// Each answer above the bar is weighted by its sensitivity to the inputs, so that the curvature of the worst
-    /// answer does not outweigh the others.
+    /// Each answer above the accepted error is weighted by its sensitivity to the inputs, so that the curvature of the
+    /// worst answer does not outweigh the others.
     pub fn step(&self, to: &[f64], bar: f64) -> Option<Vec<f64>> {
         let rest = self.a.iter().zip(&self.b).map(|(row, b)| {
             let there = row.iter().zip(to);

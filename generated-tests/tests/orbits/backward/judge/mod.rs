@@ -1,4 +1,4 @@
-//! Backward error of the answers at one place: the number of roundings of the scene's inputs that makes all answers
+//! Backward error of the answers at one point: the number of roundings of the scene's inputs that makes all answers
 //! exact.
 //!
 //! The inputs are the numbers of the description (masses, springs, damping, μ) and r, β and τ. The answers have a
@@ -7,7 +7,7 @@
 //! roundings away from a pole the derivatives change within a rounding of r. They are then evaluated again at the r and
 //! β to which the fit has led.
 //!
-//! This module has the answers and the verdict on a place. `error` computes the error of an answer, and `linear` the
+//! This module has the answers and the verdict on a point. `error` computes the error of an answer, and `linear` the
 //! equations of the fit. `turning` gives the displacements at which derivatives are evaluated again.
 
 mod error;
@@ -29,7 +29,7 @@ pub const PLAIN: f64 = 4.0;
 /// Upper bound on the error of any answer, in roundings. A stuck response is a difference of free responses, which may
 /// be larger by this factor.
 const MOST: f64 = 4096.0;
-/// Condition above which the answers of a place need not share one displacement. The answers are different sums, and
+/// Condition above which the answers of a point need not share one displacement. The answers are different sums, and
 /// the condition magnifies the rounding of each sum. Each answer alone must still have a displacement.
 const AGREEING: f64 = 100.0;
 /// Number of times that the derivatives are evaluated: `FEW_TURNS` times for r, β and τ alone, then `TURNS` times for
@@ -76,7 +76,7 @@ impl Judged {
     }
 }
 
-/// Backward errors of one place.
+/// Backward errors of one point.
 #[derive(Clone, Debug)]
 pub struct Verdict {
     /// Smallest k found for all answers together.
@@ -89,8 +89,8 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Returns true if the place is accepted. Every answer alone must be within the bar. All answers together must be,
-    /// unless their condition is large.
+    /// Returns true if the point is accepted. Every answer alone must be within the accepted error. All answers
+    /// together must be, unless their condition is large.
     pub fn keeps(&self, bar: f64) -> bool {
         self.alone <= bar && (self.together <= bar || AGREEING < self.condition)
     }
@@ -101,7 +101,7 @@ impl Verdict {
     }
 }
 
-/// Judges the answers at one place of a scene.
+/// Judges the answers at one point of a scene.
 pub struct Judge<'a> {
     exact: &'a Exact,
     place: Place<Dd>,
@@ -125,7 +125,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Restricts the fit to the derivatives at the place itself. They are enough if a thousand roundings of the inputs
+    /// Restricts the fit to the derivatives at the point itself. They are enough if a thousand roundings of the inputs
     /// are a small distance.
     pub fn at_once(self) -> Self {
         Self {
@@ -152,7 +152,7 @@ impl<'a> Judge<'a> {
         answers(&self.at, &self.place, questions)
     }
 
-    /// Returns the verdict on answers that all belong to this place.
+    /// Returns the verdict on answers that all belong to this point.
     pub fn verdict(&self, told: &[Answer]) -> Verdict {
         let exact = self.exact(&told.iter().map(|answer| answer.watched).collect::<Vec<_>>());
         self.compared(told, &exact)
@@ -233,7 +233,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Returns the smallest k found, and the condition of the place. The fit first displaces r, β and τ alone, which is
+    /// Returns the smallest k found, and the condition of the point. The fit first displaces r, β and τ alone, which is
     /// cheap, and then all inputs. Each time it evaluates the derivatives again at the result of the last step.
     fn explained(
         &self,
@@ -246,7 +246,7 @@ impl<'a> Judge<'a> {
             linear.fitted(self.bar)
         };
         let (mut best, mut condition) = (f64::INFINITY, 1.0);
-        // At most places the derivatives at the place itself are enough.
+        // At most points the derivatives at the point itself are enough.
         let mut here = Vec::new();
         for every in [false, true] {
             let linear = self.linear(told, exact, &[], every);

@@ -34,8 +34,8 @@ impl Turning {
         } else {
             let step = self.linear.step(&self.to, bar)?;
             if self.linear.stands {
-                // The step leads to where the exact limits equal the returned ones. Reducing β by more and more
-                // roundings leads back to where the contact moves.
+                // The step leads to inputs at which the exact limits equal the returned ones, and the contact may not
+                // move there. Reducing β by more and more roundings makes it move again.
                 self.back = (self.back + self.back).min(bar);
                 self.to[BETA] -= self.back;
             } else {

@@ -1,8 +1,8 @@
 //! Backward error of random scenes of 1 to 16 masses, over the whole range of r, and near poles, subharmonics and
 //! limits.
 //!
-//! This module has the runs and their bounds. `subject` draws scenes and places. `told` asks all questions at one
-//! place. `brute_force` searches for values larger than the returned maxima.
+//! This module has the runs and their bounds. `subject` draws scenes and points. `told` asks all questions at one
+//! point. `brute_force` searches for values larger than the returned maxima.
 
 mod brute_force;
 mod subject;
@@ -18,7 +18,7 @@ use told::{Asking, told};
 pub const BAR: f64 = 64.0;
 const POINTS: u64 = 10;
 
-/// Checks one scene at its places.
+/// Checks one scene at its points.
 fn check<S: Float>(seed: u64, range: &Range, exact: impl Fn(S) -> Dd + Copy, tally: &mut Tally) {
     let Some(mut subject) = Subject::<S>::of(seed, range) else {
         tally.skip("a scene that is refused");
@@ -63,20 +63,20 @@ fn run<S: Float>(scenes: &[u64], range: &Range, exact: impl Fn(S) -> Dd + Copy +
 
 /// Number of kinds of answers that occur in a long run.
 const KINDS: usize = 17;
-/// Upper bounds on fractions of the places of a run.
+/// Upper bounds on fractions of the points of a run.
 struct Shares {
-    /// Places above the bar. There are two kinds: stuck responses that are differences of larger free responses, and
-    /// places whose condition is near the largest one at which all answers must agree.
+    /// Points above the accepted error. There are two kinds: stuck responses that are differences of larger free
+    /// responses, and points whose condition is near the largest one at which all answers must agree.
     above: f64,
-    /// Places at which no displacement of the inputs explains all answers together. All of them have a condition above
+    /// Points at which no displacement of the inputs explains all answers together. All of them have a condition above
     /// 100.
     disagreeing: f64,
-    /// Places without any explanation, for one of two reasons. No digit of the contact's force may be known, not even
+    /// Points without any explanation, for one of two reasons. No digit of the contact's force may be known, not even
     /// in double-double. Or r lies within a rounding of a resonance, and this rounding decides whether the contact
     /// moves.
     wrong: f64,
 }
-/// Bounds of a short run. One place in a hundred is a larger fraction than one place in thousands.
+/// Bounds of a short run. One point in a hundred is a larger fraction than one point in thousands.
 const FEW: Shares = Shares {
     above: 0.0,
     disagreeing: 0.04,
@@ -91,7 +91,7 @@ const MANY: Shares = Shares {
 /// Prints a run and asserts its bounds.
 fn report(title: &str, tally: &Tally, most: &Shares) {
     tally.print(title);
-    // The limit per mode may be missing, because few places ask for it.
+    // The limit per mode may be missing, because few points ask for it.
     assert!(KINDS - 1 <= tally.counts().count(), "a kind is missing");
     let [above, disagreeing, wrong] = tally.shares();
     assert!(

@@ -1,4 +1,4 @@
-//! A random scene and the places of its questions.
+//! A random scene and the points of its questions.
 
 use crate::backward::asked::Place;
 use crate::backward::inputs::Exact;
@@ -50,7 +50,7 @@ impl<S: Float> Subject<S> {
         })
     }
 
-    /// Draws the next place. r lies anywhere, near a resonance, or near a fraction of a resonance. β lies anywhere up
+    /// Draws the next point. r lies anywhere, near a resonance, or near a fraction of a resonance. β lies anywhere up
     /// to the limit, or near the limit.
     pub fn place(&mut self, range: &Range) -> (S, impl Fn(&mut Self, S) -> Place<S> + use<S>) {
         let random = &mut self.random;

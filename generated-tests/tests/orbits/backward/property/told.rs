@@ -1,4 +1,4 @@
-//! All answers of a system at one place.
+//! All answers of a system at one point.
 
 use super::BAR;
 use super::brute_force::{FASTEST, by_force};
@@ -12,15 +12,15 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::data::Data;
 
-/// Double-double searches for the maxima itself at every place with this spacing.
+/// Double-double searches for the maxima itself at one of this many points.
 const SEARCHED: u64 = 16;
 /// Largest ratio of a natural frequency to r up to which double-double searches.
 const SEARCHABLE: f64 = 1e3;
-/// The brute-force search runs at every place with this spacing.
+/// The brute-force search runs at one of this many points.
 const BY_FORCE: u64 = 8;
-/// The test asks for the limit per mode at every place with this spacing, because that limit needs many searches.
+/// The test asks for the limit per mode at one of this many points, because that limit needs many searches.
 const PER_MODE: u64 = 256;
-/// The test asks for the motion of every mass at every place with this spacing.
+/// The test asks for the motion of every mass at one of this many points.
 const EVERY_MASS: u64 = 16;
 /// Largest change, in rad, of the fastest mode's angle by a rounding of r. With a larger change no digit of U and S is
 /// known.
@@ -29,14 +29,14 @@ const SLOW: f64 = 1e-3;
 /// phase counts from the contact's phase.
 const LOST: f64 = 1e-2;
 
-/// A place of a random scene, at which all questions are asked.
+/// A point of a random scene, at which all questions are asked.
 pub struct Asking<'s, S> {
     pub subject: &'s Subject<S>,
     pub point: u64,
     pub mass: usize,
 }
 
-/// Returns all answers of a system at one place, or `None` if the place is skipped.
+/// Returns all answers of a system at one point, or `None` if the point is skipped.
 pub fn told<'e, S: Float>(
     asking: &Asking<'e, S>,
     place: &Place<S>,

@@ -327,7 +327,8 @@ impl Plain {
         let mut speed: Vec<f64> = slope(&series.z).iter().map(|rate| sign * rate).collect();
         let halt;
         if let Some(excess) = excess {
-            // From rest, exact values replace the first coefficients. The polynomial is divided by t or t².
+            // After a rest the first coefficients are known exactly. The zero of the polynomial at the start is removed
+            // by a division by t or t².
             speed[0] = 0.0;
             speed[1] = self.chain.inverse_mass * excess;
             let lead = if excess > 0.0 { 1 } else { 2 };
