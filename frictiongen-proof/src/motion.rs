@@ -194,7 +194,7 @@ impl<S: Float> Moving<'_, S> {
         of.map(|coefficient| coefficient.to_f64()).collect()
     }
 
-    /// Returns a polynomial of the piece as a series.
+    /// Returns one of the piece's polynomials as a series in r.
     fn table(&self, function: usize, r: Interval) -> Series<SHORT> {
         let origin = Series::fixed(Interval::point(self.piece.origin.to_f64()));
         polynomial(&self.coefficients(function), Series::variable(r) - origin)
@@ -258,7 +258,7 @@ impl<S: Float> Moving<'_, S> {
         let own = table(Interval::point(self.centre));
         let sign = if self.beside_zero { away.sign() } else { 1 };
         let side = Interval::point(f64::from(sign));
-        // The stage has |V| times r².
+        // `Stage` contains V multiplied by r².
         let ratio = |r: Interval, stage: &Stage<ORDER>| {
             let [re, im] = [0, 1].map(|place| {
                 let of = |stage: &Stage<ORDER>| stage.excitation.get(place).copied();
@@ -278,7 +278,7 @@ impl<S: Float> Moving<'_, S> {
         let nearest = self.beside_zero.then_some(away);
         let rounded = rounding::<S>(&coefficients, origin, self.ends, nearest) / least;
         let off = Series::joined(&(first - one), &(all - one));
-        // The rounding errors are relative to the table's |V|.
+        // The rounding errors are relative to the table's |V|, not to the exact one.
         let most = 1.0 + off.range(away).size();
         (rounded < SMALL).then_some((off, rounded * most * UP))
     }

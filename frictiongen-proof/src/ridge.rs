@@ -1,5 +1,5 @@
-//! Other instants with a velocity constraint close to that of the witness. Near a kink of β_lim there are two such
-//! instants.
+//! Finds other instants whose velocity constraint is close to that of the witness. Near a kink of β_lim there are two
+//! such instants.
 
 use crate::cells::{BENT, Cells, Flank, ROUNDING};
 use crate::force;
@@ -128,7 +128,7 @@ impl Cells<'_> {
     }
 }
 
-/// Returns D and its slope in τ. The instant depends on r.
+/// Returns D and its slope in τ at an instant t. The instant is given as a series in r.
 fn seen(
     stage: &Stage<ORDER>,
     level: &Series<ORDER>,

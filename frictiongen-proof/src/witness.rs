@@ -43,7 +43,7 @@ pub(crate) fn polynomial<const N: usize>(coefficients: &[f64], t: Series<N>) -> 
 /// start, D/τ takes the place of D.
 #[derive(Clone, Debug)]
 pub(crate) struct Seen<const N: usize> {
-    /// The instant over π.
+    /// The instant t = τ/π, in half-turns.
     pub t: Series<N>,
     /// sin τ, or sin τ/τ for a witness near the start.
     pub weight: Series<N>,

@@ -238,8 +238,8 @@ where
         own && self.stops == 0 && self.reversals == 2 && self.symmetric && (zero || !self.marginal)
     }
 
-    /// Sets a cycle map over another scalar to this steady state, at the middle of the longest sliding segment.
-    /// `masses` has room for displacements and velocities.
+    /// Sets a cycle map to this steady state, at the middle of the longest sliding segment.  The cycle map may have
+    /// another scalar.  `masses` has room for displacements and velocities.
     fn set_state<U: Float>(
         &self,
         cycle_map: &mut CycleMap<'_, '_, U>,

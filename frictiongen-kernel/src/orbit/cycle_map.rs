@@ -49,7 +49,7 @@ impl Pattern {
     }
 }
 
-/// State of the motion at the section, with the data that advance the state.
+/// State of the motion at the section (the fixed phase at which the map starts), with the data that advance the state.
 pub(super) struct CycleMap<'f, 'a, S> {
     pub setting: &'f Setting<'a, S>,
     pub modes: &'f mut [Part<S>],

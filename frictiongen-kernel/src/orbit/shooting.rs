@@ -285,8 +285,9 @@ fn comes_back<S: Float>(
     Ok(None)
 }
 
-/// Returns the events of the map that the test expects, from the events `total` of a whole period.  A symmetric map has
-/// half of them.  After half of an even number of cycles the load has the same sign, so that no symmetric map exists.
+/// Returns the events that a map should have if a whole period has the events `total`.  A symmetric map has half of
+/// them.  If the period has an even number of cycles, the load has the same sign after half a period.  No symmetric map
+/// exists then, and the result is `None`.
 fn wanted(total: Pattern, symmetric: bool, period: u32) -> Option<Pattern> {
     if !symmetric {
         return Some(total);

@@ -26,7 +26,7 @@ pub enum Start<'s, S> {
 }
 
 impl<S: Float> Start<'_, S> {
-    /// Sets the cycle map to the start.  For `Stuck` the caller sets the state.
+    /// Sets the oscillators and the contact of the cycle map to this initial state.  For `Stuck` the caller sets them.
     pub(super) fn set_start(
         self,
         cycle_map: &mut CycleMap<'_, '_, S>,

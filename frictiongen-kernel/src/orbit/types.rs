@@ -68,7 +68,8 @@ pub struct Orbit<'a, S, P, V, C> {
     pub(super) symmetric: bool,
     pub(super) marginal: bool,
     pub(super) settled: bool,
-    /// Largest |offset| of the contact's motion in a continuum of steady states, if known.
+    /// Largest |offset| of the contact's motion among all states of the continuum to which this state belongs, if
+    /// known.
     pub(super) offset_range: Option<S>,
     /// The excitation's phase in half-turns at τ = 0, where z̄ leaves its maximum.  `origin_cycle` is the cycle of that
     /// instant, counted as in [`SegmentStart`].

@@ -13,7 +13,7 @@ use crate::number::scalar::Float;
 pub struct Row<S, const D: usize> {
     /// Weights of y and u at the start.
     pub state: [S; 2],
-    /// Weights of the drive's coefficients.
+    /// Weights of the coefficients of the mode's drive.
     pub drive: [S; D],
 }
 

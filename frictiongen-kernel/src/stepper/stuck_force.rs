@@ -157,8 +157,8 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         work - product(&still, &velocity, place)
     }
 
-    /// Returns the work that the inputs do through one mode of the stuck chain, from the mode's moments over a motion
-    /// to `place`.
+    /// Returns the work that the inputs do through one mode of the stuck chain during a motion up to `place`.  The work
+    /// follows from the moments of the mode over that motion.
     pub(super) fn held_work(
         &self,
         mode: usize,

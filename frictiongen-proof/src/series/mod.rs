@@ -294,8 +294,8 @@ impl<const N: usize> Series<N> {
         sum
     }
 
-    /// Returns a polynomial in t that encloses the function at r₀ + t. All terms but the last are taken at r₀, and the
-    /// last over the interval.
+    /// Returns a polynomial in t whose values contain the function at r₀ + t. Its last coefficient is that over the
+    /// interval, and all others are those at r₀.
     #[must_use]
     pub fn joined(at: &Self, over: &Self) -> Self {
         let mut joined = *at;

@@ -29,7 +29,8 @@ pub fn filler(modal: Modal, order: usize) -> Fill<f64> {
     })
 }
 
-/// Returns a sum over the modes: each mode's share over 1 − (nR)² + 2iζnR.
+/// Returns the response of the modes at r: the sum of `shares` over 1 − (nR)² + 2iζnR, where R is the frequency ratio
+/// of a mode.
 fn response(modal: &Modal, shares: &[f64], r: f64) -> Complex<f64> {
     let terms = shares.iter().zip(&modal.root).map(|(share, root)| {
         let ratio = r / root;

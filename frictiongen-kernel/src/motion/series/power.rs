@@ -40,7 +40,7 @@ impl<S: Float> Power<S> {
         self.terms.get(place).copied().unwrap_or(S::constant(0.0))
     }
 
-    /// Returns the function sign·f − level for the search, over the length `reach`, where f is this series.
+    /// Returns the function sign·f − level, where f is this series, for a search over the length `reach`.
     pub(crate) fn seen(&self, sign: S, level: S, reach: S) -> Seen<'_, S> {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let mut bound = S::constant(0.0);
@@ -62,7 +62,8 @@ impl<S: Float> Power<S> {
     }
 }
 
-/// The function sign·f − level of a power series f over the length `reach`, with a bound on its third derivative.
+/// A function for a search: sign·f − level, where f is a power series.  It has a length over which it is searched, and
+/// a bound on its third derivative.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen<'p, S> {
     power: &'p Power<S>,

@@ -20,8 +20,8 @@ pub(crate) struct Sum<'a, S> {
     pub reach: S,
     /// Rounding error of a value of the function.
     pub noise: S,
-    /// Upper bound on the rate of change of the function, as a derivative over the function's own size.  It is the rate
-    /// of the fastest oscillator, in rad per rad of the excitation.
+    /// Rate of the fastest oscillator, in rad per rad of the excitation.  A derivative of the function is larger than
+    /// the function by at most this factor.
     pub(crate) rate: S,
     /// Bound on the third derivative of the fundamental component and of the oscillators near a resonance.
     bound: S,

@@ -12,7 +12,7 @@ const WEDGED: f64 = 16.0;
 /// Smallest advance after an instant at which the function only touches zero, in roundings of the instant.
 const PAST: f64 = 4.0;
 
-/// Result of a walk.
+/// Result of a search in safe steps (a *walk*).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Walk<S> {
     /// The function has a zero at this instant.  The flag is true if the function reaches −level instead of level.

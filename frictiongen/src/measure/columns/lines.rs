@@ -113,7 +113,7 @@ pub fn fit_lines(system: &System, found: &SweepFit, points: usize) -> Vec<Quanti
     let mut lines = Lines::default();
     let scene = system.scene();
     lines.estimate("reference_Hz", "sqrt(k1/m1)", found.reference, "Hz");
-    // These are the factors from f in Hz to r, and from ω in rad/s to r.
+    // The following lines give the factors from f in Hz to r, and from ω in rad/s to r.
     let inverse = Estimate {
         value: 1.0 / found.reference.value,
         from: 1.0 / found.reference.to,

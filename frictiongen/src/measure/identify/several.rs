@@ -87,8 +87,8 @@ impl Several<'_, '_> {
             None => vec![Direction::Friction],
             Some(place) => directions(*self.unknowns.get(place)?, masses),
         };
-        // The derivative is taken with respect to a factor at the value 1. The frequencies of the changed scene already
-        // include the present factor, by which the chain rule divides.
+        // `Along` differentiates with respect to a factor on the frequencies whose value is 1. The unknown is the whole
+        // factor, which the changed scene already contains. By the chain rule the derivative is divided by this factor.
         let factor = match index
             .checked_sub(1)
             .and_then(|place| self.unknowns.get(place))

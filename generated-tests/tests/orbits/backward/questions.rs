@@ -159,7 +159,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
                     self.unreached += 1;
                     continue;
                 }
-                // A larger remainder is judged as any other answer. Its size is nearly zero.
+                // A larger remainder is judged as any other answer, against a size of nearly zero.
             }
             self.plain(Asked::Stuck(mass), got, None, largest);
         }

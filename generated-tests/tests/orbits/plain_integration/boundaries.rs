@@ -106,8 +106,8 @@ fn check_boundary(mut chain: Chain, text: &str, beyond: Verdict) -> usize {
     let by_search = limit < at.continuous_limit_without_search() * (1.0 - 1e-3);
     assert_eq!(by_search, beyond == Verdict::Turns, "{text}");
     let mut compared = 0;
-    // The error of the verdict comes from the sampling of z̄′, not from the integration. It sets the distance of the
-    // closer factors from 1.
+    // z̄′ is sampled on a grid, which limits the accuracy of the verdict more than the integration does. The factors
+    // closest to 1 allow for that.
     for factor in [0.5, 0.98, 1.0 - 1e-5] {
         chain.beta = factor * limit;
         assert_eq!(

@@ -265,7 +265,7 @@ fn stuck_off_its_centre() {
             size(&System::<f64>::try_from(moved(system.scene(), quantity, by)).expect("valid"))
         });
         let expected = (up - down) / (2.0 * by);
-        // The bound is the square of the step, with a margin for curvature.
+        // The error of the difference is of the order of the step's square. The bound has a margin for the curvature.
         let scale = here / found.value;
         assert!(
             (found.amplitude.derivative - expected).abs() < 1e-6 * scale,

@@ -123,7 +123,8 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     let mut components = vec![Complex::new(0.0, 0.0); orders as usize + 1];
     let step = whole / INSTANTS as f64;
     for index in 0..INSTANTS {
-        // τ of the excitation is 0 at the maximum next to the origin of the contact's motion.
+        // The harmonics of the orbit count τ_e from the maximum of the excitation that is nearest to the origin of the
+        // contact's motion.
         let angle = TAU * first + step * index as f64;
         for (mass, largest) in largest.iter_mut().enumerate() {
             let moment = run.mass(names[mass]).expect("a mass");
@@ -144,7 +145,8 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     assert!(worst < 1e-9, "off by {worst:e}");
     for (mass, largest) in largest.iter().enumerate() {
         let amplitude = orbit.mass_at(mass).expect("a mass").amplitude();
-        // The largest sample is below the maximum by at most (step/2)²/2 of the curvature of the fastest motion.
+        // The largest sample misses the maximum by at most half the curvature of the fastest motion times the square of
+        // half a step.
         assert!(
             largest - amplitude < 1e-9 && amplitude - largest < 1e-4,
             "{largest} {amplitude}"

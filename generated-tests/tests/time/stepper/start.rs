@@ -78,7 +78,8 @@ fn sticks_with_its_force_or_slides() {
             described.name
         );
         assert!(stuck > 20 && slid > 20);
-        // The state goes from the masses to the chain with a stuck contact and back, which rounds it.
+        // The new stepper converts the state of the masses to that of the chain with a stuck contact, and back. Both
+        // conversions round.
         assert!(worst < 1e-12, "{text}: {worst:e}");
     }
 }

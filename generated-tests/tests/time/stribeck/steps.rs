@@ -1,4 +1,4 @@
-//! A run with other steps, from other states, and compared with the stepper.
+//! Compares runs with other steps, runs from other states, and runs with the stepper.
 
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, WALL, WALL_BASE};
 use crate::stribeck::{follow, lined, scaled, units};
@@ -137,7 +137,8 @@ fn beside_the_stepper() {
             };
             let [coarse, fine] = [400, 3200].map(off);
             println!("{}, {r}, {beta}: {coarse:.1e}, {fine:.1e}", &text[7..14]);
-            // The expected factor is 64. A break-away that is late by a fraction of a step makes it vary.
+            // The difference should fall by a factor of 64. The factor varies, because a break-away may be late by a
+            // fraction of a step.
             assert!(fine < 1e-5 && fine < coarse / 16.0, "{coarse:e}, {fine:e}");
             compared += 1;
         }
