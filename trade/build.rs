@@ -1,4 +1,5 @@
-//! Compiles the other programs that are written in C. Without a compiler the program runs without them and says so.
+//! Compiles the programs in C that the measurement compares with. Without a C compiler the measurement runs without
+//! them and says so.
 
 use std::path::PathBuf;
 use std::process::Command;

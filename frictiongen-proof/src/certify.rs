@@ -28,7 +28,8 @@ const SHORTEST: f64 = 1e-3;
 /// Length of a cell, in radians of the fastest mode, below which another instant may have nearly the same constraint as
 /// the witness. Tuned: cells become short where D is small.
 const COMPETE: f64 = 0.1;
-/// Largest number of searches for another such instant. Tuned: it bounds the work of the searches.
+/// Largest number of searches for another instant with nearly the same constraint as the witness. Tuned: it bounds the
+/// work of the searches.
 const MOST_TRIED: usize = 4;
 /// Ratio of the next cell's length to that of a certified cell. Tuned: fast growth saves cells, but a cell that fails
 /// is lost work.

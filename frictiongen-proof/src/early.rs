@@ -56,7 +56,7 @@ pub(crate) fn over_tau<const N: usize>(
 ) -> (Series<N>, Series<N>) {
     let zero = Series::fixed(Interval::ZERO);
     // At τ = 0 the nth derivative of p is k_n xⁿ⁻¹, with k_n + 2ζk_{n−1} + k_{n−2} = 0. Because x = σ/r, all modes have
-    // the same power of r. These are the sums over the modes of κc(1 + g)·k_nσⁿ⁻¹ and of κcu/x²·k_{n+1}σⁿ.
+    // the same power of r. The code sums κc(1 + g)·k_nσⁿ⁻¹ and κcu/x²·k_{n+1}σⁿ over the modes.
     let mut sums = [(zero, zero); TERMS + 1];
     for mode in &stage.modes {
         let own = mode.oscillator;

@@ -35,9 +35,9 @@ pub(crate) struct Oscillator {
     pub zeta_over_q: Interval,
     /// ζ + q.
     pub fast: Interval,
-    /// (φᵀw)².
+    /// c = (φᵀw)², the square of the mode's component in the contact.
     pub inverse_mass: Interval,
-    /// (φᵀw)(φᵀp).
+    /// (φᵀw)(φᵀp), the residue from the load to the contact.
     pub residue: Interval,
 }
 

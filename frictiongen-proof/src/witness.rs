@@ -13,8 +13,8 @@ pub(crate) enum Witness {
     BreakAway,
     /// The instant τ = πt, with the coefficients of t as a polynomial in r − r₀. The constraint is F/sin τ.
     Instant(Vec<f64>),
-    /// The instant τ = πt near the start of the half period, with the same coefficients. The constraint uses the Taylor
-    /// series in τ.
+    /// The instant τ = πt near the start of the half period, with the coefficients of t as a polynomial in r − r₀. The
+    /// constraint uses the Taylor series in τ.
     Early(Vec<f64>),
 }
 
@@ -29,7 +29,7 @@ impl Witness {
     }
 }
 
-/// Returns Σ c_k tᵏ.
+/// Returns the value Σ c_k tᵏ of a polynomial at a series t.
 pub(crate) fn polynomial<const N: usize>(coefficients: &[f64], t: Series<N>) -> Series<N> {
     let zero = Series::fixed(Interval::ZERO);
     coefficients.iter().rev().fold(zero, |sum, coefficient| {

@@ -100,7 +100,8 @@ impl<'a, S: Float> Dynamics<'a, S> {
 }
 
 impl<S: Float> HeldMode<S> {
-    /// Returns y and u of the mode, from the products of a motion with the mode's two states.
+    /// Returns y and u of the mode.  `first` and `second` are the products of the chain's motion with the mode's two
+    /// states.
     pub(crate) fn state(&self, first: S, second: S) -> (S, S) {
         let [m11, m12, m22] = self.inverse;
         (m11 * first + m12 * second, m12 * first + m22 * second)

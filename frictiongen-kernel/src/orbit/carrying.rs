@@ -24,7 +24,7 @@ const GRAZE: f64 = 1e-9;
 /// Largest relative difference between the derivatives of two successive Newton steps.
 const ALIKE: f64 = 1e-6;
 
-/// Rounding error of a derivative in `f64`, relative to the state's size.
+/// Rounding error that a derivative of the state has in `f64`, relative to the size of the state.
 const ROUNDING: f64 = 1e-14;
 /// Relative difference below which r and β count as equal to those of the steady state.
 const SAME: f64 = 1e-12;

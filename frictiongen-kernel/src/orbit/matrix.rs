@@ -159,8 +159,8 @@ impl<'a, S: Float> Matrix<'a, S> {
         }
     }
 
-    /// Returns the start of the block that ends before `end`.  The block starts after the last negligible subdiagonal
-    /// entry.
+    /// Returns the index of the first row of the diagonal block that ends before `end`.  A negligible subdiagonal entry
+    /// separates the block from the rows above.
     fn last_block(&mut self, end: usize) -> usize {
         for k in (1..end).rev() {
             let size = self.at(k - 1, k - 1).abs() + self.at(k, k).abs();
@@ -264,7 +264,8 @@ impl<'a, S: Float> Matrix<'a, S> {
     }
 }
 
-/// Returns v and τ of the reflection that turns x into a multiple of the first unit vector, or `None` if x = 0.
+/// Returns v and τ of the reflection that turns x into a multiple of the first unit vector.  Returns `None` if x
+/// already is such a multiple.
 fn reflector<S: Float>(x: [S; 3]) -> Option<([S; 3], S)> {
     let [a, b, c] = x;
     let size = a.abs() + b.abs() + c.abs();

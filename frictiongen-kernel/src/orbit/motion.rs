@@ -11,8 +11,8 @@ use crate::number::scalar::Float;
 
 /// Difference, in roundings, below which two amplitudes count as equal.
 const ROUNDINGS: f64 = 64.0;
-/// Difference, in rad, below which two lags count as equal.  In `f32` the limit is the number of roundings that
-/// amplitudes have.
+/// Difference, in rad, below which two lags count as equal.  In `f32` the limit is [`ROUNDINGS`] roundings, because
+/// they exceed this number.
 const SAME_LAG: f64 = 1e-9;
 
 /// The steady motion of the contact or of a mass, in an [`Orbit`].
@@ -212,7 +212,7 @@ where
             stuck = mark.contact_state.contact == Contact::Stuck;
         }
         match first {
-            // The state before the first segment is known only after the last one.
+            // The segment before the first one is the last one of the period.  Its state is known only now.
             Some(first) if !stuck => best.note(first.contact_state.t, first.relative),
             Some(first) if best.lag.is_none() => {
                 best.value = first.relative.abs();

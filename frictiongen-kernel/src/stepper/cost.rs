@@ -133,7 +133,7 @@ impl Extent {
         let moved = driven * (terms * (14 + 7 * d) + (8 * inputs + 9) * d + 12);
         let rest = 4 * terms + (inputs + 1) * d * d + 60;
         let on_base = if self.on_moving_base { 50 + 20 * d } else { 0 };
-        // The last term is the bound on the third derivative.
+        // The last term, 8 · terms, is the cost of the bound on the third derivative.
         series + moved + rest + on_base + 8 * terms
     }
 

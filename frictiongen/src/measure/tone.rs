@@ -170,7 +170,8 @@ impl Basis {
         if ENOUGH_BINS <= bins {
             return sum / bins as f64;
         }
-        // With few cycles the noise comes from all bins between the harmonics.
+        // A short record has too few bins near the driving frequency. The noise then comes from all bins between the
+        // harmonics.
         let top = (self.harmonics as f64 + 0.5) * self.cycles;
         let between = |bin: f64| {
             let nearest = (bin / self.cycles).round() * self.cycles;

@@ -22,7 +22,7 @@ pub struct Beside {
     pub text: &'static str,
     /// Factors by which time and error of the mark are multiplied to give the position of the note.
     pub off: (f64, f64),
-    /// Side of the note at which it touches its position.
+    /// Part of the note's text that is at the position of the note: its start, middle or end.
     pub anchor: Anchor,
     /// True if the note is about this method alone and has its colour.
     pub coloured: bool,

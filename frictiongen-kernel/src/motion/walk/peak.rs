@@ -9,7 +9,8 @@ use crate::number::scalar::Float;
 const EQUAL: f64 = 64.0;
 /// Upper bound on the number of peaks in a segment to which the search climbs.
 const MAX_CLIMBS: u32 = 256;
-/// Fall from a summit after which the search continues, as a multiple of the difference that counts as equal.
+/// The search continues where the function has fallen from a summit by this multiple of the difference that counts as
+/// equal.
 const BELOW: f64 = 4.0;
 /// Upper bound on the steps of a climb to a summit, shortened steps included.
 const CLIMB_STEPS: usize = 60;

@@ -71,8 +71,8 @@ pub(super) fn answer(system: &System, seen: &Observation, friction: f64) -> Opti
 /// contact no finite force makes it stick, so that the scan needs a bound.
 const FAR: f64 = 20.0;
 
-/// Returns two forces in N: the force from which on the contact is stuck, and the upper bound of the scan. They differ
-/// only if the first one exceeds the limits at other frequencies more than [`FAR`] times.
+/// Returns two forces in N: the smallest force at which the contact is stuck, and the upper bound of the scan. The
+/// upper bound is the smaller one only if the first force is above [`FAR`] times the limits at other frequencies.
 pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f64)> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let limit = system.at(r).ok()?.sliding_limit();

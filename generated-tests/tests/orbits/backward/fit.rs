@@ -133,7 +133,7 @@ pub fn shortest<S: Float>(
         let [q, r] = orthogonal(columns)?;
         let mut moved = vec![zero; inputs.len()];
         for j in (0..inputs.len()).rev() {
-            // The residual after this column is the right-hand side for the next columns.
+            // The part of the right-hand side that this column does not explain remains for the next columns.
             let along = dot(&q[j], &aim);
             for (value, q) in aim.iter_mut().zip(&q[j]) {
                 *value = *value - along * *q;

@@ -202,7 +202,8 @@ fn hardly_sliding() {
             let orbit = at.orbit(1.0 - below).expect("hardly sliding");
             let expected = 2.25 * below * below / (r * r);
             let apart = (amplitude(&orbit) - expected).abs();
-            // The formula neglects terms of relative size ε. The answer may also be off by 64 roundings of P/k₁.
+            // The formula neglects terms of the relative size ε = 1 − β. The answer may also be wrong by 64 roundings
+            // of P/k₁.
             let left_out = 4.0 * below * (1.0 + 1.0 / (r * r)) * expected;
             let allowed = left_out + 64.0 * f64::EPSILON;
             assert!(

@@ -57,8 +57,8 @@ fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
     }
     let (found, want) = (both.rig.work(), both.plain.work);
     let load = want.load - want.carried;
-    // The energy that the base's displacement stores in its springs counts twice alike: as stored energy and as work of
-    // the load.
+    // The stepper counts the energy that the base's displacement stores in its springs both as stored energy and as
+    // work of the load. It therefore cancels in the difference.
     let damping = (found.damping - want.damping).abs() / load.abs();
     let friction = (found.friction - want.friction).abs() / load.abs();
     println!(

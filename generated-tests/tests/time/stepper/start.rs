@@ -51,7 +51,8 @@ fn sticks_with_its_force_or_slides() {
             let [x, v] = state(&stepper, masses);
             let mut again = system.stepper_from(dt, (&x, &v)).expect("a state");
             let (want, unloaded) = (stepper.contact(), again.contact());
-            // In a scene without load on the base, the base is at rest.
+            // Before it is given a load, the new stepper assumes a base at rest. The two states then agree only if the
+            // contact does not rub on the base.
             if !on_base {
                 assert_eq!(unloaded.is_sticking(), want.is_sticking(), "{text}");
             }

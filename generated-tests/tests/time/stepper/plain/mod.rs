@@ -349,8 +349,8 @@ impl Plain {
             } else if c[1] < 0.0 {
                 Some(0.0)
             } else {
-                // The speed is exactly that of a point of the law, and moves away from it along this line. The zero at
-                // the start is divided out.
+                // The speed is exactly that of a point of the law, and moves away from it along this line. The
+                // polynomial's zero at the start is divided out.
                 first(&c[1..], 0.0, best.0)
             };
             if let Some(at) = found.filter(|at| *at < best.0 || best.1 == Next::End) {
