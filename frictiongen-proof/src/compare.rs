@@ -34,7 +34,7 @@ pub(crate) struct Compared {
     pub gap: Option<(f64, f64)>,
     /// The proven interval, relative to the centre of the series.
     pub away: Interval,
-    /// The square of (polynomial over β_lim of the witness), at the centre and over the interval.
+    /// The quotient of the polynomial and β_lim of the witness, squared: at the centre, and over the interval.
     pub square: [Series<SHORT>; 2],
     /// Largest relative rounding error of the polynomial's evaluation.
     pub rounding: f64,

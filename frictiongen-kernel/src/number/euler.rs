@@ -3,9 +3,9 @@
 //! The polynomials describe the motion of a free mass under a unit force that changes its sign every half period. They
 //! are used in `modal_sum::mass_controlled`.
 
-/// Number of Euler polynomials of even order that a response sums in `f64`. `SINGLE` is the number in `f32`. With each
-/// order the third harmonic of the neglected remainder falls at least sixfold, so that (1/6)^(2·`DOUBLE`) is below the
-/// rounding error.
+/// Number of Euler polynomials of even order that a response sums in `f64`. `SINGLE` is the number in `f32`. Each
+/// further order reduces the third harmonic of the neglected remainder at least by a factor of six. With these numbers
+/// (1/6)^(2·`DOUBLE`) is below the rounding error.
 const DOUBLE: usize = 11;
 const SINGLE: usize = 5;
 

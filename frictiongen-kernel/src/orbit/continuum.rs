@@ -124,7 +124,8 @@ pub(super) fn member<S: Float>(
     Ok(one)
 }
 
-/// Bisects for the largest share of a steady motion.  The motion is steady at `inside` and not at `outside`.
+/// Finds the largest amount (share) of the free vibration with which the motion is still steady, by bisection.  The
+/// motion is steady with the share `inside` and not with `outside`.
 fn last_inside<S: Float>(
     mut inside: S,
     mut outside: S,

@@ -74,8 +74,8 @@ impl<S: Float> Stretch<S> {
         }
     }
 
-    /// Returns the coefficients over the sub-interval of a straight line.  `from` and `to` are its values at the start
-    /// and at the end of the step.
+    /// Returns a straight line over the step, as a polynomial over this sub-interval.  `from` and `to` are the values
+    /// at the start and at the end of the step.
     pub(super) fn line<const D: usize>(self, from: S, to: S) -> [S; D] {
         let rise = to - from;
         let mut terms = [S::constant(0.0); D];

@@ -128,7 +128,8 @@ mod tests {
         // root from the right.  The top of the cubic is at 2.
         for bound in [1e-12_f32, 1e-9, 1e-7, 1e-4] {
             let h = safe(0.0, 2.0, -1.0, bound, 10.0);
-            // The chord from Newton's last point is nearer to the root than that point.
+            // The bounds are close to 4, because the chord at the last Newton step is nearer to the root than that step
+            // itself.
             assert!((3.99..=4.000_001).contains(&h), "{bound:e}: {h}");
         }
         // The cubic 1 − h − h²/2 has its top at a negative h.

@@ -255,7 +255,8 @@ impl Run<'_> {
         let slope = &plain.slopes[(self.way + 1) as usize];
         let [from, to] =
             [&self.state, &next].map(|state| [row.dot(state), length * slope.dot(state)]);
-        // The closure returns the distance of the deciding quantity from its limit.
+        // The closure returns two distances from the next event: at the end of the step, and the smallest one within
+        // the step. It measures the velocity while the contact slides, and the force while it sticks.
         let room = |sign: f64, limit: f64| {
             let [from, to] = [from, to].map(|[value, slope]| [limit - sign * value, -sign * slope]);
             (

@@ -1,5 +1,5 @@
-//! Drives a stepper by a sampled cosine. It must approach the steady state of `orbit`, and must follow the event-driven
-//! motion in time, with the order of its input.
+//! Drives a stepper by a sampled cosine. Its motion must approach the steady state of `orbit`. From rest, it must
+//! follow the event-driven motion in time. Both errors must have the order of the input's interpolation.
 
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, begin, rig};
 use crate::stepper::scenes::{BASE, ONE_ON_BASE, PAIR, WALL, WALL_BASE, sticky};

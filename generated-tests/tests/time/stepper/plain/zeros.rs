@@ -86,8 +86,8 @@ fn monotone(c: &[f64], from: f64, to: f64) -> Option<f64> {
 
 #[test]
 fn zeros_of_known_polynomials() {
-    // The test uses (t − 1/4)(t − 3/4) from the left, from between its zeros with the opposite sign, and on an interval
-    // without zeros.
+    // The polynomial (t − 1/4)(t − 3/4) is tested three times: from the left of both zeros, from between them with the
+    // opposite sign, and on an interval without zeros.
     let c = [0.1875, -1.0, 1.0];
     assert!((first(&c, 0.0, 1.0).expect("a zero") - 0.25).abs() < 1e-15);
     assert!((first(&c.map(|c| -c), 0.3, 1.0).expect("a zero") - 0.75).abs() < 1e-15);
