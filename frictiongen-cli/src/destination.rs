@@ -6,7 +6,7 @@ use crate::file;
 use std::io::Write;
 use std::path::Path;
 
-/// Additions to the names and values of a CSV.
+/// Additions to a CSV file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extras {
     /// A second line with the units of the columns.
@@ -64,7 +64,7 @@ impl FormatArguments {
     }
 }
 
-/// The destination of an answer.
+/// The destination of an answer: its format, and the file or standard output.
 #[derive(Debug)]
 pub struct Destination<'a> {
     /// The format.

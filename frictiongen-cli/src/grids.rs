@@ -7,7 +7,7 @@ use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen::study::columns::Setting;
 
-/// System, frequencies, frictions, units and parts of a question.
+/// System, frequencies, frictions, units and motions of a command that answers over a grid.
 pub struct Grids {
     /// The system.
     pub system: System,
@@ -17,12 +17,12 @@ pub struct Grids {
     pub frictions: Frictions,
     /// The units of the answers.
     pub measure: Measure,
-    /// The contact and masses of the answers.
+    /// The contact and masses whose motions the answers contain.
     pub parts: Vec<Part>,
 }
 
 impl Grids {
-    /// Returns what the tables of the library need.
+    /// Returns the settings for the tables of the library.
     pub fn setting(&self) -> Setting<'_> {
         Setting {
             system: &self.system,
@@ -35,7 +35,7 @@ impl Grids {
         }
     }
 
-    /// Returns the number of points.
+    /// Returns the number of points: frequencies times frictions.
     pub fn len(&self) -> usize {
         self.frequencies.len().saturating_mul(self.frictions.len())
     }

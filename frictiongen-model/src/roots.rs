@@ -52,7 +52,7 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
     let value = |omega: Dd| {
         modes.iter().fold(Dd::ZERO, |sum, mode| {
             let gap = |sigma: Dd| (sigma - omega) * (sigma + omega);
-            // In the terms of the two neighbouring modes, one of the two denominators cancels.
+            // In the terms of the two neighbouring modes, one of both denominators cancels.
             let weight = if mode.sigma == low {
                 gap(high)
             } else if mode.sigma == high {

@@ -336,8 +336,8 @@ impl Change {
                 let products = shape.iter().zip(on);
                 let product = products.fold(zero, |sum, (a, b)| sum + *a * *b);
                 projection.slope = product.slope;
-                // A mode keeps its values from the analysis, which has set noise to zero. A rotated mode is a different
-                // mode, so it takes its new values.
+                // An unrotated mode keeps its values from the analysis, which has set noise to zero. A rotated mode is
+                // a different mode, so it takes its new values.
                 if *turned {
                     projection.value = product.value;
                 }

@@ -74,7 +74,7 @@ fn figure(figure: &Figure) -> (String, Vec<Rect>) {
         (Page::Wide, 1) => 640.0,
         (Page::Wide, _) => 900.0,
     };
-    // A chain that is too wide even after shrinking makes a narrow page wider.
+    // If a chain is too wide even after shrinking, the narrow page becomes wider.
     let room = width - 2.0 * MARGIN;
     let chain = figure.sketch.as_ref().and_then(|sketch| sketch.size(room));
     let width = f64::max(width, chain.map_or(0.0, |size| size.0 + 2.0 * MARGIN));

@@ -107,7 +107,7 @@ impl Plan<'_> {
     fn far(&self, pen: &mut Pen<'_>, above: &Above<'_>) {
         let (low, high, lane) = (above.low, above.high, above.lane);
         let (row, y) = (self.top(), self.lane(lane));
-        // Springs of one mass rise side by side.
+        // Springs of the same mass rise side by side.
         let shift = (RISER - 4.0 * (lane % 4) as f64) * self.pitch.0 / WIDTH;
         let end = |station: usize, sign: f64| {
             let (left, right) = self.sides(station);
@@ -124,7 +124,7 @@ impl Plan<'_> {
                 pen.line(&[(x, row), (x, y)], INK, 1.2);
             }
         }
-        // The zigzag is above a gap between masses, where no spring rises.
+        // The zigzag is drawn above a gap between masses, where no spring rises.
         let (low, high) = (low as f64, high as f64);
         let gap = (0.5 * (low + high) - 0.5).floor().max(low) as usize;
         let middle = 0.5 * (self.sides(gap).1 + self.sides(gap + 1).0);

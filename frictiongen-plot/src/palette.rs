@@ -1,4 +1,4 @@
-//! Colours: strong colours for series, pale colours for classes, and a colour map for values.
+//! Colours: strong colours for curves, pale colours for classes, and a colour map for values.
 
 use std::fmt;
 
@@ -171,8 +171,8 @@ mod tests {
         [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
     }
 
-    /// Returns a colour as seen with normal sight, without the long-wavelength cones, and without the middle ones
-    /// (Machado 2009).
+    /// Returns a colour as three kinds of viewers see it: with normal sight, without the long-wavelength cones, and
+    /// without the middle-wavelength cones (Machado 2009).
     fn seen(colour: Rgb) -> [[f64; 3]; 3] {
         let all = light(colour);
         let by = |m: [[f64; 3]; 3]| {
@@ -212,7 +212,7 @@ mod tests {
 
     #[test]
     fn series_are_told_apart_by_the_colour_blind_and_on_white() {
-        // A difference of 2.3 is just noticeable.
+        // A difference of 2.3 in L*a*b* is just noticeable.
         assert!(18.0 < least(&SERIES[..5]), "{}", least(&SERIES[..5]));
         assert!(11.0 < least(&SERIES), "{}", least(&SERIES));
         for colour in SERIES {

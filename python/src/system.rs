@@ -1,4 +1,4 @@
-//! The system: made from a description, with its data.
+//! Holds a system, made from a description, and returns its data.
 
 use crate::errors::scene;
 use frictiongen::System;

@@ -11,7 +11,7 @@ use frictiongen::System;
 use frictiongen::study::columns::{Column, CurveRow, CurveTable, Friction, Setting};
 use frictiongen::study::curve::{Curve, CurveRequest};
 
-/// The curves with everything needed to write them.
+/// The curves, with the settings that are needed to write them.
 pub struct CurveReport {
     /// The system.
     pub system: System,
@@ -23,11 +23,11 @@ pub struct CurveReport {
     pub measure: Measure,
     /// The motions to write.
     pub parts: Vec<Part>,
-    /// The request that made the curves.
+    /// The request from which the curves were computed.
     pub request: CurveRequest,
     /// The curves, one for each friction and start.
     pub curves: Vec<(Friction, Curve)>,
-    /// True if the user asked for a start other than rest.
+    /// True if the user requested a start other than rest.
     pub swept: bool,
 }
 

@@ -10,7 +10,7 @@ use frictiongen::study::columns::{Column, FeatureLine, FeatureTable, Part, Setti
 use frictiongen::study::features::Sensed;
 use serde_json::{Value as Json, json};
 
-/// The features with everything needed to write them.
+/// The features, with the settings that are needed to write them.
 pub struct FeaturesReport<'s> {
     /// The system.
     pub system: &'s System,
@@ -18,7 +18,7 @@ pub struct FeaturesReport<'s> {
     pub band: Band,
     /// The units of the answers.
     pub measure: Measure,
-    /// The features.
+    /// The features, one for each line.
     pub lines: Vec<FeatureLine>,
 }
 

@@ -1,4 +1,4 @@
-//! The page: its head, its sections and its data.
+//! Assembles the page from its head, its sections and its data.
 
 use super::asked::Asked;
 use super::best::{self, Best};
@@ -17,7 +17,7 @@ const VERSION: u32 = 1;
 
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("read.js");
-/// Hash of the script. The page allows no other script to run. A test compares hash and script.
+/// Hash of the page's script. The page allows no other script to run. A test compares hash and script.
 const SCRIPT_HASH: &str = include_str!("read.js.sha256");
 
 /// Contents of the page.
@@ -26,7 +26,7 @@ pub struct Page<'a> {
     pub file: &'a str,
     /// Doc comments of the description.
     pub documentation: &'a str,
-    /// Subject of the page, asked for or chosen.
+    /// Content of the page, as the user requested it or the command chose it.
     pub asked: Asked,
     /// The modes.
     pub modes: Modes,
@@ -111,7 +111,7 @@ impl Page<'_> {
         page.into_string()
     }
 
-    /// Returns the choices that were made, and the units of the page.
+    /// Returns the section about the choices that the command made, and about the units.
     fn chosen(&self) -> Markup {
         let words = &self.asked.words;
         let option = measure::option(&words.measure);
@@ -133,7 +133,7 @@ impl Page<'_> {
     }
 }
 
-/// Returns the questions that the page does not answer.
+/// Returns the section about questions that the page does not answer.
 fn limits_of_the_page() -> Markup {
     html! {
         section #beyond {

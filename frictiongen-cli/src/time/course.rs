@@ -1,11 +1,11 @@
-//! Frequency, friction, parts and units of a motion.
+//! Settings of a motion over time: frequency, friction, units, and the contact and masses.
 
 use crate::asked::Part;
 use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, FrequencyUnit, Friction, HistoryTable, Setting};
 
-/// Frequency, friction, parts and units of a motion.
+/// Settings of a motion over time: frequency, friction, units, and the contact and masses.
 pub struct Course<'a> {
     /// The system.
     pub system: &'a System,
@@ -17,9 +17,9 @@ pub struct Course<'a> {
     pub friction: Friction,
     /// The units of the answers.
     pub measure: Measure,
-    /// The moving parts.
+    /// The contact and masses whose motions are written.
     pub parts: Vec<Part>,
-    /// True if times are given in seconds too.
+    /// True if times are written in seconds too.
     pub in_seconds: bool,
 }
 

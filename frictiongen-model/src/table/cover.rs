@@ -28,7 +28,7 @@ const SHORTEST: f64 = 1e-13;
 /// First trial length of a polynomial piece, as a multiple of the length of the previous piece. It is rather too long
 /// than too short, since a trial that is too long bounds the length from above at once.
 const LONGER: f64 = 1.5;
-/// Length of the last polynomial piece. The first trial length of the next piece follows from it.
+/// Largest number of fits in the search for the longest polynomial piece from one start.
 const MOST_FITS: usize = 200;
 /// Error that the next trial length of a piece aims at, divided by the allowed error, after a fit within the allowed
 /// error.
@@ -236,7 +236,7 @@ impl<S: Float> Cover<'_, '_, S> {
                     break;
                 }
                 if length >= stop {
-                    // The piece has passed beyond a weak kink, which may lie within a piece.
+                    // The piece extends beyond a weak kink, which does no harm within a piece.
                     stop = next.next().unwrap_or(most);
                 }
                 let guess = length * clamped((AIM / error.max(TINY)).powf(order), LONGER_BY);

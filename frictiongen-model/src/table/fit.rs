@@ -109,7 +109,7 @@ pub(super) fn fit<S: Float>(
         }
         let places: Vec<f64> = nodes.iter().map(|r| (r - origin.to_f64()) / half).collect();
         let mut through = interpolated(&places, &values);
-        // The allowed rounding of each coefficient follows from its effect at the end of the piece.
+        // The allowed rounding of each coefficient follows from its effect at the ends of the piece.
         let least = values
             .iter()
             .fold(f64::INFINITY, |least, value| least.min(value.abs()));

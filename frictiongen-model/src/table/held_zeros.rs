@@ -44,7 +44,7 @@ fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>
     ))
 }
 
-/// Contact force and modal amplitudes at one frequency ratio while the contact is stuck, to the last digits.
+/// Contact force and modal amplitudes while the contact is stuck, at one frequency ratio and to the last digits.
 pub(super) struct HeldAt {
     /// V/H, the force that keeps the contact stuck.
     pub force: Complex<Dd>,

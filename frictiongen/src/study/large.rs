@@ -10,7 +10,7 @@ use nalgebra::DMatrix;
 
 /// Largest number of masses for which the modal analysis is in double-double arithmetic.
 pub(super) const LARGEST_EXACT: usize = 64;
-/// Share of a residue's largest possible size below which the residue counts as rounding noise.
+/// A residue below this fraction of its largest possible size counts as rounding.
 const NOISE: f64 = 1e-13;
 /// Cosine of the angle between two columns below which the columns count as orthogonal.
 const ORTHOGONAL: f64 = 1e-15;

@@ -16,7 +16,7 @@ pub struct NativeRecording {
 }
 
 impl NativeRecording {
-    /// Returns the name of the recording among several.
+    /// Returns the name of the recording. `place` and `of` give its position among several recordings.
     pub fn called(&self, place: usize, of: usize) -> Option<String> {
         let number = || (1 < of).then(|| format!("recording {}", place + 1));
         self.source.clone().or_else(number)

@@ -56,7 +56,7 @@ struct Interval {
     part: usize,
 }
 
-/// The refinement of one curve.
+/// Refines one curve between its first points.
 pub(super) struct Refine<'a> {
     pub system: &'a System,
     pub request: &'a CurveRequest,
@@ -112,7 +112,7 @@ impl<'a> Refine<'a> {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
             let sizes =
                 points.filter_map(|point| Some(point.movements.get(index)?.swing.amplitude));
-            // Points without motion say nothing about the size of a motion.
+            // Points without motion give no scale for the motion's size.
             let mut sizes: Vec<f64> = sizes.filter(|size| 0.0 < *size).collect();
             sizes.sort_by(f64::total_cmp);
             SMALL * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)

@@ -23,8 +23,8 @@ const CANCELLED: f64 = 1e-13;
 const TOUCH: f64 = 1e-9;
 /// Relative distance within which zeros at which the function touches 0 count as one zero.
 const ONE_TOUCH: f64 = 1e-6;
-/// Share of an interval's width at which the interval is cut. The middle is often a special point of a symmetric
-/// scene.
+/// Fraction of an interval's width at which the interval is cut. It is not ½, because the middle is often a special
+/// point of a symmetric scene.
 const CUT: f64 = 0.487_3;
 /// Relative width to which a bracket is halved before Newton's method takes over.
 const NEAR: f64 = 1e-6;
@@ -330,7 +330,7 @@ impl Search<'_, '_> {
         if rises != 0 {
             let at = |y: f64| self.function.over(Interval::point(y)).sign();
             match (at(low), at(high)) {
-                // The zero agrees with the bound to rounding.
+                // The zero equals this bound of the interval to rounding.
                 (0, _) => self.zeros.push(self.function.polished(low)),
                 (_, 0) => self.zeros.push(self.function.polished(high)),
                 (first, last) if first != last => {

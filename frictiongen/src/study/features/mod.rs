@@ -51,7 +51,7 @@ impl Certainty {
     pub const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
 }
 
-/// The reason why a search for features fails.
+/// The reason why the features cannot be found.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FeatureError {

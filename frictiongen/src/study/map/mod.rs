@@ -49,7 +49,7 @@ pub struct MapPoint {
     /// True if motion from rest ends in this state. False means that motion from rest does not settle and this is
     /// another state.
     pub from_rest: bool,
-    /// The offset of the contact's motion, over P/k₁, for base motion over Y.
+    /// The requested amplitudes, in the order of the request. The unit is P/k₁, for base motion Y.
     pub offset: f64,
     /// The requested amplitudes, in the order of the request, over P/k₁, for base motion over Y.
     pub amplitudes: Vec<f64>,
@@ -191,8 +191,8 @@ impl System {
             }
             Ok(column)
         };
-        // The cost of columns varies widely, and neighbours cost alike. Columns that are dealt out one at a time keep
-        // all cores busy.
+        // The cost of a column varies widely, and neighbouring columns have similar costs. The columns are handed out
+        // one at a time, so that all cores stay busy.
         let columns = request.r.par_iter().with_max_len(1).map(column);
         let columns: Vec<Option<MapColumn>> = columns.collect::<Result<_, OutOfDomain>>()?;
         Ok(Map {

@@ -33,9 +33,10 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 const STATIONARY: f64 = 1e-4;
 /// Bound on the work of one of the many searches of a tuned optimum. It amounts to a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
-/// The final check may use, in addition, the work bound of the search divided by this number.
+/// The work bound of the search, divided by this number, is the additional work that the final check may use.
 const OF_A_CHECK: usize = 6;
-/// Amplitudes up to this multiple of the best bound the intervals that show how flat the optimum is.
+/// The scan is verified up to this multiple of the best amplitude. It exceeds every amplitude for which a tolerance of
+/// friction is computed.
 const HIGHEST_TOLERANCE: f64 = 1.12;
 
 /// The kind of a minimum of the largest amplitude over friction.
@@ -84,8 +85,8 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     }
     let mut candidates = of_scan(&scan);
     let top = best(&scan);
-    // No amplitude is below 0. Just below the friction that stops the contact, amplitudes of motions too small to
-    // settle approach 0.
+    // An amplitude of 0 cannot be improved. Just below the friction that stops the contact, amplitudes of motions too
+    // small to settle approach 0.
     if 0.0 < top {
         let mut top = top;
         for (below, above) in between(&scan, top) {

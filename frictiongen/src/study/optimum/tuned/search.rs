@@ -209,7 +209,7 @@ fn rises(tried: &Tried) -> bool {
     0.0 < tried.slope
 }
 
-/// Returns the value of the number at which the tangents of two scanned values meet, and the amplitude there.
+/// Returns the value of the number at which the tangents of two scanned values meet, and the amplitude at that value.
 fn meeting(below: &Tried, above: &Tried) -> Option<(f64, f64)> {
     let rise = below.slope - above.slope;
     let sum =
