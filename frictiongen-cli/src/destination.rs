@@ -67,7 +67,7 @@ impl FormatArguments {
 /// The destination of an answer: its format, and the file or standard output.
 #[derive(Debug)]
 pub struct Destination<'a> {
-    /// The format.
+    /// Format of the answer: table, CSV, JSON or picture.
     pub form: Form,
     /// The file, which must not be the description. With `None` the answer goes to standard output.
     file: Option<(&'a Path, Option<&'a Path>)>,
@@ -137,7 +137,7 @@ impl<'a> Destination<'a> {
         })
     }
 
-    /// Writes the answer.
+    /// Writes the answer to the file or to standard output.
     pub fn write(
         &self,
         out: &mut dyn Write,

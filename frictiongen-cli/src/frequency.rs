@@ -11,9 +11,9 @@ use frictiongen::study::columns::{Frequency, FrequencyUnit as Unit};
 /// A continuous range of frequencies, with the unit in which the user gave it.
 #[derive(Clone, Debug)]
 pub struct Band {
-    /// Lowest frequency ratio r.
+    /// Lowest frequency ratio r of the range.
     pub from: f64,
-    /// Highest frequency ratio r.
+    /// Highest frequency ratio r of the range.
     pub to: f64,
     /// Largest distance between neighbouring points, in r.
     pub widest: Option<f64>,

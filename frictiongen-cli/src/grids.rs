@@ -9,13 +9,13 @@ use frictiongen::study::columns::Setting;
 
 /// System, frequencies, frictions, units and motions of a command that answers over a grid.
 pub struct Grids {
-    /// The system.
+    /// The system that the answers describe.
     pub system: System,
-    /// The frequencies.
+    /// Frequencies for which the answers are computed.
     pub frequencies: Frequencies,
-    /// The frictions.
+    /// Frictions for which the answers are computed.
     pub frictions: Frictions,
-    /// The units of the answers.
+    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The contact and masses whose motions the answers contain.
     pub parts: Vec<Part>,

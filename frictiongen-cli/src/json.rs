@@ -45,7 +45,7 @@ impl<'a> Writer<'a> {
         Ok(Self { out, empty: true })
     }
 
-    /// Writes a point.
+    /// Writes a point to the list of points.
     pub fn point(&mut self, point: &Json) -> io::Result<()> {
         let comma = if self.empty { "" } else { "," };
         self.empty = false;

@@ -22,7 +22,7 @@ pub trait Table {
     fn len(&self) -> usize;
     /// Computes the rows in order, and passes each to `visit` until `visit` fails.
     fn each(&self, visit: Visitor<'_, Self::Row>) -> Result<(), Failure>;
-    /// Returns the columns.
+    /// Returns the columns of the table, from left to right.
     fn columns(&self) -> Vec<Column<'_, Self::Row>>;
     /// Returns the arrangement of the motions in a row.
     fn layout(&self) -> Layout {

@@ -25,7 +25,7 @@ pub struct Summary {
     base_motion: bool,
     /// Natural frequencies in Hz. `None` if all frequencies are ratios.
     pub hertz: Option<Vec<f64>>,
-    /// Units of the answers.
+    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
 }
 

@@ -63,7 +63,7 @@ pub struct Course {
     pub samples: usize,
     /// The contact and masses whose motions are returned.
     pub parts: Vec<Part>,
-    /// Start of the run.
+    /// State from which the run starts.
     pub start: Start,
     /// Ratio μ of static to kinetic friction. `None` means that of the description.
     pub stiction: Option<f64>,

@@ -10,7 +10,7 @@ use pyo3::types::PyList;
 /// A scene with its modal analysis.
 #[pyclass(frozen, module = "frictiongen._native", name = "System")]
 pub struct NativeSystem {
-    /// The system in Rust.
+    /// The system, in the form of the Rust library.
     pub system: System,
 }
 

@@ -10,7 +10,7 @@ use frictiongen::study::map::{Boundary, Map};
 pub struct MapReport<'m> {
     /// Grids, units, and the contact and masses whose motions the map contains.
     pub grids: Grids,
-    /// The map.
+    /// The map whose points are written.
     pub map: &'m Map,
 }
 

@@ -10,7 +10,7 @@ use frictiongen::study::columns::{Column, OrbitRow, OrbitTable};
 pub struct OrbitReport {
     /// Grids, units, and the contact and masses whose motions are written.
     pub grids: Grids,
-    /// The orders of the harmonics.
+    /// Orders n of the harmonics that the answers contain.
     pub orders: Vec<u32>,
     /// True if the user requested every steady state. False writes only the state that motion from rest reaches.
     pub states: bool,

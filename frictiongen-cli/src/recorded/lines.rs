@@ -9,9 +9,9 @@ use serde_json::Value as Json;
 
 /// The quantities of a result, and the texts that are printed once above them.
 pub struct Lines<'a> {
-    /// The system.
+    /// The system that the answers describe.
     pub system: &'a System,
-    /// The quantities.
+    /// The quantities of the result, one for each line.
     pub lines: Vec<QuantityLine>,
     /// Titles and texts that are printed before the quantities.
     pub said: Vec<(&'static str, String)>,

@@ -25,9 +25,9 @@ const PLACES: usize = 401;
 
 /// Content of the page.
 pub struct Asked {
-    /// The system.
+    /// The system that the answers describe.
     pub system: System,
-    /// The range of frequencies.
+    /// Range of frequencies over which the answers are computed.
     pub band: Band,
     /// The units and their words.
     pub words: Words,

@@ -26,7 +26,7 @@ const MOST_OF_LONG: usize = 2;
 
 /// The best friction for one motion, or the reason why there is none.
 pub struct Best {
-    /// The motion.
+    /// The contact or mass whose amplitude is minimised.
     pub part: Part,
     /// The result of the search.
     pub found: Result<Optimum, String>,

@@ -28,7 +28,7 @@ pub struct Page<'a> {
     pub documentation: &'a str,
     /// Content of the page, as the user requested it or the command chose it.
     pub asked: Asked,
-    /// The modes.
+    /// Contents of the section about modes.
     pub modes: Modes,
     /// Amplitudes and phases.
     pub responses: Responses,
@@ -36,7 +36,7 @@ pub struct Page<'a> {
     pub regimes: Regimes,
     /// Features of the response.
     pub features: Features,
-    /// The best frictions.
+    /// Best friction of each motion, or the reason why it was not searched.
     pub best: Result<Vec<Best>, String>,
     /// Cost of the emitted code.
     pub cost: Cost,

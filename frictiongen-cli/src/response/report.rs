@@ -10,7 +10,7 @@ use frictiongen::study::columns::{Column, ResponseRow, ResponseTable};
 pub struct ResponseReport {
     /// Grids, units, and the contact and masses whose motions are written.
     pub grids: Grids,
-    /// The orders of the harmonics.
+    /// Orders n of the harmonics that the answers contain.
     pub orders: Vec<u32>,
 }
 

@@ -26,7 +26,7 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// Reads the options.
+    /// Reads the options of the command.
     pub fn parse(arguments: &TimeArguments) -> Result<Self, Failure> {
         let number = |option, text: &Option<String>, least, default| match text {
             Some(text) => whole(option, text, least..=MOST),

@@ -16,7 +16,7 @@ use serde_json::{Value as Json, json};
 pub struct Motion<'a> {
     /// Frequency, friction, units, and the contact and masses.
     pub course: Course<'a>,
-    /// Samples and events.
+    /// Samples and events of the motion.
     pub history: History,
     /// Exact spectrum of each motion. It is empty unless the user requests the spectrum of a steady state.
     pub exact: Vec<Spectrum>,

@@ -9,13 +9,13 @@ use serde_json::Value as Json;
 
 /// Writes the samples of a motion.
 pub struct SamplesReport<'m> {
-    /// The motion.
+    /// The motion over time whose data are written.
     pub motion: &'m Motion<'m>,
 }
 
 /// Writes the events of a motion.
 pub struct EventsReport<'m> {
-    /// The motion.
+    /// The motion over time whose data are written.
     pub motion: &'m Motion<'m>,
 }
 

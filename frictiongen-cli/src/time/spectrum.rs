@@ -11,7 +11,7 @@ use std::borrow::Cow;
 
 /// Writes the spectra of a motion.
 pub struct SpectrumReport<'m> {
-    /// The motion.
+    /// The motion over time whose data are written.
     pub motion: &'m Motion<'m>,
     /// Spectrum of the contact and of each mass that is written.
     pub spectra: &'m [Spectrum],

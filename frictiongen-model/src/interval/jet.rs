@@ -15,11 +15,11 @@ pub trait Number:
 {
     /// Returns the given number in this arithmetic.
     fn number(value: f64) -> Self;
-    /// Returns π.
+    /// Returns π in this arithmetic.
     fn pi() -> Self;
     /// Returns (sin πh, cos πh).
     fn sine_cosine(self) -> (Self, Self);
-    /// Returns the square.
+    /// Returns the square of the number or function.
     #[must_use]
     fn squared(self) -> Self {
         self * self

@@ -124,9 +124,9 @@ impl Frequencies {
 
 /// A range of frequencies.
 pub struct Band {
-    /// Lowest frequency ratio r.
+    /// Lowest frequency ratio r of the range.
     pub from: f64,
-    /// Highest frequency ratio r.
+    /// Highest frequency ratio r of the range.
     pub to: f64,
     unit: Unit,
 }

@@ -8,7 +8,7 @@ use std::ops::RangeInclusive;
 
 /// Numbers that the caller gave.
 pub struct Given {
-    /// The values.
+    /// The given values, in their order.
     pub values: Vec<f64>,
     /// True if the caller gave a single number instead of a row.
     pub is_one: bool,

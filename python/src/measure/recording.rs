@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 /// A recording and its name in messages.
 #[pyclass(frozen, module = "frictiongen._native", name = "Recording")]
 pub struct NativeRecording {
-    /// The recording in Rust.
+    /// The recording, in the form of the Rust library.
     pub recording: Recording,
     /// The file from which it was read.
     pub source: Option<String>,

@@ -78,7 +78,7 @@ impl Features {
         Self { frictions, lines }
     }
 
-    /// Returns all features.
+    /// Returns all features that were found, one for each line.
     pub fn lines(&self) -> &[FeatureLine] {
         self.lines.as_deref().unwrap_or_default()
     }

@@ -51,7 +51,7 @@ impl Ball {
         Self { at, off }
     }
 
-    /// Returns the reciprocal.
+    /// Returns the reciprocal, with a bound on its error.
     pub fn inverse(self) -> Self {
         let least = self.least();
         let off = if least > 0.0 {

@@ -18,7 +18,7 @@ pub struct CurveRow {
     pub friction: Friction,
     /// The start of the motions of the curve.
     pub start: CurveStart,
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// Number of the piece, counted from 1 along the frequency. `None` in a gap.
     pub piece: Option<usize>,
@@ -102,7 +102,7 @@ impl<'a> CurveTable<'a> {
         rows
     }
 
-    /// Returns the columns.
+    /// Returns the columns of the table, from left to right.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, CurveRow>> {
         use Dimension::{Force, Length, Power};

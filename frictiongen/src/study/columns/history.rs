@@ -15,11 +15,11 @@ use frictiongen_kernel::simulation::Contact;
 /// A row of the table of samples: one instant.
 #[derive(Clone, Copy, Debug)]
 pub struct SampleRow<'h> {
-    /// The motion.
+    /// The motion over time to which the row belongs.
     pub history: &'h History,
     /// Index of the sample, counted from 0.
     pub index: usize,
-    /// Angular frequency in rad/s.
+    /// Angular frequency ω of the excitation, rad/s.
     pub omega: f64,
 }
 
@@ -28,7 +28,7 @@ pub struct SampleRow<'h> {
 pub struct EventRow<'h> {
     /// The event: a stop, a break-away or a reversal.
     pub event: &'h HistoryEvent,
-    /// Angular frequency in rad/s.
+    /// Angular frequency ω of the excitation, rad/s.
     pub omega: f64,
 }
 
@@ -39,7 +39,7 @@ pub struct SpectrumRow<'h> {
     pub spectra: &'h [Spectrum],
     /// Index of the order in each spectrum.
     pub index: usize,
-    /// Angular frequency in rad/s.
+    /// Angular frequency ω of the excitation, rad/s.
     pub omega: f64,
 }
 

@@ -20,7 +20,7 @@ pub enum LimitsAsked {
 /// A row: the limits at one frequency, as friction ratios. A limit is `None` if it was not requested.
 #[derive(Clone, Copy, Debug)]
 pub struct LimitsRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// Limit of continuous motion β_lim.
     pub continuous: Option<f64>,
@@ -35,7 +35,7 @@ pub struct LimitsRow {
 /// The table of both limits over frequency.
 #[derive(Clone, Copy)]
 pub struct LimitsTable<'a> {
-    /// System and units.
+    /// System and units of the answers.
     pub setting: Setting<'a>,
     /// The limits of the table.
     pub asked: LimitsAsked,
@@ -115,7 +115,7 @@ impl<'a> LimitsTable<'a> {
         })
     }
 
-    /// Returns the columns.
+    /// Returns the columns of the table, from left to right.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, LimitsRow>> {
         let measure = self.setting.measure;

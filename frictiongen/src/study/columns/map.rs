@@ -14,9 +14,9 @@ use std::borrow::Cow;
 /// A row of the table of points: one frequency and one friction.
 #[derive(Clone, Debug)]
 pub struct MapRow<'m> {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// The friction.
+    /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: Friction,
     /// Name of the region of the map: regime, stops and period of the motion.
     pub region: Cow<'static, str>,
@@ -27,7 +27,7 @@ pub struct MapRow<'m> {
 /// A row of the table of limits: both limits at one frequency of a map.
 #[derive(Clone, Copy, Debug)]
 pub struct MapLimitsRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// The limits as friction ratios.
     pub limits: Limits<f64>,
@@ -36,7 +36,7 @@ pub struct MapLimitsRow {
 /// A row of the table of boundaries: one friction at which the region of the map changes.
 #[derive(Clone, Debug)]
 pub struct BoundaryRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// The friction on the boundary.
     pub friction: Friction,
@@ -51,7 +51,7 @@ pub struct BoundaryRow {
 /// The table of a map over frequency and friction.
 #[derive(Clone, Copy)]
 pub struct MapTable<'a> {
-    /// System, units and parts.
+    /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
 }
 

@@ -16,11 +16,11 @@ const ITSELF: &str = "the answer";
 /// A row: the derivatives of the answers with respect to one parameter at one operating point.
 #[derive(Clone, Debug)]
 pub struct SensitivityRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// The friction.
+    /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: Friction,
-    /// Regime of the contact.
+    /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
     /// The word `exact`, or the reason why there are no derivatives.
     pub answer: &'static str,
@@ -36,7 +36,7 @@ struct Found {
     itself: bool,
 }
 
-/// The table of derivatives.
+/// The table of derivatives with respect to the parameters, at points of frequency and friction.
 #[derive(Clone, Copy)]
 pub struct SensitivityTable<'a> {
     /// System, units, and the contact or mass whose motion is differentiated.

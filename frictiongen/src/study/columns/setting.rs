@@ -88,7 +88,7 @@ impl FrequencyUnit {
 /// A frequency, as ratio r, in Hz and in rad/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frequency {
-    /// Frequency ratio r.
+    /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
     /// Frequency in Hz, as given or computed from r.
     pub hertz: f64,
@@ -115,7 +115,7 @@ impl Frequency {
 /// A friction, as ratio β and as force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
-    /// Friction ratio β.
+    /// Friction ratio β = F/P, for base motion F/(k₁Y).
     pub beta: f64,
     /// Friction force in N, if the load is known.
     force: Option<f64>,
@@ -150,9 +150,9 @@ impl Friction {
 /// The settings that all tables have in common.
 #[derive(Clone, Copy)]
 pub struct Setting<'a> {
-    /// The system.
+    /// The system that the answers describe.
     pub system: &'a System,
-    /// The units of the answers.
+    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The unit of the frequencies.
     pub frequency: FrequencyUnit,

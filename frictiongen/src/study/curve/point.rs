@@ -8,9 +8,9 @@ use crate::{Complex, Of, Regime};
 /// The response at one frequency ratio of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvePoint {
-    /// Frequency ratio r.
+    /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
-    /// Regime of the response.
+    /// Regime of the response: continuous, stick-slip or stuck.
     pub regime: Regime,
     /// Number of stops of the contact in a period.
     pub stops: usize,

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 /// A point of a boundary: at r, the pattern of the contact changes at β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boundary {
-    /// Frequency ratio r.
+    /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
     /// Friction ratio β, the middle of the interval that contains the boundary.
     pub beta: f64,

@@ -14,9 +14,9 @@ use rayon::prelude::*;
 /// The grid and the motions of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapRequest {
-    /// The frequency ratios r.
+    /// Frequency ratios r of the columns, in the order of the request.
     pub r: Vec<f64>,
-    /// The friction ratios β.
+    /// Friction ratios β of the points, in the order of the request.
     pub beta: Vec<f64>,
     /// The motions whose amplitudes each point contains.
     pub of: Vec<Of>,
@@ -25,7 +25,7 @@ pub struct MapRequest {
 /// The pattern of the contact's motion: regime, stops, reversals and period.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pattern {
-    /// Regime of the response.
+    /// Regime of the response: continuous, stick-slip or stuck.
     pub regime: Regime,
     /// Number of stops of the contact in a period.
     pub stops: usize,
@@ -60,7 +60,7 @@ pub struct MapPoint {
 /// The responses of a map at one frequency ratio.
 #[derive(Clone, Debug)]
 pub struct MapColumn {
-    /// Frequency ratio r.
+    /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
     /// Both limits at r.
     pub limits: Limits<f64>,
@@ -71,7 +71,7 @@ pub struct MapColumn {
 /// The responses over frequency and friction.
 #[derive(Clone, Debug)]
 pub struct Map {
-    /// The friction ratios β.
+    /// Friction ratios β of the points, in the order of the request.
     pub beta: Vec<f64>,
     /// The computed columns, in the order of the request. Columns are missing only if the map was cancelled.
     pub columns: Vec<MapColumn>,

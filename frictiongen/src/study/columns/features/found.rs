@@ -11,15 +11,15 @@ use crate::study::features::{
 pub(super) struct Named<T> {
     /// Name of the contact or mass.
     pub(super) of: String,
-    /// The feature.
+    /// The feature itself.
     pub(super) it: T,
 }
 
 /// A feature at one friction ratio.
 pub(super) struct At<T> {
-    /// Friction ratio β.
+    /// Friction ratio β = F/P, for base motion F/(k₁Y).
     pub(super) beta: f64,
-    /// The feature.
+    /// The feature itself.
     pub(super) it: T,
 }
 

@@ -13,7 +13,7 @@ use crate::study::{
 /// The table of the features of a scene.
 #[derive(Clone, Copy)]
 pub struct FeatureTable<'a> {
-    /// System, units and parts.
+    /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
 }
 

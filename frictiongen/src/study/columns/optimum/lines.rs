@@ -18,7 +18,7 @@ pub struct OptimumLine {
     pub key: String,
     /// Name of the value, for people.
     pub label: String,
-    /// The value.
+    /// The value, as a cell of a table.
     pub value: Cell<'static>,
     /// Unit of the value, empty for a ratio.
     pub unit: &'static str,

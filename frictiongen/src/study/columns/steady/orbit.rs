@@ -12,9 +12,9 @@ use crate::{Complex, NoOrbit, Of, OutOfDomain};
 /// A row: the steady state at one frequency and one friction.
 #[derive(Clone, Debug)]
 pub struct OrbitRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// The friction.
+    /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: Friction,
     /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
@@ -53,7 +53,7 @@ struct Period {
 pub struct OrbitTable<'a> {
     /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
-    /// The orders of the harmonics.
+    /// Orders n of the harmonics that the answers contain.
     pub orders: &'a [u32],
 }
 

@@ -12,9 +12,9 @@ use crate::{Limits, OutOfDomain};
 /// A row: the response at one frequency and one friction.
 #[derive(Clone, Debug)]
 pub struct ResponseRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// The friction.
+    /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: Friction,
     /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
@@ -33,7 +33,7 @@ pub struct ResponseRow {
 pub struct ResponseTable<'a> {
     /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
-    /// The orders of the harmonics.
+    /// Orders n of the harmonics that the answers contain.
     pub orders: &'a [u32],
     /// True if a stuck response shows all motions. If false, the contact, which is at rest, and all harmonics are left
     /// out.
@@ -129,7 +129,7 @@ impl<'a> ResponseTable<'a> {
         })
     }
 
-    /// Returns the columns.
+    /// Returns the columns of the table, from left to right.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, ResponseRow>> {
         let mut columns = Columns::new(&self.setting.measure);
