@@ -4,7 +4,7 @@
 //! library: the widths of F05, F06, F08 and F09, the regions of F28, the peaks of F29, and the fractions of F33 and
 //! F34.
 //!
-//! * `beside` computes the widths, F06 and F09 in another way.
+//! * `beside` computes the widths, and the numbers of F06 and F09, in another way.
 //! * `typed` computes F08, F28 and F29 by brute force from the closed forms.
 //! * F34 is compared with the simulation in its own row.
 //! * The fractions of F33 are only recorded. They are counts over ten thousand steady states, some of which other tests

@@ -12,7 +12,8 @@ pub struct OrbitReport {
     pub grids: Grids,
     /// Orders n of the harmonics that the answers contain.
     pub orders: Vec<u32>,
-    /// True if the user requested every steady state. False writes only the state that motion from rest reaches.
+    /// True if the user requested every steady state. If false, only the state that motion from rest reaches is
+    /// written.
     pub states: bool,
 }
 

@@ -1,4 +1,4 @@
-//! A run-time system with tables, as the field `accuracy` of a description emits them.
+//! A run-time system with tables like those that the macro emits for the field `accuracy` of a description.
 
 pub use super::compiled_stuck::CompiledStuck;
 use super::error::UnknownMass;

@@ -1,8 +1,8 @@
 //! Modal analysis of large scenes: nalgebra's symmetric eigensolver, then one-sided Jacobi sweeps.
 //!
-//! The eigenvectors V of Γ^−½K̄Γ^−½ make the columns of G·V orthogonal, except for digits lost in forming K̄. A small
-//! frequency among large ones loses most digits. One or two sweeps of one-sided Jacobi rotations on these columns, in
-//! double precision, restore the digits.
+//! Let G be the matrix whose singular values are the frequency ratios √λ, and V the eigenvectors of Γ^−½K̄Γ^−½. The
+//! columns of G·V are orthogonal, except for digits lost in forming K̄. A small frequency among large ones loses most
+//! digits. One or two sweeps of one-sided Jacobi rotations on these columns, in double precision, restore the digits.
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Scene;

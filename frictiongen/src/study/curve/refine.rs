@@ -105,8 +105,8 @@ impl<'a> Refine<'a> {
         (point, work)
     }
 
-    /// Returns the smallest amplitude that counts, for each motion. It is a share of the median over the first nodes,
-    /// as a pole does not change the median.
+    /// Returns for each motion the smallest amplitude at which the curve is refined. It is a fraction of the median
+    /// over the first nodes. A pole does not change the median.
     pub(super) fn scales(&self, nodes: &[Node]) -> Vec<f64> {
         let median = |index: usize| {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
@@ -269,7 +269,7 @@ pub(super) fn spent(nodes: &[Node]) -> usize {
 }
 
 /// Returns the number of intervals, in their order, for which the remaining work suffices. The middle of an interval is
-/// estimated to take as much work as the dearer of its two points.
+/// estimated to take as much work as the more expensive of its two points.
 fn affordable(intervals: &[(Interval, f64)], nodes: &[Node], left: usize) -> usize {
     let work = |end: usize| nodes.get(end).map_or(0, |node| node.work);
     let mut sum = 0_usize;

@@ -5,7 +5,8 @@ use crate::{Limits, OutOfDomain};
 
 /// Number of intervals of the first grid of frequencies.
 const PLACES: usize = 400;
-/// Largest number of odd sub-harmonics of a resonance that become points. An undamped β_lim vanishes there.
+/// Largest number of odd sub-harmonics of a resonance that become points. Without damping β_lim is 0 at these
+/// sub-harmonics.
 const MOST_SUBHARMONICS: usize = 25;
 /// An interval below this relative width is not halved.
 const NARROW: f64 = 1e-9;

@@ -74,7 +74,8 @@ pub(super) struct Least {
     pub free_to: f64,
 }
 
-/// Searches all friction for the smallest largest amplitude. `None` if no friction bounds the amplitude.
+/// Finds the friction at which the largest amplitude over the band is smallest. `None` if no friction bounds the
+/// amplitude.
 pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     band.amplitude.allow(work);
     let [free_to, locked_from] = band.limits();
@@ -132,8 +133,8 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     })
 }
 
-/// Searches between two nearby friction ratios for the smallest largest amplitude. `None` unless the amplitude falls
-/// from the first and rises to the second.
+/// Finds the friction, between two nearby friction ratios, at which the largest amplitude is smallest. `None` unless
+/// the amplitude falls from the first and rises to the second.
 pub(super) fn near(band: &Band<'_>, ends: [f64; 2]) -> Option<Least> {
     band.amplitude.allow(WORK_OF_ONE);
     let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));

@@ -12,7 +12,7 @@ use frictiongen_model::modal::Modal;
 /// Tolerance, in roundings of each term of the sum and of the frequency ratio in it.
 const BAR: f64 = 8.0;
 
-/// A sum of receptances, with its sensitivity to relative changes of each term, of each √λ and of r.
+/// A sum of receptances, with its sensitivity to a relative change of each term, of each √λ and of r.
 struct Response {
     re: Dd,
     im: Dd,
@@ -119,7 +119,8 @@ fn compare<S: Rounded>(name: &str, system: &System<S>, seen: &mut Seen) {
                 "{name}, r = {r:?}: {what} {amplitude:?} for {}, bound {bound:e}",
                 want.to_f64()
             );
-            // The lag is −arg of the sum. An error of the sum by `bound` turns it by the bound divided by the modulus.
+            // The lag is −arg of the sum. If the sum has an error of `bound`, the lag has an error of the bound divided
+            // by the sum's modulus.
             let lag = Scalar::atan2(-of.im, of.re);
             let error = angle(phase.to_f64() - lag.to_f64());
             let bound = BAR * epsilon * (of.condition / want.to_f64() + 4.0);

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 /// Functions of a damped mode, as printed in sections 3 and 4 of the physics page. Beyond ζ = 1, q is imaginary.
 #[derive(Clone, Debug)]
 pub struct Mode {
-    /// The ratio 1/R.
+    /// The ratio 1/R = √λ/r of the mode.
     pub x: f64,
     pub zeta: f64,
     pub u: f64,

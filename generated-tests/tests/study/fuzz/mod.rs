@@ -1,5 +1,6 @@
-//! Fuzzing with texts and numbers that are mutated from the corpus in `fuzzing/corpus`. A text gives a scene or located
-//! errors, and a number gives a number. The tests here take some seconds. The long form is `scripts/fuzz`.
+//! Fuzzing with texts and numbers that are mutated from the corpus in `fuzzing/corpus`. A text must give a scene or
+//! errors with positions. A number must give a number, not NaN or a panic. The tests here take some seconds. The long
+//! form is `scripts/fuzz`.
 
 mod emitted;
 mod found;

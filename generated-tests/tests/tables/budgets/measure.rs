@@ -56,7 +56,8 @@ impl Real for f64 {
 }
 
 impl Real for Dd {
-    // The unit is 2^−104 of the leading power of two. The low part must not be subnormal.
+    // The unit of a double-double is 2^−104 times the largest power of two that is not above the number. The low part
+    // must not be subnormal.
     const FORMAT: (i32, i64) = (105, -916);
     const NAME: &'static str = "Dd";
     fn of(x: Dd) -> Self {

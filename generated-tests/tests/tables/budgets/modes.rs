@@ -67,7 +67,7 @@ fn turning(zeta: &Big, turns: &Big) -> (Big, Big) {
     (decay.clone() * cos, decay * sin / q)
 }
 
-/// Returns x² − 1 and 2ζx. The following results are u R², g and g + 2ζRu (7.11, 7.12), each times |x² − 1| + 2ζx.
+/// Returns five numbers: x² − 1, 2ζx, and the products of u R², g and g + 2ζRu (7.11, 7.12) with |x² − 1| + 2ζx.
 fn printed_response(x: &Big, zeta: &Big) -> Option<Vec<Big>> {
     let two_loss = zeta.clone().shifted(1) * x.clone();
     let re = x.clone() * x.clone() - one();

@@ -1,4 +1,4 @@
-//! Columns of the lists of features.
+//! Columns of the lists of features, one list for each kind of feature.
 
 use super::found::{At, EndRow, FeatureLists, Mode, Named};
 use super::sheet::Sheet;
@@ -33,7 +33,7 @@ impl FeatureLists {
     /// Passes every list of features to a receiver.
     ///
     /// # Errors
-    /// The first error of the receiver.
+    /// The first error that the receiver returns.
     pub fn visit<V: FeatureVisitor>(
         &self,
         setting: &Setting<'_>,

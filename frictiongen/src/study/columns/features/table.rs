@@ -1,4 +1,4 @@
-//! Columns of the lines of features.
+//! Columns of the table of features, which has one line for each feature.
 
 use super::lines::{FeatureLine, FeaturesAsked, lines};
 use crate::study::columns::builder::Columns;

@@ -1,5 +1,4 @@
-//! Finds the value of one number of the description at which the smallest largest amplitude, over all friction, is
-//! smallest.
+//! Finds the value of one number of the description with which the best friction gives the smallest amplitude.
 
 use super::answer::{TunedOptimum, TunedPoint, Tuning};
 use super::tried::{Groups, Search, Tried, near};
