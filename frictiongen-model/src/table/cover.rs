@@ -224,8 +224,8 @@ impl<S: Float> Cover<'_, '_, S> {
         for _ in 0..MOST_FITS {
             let end = end_of(length);
             let between = if forwards { (start, end) } else { (end, start) };
-            // The zero is used only if it is at most the length of the piece away. Farther away, the powers of the
-            // distance to the zero would be nearly equal.
+            // The zero is used only if its distance is at most the length of the piece. At a larger distance, the
+            // powers of the distance to the zero would be nearly equal.
             let zero = zero.filter(|zero| zero.distance(start).abs() <= length);
             let piece = fit(self.comparison.exact, between, zero, self.comparison.form)
                 .ok_or(Stuck { at: start })?;

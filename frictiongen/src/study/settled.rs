@@ -78,8 +78,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response in which motion from the state `start` ends, and that response's own state for the next
-    /// call.
+    /// Returns the response in which motion from the state `start` ends, and the state of this response, from which the
+    /// next call can start.
     #[cfg(feature = "desk")]
     pub(super) fn response_from(
         &self,

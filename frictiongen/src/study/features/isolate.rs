@@ -2,9 +2,9 @@
 //! mistaken for a zero.
 //!
 //! The search covers intervals of y = 1/r. It discards an interval if the enclosure of the function excludes 0. An
-//! interval without a pole has at most one zero if the enclosure of the slope excludes 0. The signs at both bounds
-//! then decide. With one pole p, the search encloses the function times y − p, which is finite. An undecided interval
-//! is cut in two. Every zero therefore lies in an interval that was kept.
+//! interval without a pole has at most one zero if the enclosure of the slope excludes 0. The signs at both bounds then
+//! show whether it has one. With one pole p, the search encloses the function times y − p, which is finite. An
+//! undecided interval is cut in two. Every zero therefore lies in an interval that was kept.
 
 use super::functions::{Numbers, Pole, Target};
 use frictiongen_kernel::number::dd::Dd;

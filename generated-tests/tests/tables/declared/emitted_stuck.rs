@@ -194,8 +194,8 @@ fn of_the_run_time_system() {
     as_at_run_time!(Single, SINGLE, f32, 0.2..2.5, 1e-5);
 }
 
-/// Checks the response on a pole. If the upper mass sticks, the lower one is on springs of 1 and 3. Its resonance is r
-/// = 2, where the response is infinite.
+/// Checks the response on a pole. If the upper mass sticks, the lower one is on springs of 1 and 3. The response is
+/// infinite at its resonance r = 2.
 #[test]
 fn on_a_pole() {
     let resonance = OnTwo::at(2.0).unwrap().stuck();
