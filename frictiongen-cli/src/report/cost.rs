@@ -45,9 +45,9 @@ struct Tabled {
 /// Upper bounds on evaluations, memory and operations of the solvers. They follow from the numbers of masses and modes
 /// of the scene.
 struct Bounds {
-    /// Largest number of evaluations of the modal sum in a search for β_lim. The next field is that in a search for an
-    /// amplitude.
+    /// Largest number of evaluations of the modal sum in a search for β_lim.
     limit: u32,
+    /// Largest number of evaluations of the modal sum in a search for an amplitude.
     amplitude: u32,
     /// Size of a steady state with stops, in bytes.
     orbit: usize,

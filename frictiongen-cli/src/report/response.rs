@@ -1,5 +1,4 @@
-//! Computes and draws amplitudes and phases over frequency: at several frictions, without friction and with the contact
-//! stuck.
+//! Computes and draws amplitudes and phases over frequency, at several frictions and with the contact stuck.
 
 use super::asked::Asked;
 use super::found::{Found, STUCK, at_once, found};
@@ -271,7 +270,7 @@ impl Responses {
         }
     }
 
-    /// Returns frequency, amplitude and regime at the largest amplitude of a curve.
+    /// Returns the largest amplitude of a curve, with its frequency ratio r and its regime.
     fn peak(level: &Level, part: usize) -> Option<(f64, f64, Regime)> {
         let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
         let sizes = points.filter_map(|point| {

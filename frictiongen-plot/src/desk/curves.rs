@@ -174,7 +174,8 @@ pub fn lines(
         layers.push(Line { name, ..line }.into());
     }
     if !reading.is_phase() {
-        // The amplitudes of a motion that does not settle scatter, so its points are not joined.
+        // The amplitudes of a motion that does not settle scatter. Each of them is a piece with a single point, which
+        // is drawn as a dot.
         let lone = drawn
             .curve
             .pieces

@@ -16,11 +16,12 @@ const MOST_INTERVALS: f64 = 1500.0;
 const WORTH: f64 = 0.98;
 /// Largest number of peaks that one search adds.
 const MOST: usize = 3;
-/// Number of grid points on each side of a peak that later evaluations include, because the peak moves with friction.
+/// Number of grid points on each side of a peak that later first evaluations include, because the peak moves with
+/// friction.
 const SIDE: i32 = 4;
 
 impl Band<'_> {
-    /// Adds the frequency ratio of a peak and its neighbours on the grid to all later evaluations of the band.
+    /// Adds the frequency ratio of a peak and its neighbours on the grid to all later first evaluations of the band.
     pub(super) fn learn_around(&self, r: f64) {
         let [from, to] = self.ends();
         for index in -SIDE..=SIDE {
