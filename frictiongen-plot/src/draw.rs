@@ -11,10 +11,13 @@ use crate::panel::draw_panel;
 use crate::svg::Canvas;
 use crate::text::Style;
 
+/// Margin around the page, in pixels.
 const MARGIN: f64 = 14.0;
 /// Distance between neighbouring panels, in pixels.
 const GAP: f64 = 22.0;
+/// Text size of the title, in pixels.
 const TITLE: f64 = 16.0;
+/// Text size of the caption, in pixels.
 const CAPTION: f64 = 13.0;
 /// Distance between lines of text, as a multiple of the text size.
 const LEADING: f64 = 1.3;

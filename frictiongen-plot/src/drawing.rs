@@ -11,8 +11,11 @@ use crate::svg::Canvas;
 
 /// Horizontal distance between the end of a raised spring and the middle of its mass, in pixels.
 const RISER: f64 = 11.0;
+/// Colour of masses.
 const MASS: Rgb = Rgb(0xe9, 0xee, 0xf4);
+/// Colour of the contact.
 const FRICTION: Rgb = Rgb(0xb3, 0x3a, 0x1e);
+/// Colour of the excitation.
 const FORCE: Rgb = Rgb(0x00, 0x5f, 0xad);
 
 /// Margin around a sketch that is not part of a figure.

@@ -9,11 +9,15 @@ use crate::stroke::{Marker, Stroke};
 use crate::svg::Canvas;
 use crate::text::Style;
 
+/// Text size of the legend, in pixels.
 const SIZE: f64 = 14.0;
+/// Height of a row of the legend, in pixels.
 const ROW: f64 = 21.0;
 /// Length of the sample before an entry's text, in pixels.
 const SAMPLE: f64 = 34.0;
+/// Distance between a sample and its text, in pixels.
 const SPACE: f64 = 8.0;
+/// Distance between two columns of the legend, in pixels.
 const GAP: f64 = 24.0;
 
 /// A legend entry. Curves and markers of the same name share one entry.

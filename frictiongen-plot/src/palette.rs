@@ -37,12 +37,18 @@ impl fmt::Display for Rgb {
     }
 }
 
+/// Colour of text and strong lines.
 pub(crate) const INK: Rgb = Rgb(0x22, 0x22, 0x22);
+/// Colour of secondary text and hatching.
 pub(crate) const SOFT: Rgb = Rgb(0x55, 0x55, 0x55);
+/// Colour of grid lines.
 pub(crate) const GRID: Rgb = Rgb(0xe4, 0xe4, 0xe4);
+/// Colour of frames.
 pub(crate) const FRAME: Rgb = Rgb(0x66, 0x66, 0x66);
+/// Colour of the page.
 pub(crate) const PAPER: Rgb = Rgb(0xff, 0xff, 0xff);
 
+/// Colours of curves.
 const SERIES: [Rgb; 8] = [
     Rgb(0x00, 0x64, 0xbd),
     Rgb(0xef, 0x58, 0x0e),
@@ -54,6 +60,7 @@ const SERIES: [Rgb; 8] = [
     Rgb(0x8c, 0x93, 0x19),
 ];
 
+/// Colours of classes of areas.
 const CLASSES: [Rgb; 8] = [
     Rgb(0xc1, 0xea, 0xff),
     Rgb(0xfb, 0xdc, 0xa2),

@@ -42,6 +42,7 @@ impl Style {
 /// Size of the bar over a letter, relative to the letter. The bar is drawn as an en dash, because few browser fonts
 /// place a combining macron well. En dashes of all fonts are half an em long, at a fourth of their height.
 const BAR: f64 = 0.8;
+/// Width of the en dash that serves as the bar, relative to the letter size.
 const DASH: f64 = 0.5 * BAR;
 
 /// A piece of text with its offset from the end of the previous piece.

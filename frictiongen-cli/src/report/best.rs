@@ -22,6 +22,7 @@ const WORK: usize = 150_000;
 const MOST_MOTIONS: usize = 4;
 /// Largest number of masses of a short chain. In a longer one [`MOST_OF_LONG`] motions are searched.
 const ALL_MOTIONS: usize = 4;
+/// Largest number of motions that are searched in a longer chain.
 const MOST_OF_LONG: usize = 2;
 
 /// The best friction for one motion, or the reason why there is none.

@@ -15,7 +15,9 @@ use serde_json::{Value as Json, json};
 /// Version of the data's format. It grows when a field is renamed or changes its meaning.
 const VERSION: u32 = 1;
 
+/// Style sheet of the page.
 const STYLE: &str = include_str!("style.css");
+/// Script of the page.
 const SCRIPT: &str = include_str!("read.js");
 /// Hash of the page's script. The page allows no other script to run. A test compares hash and script.
 const SCRIPT_HASH: &str = include_str!("read.js.sha256");

@@ -20,8 +20,9 @@ pub struct Interval {
 
 /// Absolute error bound of the kernel's sine and cosine, which are within 1.1 units in the last place.
 const SINE: f64 = 1e-15;
-/// 1 minus and 1 plus one unit in the last place of 1.
+/// 1 minus one unit in the last place of 1.
 const BELOW: f64 = 1.0 - f64::EPSILON;
+/// 1 plus one unit in the last place of 1.
 const ABOVE: f64 = 1.0 + f64::EPSILON;
 /// Allowance for underflow. A subnormal number would suffice, but processors are much slower with subnormal numbers.
 /// Products with this number are still normal.

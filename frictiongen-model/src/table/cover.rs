@@ -41,6 +41,7 @@ const TINY: f64 = 1e-6;
 /// Bounds on the factor by which the trial length of a piece grows after a fit within the allowed error. The factor
 /// comes from a power law, which is only approximate.
 const LONGER_BY: [f64; 2] = [1.05, 2.0];
+/// Bounds on the factor by which the trial length of a piece shrinks after a piece that was too long.
 const SHORTER_BY: [f64; 2] = [0.2, 0.95];
 
 /// Returns a value, limited to the interval between two bounds.

@@ -14,6 +14,7 @@ pub(super) const LARGEST_EXACT: usize = 64;
 const NOISE: f64 = 1e-13;
 /// Cosine of the angle between two columns below which the columns count as orthogonal.
 const ORTHOGONAL: f64 = 1e-15;
+/// Largest number of sweeps of rotations.
 const MAX_SWEEPS: usize = 12;
 
 /// Returns the modal analysis of a scene with any number of masses.

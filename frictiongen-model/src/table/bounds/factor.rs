@@ -19,6 +19,7 @@ const NORMAL: f64 = 2.3e-308;
 /// Factors on positive expressions of a few operations in double precision. They cover the roundings and the neglected
 /// terms with a wide margin.
 const MORE: f64 = 1.01;
+/// The same factor for lower bounds.
 const LESS: f64 = 0.99;
 /// Bound on the relative error of a zero's position. It is a hundred roundings of double precision, for one rounding to
 /// double precision and a few further ones.
@@ -35,6 +36,7 @@ const WITHIN_HALF: f64 = 0.45;
 /// Bounds on two quotients, slightly enlarged. Since B² + 4x²y² ≥ 4xy|B|, the quotient |B|/(B² + 4x²y²) is at most
 /// ¼/(xy), and 2x²|B|/(B² + 4x²y²) is at most ½x/y.
 const QUARTER: f64 = 0.26;
+/// Bound on 2x²|B|/(B² + 4x²y²) in units of x/y, as explained at `QUARTER`.
 const HALF: f64 = 0.51;
 /// Bound on (|r² − y²| + x²)/|B| where B ≥ x²/2.
 const TIMES: f64 = 3.0;

@@ -14,6 +14,7 @@ use frictiongen_model::modal::Modal;
 
 /// Largest number of poles in a range. The search keeps at most twenty times as many intervals.
 pub(super) const MOST_POLES: usize = 20_000;
+/// Largest number of intervals that the search keeps.
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
 /// Relative distance between a zero and a pole of the function below which the two cancel. The search then finds
 /// neither.

@@ -11,6 +11,7 @@ const SCAN: usize = 40;
 /// Number of additional friction ratios in geometric steps. The first one is `LEAST` times the median of β*_lim over
 /// the band.
 const GEOMETRIC: usize = 24;
+/// Smallest of these friction ratios, relative to the median of β*_lim over the band.
 const LEAST: f64 = 0.02;
 /// Friction ratios of the scan beyond the friction from which a stuck state exists over the whole band, as multiples of
 /// it. With μ > 1 a motion from rest may still slide there.

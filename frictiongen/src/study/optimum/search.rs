@@ -25,6 +25,7 @@ const AGAIN: usize = 4;
 const CHECKS: usize = 6;
 /// Largest number of golden-section steps, down to the relative width `NARROW` of a bracket.
 const SECTIONS: usize = 40;
+/// Relative width of a bracket of friction at which golden sections end.
 const NARROW: f64 = 1e-7;
 /// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
