@@ -147,7 +147,7 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         self
     }
 
-    /// Returns the proof for β_lim. If [`proven`](Self::proven) did not run, which needs the feature `proof`, the
+    /// Returns the proof for β_lim. If `proven` did not run, which needs the feature `proof`, the
     /// tables are only checked at points.
     ///
     /// `tables().motion_proof` is the proof for the contact's motion. `tables().sliding_proof` is the proof for
