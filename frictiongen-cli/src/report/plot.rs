@@ -5,8 +5,8 @@ use frictiongen_plot::{Colour, Figure, Label, Layer, Page, PanelFrame, Scale, St
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Largest distance between straight lines through the data and the curve, relative to the value and to the largest
-/// value.
+/// Largest distance between the curve and straight lines through the data. It is the sum of two terms: the first number
+/// times the value, and the second number times the largest value.
 const STRAYS: [f64; 2] = [5e-4, 2e-5];
 
 /// A curve of a panel as it was drawn, in the units of the axes.

@@ -1,5 +1,5 @@
-//! The reference values of `reference/closed_form.json` and of the wedges in `reference/several_states.json`, compared
-//! at run time and through the macro. A wedge is the range of friction ratios between β*_lim and β_lim.
+//! Compares answers, at run time and through the macro, with the reference values of `reference/closed_form.json` and
+//! of the wedges in `reference/several_states.json`. A wedge is the range of friction ratios between β*_lim and β_lim.
 
 use frictiongen::System;
 use frictiongen::study::scene::Scene;

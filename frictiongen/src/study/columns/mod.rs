@@ -1,7 +1,7 @@
 //! The table of each question of a design study: its rows and its columns with their units.
 //!
 //! The command prints text, CSV and JSON from these tables. The report reads them, and Python's arrays are their
-//! columns. Each column is added in one line of its table's list.
+//! columns. One line of code adds a column to a table.
 //!
 //! ```
 //! use frictiongen::study::columns::{CurveTable, FrequencyUnit, Friction, Measure, Part, Setting};

@@ -311,7 +311,7 @@ mod tests {
         let off =
             Big::integer(1).exp() - Big::of(std::f64::consts::E) - Big::of(1.4456468917292502e-16);
         assert!(off.order() < -105);
-        // sin πh of a small argument, compared with its first terms.
+        // For a small argument sin πh equals the first terms of its series.
         let x = Big::pi() * Big::of(1e-120);
         agree(
             Big::of(1e-120).sin_cos_pi().0,

@@ -83,8 +83,8 @@ fn angle(y: Big, x: Big) -> Option<Vec<Big>> {
 formulas! {
     SinCosPi Place: |h, b, c| sin_cos(h), { let (s, c) = h.sin_cos_pi(); Some(vec![s, c]) };
     SinCosPiMinus Place: |h, d, c| <[T; 2]>::from(h.sin_cos_pi_minus(d)), {
-        // For numbers of very different sizes, their difference has more digits than a big number. The addition
-        // theorems are used instead.
+        // If two numbers have very different sizes, their difference has more digits than a big number can hold. The
+        // addition theorems are used instead.
         if h.is_zero() || d.is_zero() || (h.order() - d.order()).abs() < 300 {
             let (sin, cos) = (h - d).sin_cos_pi();
             return Some(vec![sin, cos]);
