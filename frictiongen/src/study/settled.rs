@@ -208,9 +208,9 @@ mod tests {
     use super::Carried;
     use crate::study::System;
 
-    /// A state carries over from one frequency to another with unchanged displacements and velocities in time, where
-    /// dx̄/dτ = (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the initial position and
-    /// velocity.
+    /// Checks that a state carries over from one frequency to another with unchanged displacements and velocities in
+    /// time, where dx̄/dτ = (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the initial
+    /// position and velocity.
     #[test]
     fn a_state_goes_over_to_another_frequency() {
         let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall,

@@ -64,7 +64,8 @@ pub(super) struct Refine<'a> {
     pub straight: Straight,
 }
 
-/// True if the offset of a stuck contact depends on every earlier slip: with μ > 1 or without damping.
+/// Returns true if the offset of a stuck contact depends on every earlier slip. This is so with μ > 1 or without
+/// damping.
 fn offsets_jump(system: &System) -> bool {
     let scene = system.scene();
     1.0 < scene.stiction || scene.damping == Damping::None

@@ -97,7 +97,7 @@ impl Refine<'_> {
         }
     }
 
-    /// Continues from the last step to r, in steps as small as the curve bends.
+    /// Continues the sweep from the last step to r, in steps that are small where the curve bends.
     ///
     /// A step that ends in another state is halved until the jump is located, so that a large step alone never causes a
     /// jump. `left` is the remaining work. Without remaining work each step goes directly to the next place.

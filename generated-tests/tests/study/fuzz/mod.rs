@@ -9,8 +9,8 @@ mod moving;
 mod systems;
 mod text;
 
-/// Number of inputs of the long form for each target. The environment variable COUNT sets it, and the default is a
-/// million.
+/// Returns the number of inputs of the long form for each target. The environment variable COUNT sets it, and the
+/// default is a million.
 fn long() -> u64 {
     let count = std::env::var("COUNT").ok();
     count.map_or(1_000_000, |count| count.parse().expect("COUNT is a number"))

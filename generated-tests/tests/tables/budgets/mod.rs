@@ -208,8 +208,8 @@ fn the_measure_sees_an_error() {
     assert!(against_big::<Wrong>(&quarter)[0] > 1e30);
 }
 
-/// Number of random points in the long form. Points of a mode's functions are drawn for each kind of mode, ten million
-/// together.
+/// Returns the number of random points in the long form. Points of a mode's functions are drawn for each kind of mode,
+/// ten million together.
 fn points(case: &Case) -> usize {
     match case.scalar {
         "Dd" => 10_000,
