@@ -1,11 +1,11 @@
-//! The figures that a program writes: their folder and the progress of the work.
+//! Manages the figures that a program writes: their folder and the progress of the work.
 
 use crate::gallery::{self, Entry};
 use std::error::Error;
 use std::io::{IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 
-/// The figures of one program, with the folder to which they are written.
+/// The figures of one program, and the folder to which they are written.
 #[derive(Debug)]
 pub struct Album {
     folder: PathBuf,

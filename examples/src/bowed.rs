@@ -1,4 +1,4 @@
-//! A block that a moving belt drags along, at audio rate: stick-slip as sound.
+//! Computes the sound of a block that a moving belt drags along: stick-slip at audio rate.
 //!
 //! `cargo run --release --example bowed sound.wav` writes three seconds at 48 kHz. A spring holds the block, which rubs
 //! on the belt. The friction force falls with the sliding speed. A second mass, light and barely damped, vibrates with
@@ -54,7 +54,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let loudest = sound
         .iter()
         .fold(0.0_f64, |most, value| most.max(value.abs()));
-    // The second between 1 s and 2 s, in which the normal force is constant.
+    // The test uses the second between 1 s and 2 s, in which the normal force is constant.
     let whole = RATE as usize..2 * RATE as usize;
     let steady = sound.get(whole).unwrap_or_default();
     let rises = steady

@@ -11,17 +11,17 @@ use std::f64::consts::{PI, TAU};
 
 const BLOCK: Of = Of::Mass(0);
 
-/// A loaded block on a spring, which rubs on a fixed wall.
+/// Returns a loaded block on a spring, which rubs on a fixed wall.
 fn wall() -> System {
     block("wall", "block", "")
 }
 
-/// The system of [`wall`] with a dashpot, ζ = 0.2.
+/// Returns the system of [`wall`] with a dashpot, ζ = 0.2.
 fn damped() -> System {
     block("wall", "block", "damping: modal(0.2),")
 }
 
-/// Two masses. The lower one is loaded and in contact with the wall.
+/// Returns two masses. The lower one is loaded and in contact with the wall.
 fn two() -> System {
     system(
         "struct Two {

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 const TO: f64 = 2.5;
 
-/// Two equal masses. The lower one is loaded, and the upper one rubs on a wall.
+/// Returns two equal masses. The lower one is loaded, and the upper one rubs on a wall.
 fn wall() -> System {
     system(
         "struct Wall {
@@ -25,7 +25,7 @@ fn wall() -> System {
     )
 }
 
-/// Two masses that rub on each other.
+/// Returns two masses that rub on each other.
 fn between() -> System {
     system(
         "struct Between {

@@ -1,5 +1,5 @@
-//! From a description to regimes, responses and emitted code, with a check by plain time integration.
-//! `cargo run --release --example tour`
+//! Leads from a description to regimes, responses and emitted code, with a check by plain time integration. `cargo run
+//! --release --example tour`
 
 mod plain;
 

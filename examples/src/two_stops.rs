@@ -1,5 +1,5 @@
-//! Den Hartog's motion with two stops a cycle: one mass, undamped, rubbing on a fixed wall, μ = 1 (2.5.1). It is a
-//! special case of an orbit, found here without the solver of orbits.
+//! Computes Den Hartog's motion with two stops a cycle: one mass, undamped, rubbing on a fixed wall, μ = 1 (2.5.1). It
+//! is a special case of an orbit, found here without the solver of orbits.
 //!
 //! The conditions are x̄(0) = X, x̄′(0) = 0, x̄(τ₀) = −X, x̄′(τ₀) = 0 and X = β + cos φ (2.32). With
 //! D = (sin τ₀ − r sin(τ₀/r))/(1 − r²) and E = (cos τ₀ − cos(τ₀/r))/(1 − r²) they give
@@ -31,7 +31,7 @@ fn sides(r: f64, x: f64, tau: f64) -> (f64, f64, f64) {
     let basis = Undamped.basis(x, &at);
     let detuning = (1.0 - r) * (1.0 + r);
     if detuning == 0.0 {
-        // At the resonance D and E are the derivatives by r.
+        // At the resonance D and E are derivatives with respect to r.
         let d = (at.sine - tau * at.cosine) * 0.5;
         return (d, tau * at.sine * 0.5, basis.slope);
     }
@@ -99,7 +99,7 @@ impl TwoStops {
         }
     }
 
-    /// Returns true if the mass slides in one direction until τ₀ and sticks from then on.
+    /// Returns true if the mass slides in one direction until τ₀ and sticks afterwards.
     fn holds(&self, beta: f64) -> bool {
         let samples = 256;
         let slides = (1..samples).all(|index| {
@@ -109,7 +109,7 @@ impl TwoStops {
         let grip = beta * (1.0 + 4096.0 * f64::EPSILON);
         let held = |force: f64| force.abs() <= grip;
         let force = |tau: f64| self.amplitude + self.load(tau);
-        // The load is ±P at these instants of the stop, so the contact force is extreme.
+        // At these instants of the stop the load is ±P, so the contact force is extreme.
         let ahead = self.phase();
         let inside = |tau: f64| self.slide < tau && tau < PI;
         let turns = (-1..=2).all(|turn| {

@@ -1,8 +1,8 @@
-//! Tests that the links of the gallery lead to files.
+//! Tests that the links of the gallery lead to existing files.
 
 use std::path::Path;
 
-/// Returns the targets of a page's links and pictures, without anchors and other sites.
+/// Returns the targets of a page's links and pictures. Anchors and other sites are left out.
 fn links(page: &str) -> impl Iterator<Item = &str> {
     let ends = [("](", ')'), ("src=\"", '"'), ("srcset=\"", '"')];
     ends.into_iter()

@@ -1,9 +1,9 @@
-//! Compares Den Hartog's two-stop motion with the orbit.
+//! Compares Den Hartog's two-stop motion with the orbit, a steady state with stops.
 
 use frictiongen::System;
 use frictiongen_examples::two_stops::TwoStops;
 
-/// Compares both over a grid of r and β. They find two-stop motions at the same points, with the same values.
+/// Compares both over a grid of r and β. They must find two-stop motions at the same points, with the same values.
 #[test]
 fn den_hartog() {
     let wall: System = "struct Block {

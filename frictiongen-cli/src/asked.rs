@@ -1,4 +1,4 @@
-//! Arguments of the commands that go over frequency and friction: masses, motions and harmonics.
+//! Parses the options that several commands share: masses, motions, harmonics and numbers.
 
 use crate::failure::Failure;
 use frictiongen::study::UnknownMass;
@@ -6,10 +6,10 @@ pub use frictiongen::study::columns::{CONTACT, Part};
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
-/// Largest order of a harmonic.
+/// Largest order of a harmonic that a command accepts.
 pub const MOST_HARMONICS: u32 = 9999;
 
-/// A requested mass.
+/// A mass that the user requests.
 #[derive(Clone, Debug)]
 pub struct Mass {
     /// Index of the mass in the description.
@@ -33,14 +33,15 @@ pub fn harmonics(highest: Option<&str>) -> Result<Option<u32>, Failure> {
     highest.map(of).transpose()
 }
 
-/// Parses the number of an option.
+/// Parses a number, the value of an option.
 pub fn number(option: &str, text: &str) -> Result<f64, Failure> {
     text.trim()
         .parse()
         .map_err(|_| Failure::new(format_args!("{option} `{text}`: it is not a number")))
 }
 
-/// Parses a finite number of an option that satisfies `sound`. `needed` words the condition in the message.
+/// Parses a finite number, the value of an option. It must satisfy `sound`, and `needed` states this condition in the
+/// message.
 pub fn number_that(
     option: &str,
     text: &str,
@@ -53,7 +54,7 @@ pub fn number_that(
         .ok_or_else(|| Failure::new(format_args!("{option} `{text}`: {needed} is needed")))
 }
 
-/// Parses the whole number of an option.
+/// Parses a whole number, the value of an option.
 pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32, Failure> {
     let number = text.trim().parse().ok();
     number
@@ -81,7 +82,7 @@ pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
     Ok(masses)
 }
 
-/// Returns the named parts, each once. Without names it returns the contact and all masses.
+/// Returns the contact or masses with these names, each once. Without names it returns the contact and all masses.
 pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
     if names.is_empty() {
         let masses = known(system).map(Part::from);
@@ -102,7 +103,7 @@ pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
     Ok(parts)
 }
 
-/// Returns all masses.
+/// Returns all masses of the system.
 fn known(system: &System) -> impl Iterator<Item = Mass> + '_ {
     let masses = system.scene().masses.iter().enumerate();
     masses.map(|(index, mass)| Mass {
@@ -120,7 +121,7 @@ fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
     })
 }
 
-/// Returns the one requested part.
+/// Returns the contact or mass with this name.
 pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
     let mut parts = parts(system, &[name.to_owned()])?;
     parts

@@ -7,7 +7,7 @@ use frictiongen_codegen::{Diagnostic, Limits, parse_text};
 use std::io::Write;
 use std::ops::Range;
 
-/// Runs the command.
+/// Runs `frictiongen check`.
 pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let name = arguments.file.name();
     let text = arguments.file.text()?;
@@ -50,7 +50,7 @@ fn token(text: &str, line: usize, column: usize) -> Range<usize> {
     let start = before + within.map_or(rest.len(), |(place, _)| place);
     let token = text.get(start..).unwrap_or_default();
     let word = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == '.';
-    // A number may have a sign. A token that is not a word is a sign or a bracket.
+    // A number may have a sign. A token that is not a word is a single sign or bracket.
     let first = token.chars().next().map_or(0, char::len_utf8);
     let sign = if token.starts_with('-') { first } else { 0 };
     let after = token.get(sign..).unwrap_or_default();

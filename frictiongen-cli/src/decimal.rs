@@ -1,14 +1,14 @@
-//! Decimal numbers as they were written. The points of a decimal grid are exact decimals, without the rounding of
+//! Decimal numbers as the user wrote them. The points of a decimal grid are exact decimals, without the rounding of
 //! binary steps.
 
-/// The number digits·10^exponent.
+/// A decimal number: `digits` times 10 to the power of `exponent`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Decimal {
     digits: i128,
     exponent: i32,
 }
 
-/// Largest number of digits. Longer numbers are parsed as floating point.
+/// Largest number of digits of an exact decimal. Longer numbers are parsed as floating point.
 const MOST_DIGITS: usize = 30;
 
 impl Decimal {
@@ -42,7 +42,7 @@ impl Decimal {
         text.parse().unwrap_or(f64::NAN)
     }
 
-    /// Returns the digits at a smaller exponent, if they fit.
+    /// Returns the digits of the same number at a smaller exponent, if they fit into the type.
     fn scaled(self, exponent: i32) -> Option<i128> {
         let by = u32::try_from(self.exponent.checked_sub(exponent)?).ok()?;
         self.digits.checked_mul(10_i128.checked_pow(by)?)
@@ -60,7 +60,7 @@ pub struct Decimals {
 }
 
 impl Decimals {
-    /// Makes a range, if the step is not 0 and leads to the last point.
+    /// Returns a range, if the step is not 0 and a whole number of steps leads to the last point.
     pub fn new(first: Decimal, step: Decimal, last: Decimal) -> Option<Self> {
         let exponent = first.exponent.min(step.exponent).min(last.exponent);
         let (first, step, last) = (

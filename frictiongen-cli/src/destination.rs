@@ -6,7 +6,7 @@ use crate::file;
 use std::io::Write;
 use std::path::Path;
 
-/// Additions to the names and values of a CSV.
+/// Additions to a CSV file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extras {
     /// A second line with the units of the columns.
@@ -64,10 +64,10 @@ impl FormatArguments {
     }
 }
 
-/// The destination of an answer.
+/// The destination of an answer: its format, and the file or standard output.
 #[derive(Debug)]
 pub struct Destination<'a> {
-    /// The format.
+    /// Format of the answer: table, CSV, JSON or picture.
     pub form: Form,
     /// The file, which must not be the description. With `None` the answer goes to standard output.
     file: Option<(&'a Path, Option<&'a Path>)>,
@@ -137,7 +137,7 @@ impl<'a> Destination<'a> {
         })
     }
 
-    /// Writes the answer.
+    /// Writes the answer to the file or to standard output.
     pub fn write(
         &self,
         out: &mut dyn Write,

@@ -1,4 +1,4 @@
-//! Emitted code as text: its functions with their counted operations.
+//! Reads emitted code as text and lists its functions with their counted operations.
 
 /// An emitted function.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -11,7 +11,7 @@ pub struct Function {
     pub operations: String,
 }
 
-/// Returns the functions whose documentation counts operations.
+/// Returns the functions whose documentation states a number of operations.
 pub fn functions(source: &str) -> Vec<Function> {
     let (mut found, mut about, mut operations) = (Vec::new(), String::new(), None);
     for line in source.lines().map(str::trim) {

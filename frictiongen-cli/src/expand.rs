@@ -6,7 +6,7 @@ use crate::file::write_file;
 use frictiongen_codegen::{Limits, pretty};
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen expand`.
 pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failure> {
     // The command refuses everything that the macro refuses.
     let description = arguments.file.description(&Limits::MACRO)?;

@@ -12,12 +12,12 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// Makes a failure with a message of one line.
+    /// Returns a failure with a message of one line.
     pub fn new(message: impl std::fmt::Display) -> Self {
         Self::Lines(vec![format!("frictiongen: {message}")])
     }
 
-    /// Makes the failure of a write to standard output.
+    /// Returns the failure of a write to standard output.
     pub fn output(error: &io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {
             Self::Closed

@@ -22,7 +22,7 @@ pub fn write_with(
     let file = place.open().map_err(|error| refused(&error))?;
     let mut out = Noting { file, error: None };
     let written = match write(&mut out) {
-        // The file itself could not be written.
+        // In this case the file itself could not be written.
         Err(failure) => Err(out.error.as_ref().map_or(failure, refused)),
         Ok(()) => place.keep().map_err(|error| refused(&error)),
     };
@@ -118,7 +118,7 @@ impl Place {
 
     fn discard(&self) {
         if let Some(first) = &self.first {
-            // The temporary file may not exist.
+            // The temporary file may not exist, so an error is ignored.
             let _ = fs::remove_file(first);
         }
     }
@@ -133,7 +133,7 @@ struct Noting {
 impl Noting {
     fn noted<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         result.inspect_err(|error| {
-            // The error's kind contains the reason.
+            // The kind of the error is kept, because it contains the reason.
             self.error = Some(error.kind().into());
         })
     }

@@ -8,14 +8,14 @@ use crate::number::survives;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, FrequencyUnit as Unit};
 
-/// A continuous range of frequencies.
+/// A continuous range of frequencies, with the unit in which the user gave it.
 #[derive(Clone, Debug)]
 pub struct Band {
-    /// Lowest frequency ratio r.
+    /// Lowest frequency ratio r of the range.
     pub from: f64,
-    /// Highest frequency ratio r.
+    /// Highest frequency ratio r of the range.
     pub to: f64,
-    /// Largest distance between points, in r.
+    /// Largest distance between neighbouring points, in r.
     pub widest: Option<f64>,
     unit: Unit,
 }
@@ -70,12 +70,12 @@ impl Band {
         self
     }
 
-    /// Returns whether the range was given in a unit.
+    /// Returns true if the range was given in Hz or rad/s.
     pub fn is_physical(&self) -> bool {
         self.unit.is_physical()
     }
 
-    /// Returns whether Hz are printed next to r.
+    /// Returns true if tables print Hz next to r.
     pub fn tells_hertz(&self) -> bool {
         self.unit.has_hertz()
     }
@@ -86,7 +86,7 @@ impl Band {
     }
 }
 
-/// Returns the option that is given, and its unit.
+/// Returns the text of the frequency option that is given, and its unit.
 fn given(arguments: &FrequencyArguments) -> Result<(&str, Unit), Failure> {
     match (&arguments.r, &arguments.hz, &arguments.omega) {
         (Some(r), ..) => Ok((r, Unit::Ratio)),
@@ -103,7 +103,7 @@ fn too_far(quantity: Quantity, given: f64) -> Failure {
     ))
 }
 
-/// Returns the quantity as which a frequency is read. `in_time` requires a frequency that has a cycle.
+/// Returns the quantity as which a frequency is parsed. If `in_time` is true, the frequency must have a cycle.
 fn quantity(unit: Unit, in_time: bool) -> Quantity {
     match (unit, in_time) {
         (Unit::Ratio | Unit::RatioUnderLoad, false) => Quantity::FrequencyRatio,
@@ -115,17 +115,17 @@ fn quantity(unit: Unit, in_time: bool) -> Quantity {
     }
 }
 
-/// A grid of frequencies.
+/// A grid of frequencies, with the unit in which the user gave it.
 #[derive(Clone, Debug)]
 pub struct Frequencies {
     given: Vec<f64>,
     unit: Unit,
-    /// The quantity as which the frequencies are read.
+    /// The quantity as which the frequencies were parsed.
     pub quantity: Quantity,
 }
 
 impl Frequencies {
-    /// Parses the grid. `in_time` requires frequencies that have a cycle.
+    /// Parses the grid. If `in_time` is true, every frequency must have a cycle.
     pub fn parse(arguments: &FrequencyArguments, in_time: bool) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
         let quantity = quantity(unit, in_time);
@@ -169,7 +169,7 @@ impl Frequencies {
         self.unit
     }
 
-    /// Returns the frequencies as given.
+    /// Returns the frequencies as the user gave them.
     pub fn given(&self) -> &[f64] {
         &self.given
     }
@@ -179,7 +179,7 @@ impl Frequencies {
         self.given.iter().map(|given| self.of(system, *given))
     }
 
-    /// Returns whether the frequencies were given in a unit.
+    /// Returns true if the frequencies were given in Hz or rad/s.
     pub fn are_physical(&self) -> bool {
         self.unit.is_physical()
     }

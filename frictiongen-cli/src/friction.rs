@@ -9,7 +9,7 @@ use crate::number::survives;
 use frictiongen::study::columns::Friction;
 use frictiongen::study::units::LoadScale;
 
-/// A grid of friction ratios or forces.
+/// A grid of friction ratios β, or of forces in N.
 #[derive(Clone, Debug)]
 pub struct Frictions {
     given: Vec<f64>,
@@ -18,7 +18,7 @@ pub struct Frictions {
 }
 
 impl Frictions {
-    /// Parses the grid. It must not be too long together with the grid of frequencies, if there is one.
+    /// Parses the grid. Together with the grid of frequencies, if there is one, it must not be too long.
     pub fn parse(
         arguments: &FrictionArguments,
         frequencies: Option<&Frequencies>,
@@ -43,7 +43,7 @@ impl Frictions {
         })
     }
 
-    /// Returns the grid for use under this load. A grid of forces needs a load.
+    /// Returns the grid for use under this load. A grid of forces requires a load.
     pub fn under(mut self, measure: &Measure) -> Result<Self, Failure> {
         self.scale = measure.scale();
         if self.scale.is_none() && self.are_forces() {
@@ -67,7 +67,7 @@ impl Frictions {
         Ok(self)
     }
 
-    /// Returns the frictions as given.
+    /// Returns the frictions as the user gave them.
     pub fn given(&self) -> &[f64] {
         &self.given
     }
@@ -77,7 +77,7 @@ impl Frictions {
         self.given.iter().map(|given| self.of(*given))
     }
 
-    /// Returns true if the frictions were given as forces.
+    /// Returns true if the user gave frictions as forces.
     pub fn are_forces(&self) -> bool {
         self.quantity == Quantity::FrictionForce
     }

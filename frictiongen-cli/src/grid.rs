@@ -7,29 +7,29 @@ use std::fmt;
 /// Largest number of points of a grid, and of two grids together.
 pub const MOST_POINTS: usize = 10_000_000;
 
-/// The quantity that a grid gives.
+/// The quantity whose values a grid contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Frequency ratio r; 0 and infinity are allowed.
     FrequencyRatio,
-    /// Frequency ratio r of a motion in time, which has a cycle.
+    /// Frequency ratio r of a motion in time. It must have a cycle, so 0 and infinity are not allowed.
     FrequencyRatioInTime,
     /// Frequency in Hz; 0 and infinity are allowed.
     Hertz,
-    /// Frequency in Hz of a motion in time.
+    /// Frequency in Hz of a motion in time. It must have a cycle, so 0 and infinity are not allowed.
     HertzInTime,
     /// Angular frequency in rad/s; 0 and infinity are allowed.
     Omega,
-    /// Angular frequency in rad/s of a motion in time.
+    /// Angular frequency in rad/s of a motion in time. It must have a cycle, so 0 and infinity are not allowed.
     OmegaInTime,
-    /// Friction ratio β, finite.
+    /// Friction ratio β. It must be finite.
     FrictionRatio,
-    /// Friction force, finite.
+    /// Friction force in N. It must be finite.
     FrictionForce,
 }
 
 impl Quantity {
-    /// Returns the option that takes the quantity.
+    /// Returns the command-line option that takes the quantity.
     pub fn option(self) -> &'static str {
         match self {
             Self::FrequencyRatio | Self::FrequencyRatioInTime => "--r",
@@ -57,7 +57,7 @@ impl Quantity {
         }
     }
 
-    /// Returns whether the quantity belongs to a motion in time.
+    /// Returns true if the quantity belongs to a motion in time.
     fn in_time(self) -> bool {
         matches!(
             self,
@@ -65,13 +65,13 @@ impl Quantity {
         )
     }
 
-    /// Returns whether infinity is allowed.
+    /// Returns true if infinity is a valid value of the quantity.
     fn may_be_infinite(self) -> bool {
         matches!(self, Self::FrequencyRatio | Self::Hertz | Self::Omega)
     }
 }
 
-/// An error in a grid.
+/// An error in the text of a grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GridError {
     option: &'static str,
@@ -137,7 +137,7 @@ pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
     })
 }
 
-/// Makes the error for a grid where one point is needed.
+/// Returns the failure for a grid with several points where one point is needed.
 pub fn several(quantity: Quantity, points: usize) -> Failure {
     Failure::new(format_args!(
         "{}: one {} is needed, but this is a grid of {points}",
@@ -146,7 +146,7 @@ pub fn several(quantity: Quantity, points: usize) -> Failure {
     ))
 }
 
-/// Adds the points of one entry of the list.
+/// Adds the points of one entry of the list to `points`.
 fn extend(points: &mut Vec<f64>, entry: &str, quantity: Quantity) -> Result<(), String> {
     let mut parts = entry.split(':');
     match (parts.next(), parts.next(), parts.next(), parts.next()) {
@@ -182,9 +182,9 @@ fn decimals(texts: [&str; 3]) -> Option<Decimals> {
     Decimals::new(first?, step?, last?)
 }
 
-/// Returns the number of points, if that many more fit.
+/// Returns the number of points `more`, if so many fit in addition to those that exist.
 fn room(already: usize, more: f64) -> Result<usize, String> {
-    // The conversions are exact: both numbers are whole, and small where they fit.
+    // The conversions are exact, because both numbers are whole, and small if they fit.
     if more <= MOST_POINTS.saturating_sub(already) as f64 {
         Ok(more as usize)
     } else {
@@ -220,7 +220,7 @@ impl Range {
                 "from {first:?} to {last:?} the step must be {sign}"
             ));
         }
-        // Largest change of the ratio by rounding of the three numbers.
+        // `blur` is the largest change of the ratio by rounding of the three numbers.
         let blur = 4.0 * f64::EPSILON * ((first.abs() + last.abs()) / step.abs() + ratio);
         let whole = ratio.round();
         let ends_at_last = (ratio - whole).abs() <= blur;
@@ -237,7 +237,7 @@ impl Range {
     fn point(&self, index: usize) -> f64 {
         let index = index as f64;
         if self.ends_at_last && index == self.steps {
-            // The last point is the number that was asked for. It equals the computed one within rounding.
+            // The last point is the number that the user wrote. It equals the computed point within rounding.
             self.last
         } else {
             self.first + index * self.step
@@ -268,7 +268,7 @@ fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
     Ok(value + 0.0)
 }
 
-/// Returns an error unless the quantity can have this value.
+/// Returns an error if the quantity cannot have this value.
 fn admit(value: f64, quantity: Quantity) -> Result<(), String> {
     let (article, name) = (quantity.article(), quantity.name());
     if value < 0.0 {

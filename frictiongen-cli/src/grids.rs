@@ -7,22 +7,22 @@ use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen::study::columns::Setting;
 
-/// System, frequencies, frictions, units and parts of a question.
+/// System, frequencies, frictions, units and motions of a command that answers over a grid.
 pub struct Grids {
-    /// The system.
+    /// The system that the answers describe.
     pub system: System,
-    /// The frequencies.
+    /// Frequencies for which the answers are computed.
     pub frequencies: Frequencies,
-    /// The frictions.
+    /// Frictions for which the answers are computed.
     pub frictions: Frictions,
-    /// The units of the answers.
+    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
-    /// The contact and masses of the answers.
+    /// The contact and masses whose motions the answers contain.
     pub parts: Vec<Part>,
 }
 
 impl Grids {
-    /// Returns what the tables of the library need.
+    /// Returns the settings for the tables of the library.
     pub fn setting(&self) -> Setting<'_> {
         Setting {
             system: &self.system,
@@ -35,7 +35,7 @@ impl Grids {
         }
     }
 
-    /// Returns the number of points.
+    /// Returns the number of points: frequencies times frictions.
     pub fn len(&self) -> usize {
         self.frequencies.len().saturating_mul(self.frictions.len())
     }

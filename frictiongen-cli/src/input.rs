@@ -1,4 +1,4 @@
-//! Reads descriptions.
+//! Reads descriptions from files and standard input.
 
 use crate::args::FileArgument;
 use crate::failure::{Failure, reason};
@@ -9,7 +9,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// Largest size of a description. It is far more than any description needs, so a longer file is not a description.
+/// Largest size of a description in bytes. A longer file cannot be a description.
 const MOST_BYTES: usize = 16 << 20;
 
 impl FileArgument {
@@ -18,7 +18,7 @@ impl FileArgument {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
 
-    /// Returns the name of the description in messages.
+    /// Returns the name of the description as messages print it.
     pub fn name(&self) -> String {
         self.path()
             .map_or_else(|| "<stdin>".to_owned(), |path| path.display().to_string())
@@ -56,7 +56,8 @@ impl FileArgument {
         })
     }
 
-    /// Reads a description for an exact response, which needs constant kinetic friction.
+    /// Reads and parses a description for an exact response. It returns an error unless the kinetic friction is
+    /// constant.
     pub fn constant_level(&self, limits: &Limits) -> Result<Description, Failure> {
         let description = self.description(limits)?;
         if description.scene.friction == FrictionLaw::Coulomb {
@@ -69,7 +70,7 @@ impl FileArgument {
     }
 }
 
-/// Reads everything, at most one byte more than the largest size.
+/// Reads a source, but at most one byte more than the largest size.
 fn read(source: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     source.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;

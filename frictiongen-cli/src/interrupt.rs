@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 static PRESSED: AtomicBool = AtomicBool::new(false);
 
-/// Starts to record Ctrl-C. A second Ctrl-C ends the program.
+/// Starts to watch for Ctrl-C. A second Ctrl-C ends the program.
 pub fn watch() {
-    // If signals cannot be caught, or already are, Ctrl-C ends the program as usual.
+    // If the program cannot catch signals, or already does, Ctrl-C ends it as usual.
     let _ = ctrlc::set_handler(|| {
         if PRESSED.swap(true, Ordering::Relaxed) {
             std::process::exit(130);
@@ -14,7 +14,7 @@ pub fn watch() {
     });
 }
 
-/// Returns whether Ctrl-C was pressed.
+/// Returns true if the user has pressed Ctrl-C.
 pub fn pressed() -> bool {
     PRESSED.load(Ordering::Relaxed)
 }

@@ -1,4 +1,4 @@
-//! Writes JSON: one object. Its points are written as they are computed, each on its own line.
+//! Writes an answer as one JSON object. Its points are written as they are computed, each on a line of its own.
 
 use crate::number::{Cell, Exact as _};
 use crate::summary::Summary;
@@ -8,14 +8,14 @@ use std::io::{self, Write};
 /// Version of the object's format. It grows when a field is renamed or changes its meaning.
 const VERSION: u32 = 1;
 
-/// Writer of the object.
+/// Writes the object step by step.
 pub struct Writer<'a> {
     out: &'a mut dyn Write,
     empty: bool,
 }
 
 impl<'a> Writer<'a> {
-    /// Writes everything before the points.
+    /// Begins the object and writes all its fields before the points.
     pub fn begin(
         out: &'a mut dyn Write,
         summary: &Summary,
@@ -45,25 +45,25 @@ impl<'a> Writer<'a> {
         Ok(Self { out, empty: true })
     }
 
-    /// Writes a point.
+    /// Writes a point to the list of points.
     pub fn point(&mut self, point: &Json) -> io::Result<()> {
         let comma = if self.empty { "" } else { "," };
         self.empty = false;
         write!(self.out, "{comma}\n{point}")
     }
 
-    /// Writes everything after the points.
+    /// Ends the list of points and the object.
     pub fn end(self) -> io::Result<()> {
         writeln!(self.out, "\n]\n}}")
     }
 }
 
-/// Returns a list of numbers.
+/// Returns a JSON list of numbers.
 fn numbers(values: impl Iterator<Item = f64>) -> Json {
     values.map(|value| Cell::from(value).json()).collect()
 }
 
-/// Returns an object. serde_json sorts its fields by name.
+/// Returns a JSON object. serde_json sorts its fields by name.
 pub fn object<const N: usize>(fields: [(&str, Json); N]) -> serde_json::Map<String, Json> {
     fields
         .into_iter()

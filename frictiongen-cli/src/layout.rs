@@ -1,28 +1,28 @@
-//! Arranges the cells of a table for its output: lines of text, and objects of JSON.
+//! Arranges the cells of a row for the output: as lines of text, or as objects in JSON.
 
 use crate::number::{Cell, Exact as _};
 use crate::table;
 use frictiongen::study::columns::{CONTACT, Column, Kind};
 use serde_json::{Map, Value as Json};
 
-/// The arrangement of the motions of a row.
+/// The arrangement of the motions that a row contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
-    /// A line of text, and in JSON a field for each column.
+    /// Text has one line for each row, and JSON has a field for each column.
     Flat,
-    /// A line of text, and in JSON an object for each part.
+    /// Text has one line for each row, and JSON has an object for each motion.
     Objects,
-    /// A line of text, and in JSON an object for the contact and a list of the masses.
+    /// Text has one line for each row. JSON has an object for the contact and a list of the masses.
     Masses,
-    /// A line of text for each part that moves, and JSON as for [`Layout::Masses`].
+    /// Text has a line for each contact or mass that moves. JSON is that of [`Layout::Masses`].
     Lines,
 }
 
-/// Heading of the column with the names of the parts.
+/// Heading of the column with the name of the contact or mass.
 const MOTION: &str = "motion";
 
 impl Layout {
-    /// Returns the columns of a table for people.
+    /// Returns the columns of a printed table.
     pub fn titles<R>(self, columns: &[Column<'_, R>]) -> Vec<table::Column> {
         let first = columns.iter().find_map(|column| column.part.as_ref());
         let shown = columns.iter().filter(|column| column.is_in_text());
@@ -51,7 +51,7 @@ impl Layout {
         titles
     }
 
-    /// Returns the lines of a row in a table for people.
+    /// Returns the lines of a printed table for one row.
     pub fn lines<'r, R>(self, columns: &'r [Column<'_, R>], row: &'r R) -> Vec<Vec<Cell<'r>>> {
         let shown = || columns.iter().filter(|column| column.is_in_text());
         if self != Self::Lines {
@@ -73,7 +73,7 @@ impl Layout {
                 line.push(column.read(row));
             }
         }
-        // A part without an amplitude does not move.
+        // A contact or mass without an amplitude does not move, so it has no line.
         let amplitude = once.len() + 1;
         lines.retain(|line| line.get(amplitude) != Some(&Cell::Missing));
         match lines.first_mut() {
@@ -86,7 +86,7 @@ impl Layout {
         lines
     }
 
-    /// Returns a row as JSON. Without `motions` it has no motions and no lists.
+    /// Returns a row as a JSON object. If `motions` is false, motions and lists are left out.
     pub fn json<R>(self, columns: &[Column<'_, R>], row: &R, motions: bool) -> Json {
         let mut fields = Map::new();
         let mut parts: Vec<(&str, Map<String, Json>)> = Vec::new();
@@ -132,8 +132,9 @@ impl Layout {
     }
 }
 
-/// Name of the list of harmonics in JSON, and of the order in its entries.
+/// Name of the list of harmonics in JSON.
 const HARMONICS: &str = "harmonics";
+/// Name of the order in an entry of the list of harmonics.
 const ORDER: &str = "n";
 
 /// Adds a value to the entry of its harmonic.
@@ -156,7 +157,7 @@ fn harmonic(fields: &mut Map<String, Json>, order: u32, name: &str, value: Json)
     }
 }
 
-/// Replaces a list of harmonics without values by null.
+/// Replaces a list of harmonics by null if none of them has a value.
 fn leave_out_missing(fields: &mut Map<String, Json>) {
     let is_empty = |entry: &Json| {
         let entry = entry.as_object().into_iter().flatten();

@@ -11,7 +11,7 @@ use frictiongen::study::columns::{Column, LimitsAsked, LimitsRow, LimitsTable, S
 use frictiongen_codegen::Limits;
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen limits`.
 pub fn run(arguments: &LimitsArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.frequency, false)?;
     let description = arguments.file.constant_level(&Limits::RUN_TIME)?;

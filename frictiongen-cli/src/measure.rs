@@ -1,4 +1,4 @@
-//! Units of the answers from the load options.
+//! Determines the units of the answers from the options for the load.
 
 use crate::args::LoadArguments;
 use crate::asked::number;
@@ -9,7 +9,7 @@ pub use frictiongen::study::columns::Dimension;
 pub use frictiongen::study::columns::Measure;
 use frictiongen::study::units::{Load, LoadError};
 
-/// Makes the units from the load options, if a load is given.
+/// Returns the units under the load that the options give. Without a load the units are non-dimensional groups.
 pub fn of(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure> {
     let groups = Measure::groups(system);
     let under = |load: Load, name: &str, text: &str| {
@@ -31,7 +31,7 @@ pub fn of(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure
     Ok(measure)
 }
 
-/// Returns the option that gives the load of the scene.
+/// Returns the option with which the user gives this scene's load.
 pub fn option(measure: &Measure) -> &'static str {
     if measure.is_base_motion() {
         "--base"
@@ -40,7 +40,7 @@ pub fn option(measure: &Measure) -> &'static str {
     }
 }
 
-/// Returns the load and its units of force and length, in words.
+/// Describes the load and its units of force and length in words.
 pub fn description(measure: &Measure, number: impl Fn(f64) -> String) -> Option<String> {
     let scale = measure.scale()?;
     let (force, length) = (number(scale.force()), number(scale.length()));

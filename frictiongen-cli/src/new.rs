@@ -6,10 +6,10 @@ use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
 
-/// A frame of two storeys with comments on every field.
+/// Description of a frame of two storeys, with comments on every field.
 const SCENE: &str = include_str!("new.friction");
 
-/// Runs the command.
+/// Runs `frictiongen new`.
 pub fn run(arguments: &NewArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let path = arguments.file.as_deref();
     let Some(path) = path.filter(|path| *path != Path::new("-")) else {

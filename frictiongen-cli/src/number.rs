@@ -1,16 +1,16 @@
-//! Formats values.
+//! Formats the values of cells for people and for programs.
 
 pub use frictiongen::study::columns::Cell;
 use std::borrow::Cow;
 
-/// Returns the text of a flag in tables and CSV.
+/// Returns the text of a flag in printed tables and CSV.
 pub fn word(flag: bool) -> &'static str {
     if flag { "true" } else { "false" }
 }
 
-/// A cell as text for programs.
+/// A value that programs read.
 pub trait Exact {
-    /// Formats a value with every digit, as few as read back as the same number.
+    /// Formats a value with as few digits as read back as the same number.
     fn exact(&self) -> Cow<'_, str>;
     /// Converts a value to JSON.
     fn json(&self) -> serde_json::Value;
@@ -23,12 +23,12 @@ impl Exact for Cell<'_> {
             Self::Count(value) => Cow::Owned(value.to_string()),
             Self::Word(text) => Cow::Borrowed(text),
             Self::Flag(value) => Cow::Borrowed(word(*value)),
-            // CSV has no column of lists.
+            // CSV has no column for lists.
             Self::Pairs(_) | Self::Missing => Cow::Borrowed(""),
         }
     }
 
-    /// Converts a value to JSON. JSON has no infinity, so that the string "inf" replaces it.
+    /// Converts a value to JSON. The string "inf" stands for infinity, which JSON lacks.
     fn json(&self) -> serde_json::Value {
         match self {
             Self::Number(value) if value.is_infinite() => {
@@ -49,12 +49,13 @@ impl Exact for Cell<'_> {
     }
 }
 
-/// Returns whether computing one number from another neither lost it nor made it infinite.
+/// Returns true if a computed number is 0 or infinite only where the given number is 0 or infinite.
 pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
 
-/// Formats a computed number for people: with six decimals, or with six digits if those decimals show little.
+/// Formats a computed number for people. It has six decimals, or six significant digits if six decimals show too
+/// little.
 pub fn computed(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
@@ -66,10 +67,10 @@ pub fn computed(value: f64) -> String {
     }
 }
 
-/// Largest number of decimals of a given number.
+/// Largest number of decimals of a number that the user gave.
 const MOST_DECIMALS: usize = 9;
 
-/// Formats a number given by the user for people, with the decimals that its whole grid needs.
+/// Formats a number that the user gave, for people, with the decimals that its whole grid needs.
 pub fn given(value: f64, decimals: usize) -> String {
     let size = value.abs();
     if size == 0.0 || size.is_infinite() || (1e-6..1e9).contains(&size) {
@@ -79,7 +80,7 @@ pub fn given(value: f64, decimals: usize) -> String {
     }
 }
 
-/// Returns the number of decimals that a number needs, without the digits that rounding left in it.
+/// Returns the number of decimals that a number needs. Digits that rounding left do not count.
 pub fn decimals(value: f64) -> usize {
     let text = given(value, MOST_DECIMALS);
     match text.split_once('.') {

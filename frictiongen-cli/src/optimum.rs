@@ -15,7 +15,7 @@ use frictiongen::study::optimum::{
 use frictiongen_codegen::Limits;
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen optimum`.
 pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;

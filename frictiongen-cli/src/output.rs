@@ -13,38 +13,39 @@ use std::io::{BufWriter, Write};
 /// Function that receives the points.
 pub type Visitor<'a, P> = &'a mut dyn FnMut(&P) -> Result<(), Failure>;
 
-/// Rows of a table of the library, and the way they are written.
+/// An answer that can be written: the rows and columns of a table of the library, and their layout.
 pub trait Table {
     /// The type of a row.
     type Row;
 
     /// Returns the number of rows.
     fn len(&self) -> usize;
-    /// Computes the rows in order until the visitor fails.
+    /// Computes the rows in order, and passes each to `visit` until `visit` fails.
     fn each(&self, visit: Visitor<'_, Self::Row>) -> Result<(), Failure>;
-    /// Returns the columns.
+    /// Returns the columns of the table, from left to right.
     fn columns(&self) -> Vec<Column<'_, Self::Row>>;
-    /// Returns the arrangement of the motions.
+    /// Returns the arrangement of the motions in a row.
     fn layout(&self) -> Layout {
         Layout::Flat
     }
-    /// Returns whether the JSON of a row has motions and lists.
+    /// Returns true if the JSON of a row contains motions and lists.
     fn has_motions(&self, _row: &Self::Row) -> bool {
         true
     }
-    /// Returns the fields that the JSON has once, after the scene.
+    /// Returns the fields that JSON contains once, after those of the scene.
     fn head(&self) -> Vec<(String, serde_json::Value)> {
         Vec::new()
     }
-    /// Returns the lines that a table for people has once, after the scene, each as a title and a text.
+    /// Returns the lines that a printed table has above its rows, after those of the scene. Each has a title and a
+    /// text.
     fn preamble(&self) -> Vec<(&'static str, String)> {
         Vec::new()
     }
-    /// Returns a further field of a row's JSON.
+    /// Returns an additional field of a row's JSON, if there is one.
     fn more(&self, _row: &Self::Row) -> Option<(&'static str, serde_json::Value)> {
         None
     }
-    /// Returns the lines of a row in a table for people.
+    /// Returns the lines of a printed table for one row.
     fn lines<'r>(
         &self,
         columns: &'r [Column<'_, Self::Row>],
@@ -54,7 +55,7 @@ pub trait Table {
     }
 }
 
-/// Writes a table.
+/// Writes an answer in the requested format.
 pub fn write<T: Table>(
     report: &T,
     summary: &Summary,

@@ -9,11 +9,11 @@ use frictiongen_plot::desk::{Scales, sketch};
 use frictiongen_plot::{Figure, Label, Sketch};
 use std::io::Write;
 
-/// Number of PNG pixels for each SVG pixel.
+/// Number of PNG pixels for each SVG pixel, along a side.
 #[cfg(feature = "png")]
 const SCALE: f32 = 2.0;
 
-/// Returns the units of the axes.
+/// Returns the units of the axes of a picture.
 pub fn scales(system: &System, in_hertz: bool, measure: &Measure) -> Scales {
     let mut scales = Scales::groups(system);
     if in_hertz {
@@ -25,12 +25,12 @@ pub fn scales(system: &System, in_hertz: bool, measure: &Measure) -> Scales {
     }
 }
 
-/// Returns the title of a motion's panel.
+/// Returns the title of the panel of a motion.
 pub fn part_name(part: &Part) -> Label {
     Label::verbatim(&part.name)
 }
 
-/// Writes a figure of a system under a harmonic load, with its sketch.
+/// Writes a figure of a system under a harmonic load, with a sketch of the system.
 pub fn write(
     figure: Figure,
     system: &System,
@@ -40,7 +40,7 @@ pub fn write(
     write_with(figure, sketch(system.scene(), true), form, out)
 }
 
-/// Writes a figure with a sketch.
+/// Writes a figure with a given sketch.
 pub fn write_with(
     figure: Figure,
     sketch: Sketch,

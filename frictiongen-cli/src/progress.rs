@@ -3,12 +3,12 @@
 use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
 
-/// Time before the first message.
+/// Time from the start of the run to the first message.
 const PATIENCE: Duration = Duration::from_secs(2);
-/// Time between messages.
+/// Time between two messages.
 const PACE: Duration = Duration::from_millis(200);
 
-/// The progress of a run.
+/// The progress of a run, as it is printed.
 pub struct Progress {
     total: usize,
     done: usize,
@@ -20,7 +20,7 @@ pub struct Progress {
 impl Progress {
     /// Starts the progress of a run over `total` items, named `what`.
     pub fn new(total: usize, what: &'static str) -> Self {
-        // If the output goes to the same terminal, its own lines show the progress.
+        // If the output goes to the same terminal, the lines of the output already show the progress.
         let watched = io::stderr().is_terminal() && !io::stdout().is_terminal();
         Self {
             total,
@@ -64,7 +64,7 @@ impl Drop for Progress {
 /// Writes a text to standard error.
 pub fn say(text: &str) {
     let mut stderr = io::stderr().lock();
-    // If standard error refuses the message, the work must continue.
+    // If standard error refuses the message, the computation must still continue.
     let _ = stderr.write_all(text.as_bytes());
     let _ = stderr.flush();
 }

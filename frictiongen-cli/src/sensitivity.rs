@@ -15,7 +15,7 @@ use frictiongen::{Of, System};
 use frictiongen_codegen::Limits;
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen sensitivity`.
 pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
@@ -45,7 +45,7 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
 struct SensitivityReport {
     of: Of,
     grids: Grids,
-    /// True for a line with the answers before their derivatives.
+    /// True if a line with the answers precedes the lines with their derivatives.
     with_answers: bool,
 }
 

@@ -1,4 +1,5 @@
-//! Completion scripts for shells and the manual page, which clap makes from the command's own description.
+//! Prints completion scripts for shells and the manual page. The crate clap makes both from the definition of the
+//! arguments.
 
 use crate::args::{Arguments, CompletionsArguments, ManArguments};
 use crate::failure::Failure;

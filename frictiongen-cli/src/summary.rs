@@ -1,4 +1,4 @@
-//! Preamble of a table: the scene, its natural frequencies and its groups.
+//! Writes the lines above a table: the scene, its natural frequencies and the non-dimensional groups.
 
 use crate::measure::{self, Measure};
 use crate::number::computed;
@@ -7,10 +7,10 @@ use frictiongen::study::scene::{Damping, Excitation, Scene};
 use frictiongen::study::units;
 use std::io::{self, Write};
 
-/// Largest number of natural frequencies in the preamble.
+/// Largest number of natural frequencies above a table.
 const MOST_SHOWN: usize = 8;
 
-/// Contents of the preamble.
+/// Contents of the lines above a table.
 #[derive(Clone, Debug)]
 pub struct Summary {
     /// Name of the scene.
@@ -19,18 +19,18 @@ pub struct Summary {
     pub natural_frequencies: Vec<f64>,
     /// Natural frequencies as frequency ratios r.
     pub resonances: Vec<f64>,
-    /// The contact, the excitation, the damping and the stiction, in words.
+    /// Contact, excitation, damping and μ, in words.
     description: String,
     /// True if the excitation is base motion.
     base_motion: bool,
-    /// Natural frequencies in Hz, if a frequency is given in a unit.
+    /// Natural frequencies in Hz. `None` if all frequencies are ratios.
     pub hertz: Option<Vec<f64>>,
-    /// Units of the answers.
+    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
 }
 
 impl Summary {
-    /// Collects the preamble of a system.
+    /// Collects the contents for a system.
     pub fn of(system: &System, physical: bool, measure: Measure) -> Self {
         let scene = system.scene();
         let natural_frequencies = system.natural_frequencies();
@@ -47,7 +47,7 @@ impl Summary {
         }
     }
 
-    /// Returns the definition of β.
+    /// Returns the definition of β for this excitation.
     pub fn friction_ratio(&self) -> &'static str {
         if self.base_motion { "F/(k1 Y)" } else { "F/P" }
     }
@@ -61,7 +61,7 @@ impl Summary {
         lines.try_for_each(|line| writeln!(out, "# {line}"))
     }
 
-    /// Writes the preamble of a table, with the lines that its report adds.
+    /// Writes the lines above a table, and the lines that its report adds.
     pub fn write(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         writeln!(out, "{}: {}", self.scene, self.description)?;
         writeln!(out)?;
@@ -87,7 +87,7 @@ impl Summary {
     }
 }
 
-/// Returns the first numbers, each in a column, and the number of those left out.
+/// Returns the first numbers as text, each in a column, and the number of those that are left out.
 fn row(values: &[f64]) -> String {
     let mut cells: Vec<String> = values
         .iter()

@@ -1,4 +1,4 @@
-//! Writes tables for people, with aligned columns and decimal points.
+//! Writes printed tables, with columns aligned at the decimal points.
 
 use crate::number::{Cell, computed, decimals, given, word};
 use frictiongen::study::columns::{self, Kind};
@@ -11,13 +11,13 @@ enum Style {
     Words,
     /// Numbers given by the user, with this number of decimals.
     Given(usize),
-    /// Counts.
+    /// Counts, without decimals.
     Counts,
-    /// Computed numbers.
+    /// Computed numbers, with six decimals or six digits.
     Computed,
 }
 
-/// A column with its title, format and width.
+/// A column of a printed table, with its title, format and width.
 #[derive(Clone, Debug)]
 pub struct Column {
     title: Vec<String>,
@@ -39,30 +39,30 @@ impl Column {
         }
     }
 
-    /// Makes a column of words.
+    /// Returns a column of words.
     pub fn words<'a>(title: &[&str], words: impl IntoIterator<Item = &'a str>) -> Self {
         let widest = words.into_iter().map(|word| word.chars().count()).max();
         Self::new(title, Style::Words, widest.unwrap_or(0))
     }
 
-    /// Makes a column for the numbers of a grid.
+    /// Returns a column for the numbers of a grid.
     pub fn given(title: &[&str], grid: &[f64]) -> Self {
         let most = grid.iter().map(|value| decimals(*value)).max().unwrap_or(0);
         let widest = grid.iter().map(|value| given(*value, most).len()).max();
         Self::new(title, Style::Given(most), widest.unwrap_or(0))
     }
 
-    /// Makes a column of counts.
+    /// Returns a column of counts.
     pub fn counts(title: &[&str]) -> Self {
         Self::new(title, Style::Counts, 1)
     }
 
-    /// Makes a column of computed numbers.
+    /// Returns a column of computed numbers.
     pub fn computed(title: &[&str]) -> Self {
         Self::new(title, Style::Computed, COMPUTED_WIDTH)
     }
 
-    /// Makes the column that prints a column of the library under this heading.
+    /// Returns the printed column for a column of the library, under this heading.
     pub fn of<R>(column: &columns::Column<'_, R>, title: &[&str]) -> Self {
         match column.kind {
             Kind::Given(grid) => Self::given(title, grid),

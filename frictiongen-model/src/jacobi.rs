@@ -29,7 +29,7 @@ pub fn singular(mut g: Columns) -> (Vec<Dd>, Columns) {
     let mut v: Columns = (0..n)
         .map(|i| (0..n).map(|j| if i == j { one } else { zero }).collect())
         .collect();
-    // With large columns first, the rotations stay small where the small singular values are.
+    // If the large columns come first, the rotations stay small among the columns with small singular values.
     let mut norms: Vec<Dd> = g.iter().map(|column| dot(column, column)).collect();
     sort(&mut g, &mut v, &mut norms, |a, b| b < a);
     for _ in 0..MAX_SWEEPS {

@@ -129,7 +129,7 @@ pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
     if zeta.vanishes() {
         return Kind::Undamped;
     }
-    // The rounded ζ decides, so that the closed form is the right one for the emitted constant ζ.
+    // The rounded ζ selects the kind of damping, because the emitted closed form uses the rounded ζ.
     let zeta = zeta.to_f64();
     if zeta < 0.5 {
         Kind::Light

@@ -52,7 +52,7 @@ fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
     let value = |omega: Dd| {
         modes.iter().fold(Dd::ZERO, |sum, mode| {
             let gap = |sigma: Dd| (sigma - omega) * (sigma + omega);
-            // In the terms of the two neighbouring modes, one of the two denominators cancels.
+            // In the terms of the two neighbouring modes, one of both denominators cancels.
             let weight = if mode.sigma == low {
                 gap(high)
             } else if mode.sigma == high {
@@ -168,6 +168,7 @@ pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], 
 /// Upper bound on the number of iteration steps, and the relative correction at which the iteration ends. The iteration
 /// begins in double precision with these values, and ends in double-double with `LAST_STEPS`.
 const FIRST_STEPS: (usize, f64) = (100, 1e-14);
+/// The same two bounds for the iteration in double-double.
 const LAST_STEPS: (usize, f64) = (60, 1e-29);
 
 /// Largest imaginary part of a root that counts as real, relative to the modulus of the root. Rounding gives such an

@@ -207,7 +207,7 @@ impl Change {
         let mut matrix = self.between(&shapes, &modal.resonances, scene, &gamma, &kappa);
         let turned = adapt_equal_modes(&mut matrix, &mut shapes, &modal.resonances);
 
-        // dφ_i = Σ φ_j (…)/(λ_i − λ_j) − ½ (dγ/γ) φ_i.
+        // The derivative is dφ_i = Σ φ_j (…)/(λ_i − λ_j) − ½ (dγ/γ) φ_i, with the sum over the modes j of another frequency.
         let half = dd(0.5);
         for i in 0..n {
             let root = at(&modal.resonances, i);
@@ -336,8 +336,8 @@ impl Change {
                 let products = shape.iter().zip(on);
                 let product = products.fold(zero, |sum, (a, b)| sum + *a * *b);
                 projection.slope = product.slope;
-                // A mode keeps its values from the analysis, which has set noise to zero. A rotated mode is a different
-                // mode, so it takes its new values.
+                // An unrotated mode keeps its values from the analysis, which has set noise to zero. A rotated mode is
+                // a different mode, so it takes its new values.
                 if *turned {
                     projection.value = product.value;
                 }

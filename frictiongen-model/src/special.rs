@@ -58,7 +58,7 @@ impl<T: Float> Modal<T> {
         let component = *self.shapes.get(mode)?.get(mass)? / (resonance * resonance);
         let driven = (component * *self.loads.get(mode)?).abs() / (zeta + zeta);
         let rubbed = (component * *self.contacts.get(mode)?).abs();
-        // coth(x/2) = (2 + m)/m with m = e^x − 1.
+        // The code uses coth(x/2) = (2 + m)/m with m = e^x − 1.
         let m = (T::pi() * zeta).exp_m1();
         Some(driven - rubbed * (m + T::constant(2.0)) / m * beta)
     }

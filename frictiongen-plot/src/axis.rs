@@ -12,15 +12,15 @@ pub enum Scale {
     Log,
 }
 
-/// The unit at whose multiples a linear axis has its ticks.
+/// The unit of a linear axis. Its ticks are at multiples of this unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unit {
-    /// Plain numbers: ticks at 1, 2 and 5 times powers of ten.
+    /// Plain numbers. Ticks are at 1, 2 and 5 times powers of ten.
     #[default]
     Plain,
-    /// Fractions of a circle in degrees: ticks at 0, 90, 180, 270.
+    /// Angles in degrees. Ticks are at fractions of a circle: 0, 90, 180, 270.
     Degrees,
-    /// Fractions of a circle in radians: ticks at 0, π/2, π.
+    /// Angles in radians. Ticks are at fractions of a circle: 0, π/2, π.
     Pi,
 }
 
@@ -35,7 +35,7 @@ pub struct Axis {
     pub high: f64,
     /// Linear or logarithmic spacing.
     pub scale: Scale,
-    /// The unit at whose multiples the axis has its ticks.
+    /// The unit at whose multiples the axis has ticks.
     pub unit: Unit,
 }
 
@@ -148,12 +148,11 @@ impl Axis {
     }
 }
 
-/// Least width of a linear axis. With a narrower axis, the steps between ticks would be below every normal number and
-/// lose digits.
+/// Smallest width of a linear axis. On a narrower axis the steps between ticks would be subnormal numbers, which have
+/// fewer digits.
 const SMALLEST: f64 = 1e-304;
 
-/// Returns the smallest and the largest of the finite values, leaving out values below `least`. `None` if there are
-/// none.
+/// Returns the smallest and the largest finite value that is at least `least`. `None` if there is none.
 fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)> {
     values
         .into_iter()
@@ -164,12 +163,12 @@ fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)>
         })
 }
 
-/// Conversion from values on an axis to positions on paper.
+/// Converts values on an axis to positions on paper.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mapping {
     scale: Scale,
-    /// Lower end of the range (`low`) and its width (`span`). On a linear axis both are halved, so that the width
-    /// stays finite. On a logarithmic axis they are logarithms.
+    /// Lower end of the range. It is halved on a linear axis, so that the width stays finite, and a logarithm on a
+    /// logarithmic axis. `span` is the width in the same form.
     low: f64,
     span: f64,
     from: f64,

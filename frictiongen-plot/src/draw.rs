@@ -11,10 +11,13 @@ use crate::panel::draw_panel;
 use crate::svg::Canvas;
 use crate::text::Style;
 
+/// Margin around the page, in pixels.
 const MARGIN: f64 = 14.0;
 /// Distance between neighbouring panels, in pixels.
 const GAP: f64 = 22.0;
+/// Text size of the title, in pixels.
 const TITLE: f64 = 16.0;
+/// Text size of the caption, in pixels.
 const CAPTION: f64 = 13.0;
 /// Distance between lines of text, as a multiple of the text size.
 const LEADING: f64 = 1.3;
@@ -74,7 +77,7 @@ fn figure(figure: &Figure) -> (String, Vec<Rect>) {
         (Page::Wide, 1) => 640.0,
         (Page::Wide, _) => 900.0,
     };
-    // A chain that is too wide even after shrinking makes a narrow page wider.
+    // If a chain is too wide even after shrinking, the narrow page becomes wider.
     let room = width - 2.0 * MARGIN;
     let chain = figure.sketch.as_ref().and_then(|sketch| sketch.size(room));
     let width = f64::max(width, chain.map_or(0.0, |size| size.0 + 2.0 * MARGIN));

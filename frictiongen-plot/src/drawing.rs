@@ -11,8 +11,11 @@ use crate::svg::Canvas;
 
 /// Horizontal distance between the end of a raised spring and the middle of its mass, in pixels.
 const RISER: f64 = 11.0;
+/// Colour of masses.
 const MASS: Rgb = Rgb(0xe9, 0xee, 0xf4);
+/// Colour of the contact.
 const FRICTION: Rgb = Rgb(0xb3, 0x3a, 0x1e);
+/// Colour of the excitation.
 const FORCE: Rgb = Rgb(0x00, 0x5f, 0xad);
 
 /// Margin around a sketch that is not part of a figure.
@@ -107,7 +110,7 @@ impl Plan<'_> {
     fn far(&self, pen: &mut Pen<'_>, above: &Above<'_>) {
         let (low, high, lane) = (above.low, above.high, above.lane);
         let (row, y) = (self.top(), self.lane(lane));
-        // Springs of one mass rise side by side.
+        // Springs of the same mass rise side by side.
         let shift = (RISER - 4.0 * (lane % 4) as f64) * self.pitch.0 / WIDTH;
         let end = |station: usize, sign: f64| {
             let (left, right) = self.sides(station);
@@ -124,7 +127,7 @@ impl Plan<'_> {
                 pen.line(&[(x, row), (x, y)], INK, 1.2);
             }
         }
-        // The zigzag is above a gap between masses, where no spring rises.
+        // The zigzag is drawn above a gap between masses, where no spring rises.
         let (low, high) = (low as f64, high as f64);
         let gap = (0.5 * (low + high) - 0.5).floor().max(low) as usize;
         let middle = 0.5 * (self.sides(gap).1 + self.sides(gap + 1).0);

@@ -32,7 +32,7 @@ pub struct Figure {
     pub panels: Vec<Panel>,
     /// Sketch of the mechanical system. `None` for a figure without a sketch.
     pub sketch: Option<Sketch>,
-    /// Additional legend entries that no layer of a panel has, such as the meaning of strokes.
+    /// Additional legend entries, which belong to no layer of a panel. They explain, for example, the strokes.
     pub keys: Vec<Key>,
     /// The page width for which the figure is laid out.
     pub page: Page,

@@ -9,13 +9,17 @@ use crate::svg::{Canvas, Grid};
 use crate::text::Style;
 use crate::ticks::{Tick, ticks};
 
+/// Text size of the title of a panel, in pixels.
 const TITLE: f64 = 14.5;
+/// Text size of the axis labels, in pixels.
 const LABEL: f64 = 15.0;
+/// Text size of the tick labels, in pixels.
 const TICK: f64 = 13.0;
 /// Size of the tick labels of an inset.
 const SMALL: f64 = 12.0;
 /// Distance from the frame to the tick labels, in pixels.
 const OFF: f64 = 6.0;
+/// Width of the colour bar, in pixels.
 const BAR: f64 = 13.0;
 
 /// The frame of a panel at its position on the page.

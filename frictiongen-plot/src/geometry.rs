@@ -164,7 +164,7 @@ mod tests {
             UNIT.clip(&[(-5.0, 5.0), (15.0, 5.0)]),
             [[(0.0, 5.0), (10.0, 5.0)]]
         );
-        // This line is inside, leaves at the top, and returns: it has two pieces.
+        // This line is inside, leaves at the top, and returns, so it has two pieces.
         let parts = UNIT.clip(&[(1.0, 5.0), (2.0, 15.0), (8.0, 15.0), (9.0, 5.0)]);
         assert_eq!(
             parts,
@@ -172,9 +172,9 @@ mod tests {
         );
         assert!(UNIT.clip(&[(-5.0, 11.0), (15.0, 11.0)]).is_empty());
         assert!(UNIT.clip(&[(-5.0, 6.0), (6.0, 17.0)]).is_empty());
-        // A line along the frame is drawn.
+        // A line along the frame counts as inside.
         assert_eq!(UNIT.clip(&[(0.0, 10.0), (10.0, 10.0)]).len(), 1);
-        // A single piece stays a single piece.
+        // A line that stays inside has a single piece.
         let inside = [(1.0, 1.0), (2.0, 9.0), (3.0, 1.0)];
         assert_eq!(UNIT.clip(&inside), [inside]);
         assert!(UNIT.clip(&[(1.0, 1.0)]).is_empty() && UNIT.clip(&[]).is_empty());
@@ -214,7 +214,7 @@ mod tests {
                 .map(|pair| distance(*point, pair[0], pair[1]));
             assert!(near.fold(f64::INFINITY, f64::min) <= 0.02);
         }
-        // A spike must not be thinned to a straight line.
+        // A spike must not be thinned away.
         let spike = [(0.0, 0.0), (10.0, 0.0), (5.0, 0.0), (20.0, 0.0)];
         assert_eq!(thin(&spike[..3], 0.02), spike[..3]);
         assert_eq!(

@@ -9,11 +9,15 @@ use crate::stroke::{Marker, Stroke};
 use crate::svg::Canvas;
 use crate::text::Style;
 
+/// Text size of the legend, in pixels.
 const SIZE: f64 = 14.0;
+/// Height of a row of the legend, in pixels.
 const ROW: f64 = 21.0;
 /// Length of the sample before an entry's text, in pixels.
 const SAMPLE: f64 = 34.0;
+/// Distance between a sample and its text, in pixels.
 const SPACE: f64 = 8.0;
+/// Distance between two columns of the legend, in pixels.
 const GAP: f64 = 24.0;
 
 /// A legend entry. Curves and markers of the same name share one entry.
@@ -82,7 +86,7 @@ impl Legend {
         width: f64,
     ) -> f64 {
         let most = self.entries.len().max(1);
-        // The number of columns is reduced so that the rows are evenly filled.
+        // Fewer columns are used if the rows are then evenly filled.
         let fits = |columns: &usize| self.widths(*columns).iter().sum::<f64>() - GAP <= width;
         let columns = (1..=most).rev().find(fits).unwrap_or(1);
         let columns = most.div_ceil(most.div_ceil(columns));
@@ -118,7 +122,7 @@ impl Legend {
         let mut widths = vec![0.0_f64; columns];
         for row in self.entries.chunks(columns) {
             for (width, entry) in widths.iter_mut().zip(row) {
-                // The browser's font may be a little wider than the embedded one.
+                // The browser's font may be a little wider than the embedded one, so the width has 4 % of margin.
                 *width = width.max(SAMPLE + SPACE + 1.04 * entry.name.width(SIZE) + GAP);
             }
         }
@@ -189,7 +193,7 @@ mod tests {
             legend.add(&name.into(), Sample::Line(Colour::Black, Stroke::Solid));
         }
         assert_eq!(legend.draw(None, (0.0, 0.0), 1000.0), ROW);
-        // Three columns would fit, but two rows of two are evenly filled.
+        // Three columns would fit, but two rows of two columns are evenly filled.
         assert_eq!(legend.draw(None, (0.0, 0.0), 290.0), 2.0 * ROW);
         assert_eq!(legend.draw(None, (0.0, 0.0), 1.0), 4.0 * ROW);
         assert!(legend.least() < 120.0);

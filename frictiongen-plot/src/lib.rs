@@ -1,4 +1,4 @@
-//! Figures as in a paper: curves, maps, insets, legends and sketches of mass-spring chains, as SVG and PNG.
+//! Draws figures as in a paper, as SVG and PNG: curves, maps, insets, legends and sketches of mass-spring chains.
 //!
 //! Equal data give equal bytes on every host. Numbers are written with two decimals of a pixel. No system
 //! library or system font takes part. Values that are not finite break a line and never reach a file.

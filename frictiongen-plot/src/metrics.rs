@@ -1,9 +1,9 @@
-//! Width of text. The table lists the advance of each character of the embedded fonts, in thousandths of the text
-//! size.
+//! Width of text. The table lists the advance (width) of each character of the embedded fonts, in thousandths of the
+//! text size.
 
 use crate::face::Face;
 
-/// Advance of a character that the table does not list.
+/// Advance, in thousandths of the text size, of a character that the table does not list.
 const OTHER: u16 = 600;
 
 /// Returns the advance of a character, its width in thousandths of the text size.

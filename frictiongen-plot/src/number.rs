@@ -65,7 +65,7 @@ fn shortest(mut digits: i64, mut power: i32) -> (i64, i32) {
     (digits, power)
 }
 
-/// Formats the fraction up/down of π.
+/// Formats the fraction `up`/`down` times π.
 pub(crate) fn of_pi(up: i64, down: i64) -> Label {
     let shared = greatest_divisor(up.unsigned_abs(), down.unsigned_abs()).max(1) as i64;
     let (up, down) = (up / shared, down / shared);

@@ -1,4 +1,4 @@
-//! Colours: strong colours for series, pale colours for classes, and a colour map for values.
+//! Colours: strong colours for curves, pale colours for classes, and a colour map for values.
 
 use std::fmt;
 
@@ -37,12 +37,18 @@ impl fmt::Display for Rgb {
     }
 }
 
+/// Colour of text and strong lines.
 pub(crate) const INK: Rgb = Rgb(0x22, 0x22, 0x22);
+/// Colour of secondary text and hatching.
 pub(crate) const SOFT: Rgb = Rgb(0x55, 0x55, 0x55);
+/// Colour of grid lines.
 pub(crate) const GRID: Rgb = Rgb(0xe4, 0xe4, 0xe4);
+/// Colour of frames.
 pub(crate) const FRAME: Rgb = Rgb(0x66, 0x66, 0x66);
+/// Colour of the page.
 pub(crate) const PAPER: Rgb = Rgb(0xff, 0xff, 0xff);
 
+/// Colours of curves.
 const SERIES: [Rgb; 8] = [
     Rgb(0x00, 0x64, 0xbd),
     Rgb(0xef, 0x58, 0x0e),
@@ -54,6 +60,7 @@ const SERIES: [Rgb; 8] = [
     Rgb(0x8c, 0x93, 0x19),
 ];
 
+/// Colours of classes of areas.
 const CLASSES: [Rgb; 8] = [
     Rgb(0xc1, 0xea, 0xff),
     Rgb(0xfb, 0xdc, 0xa2),
@@ -171,8 +178,8 @@ mod tests {
         [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
     }
 
-    /// Returns a colour as seen with normal sight, without the long-wavelength cones, and without the middle ones
-    /// (Machado 2009).
+    /// Returns a colour as three kinds of viewers see it: with normal sight, without the long-wavelength cones, and
+    /// without the middle-wavelength cones (Machado 2009).
     fn seen(colour: Rgb) -> [[f64; 3]; 3] {
         let all = light(colour);
         let by = |m: [[f64; 3]; 3]| {
@@ -212,7 +219,7 @@ mod tests {
 
     #[test]
     fn series_are_told_apart_by_the_colour_blind_and_on_white() {
-        // A difference of 2.3 is just noticeable.
+        // A difference of 2.3 in L*a*b* is just noticeable.
         assert!(18.0 < least(&SERIES[..5]), "{}", least(&SERIES[..5]));
         assert!(11.0 < least(&SERIES), "{}", least(&SERIES));
         for colour in SERIES {

@@ -12,6 +12,7 @@ use crate::text::Style;
 
 /// Largest distance between a curve and its thinned line on paper, in pixels.
 const TOLERANCE: f64 = 0.05;
+/// Size of a text inside the panel, in pixels.
 const NOTE: f64 = 13.5;
 
 /// Draws a panel, and adds its visible layers to the legend.

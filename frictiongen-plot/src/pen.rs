@@ -1,4 +1,4 @@
-//! The strokes of a sketch: lines, springs, hatching, arrows.
+//! Draws the strokes of a sketch: lines, springs, hatching, arrows.
 
 use crate::geometry::{Point, Rect};
 use crate::label::Label;

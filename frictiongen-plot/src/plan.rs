@@ -5,13 +5,17 @@ use crate::label::Label;
 use crate::pen::TEXT;
 use crate::sketch::{Contact, End, Excitation, Sketch, Spring};
 
+/// Usual width of a mass, in pixels.
 pub(crate) const WIDTH: f64 = 46.0;
+/// Height of a mass, in pixels.
 pub(crate) const HEIGHT: f64 = 44.0;
+/// Usual width of a gap between masses, in pixels.
 pub(crate) const GAP: f64 = 58.0;
 /// Smallest factor by which masses and gaps shrink to fit into the available width.
 pub(crate) const LEAST: f64 = 0.48;
 /// Height that a spring above the row of masses needs, with its label.
 pub(crate) const LANE: f64 = 34.0;
+/// Width of the hatching of the base and the wall, in pixels.
 pub(crate) const HATCH: f64 = 7.0;
 /// Height of the pad between a mass and the surface on which it rubs.
 pub(crate) const PAD: f64 = 7.0;

@@ -4,12 +4,14 @@ use resvg::{tiny_skia, usvg};
 use std::sync::Arc;
 use thiserror::Error;
 
+/// The embedded fonts.
 const FONTS: [&[u8]; 4] = [
     include_bytes!("../fonts/PlotSerif-Regular.ttf"),
     include_bytes!("../fonts/PlotSerif-Italic.ttf"),
     include_bytes!("../fonts/PlotSerif-Bold.ttf"),
     include_bytes!("../fonts/PlotSymbols-Regular.otf"),
 ];
+/// Largest width and height of a picture, in pixels.
 const LARGEST: f32 = 16384.0;
 
 /// The reason why no PNG picture can be made.

@@ -1,5 +1,5 @@
-//! Draws maps of cells. Neighbouring cells of one colour become one rectangle, and all rectangles of a colour one
-//! path.
+//! Draws maps of cells. Neighbouring cells of the same colour become one rectangle, and all rectangles of a colour
+//! become one path.
 
 use crate::axis::Mapping;
 use crate::figure::Sample;
@@ -10,7 +10,7 @@ use crate::legend::Legend;
 use crate::palette::Fill;
 use crate::svg::{Canvas, Grid};
 
-/// Smallest part of a cell that the frame cuts off.
+/// Fraction of a cell. The frame cuts a cell only if it cuts off more than this fraction.
 const CUT: f64 = 0.01;
 /// Number of colours of a map of values.
 const SHADES: f64 = 96.0;
@@ -59,7 +59,7 @@ pub(crate) fn draw(
     }
 }
 
-/// Returns the grid of a map on the page, or `None` if an axis cannot show an end of the map.
+/// Returns the grid of a map on the page. `None` if an axis cannot show an end of the map.
 fn grid(raster: &Raster, frame: &Frame) -> Option<Grid> {
     let (columns, rows) = (raster.columns.max(1), raster.rows());
     let (left, right) = (frame.x.at(raster.x.0)?, frame.x.at(raster.x.1)?);
@@ -81,7 +81,7 @@ fn runs(raster: &Raster, shown: &[bool], grid: Grid, frame: &Frame) -> Vec<Rect>
     let within = |index: usize, origin: f64, cell: f64, (low, high): (f64, f64)| {
         let (low, high) = ((low - origin) / cell, (high - origin) / cell);
         let (low, high) = (low.min(high), low.max(high));
-        // An end of the frame that misses an end of a cell by rounding does not cut the cell.
+        // If rounding puts an end of the frame slightly inside a cell, the cell is not cut.
         let inside = (index as f64).clamp(low, high);
         if (inside - index as f64).abs() < CUT {
             index as f64

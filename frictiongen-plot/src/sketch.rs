@@ -83,7 +83,7 @@ pub struct Sketch {
     pub dashpots: Vec<Spring>,
     /// The friction contact. `None` for a system without contact.
     pub contact: Option<Contact>,
-    /// The excitation.
+    /// The excitation: none, a force on a mass, or the motion of the base.
     pub excitation: Excitation,
 }
 

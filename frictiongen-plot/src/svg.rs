@@ -43,7 +43,7 @@ impl Canvas {
         );
         for (name, content) in [("title", title), ("desc", description)] {
             if !content.is_empty() {
-                // A write to a string cannot fail, here and below.
+                // Writing to a string cannot fail. The same is true for the other writes of this file.
                 let _ = writeln!(text, "<{name}>{}</{name}>", escaped(content));
             }
         }

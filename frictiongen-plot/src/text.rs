@@ -1,4 +1,4 @@
-//! Text elements, with the subscripts and bars for which SVG has no element.
+//! Writes text elements. SVG has no elements for subscripts and bars, so offsets and extra characters replace them.
 
 use crate::face::Face;
 use crate::geometry::Point;
@@ -42,6 +42,7 @@ impl Style {
 /// Size of the bar over a letter, relative to the letter. The bar is drawn as an en dash, because few browser fonts
 /// place a combining macron well. En dashes of all fonts are half an em long, at a fourth of their height.
 const BAR: f64 = 0.8;
+/// Width of the en dash that serves as the bar, relative to the letter size.
 const DASH: f64 = 0.5 * BAR;
 
 /// A piece of text with its offset from the end of the previous piece.
@@ -208,7 +209,7 @@ mod tests {
         let found = pieces(&label, 10.0);
         let texts: Vec<&str> = found.iter().map(|piece| piece.text).collect();
         assert_eq!(texts, ["X", "–", "1", " and ", "x", "–"]);
-        // The offsets back and forward compensate for the width of the dash.
+        // The offsets back and forward compensate the width of the dash.
         assert!((found[1].shift + found[2].shift + 4.0).abs() < 1e-9);
         assert!(found[1].shift < 0.0 && found[1].drop < found[5].drop && found[5].drop < 0.0);
         assert_eq!((found[3].shift, found[3].drop), (0.0, 0.0));

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 #[derive(Clone, Debug)]
 pub(crate) struct Tick {
     pub value: f64,
-    /// Label of the tick. It is empty for a tick between labelled ones.
+    /// Label of the tick. It is empty for a tick between labelled ticks.
     pub label: Label,
 }
 
@@ -17,7 +17,7 @@ pub(crate) struct Tick {
 pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     let (low, high) = axis.range();
     let count = count.max(2);
-    // A circle is divided into a few round fractions.
+    // The range of a circle is divided into a few round fractions.
     let parts = count.min(5);
     match (axis.scale, axis.unit) {
         (Scale::Log, _) => log(low, high, count),
@@ -86,7 +86,7 @@ fn bounds(low: f64, high: f64, step: f64) -> (f64, f64) {
 
 fn whole(low: f64, high: f64, step: f64, label: impl Fn(i64) -> Label) -> Vec<Tick> {
     let (from, to) = bounds(low, high, step);
-    // The multiples were counted before. The upper bound ends the loop for a range of any size.
+    // The number of multiples was checked before. The upper bound ends the loop for a range of any size.
     (0..=64)
         .map(|i| from as i64 + i)
         .take_while(|k| *k as f64 <= to)

@@ -112,11 +112,11 @@ mod tests {
         let found = read(&path);
         assert_eq!(found.len(), line.len());
         for (found, point) in found.iter().zip(&line) {
-            // Half a hundredth of a pixel from the rounding of the point itself, whatever its place in the path.
+            // The point itself is rounded to half a hundredth of a pixel, at any position in the path.
             let off = (found.0 - point.0).abs().max((found.1 - point.1).abs());
             assert!(off <= 0.005 + 1e-9, "{found:?} {point:?}");
         }
-        // Points that round to one place make no line.
+        // Points that round to the same position make no line.
         assert_eq!(data(&[vec![(1.0, 2.0), (1.001, 2.0)]], "Z"), "M1 2Z");
         assert_eq!(
             data(&[vec![(1.0, 2.0), (0.5, 1.75), (2.0, 3.0)]], ""),

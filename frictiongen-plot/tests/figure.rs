@@ -1,11 +1,11 @@
-//! Tests of whole figures: the content of the file, and that it is always the same.
+//! Tests whole figures: the content of the file, and that it is the same in every run.
 
 use frictiongen_plot::{
     Across, Anchor, Axis, Cells, Colour, Figure, Fill, Guide, Inset, Key, Line, Marker, Markers,
     Note, Panel, Point, Raster, Region, Stroke,
 };
 
-/// Values that must never appear in a file.
+/// Values that must not appear in any file.
 const ODD: [f64; 7] = [
     f64::NAN,
     f64::INFINITY,
@@ -23,7 +23,7 @@ fn parabola() -> Vec<Point> {
         .collect()
 }
 
-/// A small figure with one layer of each kind.
+/// Returns a small figure with one layer of each kind.
 fn small() -> Figure {
     let inner = Panel::new("", Axis::new("", 0.9, 1.1), Axis::new("", 0.8, 1.2)).with(
         Line::unnamed(Colour::Series(0), Stroke::Solid, vec![parabola()]),
@@ -72,7 +72,7 @@ fn small() -> Figure {
         .with_caption("*β*_lim = 1.")
 }
 
-/// The small figure equals its recorded picture. `UPDATE_FIGURES=1` renews the recording.
+/// Checks that the small figure equals its recorded picture. `UPDATE_FIGURES=1` renews the recording.
 #[test]
 fn the_small_figure_is_as_recorded() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small.svg");

@@ -80,14 +80,13 @@ impl Problems {
         Reported
     }
 
-    /// Returns whether the list has no error.
+    /// Returns true if no error was reported.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
-    /// Returns whether the list has more than 100 errors. Advice for further errors would then help
-    /// nobody.
+    /// Returns true if more than 100 errors were reported. Advice for further errors would then not help.
     pub(crate) fn are_many(&self) -> bool {
         self.list.len() > 100
     }

@@ -30,7 +30,7 @@ use frictiongen_model::validate::validate;
 use proc_macro2::{Literal, TokenTree};
 use std::path::Path;
 
-/// The parser gives the messages of each case with line and column, and accepts the corrected description.
+/// Checks that the parser gives the messages of each case with line and column, and accepts the corrected description.
 #[test]
 fn of_a_text() {
     for case in cases() {
@@ -40,7 +40,7 @@ fn of_a_text() {
                 .to_string();
             assert_eq!(told, case.told.join("\n"), "{}", case.name);
         } else if case.door == Door::Macro {
-            // A text is refused as well, with another message.
+            // The parser must also refuse the faulty text with the limits of the macro.
             parse_text(&case.faulty, &Limits::MACRO).expect_err(&case.name);
         }
         if case.door.is_description() {
@@ -50,7 +50,7 @@ fn of_a_text() {
     }
 }
 
-/// A run-time system gives the same messages, except that it accepts larger scenes.
+/// Checks that a run-time system gives the same messages, except that it accepts larger scenes.
 #[test]
 fn of_a_system() {
     for case in cases() {
@@ -65,7 +65,7 @@ fn of_a_system() {
     }
 }
 
-/// A file that a macro reads gives the same messages, at the path's token, with the position in the file.
+/// Checks that a file that a macro reads gives the same messages, at the path's token, with the position in the file.
 #[test]
 fn of_a_file() {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("faulty.friction");
@@ -99,7 +99,7 @@ fn of_a_file_that_is_not_there() {
     }
 }
 
-/// Returns the errors of the macro for a file.
+/// Returns the errors that the macro reports for a file.
 fn told_by_expansion(path: &str) -> Vec<String> {
     let path = TokenTree::from(Literal::string(path));
     let mut told = Vec::new();
@@ -111,7 +111,7 @@ fn told_by_expansion(path: &str) -> Vec<String> {
     told
 }
 
-/// Errors that only a scene made in code can contain.
+/// Checks errors that only a scene made in code can contain.
 #[test]
 fn of_a_scene_made_in_code() {
     let faulty = |name: &str| {
@@ -164,20 +164,21 @@ fn frame() -> Scene {
     }
 }
 
-/// The files that `refused-scenes` passes to the compiler contain these cases.
+/// Checks that the files which `refused-scenes` passes to the compiler contain these cases.
 #[test]
 fn of_a_macro() {
     rust::write_or_check(&cases());
 }
 
-/// The recorded output of the compiler equals the cases position by position. A message at the wrong token, or an extra
-/// one, cannot be recorded unnoticed.
+/// Checks that the recorded output of the compiler has the message of each case at the right position. A message at the
+/// wrong token, or an extra message, cannot be recorded unnoticed.
 #[test]
 fn of_a_macro_at_the_right_places() {
     rust::check_places(&cases());
 }
 
-/// Every message has a case: each text in the sources that is part of a message occurs in the messages of a case.
+/// Checks that every message has a case. Each text in the sources that is part of a message must occur in the messages
+/// of a case.
 #[test]
 fn every_message_has_a_case() {
     let told: Vec<String> = cases()
@@ -210,13 +211,13 @@ fn every_message_has_a_case() {
     );
 }
 
-/// `docs/messages.md` shows the present cases.
+/// Checks that `docs/messages.md` shows the present cases.
 #[test]
 fn the_page_is_up_to_date() {
     page::write_or_check(&cases());
 }
 
-/// No two cases are the same.
+/// Checks that no case occurs twice.
 #[test]
 fn no_case_twice() {
     let cases = cases();

@@ -1,4 +1,4 @@
-//! Answers for Python: arrays by name, in the order of the command's columns.
+//! Builds the answers for Python: arrays by name, in the order of the command's columns.
 
 use frictiongen::study::columns::{Axis, Cell, Column, Kind};
 use numpy::{Complex64, PyArray1};
@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::borrow::Cow;
 
-/// Words of a column. Each distinct word is stored once.
+/// Words of a column, of which each distinct word is stored once.
 #[derive(Default)]
 pub struct Words {
     known: Vec<String>,
@@ -34,13 +34,12 @@ impl<'w, W: Into<Cow<'w, str>>> FromIterator<W> for Words {
     }
 }
 
-/// Returns a number of a column. −0 becomes 0, because the command does not print −0 either. A missing number becomes
-/// NaN.
+/// Returns a number of a column. −0 becomes 0, as in the output of the command. A missing number becomes NaN.
 pub fn cell(value: Option<f64>) -> f64 {
     value.map_or(f64::NAN, |value| value + 0.0)
 }
 
-/// Returns a count of a column, −1 if it is missing.
+/// Returns a count of a column. A missing count becomes −1.
 pub fn count(value: Option<usize>) -> i64 {
     value
         .and_then(|value| i64::try_from(value).ok())
@@ -54,7 +53,7 @@ pub struct Columns<'py> {
 }
 
 impl<'py> Columns<'py> {
-    /// Starts without arrays. The arrays to add have this shape.
+    /// Returns an empty collection. The arrays to be added have this shape.
     pub fn new(py: Python<'py>, shape: &[usize]) -> Self {
         Self {
             dict: PyDict::new(py),
@@ -62,7 +61,7 @@ impl<'py> Columns<'py> {
         }
     }
 
-    /// Sets the shape of the arrays added from now on.
+    /// Sets the shape of the arrays that are added after this call.
     pub fn reshape(&mut self, shape: &[usize]) {
         self.shape = shape.to_vec();
     }
@@ -76,7 +75,7 @@ impl<'py> Columns<'py> {
         Ok(())
     }
 
-    /// Adds the columns of a table that depend on the whole row, and not on the frequency or the friction alone.
+    /// Adds those columns of a table that depend on the whole row, not on the frequency or the friction alone.
     pub fn points<R>(&mut self, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
         let shown = columns.iter().filter(|column| column.is_in_python());
         for column in shown.filter(|column| column.axis == Axis::Row) {
@@ -114,7 +113,7 @@ impl<'py> Columns<'py> {
         }
     }
 
-    /// Adds the list of the only row.
+    /// Adds the list that the only row contains.
     fn list<R>(&mut self, column: &Column<'_, R>, cell: Option<Cell<'_>>) -> PyResult<()> {
         let pairs = match cell {
             Some(Cell::Pairs(pairs)) => pairs,
@@ -134,31 +133,31 @@ impl<'py> Columns<'py> {
         Ok(())
     }
 
-    /// Adds numbers.
+    /// Adds an array of numbers.
     pub fn numbers(&mut self, name: impl AsRef<str>, values: Vec<f64>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// Adds whole numbers.
+    /// Adds an array of whole numbers.
     pub fn counts(&mut self, name: impl AsRef<str>, values: Vec<i64>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// Adds flags.
+    /// Adds an array of flags.
     pub fn flags(&mut self, name: impl AsRef<str>, values: Vec<bool>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// Adds complex numbers.
+    /// Adds an array of complex numbers.
     pub fn complex(&mut self, name: impl AsRef<str>, values: Vec<Complex64>) -> PyResult<()> {
         let array = PyArray1::from_vec(self.dict.py(), values).into_any();
         self.put(name.as_ref(), array)
     }
 
-    /// Adds words.
+    /// Adds an array of words.
     pub fn words(&mut self, name: impl AsRef<str>, words: Words) -> PyResult<()> {
         let py = self.dict.py();
         let numpy = py.import("numpy")?;
@@ -178,7 +177,7 @@ impl<'py> Columns<'py> {
     fn put(&mut self, name: &str, array: Bound<'py, PyAny>) -> PyResult<()> {
         let py = self.dict.py();
         let array = match self.shape.as_slice() {
-            // This gives a number instead of an array with one element.
+            // With an empty shape the result is a number instead of an array with one element.
             [] => array
                 .call_method1("reshape", (PyTuple::empty(py),))?
                 .get_item(PyTuple::empty(py))?,

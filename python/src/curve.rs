@@ -17,7 +17,7 @@ use frictiongen::study::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Accuracy, largest step, highest harmonic, whether velocities are asked for, and the starts.
+/// Arguments of a curve: accuracy, largest step, highest harmonic, whether it has velocities, and the starts.
 type Fineness<'py> = (
     Optional<'py>,
     Optional<'py>,
@@ -81,7 +81,7 @@ pub fn curve<'py>(
     };
     let columns = table.columns();
     let frictions = frictions.all();
-    // The number of points is not known before the refinement.
+    // The number of points is known only after the refinement, so the size is checked then.
     check_size(
         frictions.len().saturating_mul(1000 * starts.len()),
         columns.len(),
@@ -92,7 +92,7 @@ pub fn curve<'py>(
             if !stop.goes_on() || MOST_POINTS < found.len() {
                 break;
             }
-            // A sweep goes from point to point, so that several sweeps run in parallel.
+            // Each sweep goes from point to point. Several sweeps run in parallel.
             let asked = starts.iter().map(|start| (friction.beta, *start));
             for curve in system.curves(&request, &asked.collect::<Vec<_>>())? {
                 found.extend(table.rows(*friction, &curve));

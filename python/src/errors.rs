@@ -1,4 +1,4 @@
-//! The exceptions.
+//! Defines the exceptions that the package raises.
 
 use frictiongen::measure::MeasureError as Untold;
 use frictiongen::study::Diagnostics;
@@ -30,10 +30,10 @@ pyo3::create_exception!(
      counted from 1.  It is None if no line is at fault."
 );
 
-/// Makes the exception of a measurement, with the name of the recording first if it has one.
+/// Returns the exception of a measurement. Its message begins with the name of the recording, if the recording has one.
 pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyErr {
     let text = match error {
-        // The library's message for these errors names options of the command, so that Python needs its own.
+        // The library's message for these errors names options of the command. Python needs messages of its own.
         Untold::NoUnit(channel) => format!(
             "the channel `{channel}` has no unit: give one, as in {{{channel:?}: (samples, \"mm\")}}, or of a column of a \
              file {{{channel:?}: (\"COLUMN\", \"mm\")}}"
@@ -60,22 +60,22 @@ pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyEr
     }
 }
 
-/// Makes the exception for an argument outside its domain.
+/// Returns the exception for an argument outside its domain.
 pub fn domain(message: impl Display) -> PyErr {
     DomainError::new_err(message.to_string())
 }
 
-/// Makes the exception for an argument of the wrong type.
+/// Returns the exception for an argument of the wrong type.
 pub fn wrong_type(message: impl Display) -> PyErr {
     PyTypeError::new_err(message.to_string())
 }
 
-/// Makes the exception for a defect of the library.
+/// Returns the exception for a defect of the library.
 pub fn defect(message: impl Display) -> PyErr {
     PyRuntimeError::new_err(message.to_string())
 }
 
-/// Makes the exception for a description with mistakes. `errors` has `(line, column, message)` of each.
+/// Returns the exception for a description with mistakes. Its `errors` has `(line, column, message)` of each mistake.
 pub fn scene(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
     let error = SceneError::new_err(diagnostics.to_string());
     let list: Vec<(usize, usize, &str)> = diagnostics

@@ -1,4 +1,4 @@
-//! Features of a response without a sweep: thresholds, invariant points, ranges and peaks.
+//! Computes features of a response without a sweep: thresholds, invariant points, ranges and peaks.
 
 use crate::asked::{
     Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional, measure,
@@ -15,7 +15,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
-/// Largest number of frictions in one call, the same as that of the command.
+/// Largest number of frictions in one call. It is the same as that of the command.
 const MOST_FRICTIONS: usize = 16;
 
 /// Returns each list by its name: its columns, and the derivatives of its numbers with respect to every parameter.
@@ -42,7 +42,7 @@ pub fn features<'py>(
     }
     let mut parts = parts(system, "of", of.as_ref())?;
     if of.is_none() && !system.modal().on_moving_base {
-        // A mass that rubs on a support at rest moves as the contact does, so that it is listed only once.
+        // A mass that rubs on a support at rest moves as the contact does. Its motion is therefore listed only once.
         let rubbing = system.modal().rubbing().map(Of::Mass);
         parts.retain(|part| Some(part.of) != rubbing);
     }
@@ -86,8 +86,8 @@ impl FeatureVisitor for Lists<'_, '_> {
 }
 
 impl<'py> Lists<'_, 'py> {
-    /// Returns the parameters that change a column. Each has two arrays: derivatives, and per cent for one per cent of
-    /// the parameter.
+    /// Returns the parameters that change a column. Each has two arrays: the derivatives, and the change in per cent
+    /// for one per cent of the parameter.
     fn derivatives<R>(&self, column: &Column<'_, R>, rows: &[R]) -> PyResult<Bound<'py, PyList>> {
         let py = self.all.py();
         let sensed: Vec<Option<&Sensed>> = rows.iter().map(|row| column.derivatives(row)).collect();

@@ -1,4 +1,4 @@
-//! Follows a load step by step, from rest, from a state, or from the end of an earlier run.
+//! Computes motion under a load step by step, from rest, from a state, or from the end of an earlier run.
 
 use crate::asked::{Part, check_size, numbers};
 use crate::columns::Columns;
@@ -27,16 +27,16 @@ pub struct NativeStepState {
 
 /// The start of a run.
 pub enum Start {
-    /// Rest.
+    /// Every mass starts at rest.
     Rest,
-    /// Displacements and velocities of all masses.
+    /// The run starts with these displacements and velocities of all masses.
     Moving(Vec<f64>, Vec<f64>),
-    /// The end of another run.
+    /// The run starts at the end of another run.
     After(Py<NativeStepState>),
 }
 
 impl Start {
-    /// Reads the start: none, a state, or two rows of numbers.
+    /// Reads the start: no argument, the end of a run, or two rows of numbers.
     pub fn of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
         let Some(given) = given else {
             return Ok(Self::Rest);
@@ -61,16 +61,16 @@ pub struct Course {
     pub dt: f64,
     /// Number of samples.
     pub samples: usize,
-    /// Parts whose motion is returned.
+    /// The contact and masses whose motions are returned.
     pub parts: Vec<Part>,
-    /// Start of the run.
+    /// State from which the run starts.
     pub start: Start,
-    /// Ratio μ from the start on, if it differs from the description's.
+    /// Ratio μ of static to kinetic friction. `None` means that of the description.
     pub stiction: Option<f64>,
 }
 
-/// Returns a stepper at the start of the run. The flag tells whether the first sample is the end of a step instead of
-/// the start.
+/// Returns a stepper at the start of the run. The flag is true if the first sample is the end of a step, and false if
+/// it is the start.
 fn ready<'s>(
     py: Python<'_>,
     system: &'s Bound<'_, NativeSystem>,
@@ -119,7 +119,7 @@ fn ready<'s>(
     Ok((stepper, goes_on))
 }
 
-/// Returns the motion at every sample, the work, and the end of the run.
+/// Returns the motion at every sample, the work of the forces, and the end of the run.
 pub fn follow<'py, 'r>(
     system: &Bound<'py, NativeSystem>,
     course: Course,

@@ -1,4 +1,4 @@
-//! Both limits over frequency.
+//! Computes both limits over frequency.
 
 use crate::asked::{Frequencies, FrequencyArguments, LoadArguments, check_size, measure, setting};
 use crate::columns::Columns;

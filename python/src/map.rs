@@ -1,4 +1,4 @@
-//! Maps over frequency and friction.
+//! Computes maps over frequency and friction.
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional,

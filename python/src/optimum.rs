@@ -1,4 +1,4 @@
-//! The friction that keeps the largest amplitude over a band smallest.
+//! Finds the friction that makes the largest amplitude over a band smallest.
 
 use crate::asked::{Band, FrequencyArguments, LoadArguments, measure, part, setting};
 use crate::columns::Columns;
@@ -47,7 +47,7 @@ pub fn optimum<'py>(
     ])
 }
 
-/// Returns a list as columns.
+/// Returns a list of the answer as columns.
 fn list<'py, R>(
     py: Python<'py>,
     columns: &[Column<'_, R>],

@@ -1,4 +1,4 @@
-//! The steady state at one point, with its stops.
+//! Computes the steady state at one point, with its stops.
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
@@ -14,7 +14,7 @@ use frictiongen::{OutOfDomain, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// A question at one frequency and one friction.
+/// A request for steady states at one frequency and one friction.
 struct Question<'a> {
     system: &'a System,
     measure: Measure,
@@ -56,7 +56,7 @@ impl Question<'_> {
     }
 }
 
-/// Reads the arguments. The harmonics begin with the mean.
+/// Reads the arguments. The harmonics begin with the mean, order 0.
 fn question<'a, 'py>(
     system: &'a NativeSystem,
     (frequency, friction): (&FrequencyArguments<'py>, &FrictionArguments<'py>),

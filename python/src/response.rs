@@ -1,4 +1,4 @@
-//! The response over frequency and friction, in every regime.
+//! Computes the response over frequency and friction, in every regime.
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional,

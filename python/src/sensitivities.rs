@@ -1,4 +1,4 @@
-//! Derivatives of a response and of both limits with respect to every parameter.
+//! Computes derivatives of a response and of both limits with respect to every parameter.
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, measure, part,

@@ -1,4 +1,4 @@
-//! The motion over time: samples and events.
+//! Computes the motion over time: samples and events.
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
@@ -17,8 +17,8 @@ use pyo3::types::PyDict;
 /// Largest number of cycles, of skipped cycles and of samples in a cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
-/// Number of cycles, number of skipped cycles, samples in a cycle, the state to start from, and whether one period of
-/// the steady state is asked for instead.
+/// Arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, initial state, and whether one
+/// period of the steady state is returned instead.
 type Extent<'py> = (
     Optional<'py>,
     Optional<'py>,
@@ -27,7 +27,7 @@ type Extent<'py> = (
     bool,
 );
 
-/// Reads displacements and velocities of all masses, and returns them as groups.
+/// Reads displacements and velocities of all masses, and returns them as non-dimensional groups.
 fn start(
     (displacements, velocities): &(Bound<'_, PyAny>, Bound<'_, PyAny>),
     system: &System,

@@ -1,4 +1,4 @@
-//! The motion under any load, sample by sample.
+//! Computes the motion under any load, sample by sample.
 
 use crate::asked::{Optional, numbers, one, parts};
 use crate::errors::domain;
@@ -10,15 +10,15 @@ use frictiongen::{Of, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The arguments `force`, `base` and `base_velocity`, one number for each sample.
+/// The arguments `force`, `base` and `base_velocity`. Each has one number for each sample.
 type Acting<'py> = (Optional<'py>, Optional<'py>, Optional<'py>);
 
-/// The start of the run, and the ratio μ from the start on.
+/// The start of the run, and the ratio μ of static to kinetic friction during the run.
 pub type Beginning<'py> = (Optional<'py>, Optional<'py>);
 
 /// The load over time.
 struct Recording {
-    /// The excitation: forces, or displacements and velocities of the base.
+    /// The excitation: forces in N, or displacements and velocities of the base.
     excitation: Excited,
     /// Forces on further masses.
     more: Vec<(String, Vec<f64>)>,
@@ -30,7 +30,7 @@ enum Excited {
     Base(Vec<f64>, Vec<f64>),
 }
 
-/// Reads one number for each sample, or one for all.
+/// Reads one number for each sample, or one number for all samples.
 fn course(argument: &str, given: &Bound<'_, PyAny>, samples: Option<usize>) -> PyResult<Vec<f64>> {
     let given = numbers(argument, given)?;
     if let Some(place) = given.values.iter().position(|value| !value.is_finite()) {

@@ -1,4 +1,4 @@
-//! The system: made from a description, with its data.
+//! Holds a system, made from a description, and returns its data.
 
 use crate::errors::scene;
 use frictiongen::System;
@@ -10,7 +10,7 @@ use pyo3::types::PyList;
 /// A scene with its modal analysis.
 #[pyclass(frozen, module = "frictiongen._native", name = "System")]
 pub struct NativeSystem {
-    /// The system in Rust.
+    /// The system, in the form of the Rust library.
     pub system: System,
 }
 

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, Thread};
 use std::time::Duration;
 
-/// Longest time until Ctrl-C is noticed.
+/// Longest time until the program notices Ctrl-C.
 const PATIENCE: Duration = Duration::from_millis(50);
 
 /// Wakes the waiting thread when the work ends, with or without an error.
@@ -26,7 +26,7 @@ impl Drop for Bell<'_> {
 pub struct Stop(AtomicBool);
 
 impl Stop {
-    /// Returns whether the work should continue.
+    /// Returns true if the work should continue.
     pub fn goes_on(&self) -> bool {
         !self.0.load(Ordering::Relaxed)
     }

@@ -1,4 +1,4 @@
-"""What the tests share: scenes, and the command to compare with."""
+"""Scenes, comparisons and calls of the command that the tests have in common."""
 
 import io
 import os
@@ -26,7 +26,7 @@ def frame():
 
 @pytest.fixture
 def block():
-    """One mass of 2 kg on a spring of 50 N/m, under a force, rubbing on the wall."""
+    """Returns one mass of 2 kg on a spring of 50 N/m, which is under a force and rubs on the wall."""
     return frictiongen.System(
         """struct Block {
             masses: { block: 2.0 },
@@ -38,7 +38,8 @@ def block():
 
 
 def numbers(texts):
-    """A column of texts as numbers, read by Python itself, which rounds to the nearest; or as it is."""
+    """Returns a column of texts as numbers, or unchanged if a text is no number.  Python reads the numbers, because
+    it rounds to the nearest."""
     try:
         return texts.map(float, na_action="ignore").astype(float)
     except ValueError:
@@ -46,7 +47,7 @@ def numbers(texts):
 
 
 def hold(ours, theirs, but=()):
-    """Every column of theirs is in ours, in the same order, with the same bits."""
+    """Asserts that every column of `theirs` is in `ours`, in the same order, with the same bits."""
     names = [name for name in theirs.columns if name not in but]
     assert [name for name in ours.columns if name not in but] == names
     assert len(ours) == len(theirs)
@@ -54,11 +55,11 @@ def hold(ours, theirs, but=()):
     for name in names:
         left, right = ours[name], theirs[name]
         if left.dtype.kind == "b":
-            # Where there is no answer the command leaves the cell empty.
+            # The command leaves a cell without an answer empty.
             told = right.notna().to_numpy()
             assert [str(value).lower() for value in left[told]] == [str(value).lower() for value in right[told]], name
         elif left.dtype.kind in "fi":
-            # What is missing is NaN on both sides; 0 == -0, and neither side has the latter.
+            # Missing values are NaN on both sides.  0 == -0, but neither side has -0.
             np.testing.assert_array_equal(left.to_numpy(float), right.to_numpy(float), err_msg=name)
         else:
             assert left.fillna("").tolist() == right.fillna("").tolist(), name

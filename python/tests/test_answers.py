@@ -1,4 +1,4 @@
-"""Against what is known without this library, and how answers look."""
+"""Tests answers against results that are known without this library, and their tables and pictures."""
 
 import builtins
 import math
@@ -21,7 +21,7 @@ def test_without_friction_one_mass_is_a_textbook_oscillator(block):
     response = block.response(hz=hz, friction=0.0, force=10.0)
     stiffness, mass = 50.0, 2.0
     expected = 10.0 / np.abs(stiffness - mass * (2 * math.pi * hz) ** 2)
-    # A few roundings of numbers near 1, and next to no cancellation at these frequencies.
+    # The tolerance is a few roundings of numbers near 1, because little cancels at these frequencies.
     np.testing.assert_allclose(response["block"].amplitude_m, expected, rtol=1e-13)
     assert block.natural_frequencies == pytest.approx(math.sqrt(stiffness / mass), rel=1e-15)
     assert (response.regime == "continuous").all()
@@ -35,7 +35,8 @@ def test_a_base_contact_departs_at_r_squared(block):
 
 
 def test_a_run_keeps_to_newtons_law(block):
-    """m a = P cos wt - k x - friction, with the acceleration by differences of the exact velocities."""
+    """Checks that m a = P cos wt - k x - friction.  The acceleration comes from differences of the exact
+    velocities."""
     hz, force = 0.7, 10.0
     run = block.simulate(hz=hz, friction=3.0, force=force, cycles=2, samples=4000)
     motion, contact = run["block"], run["contact"]
@@ -43,7 +44,8 @@ def test_a_run_keeps_to_newtons_law(block):
     acceleration = (motion.velocity_m_s[2:] - motion.velocity_m_s[:-2]) / (2 * step)
     load = force * np.cos(2 * math.pi * hz * run.time_s)
     rest = (load - 50.0 * motion.displacement_m - contact.friction_N)[1:-1]
-    # Where nothing happens nearby; there the difference is off by step^2/6 of the third derivative, some 1e-5 of it.
+    # Samples next to an event are left out.  Elsewhere the difference has an error of step^2/6 times the third
+    # derivative, a relative 1e-5.
     state = contact.state
     calm = (state[2:] == state[1:-1]) & (state[:-2] == state[1:-1])
     np.testing.assert_allclose(2.0 * acceleration[calm], rest[calm], atol=1e-4 * force)
@@ -119,7 +121,7 @@ def test_what_a_system_is_made_of(frame):
 
 @pytest.mark.parametrize("library", ["pandas", "matplotlib"])
 def test_without_pandas_and_matplotlib_the_rest_works(frame, monkeypatch, library):
-    """Neither is imported before it is asked for, and what is missing is named."""
+    """Checks that neither library is imported before it is needed, and that the error names the missing one."""
     real = builtins.__import__
 
     def missing(name, *rest, **options):
@@ -169,7 +171,7 @@ def test_every_answer_that_can_be_drawn_is(frame):
         assert ax.get_xlabel() and ax.has_data()
         ax.figure.canvas.draw()
     assert drawn[4].get_ylabel() == "amplitude of lower (m)" and drawn[4].get_xlabel() == "frequency (Hz)"
-    # Lines: each piece of each friction, and no line across two pieces.
+    # Each piece of each friction has a line, and no line joins two pieces.
     pieces = {(force, piece) for force, piece in zip(curve.friction_N, curve.piece, strict=True) if piece > 0}
     assert len([line for line in drawn[4].lines if len(line.get_xdata())]) == len(pieces)
     ax = plt.subplots()[1]
@@ -207,7 +209,7 @@ def test_pictures_do_not_reach_below_zero(frame):
     ):
         ax.figure.canvas.draw()
         assert ax.get_xlim()[0] >= 0 and ax.get_ylim()[0] >= 0
-    # Half a step beyond the last: cells are about their points.
+    # Cells have their points in the middle, so the axis ends half a step beyond the last point.
     assert two.plot().get_xlim()[1] == 10
     plt.close("all")
 

@@ -1,4 +1,5 @@
-"""Bad input: a clear error of the right kind, at the argument that is wrong, and nothing crashes."""
+"""Tests that bad input gives a clear error of the right kind that names the wrong argument, and that nothing
+crashes."""
 
 import math
 import re
@@ -61,7 +62,7 @@ def test_files(tmp_path):
             System.from_file(nothing)
 
 
-# What is asked, and what is said of it.
+# Arguments outside their domain, each with the message of its error.
 OUTSIDE = [
     ({"hz": -1.0}, "hz is -1.0: a frequency must be a number, 0 or above"),
     ({"hz": [1.0, math.nan]}, "hz[1] is NaN: a frequency must be a number, 0 or above"),
@@ -95,7 +96,7 @@ def test_outside_the_domain(frame, question, asked, said):
     assert isinstance(raised.value, ValueError)
 
 
-# What is no number.
+# Arguments that are not numbers, each with the message of its error.
 OF_WRONG_TYPE = [
     ({"hz": "fast"}, "hz: a number or an array of numbers is needed, not str"),
     ({"hz": "1.0"}, "hz: a number or an array of numbers is needed, not str"),
@@ -166,7 +167,7 @@ def test_a_fault_in_an_argument_of_one_question(frame):
 
 
 def test_positional_arguments_are_refused(frame):
-    """Nobody should have to know whether the first number is r or Hz."""
+    """Checks that positional arguments are refused, because they do not say whether a number is r or Hz."""
     with pytest.raises(TypeError, match="positional"):
         frame.limits(2.5)
 

@@ -1,4 +1,4 @@
-"""Measurements that cannot be read or tell nothing: a clear error each, at what is wrong."""
+"""Tests that measurements that cannot be read or evaluated give a clear error at the wrong item."""
 
 import math
 import re
@@ -99,7 +99,7 @@ def test_files_that_are_no_recording(plate, tmp_path):
         with pytest.raises(MeasureError, match=re.escape(said)) as raised:
             Recording.from_file(path, **options)
         assert str(raised.value).startswith(f"{path}: ") and raised.value.line == line
-        # Without a file nothing stands before it.
+        # Without a file the message has no prefix.
         with pytest.raises(MeasureError) as raised:
             Recording.from_text(text, **options)
         assert not str(raised.value).startswith(str(path))

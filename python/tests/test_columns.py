@@ -1,4 +1,5 @@
-"""The columns of answers are those of the library's tables, which neither the classes nor the sources name differently."""
+"""Tests that the columns of answers are those of the library's tables, and that the classes and sources use the same
+names."""
 
 import re
 
@@ -9,7 +10,8 @@ from conftest import ROOT
 import frictiongen
 
 HZ, BETA = (1.0, 6.0), 0.3
-#: Each question with a load, without one, and with rad/s.
+#: Each question, as a function of system, frequency and load.  The tests ask it with a load, without one, and with
+#: rad/s.
 ASKED = {
     "Limits": lambda frame, at, load: frame.limits(**at, estimates=True, **load),
     "Response": lambda frame, at, load: frame.response(**at, beta=BETA, **load),
@@ -34,30 +36,30 @@ def answers(name):
 
 @pytest.mark.parametrize("name", ASKED)
 def test_annotations(name):
-    """A class names every column that has no part, and no other."""
+    """Checks that a class names every column that belongs to no contact or mass, and no other column."""
     found = list(answers(name))
     keys = {key for answer in found for key in answer.keys() if "." not in key}
     known = {key for base in type(found[0]).__mro__ for key in base.__dict__.get("__annotations__", {})}
     known -= {key for key in known if key.startswith("_")} | {"events"}
-    # Seconds and angular frequencies may be left out of a class that has no use for them.
+    # A class without times or angular frequencies may leave out their columns.
     assert keys - known <= {"r", "beta", "frequency_Hz", "omega_rad_s", "friction_N"}
     assert known <= keys | {"tau"}
 
 
 def test_no_source_names_a_column():
-    """The columns come from the library, so that a new one is one line there."""
+    """Checks that no source names a column.  All columns come from the library, where a new column is one line."""
     columns = {part for name in ASKED for answer in answers(name) for key in answer.keys() for part in key.split(".")}
     frame = frictiongen.System(frictiongen.FRAME)
     columns |= set(frame.optimum("lower", hz=(4, 6), base=0.001).keys())
-    # Arguments and attributes of the same name, and parts.
+    # Some arguments, attributes and names of masses are also names of columns.
     columns -= {"r", "beta", "start", "contact", "lower", "upper", "of", "friction", "kind"}
     named = []
     for path in sorted((ROOT / "python" / "src").rglob("*.rs")):
         text = path.read_text(encoding="utf-8")
-        # Names of arguments in messages, and of the channels of a recording.
+        # These files contain names of arguments in messages, and names of channels of a recording.
         if path.name in ("observed.rs", "recording.rs"):
             continue
         literals = set(re.findall(r'"([^"\n]*)"', text))
         named += [(path.name, name) for name in sorted(literals & columns)]
-    # The end of a search is a word of the answer, and not yet a column of the library.
+    # Only `end` is named: it is a word of the answer, and not yet a column of the library.
     assert named == [("follow.rs", "end")] and len(columns) > 50, (named, len(columns))

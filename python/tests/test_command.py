@@ -1,4 +1,4 @@
-"""The same as the command prints, to the last bit: every column of every line."""
+"""Tests that every column of every line equals the output of the command, to the last bit."""
 
 import math
 
@@ -39,15 +39,15 @@ def test_limits_at_both_ends(command):
 
 
 def hold_response(ours, theirs):
-    """The same where something moves.  Of what is stuck the command leaves out the contact and all harmonics; here the
-    contact's centred amplitude is 0."""
+    """Compares responses.  Where the contact is stuck, the command leaves out the contact and all harmonics.  In Python
+    the contact's centred amplitude is then 0."""
     stuck = ours.regime == "stuck"
     left_out = [name for name in theirs.columns if name.startswith("contact.") or ".X" in name]
     assert theirs.loc[stuck, left_out].isna().all().all()
     centred = next(name for name in left_out if name.startswith("contact.centred"))
     assert (ours.loc[stuck, centred] == 0).all()
     ours.loc[stuck, left_out] = np.nan
-    # What does not move has no phase; the command prints one.
+    # A contact or mass that does not move has no phase, but the command prints one.
     for name in [name for name in ours.columns if ".phase" in name and ".X" not in name]:
         theirs.loc[ours[name.replace("phase", "amplitude").replace("_deg", "_m")] == 0, name] = np.nan
     assert hold(ours, theirs) > 10
@@ -73,7 +73,8 @@ def test_response_in_groups_and_at_infinity(command):
 
 
 def test_the_contact_between_masses_in_another_order(command, tmp_path):
-    """With a load the contact's motion is that of the second mass relative to the first, whatever their order."""
+    """Checks that under a load the contact's motion is that of the second mass relative to the first, whatever their
+    order."""
     text = """struct Pair {
         masses: { b: 2.0, a: 1.0 },
         springs: { base - a: 30.0, a - b: 20.0 },
@@ -112,7 +113,7 @@ def test_ratios_under_a_load_have_their_hertz_beside_them(command):
     hold(one.map(**point).to_frame(), command("map", "frame.friction", *options))
     ours = one.limits(r=[0.4, 1.0], estimates=True, base=0.001).to_frame()
     hold(ours, command("limits", "frame.friction", "--r", "0.4,1", "--base", 0.001))
-    # Seconds are the angle of the excitation over its angular frequency.
+    # A time in seconds is the angle of the excitation divided by its angular frequency.
     seconds = orbit.sticking_intervals / (2 * math.pi * orbit.frequency_Hz)
     np.testing.assert_allclose(orbit.sticking_intervals_s, seconds, rtol=1e-14)
     assert orbit.longest_stop_s == orbit.sticking_intervals_s[:, 1].max() > 0
@@ -164,7 +165,7 @@ def test_simulate_from_a_state(command):
         "--cycles", 2,
     )  # fmt: skip
     hold(ours.to_frame(), theirs)
-    # In groups times are in seconds here too.
+    # Without a load, times are in seconds here too.
     ours = one.simulate(r=0.4, beta=0.3, cycles=1).to_frame().drop(columns="time_s")
     hold(ours, command("time", "frame.friction", "--r", 0.4, "--beta", 0.3, "--cycles", 1), but=("time_s",))
 

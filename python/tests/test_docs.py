@@ -1,4 +1,4 @@
-"""The Python of the pages in docs runs as it stands there."""
+"""Tests that the Python code of the pages in docs runs unchanged."""
 
 import doctest
 import os
@@ -20,7 +20,7 @@ def run(page):
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """An empty folder to work in."""
+    """Changes to an empty folder."""
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
@@ -31,7 +31,7 @@ def test_start(folder):
 
 
 def test_desk(folder):
-    """pandas reads the files that the commands above it write."""
+    """Checks that pandas reads the files that the commands above the code write."""
     pytest.importorskip("pandas")
     program = os.environ.get("FRICTIONGEN")
     if program is None:

@@ -1,4 +1,4 @@
-"""Features: the same as the command lists, and what is known of two masses in closed form."""
+"""Tests features against the output of the command, and against closed forms of two masses."""
 
 import math
 import re
@@ -15,7 +15,7 @@ UPPER = "thesis/two_m2.friction"
 
 @pytest.fixture
 def chain():
-    """Two equal masses on two equal springs, the first rubbing: an example of the thesis with places in closed form."""
+    """Returns two equal masses on two equal springs, the first of which rubs.  The thesis has their features in closed form."""
     return System(
         """struct Chain {
             masses: { first: 1, second: 1 }, springs: { base - first: 1, first - second: 1 },
@@ -25,7 +25,7 @@ def chain():
 
 
 def same(ours, theirs):
-    """The same bits; what is missing is NaN on both sides."""
+    """Returns true if both have the same bits.  Missing values are NaN on both sides."""
     np.testing.assert_array_equal(np.asarray(ours, float), np.asarray(theirs, float))
 
 
@@ -122,20 +122,21 @@ def test_places_that_are_known(chain):
     features = chain.features(r=(0.55, 3.0), beta=[0.2, 0.4])
     points = features.invariant_points
     own = points.r[(points["of"] == "contact") & (points.measured == "amplitude")]
-    # The thesis has them at sqrt(5)/4 and sqrt(5)/2, and the stuck chain is one mass on one spring.
+    # In the thesis the points are at sqrt(5)/4 and sqrt(5)/2.  The stuck chain is one mass on one spring.
     np.testing.assert_allclose(own, [math.sqrt(5) / 4, math.sqrt(5) / 2], rtol=1e-14)
     np.testing.assert_allclose(features.held_resonances.r, [1.0], rtol=1e-14)
     # At an invariant point the amplitude is the same for every friction.
     response = chain.response(r=own, beta=[0.05, 0.2])
     contact = response["contact"].amplitude
     np.testing.assert_allclose(contact[:, 0], contact[:, 1], rtol=1e-12)
-    # The golden ratio and its inverse.
+    # The resonances are the golden ratio and its inverse.
     golden = (1 + math.sqrt(5)) / 2
     np.testing.assert_allclose(features.resonances.r, [1 / golden, golden], rtol=1e-14)
 
 
 def test_derivatives_are_differences(frame):
-    """Of a frequency and of a force, by a changed description; central differences with 1e-4 leave 1e-8."""
+    """Checks derivatives of frequencies and forces by changed descriptions.  Central differences with a relative step
+    of 1e-4 have an error of 1e-8."""
 
     def asked(stiffness):
         text = frictiongen.FRAME.replace("1323.0", repr(stiffness)).replace("damping: modal[0.010, 0.012],", "")
@@ -165,7 +166,7 @@ def test_regimes_are_those_of_the_responses(frame):
         middle = (ranges.frequency_Hz[place] + ranges.to_frequency_Hz[place]) / 2
         assert frame.response(hz=middle, friction=ranges.friction_N[place], base=0.001).regime == regime
     assert len(ranges.regime) > 6
-    # The largest amplitude of the response, closely about the peak.
+    # Each peak must be the largest amplitude of the response close to it.
     for place, hz in enumerate(features.peaks.frequency_Hz):
         if not math.isnan(hz):
             name, friction = features.peaks["of"][place], features.peaks.friction_N[place]

@@ -1,4 +1,5 @@
-"""What measurements tell: the same as the commands of docs/measure.md, and the truth that recordings were made with."""
+"""Tests results of measurements against the commands of docs/measure.md, and against the true values from which
+recordings were made."""
 
 import math
 
@@ -9,7 +10,7 @@ from conftest import PAGES, hold
 import frictiongen
 from frictiongen import Observation, Recording, System
 
-# What the recordings of the page were made with: beta = 0.4 at 1.75 mm, of a mass of 2 kg at 3.086 Hz.
+# True friction force in N of the recordings of the page: beta = 0.4 at 1.75 mm, for a mass of 2 kg at 3.086 Hz.
 TRUTH = 0.4 * 2.0 * (2 * math.pi * 3.086) ** 2 * 1.75e-3
 
 
@@ -27,7 +28,7 @@ def paths(*names):
 
 
 def line(theirs, name):
-    """Value, from and to of a line of the command."""
+    """Returns value, lower and upper bound of a line that the command prints."""
     found = theirs[theirs.quantity == name]
     assert len(found) == 1, name
     return tuple(float(found[column].iloc[0]) for column in ("value", "from", "to"))
@@ -60,12 +61,12 @@ def test_identify(command, plate, names, asked, options):
     if found.verdict == "several levels":
         for place, level in enumerate(found.levels):
             assert line(theirs, f"friction force {place + 1}") == level
-        # More than one force, one of them the truth.
+        # The result has two forces, and one of them is the true force.
         assert len(found.levels) == 2 and any(level.holds(TRUTH) for level in found.levels)
     else:
         assert line(theirs, "friction force") == found.friction_N
         assert found.friction_N.value == pytest.approx(TRUTH, rel=0.01)
-        # The description's stiffness is 751.9 in place of 751.937, 5e-5 of the force.
+        # The description's stiffness is 751.9 N/m instead of 751.937 N/m, which changes the force by a relative 5e-5.
         assert found.friction_N.low * 0.9999 <= TRUTH <= found.friction_N.high * 1.0001
     assert float(values["condition"]) == found.condition
     if "misfit (1 is noise)" in values:
@@ -102,7 +103,7 @@ def test_free_decay(command, plate):
     assert float(values["extremes used"]) == len(found.time_s) == len(found.to_frame())
     assert float(values["misfit (1 is noise)"]) == found.misfit
     assert found.friction_N.value == pytest.approx(TRUTH, rel=0.01) and "FreeDecay: 0.5" in repr(found)
-    # Damping that is known is not looked for.
+    # Known damping is not fitted.
     assert plate.free_decay(*read("decay"), damping=0.001).damping == (0.001, 0.001, 0.001)
     damped = System((PAGES / "plate.friction").read_text().replace("excitation: base,", "excitation: base, damping: modal(0.002),"))
     assert damped.free_decay(*read("decay")).damping.value == 0.002
@@ -134,7 +135,7 @@ def test_fit(command, scene, sweep):
         assert found.reference_Hz.holds(1 / 0.3419)
     else:
         assert found.reference_Hz.value == pytest.approx(3.086, rel=2e-4)
-    # The same from an open file, and from arrays.
+    # An open file and arrays must give the same result.
     with (PAGES / f"{sweep}.csv").open(encoding="utf-8") as file:
         assert one.fit(file).reference_Hz == found.reference_Hz
     mass = str(found.of[0])
@@ -146,12 +147,13 @@ def test_fit(command, scene, sweep):
 
 
 def made(system, hz, friction, base, *, rate=1000, seconds=20, noise=0.0, seed=1):
-    """A recording of the steady motion of all masses, in mm, and m/s2 of the last one, with noise of this share."""
+    """Returns a recording of the steady motion of all masses, in mm, with noise.  `noise` is its ratio to the
+    deviation of each channel."""
     random = np.random.default_rng(seed)
     history = system.simulate(hz=hz, friction=friction, base=base, steady=True, samples=4000)
     t = np.arange(seconds * rate) / rate
     turns = (t * hz) % 1.0
-    # One period of 4000 samples, in straight lines: (2 pi/4000)^2/8 = 3e-7 of the amplitude.
+    # Straight lines between the 4000 samples of a period have an error of (2 pi/4000)^2/8 = 3e-7 of the amplitude.
     period = np.linspace(0.0, 1.0, len(history.time_s))
     channels = {"base": (1e3 * base * np.cos(2 * math.pi * turns), "mm")}
     for name in system.masses:
@@ -161,11 +163,12 @@ def made(system, hz, friction, base, *, rate=1000, seconds=20, noise=0.0, seed=1
 
 
 def test_a_friction_that_is_known_comes_back(frame):
-    """Two storeys at three frequencies, with the damping and the stiction of the description."""
+    """Checks that a known friction force is found again, for two storeys at three frequencies, with the damping and
+    stiction of the description."""
     recordings = [made(frame, hz, 0.35, 0.001, noise=0.01, seed=place) for place, hz in enumerate((1.3, 2.4, 4.0))]
     found = frame.identify(recordings)
     assert found.verdict == "determined" and found.friction_N.value == pytest.approx(0.35, rel=0.01)
-    # The intervals hold 95 % of such truths; this seed is one of them.
+    # An interval contains the true value in 95 % of such recordings.  The recordings of this seed are among them.
     assert found.friction_N.holds(0.35) and found.is_explained and found.freedom == 11
     assert set(found.regime) == {"continuous", "stick-slip"} and set(found["of"]) == {"lower", "upper"}
     assert frame.identify(recordings, of="lower", by="amplitude").friction_N.value == pytest.approx(0.35, rel=0.02)
@@ -186,11 +189,11 @@ def test_from_amplitudes_and_phases(plate):
         assert np.isnan(found.amplitude_measured).all() == ("amplitude_m" not in told)
         assert np.isnan(found.lag_measured_deg).all() == ("phase_deg" not in told)
         assert found.plot().has_data()
-    # Phases in part of a recording's place: what both know is compared.
+    # Phases replace one of the recordings.  The comparison uses only quantities that both have.
     seen = Observation(hz=2.5, base=base, phase_deg={"plate": truth.phase_deg[0]}, phase_deviation_deg=0.1)
     mixed = plate.identify([seen, *read("above")])
     assert mixed.friction_N.value == pytest.approx(TRUTH, rel=0.06) and mixed.recording.tolist() == [1, 2]
-    # As recorded, so told: the page's recordings by way of their transmissibilities.
+    # The transmissibilities of the page's recordings must give the same result as the recordings.
     measured = plate.transmissibility(read("below", "above", "fast"))
     motion, size = measured["plate"], measured["base"].amplitude_m
     seen = Observation(
@@ -236,7 +239,7 @@ def test_a_sweep_from_recordings(frame):
     found = start.fit(swept)
     assert found.mass_ratios["upper"].value == pytest.approx(3.25 / 3.27, rel=5e-3)
     assert found.stiffness_ratios["lower - upper"].value == pytest.approx(1323 / 1190, rel=5e-3)
-    # A mass that was not recorded at some frequency is left out there.
+    # A mass is left out at a frequency at which it was not recorded.
     swept["upper"].transmissibility[2] = math.nan
     assert len(start.fit(swept).of) == 11
 
@@ -245,7 +248,8 @@ def test_recordings_from_arrays_and_files(plate, tmp_path):
     (one,) = read("above")
     assert one.keys() == ["base", "plate"] and one.units == {"base": "mm", "plate": "mm"} and one.rate == pytest.approx(100)
     again = Recording({name: (one[name], unit) for name, unit in one.units.items()}, rate=one.rate)
-    # The same in other units: m/s2 of the plate by its harmonics would be another motion, so only lengths here.
+    # The recording in other units must give the same result.  Only lengths are converted, because an acceleration
+    # computed from harmonics would be another motion.
     metres = Recording({"base": (one["base"] / 1e3, "m"), "plate": (one["plate"] / 10, "cm")}, time_s=one.time_s)
     (tmp_path / "again.csv").write_text(one.to_csv(), encoding="utf-8")
     (tmp_path / "again.uff").write_text(one.to_uff58(), encoding="utf-8")

@@ -1,4 +1,4 @@
-"""The motion under any load, against the exact run under a harmonic one, and bad input."""
+"""Tests the motion under any load against the exact run under a harmonic load, and bad input."""
 
 import math
 import re
@@ -13,8 +13,9 @@ from frictiongen import DomainError, Recording, System
 
 @pytest.mark.parametrize("friction", [0.0, 3.0])
 def test_a_harmonic_force_by_steps_is_the_exact_run(block, friction):
-    """Straight lines between 2000 samples a cycle leave (2 pi/2000)^2/8 of the force out, 1.2e-6; the response to it is of
-    that order times the amplification, and over three cycles adds up to no more than some times that."""
+    """Checks that steps under a harmonic force equal the exact run.  Straight lines between 2000 samples a cycle have an
+    error of (2 pi/2000)^2/8 = 1.2e-6 of the force.  The error of the response is this number times the amplification,
+    and over three cycles adds up to a few times that."""
     hz, force, samples = 0.6, 10.0, 2000
     run = block.simulate(hz=hz, friction=friction, force=force, cycles=3, samples=samples)
     dt = 1 / (hz * samples)
@@ -24,7 +25,7 @@ def test_a_harmonic_force_by_steps_is_the_exact_run(block, friction):
     size = np.abs(run["block"].displacement_m).max()
     np.testing.assert_allclose(steps["block"].displacement_m, run["block"].displacement_m, atol=1e-5 * size)
     same = steps["contact"].state[1:] == run["contact"].state[1:]
-    # But beside an event, whose instant differs by a step at most.
+    # The states differ only next to an event, whose instant differs by at most one step.
     assert (~same).sum() <= 2 * len(run.events.tau)
     assert friction == 0.0 or steps.events.sum() > 5
     work = steps.work
@@ -69,7 +70,7 @@ def test_what_cannot_be_stepped(block, frame):
 
 
 def test_the_contact_of_two_masses_is_that_of_the_description():
-    """`a - b` is b relative to a, whichever is listed first."""
+    """Checks that the contact `a - b` is the motion of b relative to a, whichever mass is listed first."""
     def system(masses):
         return System(
             f"struct Pair {{ masses: {{ {masses} }}, springs: {{ base - a: 30, a - b: 20 }}, contact: a - b, excitation: a }}"
@@ -85,7 +86,7 @@ def test_the_contact_of_two_masses_is_that_of_the_description():
 
 
 def halves(asked, at):
-    """The same in two parts."""
+    """Returns the same run, computed in two parts."""
     parts = {}
     for name, values in asked.items():
         parts[name] = (values[:at], values[at:]) if np.ndim(values) else (values, values)
@@ -95,7 +96,8 @@ def halves(asked, at):
 @pytest.mark.parametrize("law", ["linear", "hold"])
 @pytest.mark.parametrize("at", [1, 700, 1999])
 def test_a_run_in_two_parts_is_the_run(law, at):
-    """To the last bit, with friction that changes and a force on another mass, whatever the input does between samples."""
+    """Checks that a run in two parts equals the whole run to the last bit, with changing friction and a force on
+    another mass, for each kind of input."""
     text = frictiongen.FRAME.replace("excitation: base", "excitation: lower").replace("stiction: 1.2", f"stiction: 1.2, provide: [stepper], input: {law}")
     frame = System(text)
     t = 1e-3 * np.arange(2000)
@@ -108,13 +110,14 @@ def test_a_run_in_two_parts_is_the_run(law, at):
     for name in whole:
         np.testing.assert_array_equal(np.concatenate([one[name], other[name]]), whole[name], err_msg=name)
     assert other.work == whole.work
-    # What was saved can be gone on from again.
+    # A saved state can start more than one run.
     again = frame.step(1e-3, **rest, on={"upper": np.cos(31 * t[at:])}, start=one)
     assert (again["upper"].velocity_m_s == other["upper"].velocity_m_s).all()
 
 
 def test_from_a_state_without_a_load_energy_goes_into_friction(block):
-    """Pulled by 0.5 m and released: amplitudes fall by 2F/k a half cycle, exactly (thesis 4.2)."""
+    """Checks a mass that is pulled by 0.5 m and released.  Its amplitude falls by exactly 2F/k in each half cycle
+    (thesis 4.2)."""
     k, m, friction = 50.0, 2.0, 3.0
     dt = math.pi * math.sqrt(m / k) / 500
     steps = block.step(dt, force=np.zeros(1501), friction=friction, start=([0.5], [0.0]))
@@ -124,7 +127,7 @@ def test_from_a_state_without_a_load_energy_goes_into_friction(block):
 
 
 def test_another_stiction_holds_longer(block):
-    """A force that grows: the contact departs at mu F."""
+    """Checks that under a growing force the contact breaks away at mu F."""
     force = np.linspace(0.0, 10.0, 1001)
     for mu in (None, 1.0, 1.5, 3.0):
         steps = block.step(1e-3, force=force, friction=2.0, stiction=mu)
@@ -147,7 +150,7 @@ def test_a_recording_drives_as_steps_do(frame, block, command, tmp_path):
     path.write_text("time_s,base_m_s2\n" + "".join(f"{a!r},{b!r}\n" for a, b in zip(t.tolist(), np.sin(9 * t).tolist(), strict=True)))
     ours = frame.drive(Recording.from_file(path, drives=True), friction=0.4).to_frame()
     theirs = command("drive", scene, path, "--friction", 0.4)
-    # The contact comes first here, and last there.
+    # The columns of the contact are first in Python, and last in the output of the command.
     assert sorted(ours.columns) == sorted(theirs.columns)
     hold(ours[theirs.columns], theirs, but=("time_s",))
     np.testing.assert_allclose(ours.time_s, theirs.time_s, rtol=1e-12)

@@ -1,4 +1,4 @@
-"""While an answer is computed, other threads run; Ctrl-C is heard."""
+"""Tests that other threads run while an answer is computed, and that Ctrl-C ends the computation."""
 
 import os
 import signal
@@ -10,7 +10,8 @@ import pytest
 
 
 def test_another_thread_runs_while_a_map_is_computed(frame):
-    """With the lock held, the counter would stand still from the first instant of the map to its last."""
+    """Checks that a counter in another thread runs during a map.  If the map held Python's lock, the counter would
+    stand still."""
     counted = []
     done = threading.Event()
 
@@ -28,7 +29,7 @@ def test_another_thread_runs_while_a_map_is_computed(frame):
     thread.join()
     meanwhile = [instant for instant in counted if start + 0.1 * (end - start) < instant < end - 0.1 * (end - start)]
     assert end - start > 0.02
-    # At least one in twenty of the instants that it would have had with nothing else to do.
+    # The counter must reach at least a twentieth of the count of an idle machine.
     assert len(meanwhile) > 0.8 * (end - start) / 0.001 / 20
 
 
@@ -49,7 +50,7 @@ def test_many_threads_ask_one_system(frame):
 
 @pytest.fixture
 def ctrl_c():
-    """Ctrl-C as in a terminal: a process in the background begins with it ignored."""
+    """Handles Ctrl-C as in a terminal, because a background process ignores it at first."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
@@ -57,7 +58,7 @@ def ctrl_c():
 
 @pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="there are no signals to threads here")
 def test_an_interrupt_ends_a_long_map(frame, ctrl_c):
-    """A map of a million points would take many seconds."""
+    """Checks that an interrupt ends a map of a million points, which would take many seconds."""
     threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
     start = time.perf_counter()
     with pytest.raises(KeyboardInterrupt):

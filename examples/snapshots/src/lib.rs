@@ -1,11 +1,11 @@
-//! A user's crate: a scene in a file, and what is asked of it.
+//! A user's crate with a scene in a file, and a function that evaluates the scene.
 
 frictiongen::friction_system!("scenes/mount.friction");
 
-/// The machine's displacement transmissibility, whatever the regime.
+/// Returns the machine's displacement transmissibility, in any regime.
 ///
 /// # Errors
-/// Why there is none.
+/// Returns the reason why there is no transmissibility.
 pub fn transmissibility(r: f64, beta: f64) -> Result<f64, frictiongen::Error> {
     let at = Mount::at(r)?;
     Ok(match at.motion(beta) {

@@ -1,10 +1,10 @@
-//! What a change of the scene, or of frictiongen, does to a user's solver: see docs/snapshots.md.
+//! Shows how a change of the scene, or of frictiongen, changes a user's solver: see docs/snapshots.md.
 
 use frictiongen_codegen::{Limits, parse_text, pretty};
 use snapshots::{Mount, transmissibility};
 use std::fmt::Write;
 
-/// The code that the macro emits, as a file of Rust that a review page highlights.
+/// Records the code that the macro emits, as a Rust file that a review page highlights.
 #[test]
 fn emitted() {
     let text = include_str!("../scenes/mount.friction");
@@ -13,7 +13,7 @@ fn emitted() {
     insta::assert_binary_snapshot!("emitted.rs", source.into_bytes());
 }
 
-/// The answers that matter, to nine digits: one point in each regime, and both sides of the first resonance.
+/// Records important results to nine digits: one point in each regime, and both sides of the first resonance.
 #[test]
 fn answers() {
     let mut text = String::new();

@@ -1,4 +1,4 @@
-//! Figure 3.15: coexisting steady states over the frequency ratio.
+//! Draws figure 3.15: coexisting steady states over the frequency ratio.
 
 use crate::{MASS, drawn, joined};
 use frictiongen::study::{SystemAt, orbit::SystemOrbit};
@@ -9,8 +9,9 @@ use frictiongen_plot::{Axis, Colour, Figure, Layer, Line, Marker, Markers, Panel
 use std::error::Error;
 
 const RANGE: (f64, f64) = (0.1, 2.5);
-/// Friction ratio of figure 3.15, and the range of r in which states that motion from rest does not reach are drawn.
+/// Friction ratio of figure 3.15.
 const BETA: f64 = 1.0;
+/// Range of r in which states that motion from rest does not reach are drawn.
 const SHOWN: (f64, f64) = (0.8, 1.8);
 /// Number of steps in r of the search for steady states that motion from rest does not reach.
 const PLACES: u32 = 200;

@@ -15,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 
 const MASS: Of = Of::Mass(0);
 
-/// A mass on a spring, which rubs on a wall that moves with the base.
+/// Returns a mass on a spring, which rubs on a wall that moves with the base.
 fn joined(stiction: f64) -> System {
     block("base", "base", &format!("stiction: {stiction:?},"))
 }

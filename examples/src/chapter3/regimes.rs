@@ -13,9 +13,9 @@ use std::f64::consts::PI;
 
 const TO: f64 = 2.5;
 const TOP: f64 = 4.0;
-/// Number of poles of the velocity constraint S within the figure (the last one is r = 1/31), and number of poles with
-/// a grey line.
+/// Number of poles of the velocity constraint S within the figure. The last one is at r = 1/31.
 const POLES: u32 = 15;
+/// Number of these poles that a grey line marks.
 const GUIDES: u32 = 6;
 
 /// Figure 3.3: the velocity constraint S (2.27), computed from Z̄ = βS/r² (3.16) on the limit of continuous motion.

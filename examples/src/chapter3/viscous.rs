@@ -1,4 +1,4 @@
-//! Figure 3.9: viscous damping in place of friction.
+//! Draws figure 3.9: viscous damping in place of friction.
 
 use frictiongen::Of;
 use frictiongen_examples::draw::{block, variant_colour};

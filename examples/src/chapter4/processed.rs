@@ -1,4 +1,4 @@
-//! Figure 4.6: spectra of a recording, with a window, with zero padding, and without them.
+//! Draws figure 4.6: spectra of a recording, with and without a window, and with and without zero padding.
 
 use crate::{drawn, fixed};
 use frictiongen::Complex;

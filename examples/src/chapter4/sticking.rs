@@ -1,4 +1,4 @@
-//! Figure 4.11: a plate that finally sticks while the friction grows.
+//! Draws figure 4.11: a plate that finally sticks while the friction grows.
 
 use crate::{drawn, fixed};
 use frictiongen::measure::{Channel, IdentifyRequest, Measured, Observation, Recording};
@@ -10,8 +10,9 @@ use std::f64::consts::TAU;
 
 const R: f64 = 1.15;
 const BETA: f64 = 0.7;
-/// Time in s from which the friction ratio β grows, and growth of β a second.
+/// Time in s from which on the friction ratio β grows.
 const GROWS: f64 = 50.0;
+/// Growth of the friction ratio β, per second.
 const GROWTH: f64 = 0.1;
 /// Number of cycles from rest before the recording.
 const SKIPPED: f64 = 200.0;

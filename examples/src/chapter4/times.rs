@@ -22,19 +22,22 @@ const CASES: [(&str, f64, f64); 4] = [
     ("c", 0.8, 1.0),
     ("d", 1.25, 1.0),
 ];
-/// Number of cycles on the short and on the long time axis.
+/// Number of cycles on the short time axis.
 const SHORT: f64 = 2.0;
+/// Number of cycles on the long time axis.
 const LONG: f64 = 16.0;
-/// Number of circles in a cycle on the short time axis, and number of points in a cycle on the long one.
+/// Number of circles in a cycle on the short time axis.
 const CIRCLES: u32 = 24;
+/// Number of points in a cycle on the long time axis.
 const POINTS: u32 = 48;
-/// Number of cycles from which a spectrum is computed, and its highest order of the excitation.
+/// Number of cycles from which a spectrum is computed.
 const CYCLES: f64 = 20.0;
+/// Highest order of the excitation in a spectrum.
 const HIGHEST: f64 = 12.0;
 /// Lowest level that is drawn, dB.
 const LOWEST: f64 = -100.0;
 
-/// A recording of the plate, with the response identified from the recording.
+/// A recording of the plate, and the response identified from it.
 struct Recorded {
     /// Displacement of the plate, divided by the identified amplitude of the base.
     plate: Vec<f64>,

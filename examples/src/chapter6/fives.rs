@@ -26,7 +26,7 @@ fn all(
 ) -> Result<Vec<Panel>, Box<dyn Error>> {
     let mut responses = Responses::up_to(1e4, 1e-3, system, (0.2, 2.5), betas, &FIVE)?;
     if phases {
-        // In a motion with stops the maximum is a plateau, and the lag of a plateau says little.
+        // In a motion with stops the maximum is a plateau, so its lag says little.
         responses = responses.sliding_or_stuck();
     }
     let panels = (0..FIVE.len()).map(|part| {

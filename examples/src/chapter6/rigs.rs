@@ -8,7 +8,7 @@ use std::error::Error;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// Describes a row of panels with amplitude and phase of the first harmonic.
+/// Returns the description of a row of panels with amplitude and phase of the first harmonic.
 fn row<'a>(part: usize, titles: [&'a str; 2], labels: [&'a str; 2], ends: (f64, f64)) -> Row<'a> {
     Row {
         part,

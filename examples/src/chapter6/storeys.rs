@@ -1,5 +1,5 @@
-//! Figures of the rig of section 6.4: the support of its disc, and the tests that give its parameters (6.4.2, appendix
-//! A).
+//! Draws figures of the rig of section 6.4: the support of its disc, and the tests that give its parameters (6.4.2,
+//! appendix A).
 
 use super::systems::{M1, rig};
 use frictiongen::measure::{Measured, SweepFit, SweepPoint};
@@ -171,7 +171,7 @@ fn undamped(system: &System, of: Of, marks: &[f64]) -> Vec<Vec<(f64, f64)>> {
     let mut pieces = Vec::new();
     for pair in ends.windows(2) {
         let &[from, to] = pair else { continue };
-        // The points become denser towards both bounds of an interval.
+        // The points are denser near both bounds of an interval.
         let place = |i: u32| {
             let share = f64::from(i) / f64::from(steps);
             from + (to - from) * 0.5 * (1.0 + (6.0 * (2.0 * share - 1.0)).tanh() / 6.0_f64.tanh())

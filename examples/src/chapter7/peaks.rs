@@ -27,7 +27,7 @@ fn limit(system: &System) -> Option<f64> {
 /// Finds the largest amplitude of continuous motion near the resonance. The frequency of this peak lies slightly below
 /// r = 1.
 fn peak(system: &System, beta: f64) -> Option<f64> {
-    // Golden section search, because the amplitude has one maximum in this range.
+    // The amplitude has one maximum in this range, so golden section search finds it.
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut low, mut high) = (0.95, 1.005);
     let read = |r: f64| at_resonance(system, r, beta).unwrap_or(0.0);
@@ -81,7 +81,7 @@ pub fn over_damping() -> Drawn {
     let points = spread(low, high).filter_map(least).collect();
     panel = panel.with(line("at *β*_lim", Colour::Black, Stroke::Dashed, points));
     let exact = spread(low, high).filter_map(|zeta| Some((zeta, limit(&one_mass(zeta))?)));
-    // Limit (7.62) as printed, where (cosh x − 1)/sinh x = tanh(x/2).
+    // `printed` is the limit (7.62) as printed, with (cosh x − 1)/sinh x = tanh(x/2).
     let printed = |zeta: f64| (zeta, (0.5 * PI * zeta).tanh() / (2.0 * zeta));
     let limits = Panel::new(
         "(b) *β*_lim at *r* = 1",

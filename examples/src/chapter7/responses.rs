@@ -14,12 +14,12 @@ type Drawn = Result<Figure, Box<dyn Error>>;
 
 const DAMPINGS: [f64; 3] = [0.001, 0.01, 0.1];
 
-/// One mass that rubs on a wall, with modal damping.
+/// Returns one mass that rubs on a wall, with modal damping.
 pub fn one_mass(zeta: f64) -> System {
     block("wall", "block", &format!("damping: modal({zeta:?}),"))
 }
 
-/// Two equal masses. The lower one is loaded, the upper one rubs on a wall, ζ_i = ζ/r_n,i.
+/// Returns two equal masses. The lower one is loaded, the upper one rubs on a wall, and ζ_i = ζ/r_n,i.
 fn two_masses(zeta: f64) -> System {
     let resonances = [1.0, -1.0].map(|sign| 0.5 * (5.0_f64.sqrt() - sign));
     let [first, second] = resonances.map(|resonance| zeta / resonance);
@@ -27,7 +27,7 @@ fn two_masses(zeta: f64) -> System {
     chain(&[1.0; 2], &[1.0; 2], "m2 - wall", "m1", &damping)
 }
 
-/// Sketch of one mass with a dashpot.
+/// Returns the sketch of one mass with a dashpot.
 pub fn with_dashpot() -> Sketch {
     let mut sketch = drawn(&one_mass(0.1));
     sketch.dashpots.push(Spring {

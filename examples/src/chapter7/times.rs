@@ -11,7 +11,7 @@ type Drawn = Result<Figure, Box<dyn Error>>;
 
 const NAMES: [&str; 5] = ["*x̄*_1", "*x̄*_2", "*x̄*_3", "*x̄*_4", "*x̄*_5"];
 
-/// Five equal masses. The first one is loaded, and one of them rubs on a wall.
+/// Returns five equal masses. The first one is loaded, and one of them rubs on a wall.
 fn five(contact: usize, zeta: f64) -> System {
     let contact = format!("m{contact} - wall");
     let damping = format!("damping: modal({zeta:?}),");

@@ -1,4 +1,4 @@
-//! The response at the limit of continuous motion.
+//! Computes the response at the limit of continuous motion.
 
 use frictiongen::study::units::polar;
 use frictiongen::{Of, System};
@@ -8,8 +8,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Largest difference in lag, rad, between neighbouring points that a line joins.
 const TURN: f64 = 0.6;
-/// Limit of continuous motion β_lim below which points are skipped. β_lim vanishes at single frequencies, which say
-/// nothing about their neighbourhood.
+/// Limit of continuous motion β_lim below which points are skipped. β_lim vanishes at single frequencies, and the
+/// response there does not represent its neighbourhood.
 const VANISHING: f64 = 1e-6;
 
 /// Returns frequency ratios in a range, each with β_lim and β*_lim. They are densest where a limit bends.

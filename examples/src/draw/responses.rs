@@ -10,7 +10,7 @@ use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
 use frictiongen_plot::{Colour, Layer, Line, Marker, Markers, Panel, Point};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Lowest r at which the response at β_lim is drawn. Its peaks crowd at lower r.
+/// Lowest r at which the response at β_lim is drawn. At lower r its peaks are too close together.
 const LOWEST_LIMIT: f64 = 0.2;
 
 /// Largest amplitude that is computed by default. Larger amplitudes occur only near an infinite resonance.

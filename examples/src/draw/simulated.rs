@@ -1,4 +1,4 @@
-//! The event-driven simulation of motion from rest.
+//! Computes motion from rest by the event-driven simulation.
 
 use frictiongen::{Of, System};
 use frictiongen_plot::desk::Reading;
@@ -35,7 +35,7 @@ pub fn from_rest(
     for angle in angles {
         while passed < settled + angle {
             let segment = run.advance(settled + angle - passed).ok()?;
-            // The last interval may vanish by rounding of the elapsed phase.
+            // Rounding of the elapsed phase may make the last interval vanish.
             if segment.length <= 1e-9 && segment.event.is_none() {
                 break;
             }

@@ -1,4 +1,4 @@
-//! The response of the masses while the contact is stuck.
+//! Computes the response of the masses while the contact is stuck.
 
 use frictiongen::study::units::polar;
 use frictiongen::{Of, System};
@@ -6,7 +6,7 @@ use frictiongen_plot::desk::Reading;
 use frictiongen_plot::{Colour, Line, Point, Stroke};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Number of steps from point to point of a line, more than a picture resolves.
+/// Number of steps from point to point of a line. It is more than a picture resolves.
 const STEPS: u32 = 10_000;
 /// Smallest amplitude that is drawn. A mass with a smaller amplitude counts as at rest.
 const REST: f64 = 1e-9;

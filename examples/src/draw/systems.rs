@@ -1,4 +1,4 @@
-//! Systems built from their descriptions.
+//! Builds systems from their descriptions.
 
 use frictiongen::System;
 

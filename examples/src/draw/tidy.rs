@@ -132,9 +132,9 @@ pub fn without_specks(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Shifts the phases of several curves, in degrees, by whole turns to agree with the first curve with friction. Each
-/// run of phases is shifted to the runs that were aligned before it at the same frequencies. A run without such
-/// neighbours is shifted to the middle of the axis.
+/// Shifts the phases of several curves by whole turns, in degrees, so that they agree with the first curve with
+/// friction. Each run of phases is shifted to the known runs at the same frequencies. A run without such neighbours is
+/// shifted to the middle of the axis.
 #[must_use]
 pub fn aligned(mut panel: Panel, first: Colour) -> Panel {
     let middle = 0.5 * (panel.y.low + panel.y.high);

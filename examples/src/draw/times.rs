@@ -1,4 +1,4 @@
-//! Panels of motions over time.
+//! Draws panels of motions over time.
 
 use super::simulated::from_rest;
 use frictiongen::study::response::SystemResponse;

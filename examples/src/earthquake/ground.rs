@@ -1,5 +1,5 @@
-//! A synthetic ground motion after Kanai, Tajimi, Clough and Penzien. White noise passes through the resonance of the
-//! ground, then through a filter that removes motions slower than an earthquake, and is shaped by an envelope.
+//! Computes a synthetic ground motion after Kanai, Tajimi, Clough and Penzien. White noise passes through the resonance
+//! of the ground, then through a filter that removes motions slower than an earthquake, and is shaped by an envelope.
 
 use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
@@ -54,7 +54,7 @@ impl Filter {
 
 /// Computes the whole ground motion from rest. `peak` is its peak acceleration in m/s².
 pub fn ground(peak: f64) -> Vec<Ground> {
-    // The filters need shorter steps than the recording.
+    // The filters need shorter steps than the samples of the recording.
     let fine = 20;
     let step = 1.0 / (RATE * f64::from(fine));
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
@@ -100,7 +100,7 @@ fn envelope(time: f64) -> f64 {
     }
 }
 
-/// Draws a number, uniform between −1 and 1.
+/// Returns a random number, uniform between −1 and 1.
 fn uniform(random: &mut ChaCha8Rng) -> f64 {
     let bits = u32::try_from(random.next_u64() >> 32).unwrap_or(u32::MAX);
     f64::from(bits) / f64::from(1_u32 << 31) - 1.0

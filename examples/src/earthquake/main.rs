@@ -1,4 +1,4 @@
-//! The two-storey frame of the tour under a synthetic earthquake, with and without a friction damper.
+//! Computes the two-storey frame of the tour under a synthetic earthquake, with and without a friction damper.
 //!
 //! `cargo run --release --example earthquake [FOLDER]` writes the picture and the data.
 
@@ -31,7 +31,7 @@ const PEAK: f64 = 3.0;
 const FRICTION: f64 = 4.0;
 
 /// Result of a simulation: for each step the displacement of the upper floor relative to the ground in mm, and the
-/// force of the damper.
+/// force of the damper in N.
 struct Run {
     drift: Vec<(f64, f64)>,
     force: Vec<(f64, f64)>,

@@ -1,4 +1,4 @@
-//! One mass against a fixed wall: F01 to F03, F11 (and with it F12), F35 to F37.
+//! Compares numbers of one mass against a fixed wall: F01 to F03, F11 (and with it F12), F35 to F37.
 
 use super::ask::{base, limit, orbit, orbit_amplitude, wall};
 use super::row::{Entry, ROUNDING, Row, added, claim, formula, formula_at, number, words};

@@ -1,4 +1,4 @@
-//! One mass that rubs on a wall on its moving base: F04 to F10 without F07.
+//! Compares numbers of one mass that rubs on a wall on its moving base: F04 to F10 without F07.
 
 use super::ask::{
     base, crossings, limit, orbit, orbit_amplitude, peak, regimes, root, sliding_limit,

@@ -1,4 +1,4 @@
-//! First harmonics and the one-storey rig: F07, F13, F31.
+//! Compares numbers of first harmonics and of the one-storey rig: F07, F13, F31.
 
 use super::ask::{
     ask, base, chain, fundamental, growth, invariant_points, inversions, one_of, wall,

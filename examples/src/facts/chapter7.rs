@@ -1,4 +1,4 @@
-//! Modal damping and friction together: F29, F34.
+//! Compares numbers of modal damping and friction together: F29, F34.
 
 use super::ask::{amplitude, chain, limit, wall};
 use super::row::{Entry, Row, added, claim, number, words};
@@ -112,7 +112,7 @@ fn responses() -> Row {
         let found = differences(&system, 0.9, 0.2);
         let (apart, turned) = found.unwrap_or((f64::NAN, f64::NAN));
         let amplitude = amplitude(&system, mass, 0.9, 0.2);
-        // After 1000 cycles the transient is below the rounding error that accumulates over them.
+        // After 1000 cycles the transient is below the accumulated rounding error.
         let same = apart < 1e-9;
         let said = if same {
             "less than 1e-9 apart"

@@ -1,4 +1,4 @@
-//! Contacts between moving bodies, and the two-storey rig: F27, F28, F30, F32.
+//! Compares numbers of contacts between moving bodies, and of the two-storey rig: F27, F28, F30, F32.
 
 use super::ask::{antiresonances, ask, chain, crossings, invariant_points, one_of};
 use super::chapter4::ONE_STOREY;
@@ -42,7 +42,7 @@ fn invariants(system: &System) -> Row {
         number("estimate, first", "0.778", one_of(&points, 2, 0), 6),
         number("second", "1.213", one_of(&points, 2, 1), 6),
     ];
-    // Only those pairs of figure 6.23 count whose motions both slide all the time.
+    // The count includes only those pairs of figure 6.23 whose motions both slide all the time.
     let betas = [0.0, 0.1, 0.2, 0.3, 0.4, 0.6];
     for (name, printed, low, high) in [("first", 0.770, 0.74, 0.8), ("second", 1.226, 1.2, 1.24)] {
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);

@@ -82,7 +82,8 @@ pub fn printed_number(text: &str) -> Option<(f64, f64)> {
 /// rounds to the printed one.
 #[must_use]
 pub fn number(what: &str, printed: &str, value: f64, decimals: usize) -> Entry {
-    // At a tie rounding noise would decide, so both neighbours count as right.
+    // If the computed number is halfway between two decimals, rounding noise would decide. Both decimals therefore
+    // count as right.
     let agrees = printed_number(printed)
         .is_some_and(|(want, half)| (value - want).abs() <= half * (1.0 + 1e-9));
     Entry {
@@ -133,7 +134,7 @@ pub fn formula_at(
     }
 }
 
-/// Makes an entry for a printed statement about a number, such as a bound. `agrees` says if the statement is true.
+/// Returns an entry for a printed statement about a number, such as a bound. `agrees` is true if the statement is true.
 #[must_use]
 pub fn claim(what: &str, printed: &str, value: f64, decimals: usize, agrees: bool) -> Entry {
     Entry {
@@ -145,7 +146,7 @@ pub fn claim(what: &str, printed: &str, value: f64, decimals: usize, agrees: boo
     }
 }
 
-/// Makes an entry for a printed statement in words. `agrees` says if the statement is true.
+/// Returns an entry for a printed statement in words. `agrees` is true if the statement is true.
 #[must_use]
 pub fn words(what: &str, printed: &str, computed: String, agrees: bool) -> Entry {
     Entry {
@@ -157,7 +158,7 @@ pub fn words(what: &str, printed: &str, computed: String, agrees: bool) -> Entry
     }
 }
 
-/// Makes an entry for a computed number that the thesis does not print.
+/// Returns an entry for a computed number that the thesis does not print.
 #[must_use]
 pub fn added(what: &str, value: f64, decimals: usize) -> Entry {
     Entry {

@@ -1,23 +1,23 @@
-//! Number of stops in a cycle of one mass that rubs on its moving base: row F33.
+//! Counts the stops in a cycle of one mass that rubs on its moving base, for row F33.
 
 use super::ask::{base, orbit, sliding_limit};
 use super::row::{Entry, ROUNDING, Row, added, words};
 use frictiongen::Regime;
 
-/// Counts of the steady states on a grid of r and β, by their number of stops in a cycle.
+/// Numbers of steady states on a grid of r and β, by their number of stops in a cycle.
 #[derive(Debug, Default)]
 pub struct Stops {
-    /// States with at least one stop.
+    /// Number of states with at least one stop.
     pub stopping: u32,
-    /// States with one stop.
+    /// Number of states with one stop.
     pub one: u32,
-    /// States with two stops.
+    /// Number of states with two stops.
     pub two: u32,
-    /// States with more than two stops.
+    /// Number of states with more than two stops.
     pub more: u32,
     /// Smallest and largest r of the states with one stop.
     pub ends: Option<(f64, f64)>,
-    /// Stick-slip points without a stable motion that repeats after one cycle.
+    /// Number of stick-slip points without a stable motion that repeats after one cycle.
     pub without: u32,
 }
 

@@ -1,4 +1,4 @@
-//! Chains that rub on a fixed wall: rows F14 to F26.
+//! Compares numbers of chains that rub on a fixed wall: rows F14 to F26.
 
 use super::ask::{
     amplitude, chain, continuous, fundamental, invariant_points, inversions, limit, one_of, peak,
@@ -34,7 +34,7 @@ pub(super) fn thresholds(system: &System, printed: &[&str]) -> Vec<Entry> {
         .collect()
 }
 
-/// Rows F14 to F16: three equal masses, contact on m₂, force on m₁.
+/// Returns the rows F14 to F16: three equal masses, contact on m₂, force on m₁.
 fn three() -> Vec<Row> {
     let system = unit(3, "m2 - wall", "m1");
     let start = |beta: f64| system.quasi_static_start(beta).unwrap_or_default();
@@ -93,7 +93,7 @@ fn three() -> Vec<Row> {
     ]
 }
 
-/// Rows F17 to F20: two equal masses, contact and force on m₁.
+/// Returns the rows F17 to F20: two equal masses, contact and force on m₁.
 fn lower() -> Vec<Row> {
     let system = unit(2, "m1 - wall", "m1");
     let points = invariant_points(&system, CONTACT, Measured::Amplitude, [0.5, 4.0]);
@@ -180,7 +180,7 @@ fn receptance(system: &System) -> Vec<f64> {
         .collect()
 }
 
-/// Rows F21 to F25: two equal masses, contact on m₂, force on m₁.
+/// Returns the rows F21 to F25: two equal masses, contact on m₂, force on m₁.
 fn upper() -> Vec<Row> {
     let system = unit(2, "m2 - wall", "m1");
     let points = invariant_points(&system, CONTACT, Measured::Amplitude, [0.65, 4.0]);
@@ -284,7 +284,7 @@ pub fn maxima(limit: &dyn Fn(f64) -> f64) -> Vec<(f64, f64)> {
     found
 }
 
-/// Row F26: five equal masses, contact and force on m₁.
+/// Returns row F26: five equal masses, contact and force on m₁.
 fn five() -> Row {
     let system = unit(5, "m1 - wall", "m1");
     let exact = maxima(&|r| limit(&system, r));

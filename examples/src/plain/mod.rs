@@ -1,5 +1,6 @@
-//! Plain time integration of the tour's frame: fourth-order Runge-Kutta from rest, with bisection for the reversals of
-//! the contact. It uses the masses, springs and modal damping of the frame, and none of the closed forms.
+//! Integrates the motion of the tour's frame in time by a plain method: fourth-order Runge-Kutta from rest, with
+//! bisection for the reversals of the contact. It uses the masses, springs and modal damping of the frame, and none of
+//! the closed forms.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +10,7 @@ const DAMPING: [f64; 2] = [0.010, 0.012];
 const STEPS: usize = 400;
 const CYCLES: usize = 500;
 
-/// Displacements and velocities of the two floors.
+/// Displacements of the two floors, then their velocities.
 type State = [f64; 4];
 
 struct Equations {

@@ -1,4 +1,4 @@
-//! The rigs of chapters 4 and 6, and synthetic recordings of them: sampled simulations with seeded noise.
+//! Simulates recordings of the rigs of chapters 4 and 6, with seeded noise.
 
 mod decay;
 mod read;
@@ -21,9 +21,9 @@ pub const NATURAL: f64 = 3.086;
 pub const Y: f64 = 1.75e-3;
 /// Sampling rate in samples a second, and length of a recording in s (4.3.3).
 pub const LENGTH: (f64, f64) = (2000.0, 60.0);
-/// Ratio of the noise to the signal's amplitude: 40 dB.
+/// Ratio of the noise to the signal's amplitude. It corresponds to 40 dB.
 const NOISE: f64 = 0.01;
-/// Mass ratio γ, stiffness ratio κ, and r₁ at 1 Hz, of the two-storey rig (6.4.2).
+/// Parameters of the two-storey rig (6.4.2): mass ratio γ, stiffness ratio κ, and r₁ at 1 Hz.
 pub const STOREYS: [f64; 3] = [0.9772, 1.1119, 0.3419];
 /// Number of cycles from rest before a recording begins, as in 3.6.1.
 const SKIPPED: f64 = 200.0;
@@ -87,7 +87,7 @@ pub fn reach(run: &mut SystemSimulation<'_>, target: f64) -> Result<(), Box<dyn 
     }
 }
 
-/// Returns the motions of base and first mass divided by Y: `count` samples of a simulation, from cycle `from` on.
+/// Returns the motions of base and first mass divided by Y, in `count` samples of a simulation from cycle `from` on.
 ///
 /// # Errors
 /// Never fails in practice, because the simulation does not go back in time.

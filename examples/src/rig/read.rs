@@ -1,12 +1,13 @@
-//! Responses identified from recordings at many frequencies.
+//! Identifies responses from recordings at many frequencies.
 
 use super::{LENGTH, NATURAL, Noise, recording};
 use frictiongen::System;
 use frictiongen::measure::{Measured, Transmissibility};
 use std::error::Error;
 
-/// Middle of the range of lags, rad, and a whole turn, rad.
+/// Middle of the range of lags, rad.
 const MIDDLE: f64 = std::f64::consts::FRAC_PI_2;
+/// A whole turn, rad.
 const TURN: f64 = std::f64::consts::TAU;
 
 /// Response of the plate at one frequency, identified from a recording.

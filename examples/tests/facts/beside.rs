@@ -1,4 +1,4 @@
-//! Further checks of the table: the same numbers computed in another way, and their neighbourhood.
+//! Checks the table further: the same numbers computed in another way, and their neighbourhood.
 
 use crate::close;
 use frictiongen::study::System;
@@ -11,7 +11,7 @@ use frictiongen_examples::facts::moving::{GAMMA, KAPPA, RATIO, rig_with};
 use frictiongen_examples::facts::walls::maxima;
 use std::f64::consts::{FRAC_PI_4, PI, SQRT_2, TAU};
 
-/// β_lim has a finite slope at r = 1. At a distance of 1e-7 it differs by about 1e-7.
+/// Checks that β_lim has a finite slope at r = 1. At a distance of 1e-7 in r it differs by about 1e-7.
 #[test]
 fn f01_beside_the_resonance() {
     for r in [1.0 - 1e-7, 1.0 + 1e-7] {
@@ -20,7 +20,7 @@ fn f01_beside_the_resonance() {
     assert_eq!(wall("").resonance_thresholds().len(), 1);
 }
 
-/// β_lim approaches its limit for r → ∞ as 1/r², and (6.28) is the closed form of that limit.
+/// Checks that β_lim approaches its limit for r → ∞ as 1/r². (6.28) is the closed form of that limit.
 #[test]
 fn f02_approached() {
     for mu in [1.0, 1.5] {
@@ -32,7 +32,7 @@ fn f02_approached() {
     }
 }
 
-/// Below r = 1/2 the velocity constraint is larger than its limit for τ → 0.
+/// Checks that below r = 1/2 the velocity constraint is larger than its limit for τ → 0.
 #[test]
 fn f03_below_half() {
     for r in [0.35, 0.4, 0.45] {
@@ -40,14 +40,14 @@ fn f03_below_half() {
     }
 }
 
-/// β*_lim − β_lim as (3.24) and (3.21) print them, with S = 1 beyond r = 1/2.
+/// Returns β*_lim − β_lim as (3.24) and (3.21) print them, with S = 1 beyond r = 1/2.
 fn printed_width(mu: f64, r: f64) -> f64 {
     let (v, u) = (1.0 / (1.0 - r * r), (PI / (2.0 * r)).tan() / r);
     let break_away = mu / (r * r);
     r * r / mu - ((v - 1.0).powi(2) / (u * u + break_away * break_away)).sqrt()
 }
 
-/// The extremes of the printed width are at the stated r and have the stated widths.
+/// Checks that the extremes of the printed width are at the stated r and have the stated widths.
 #[test]
 fn f05_by_the_printed_limits() {
     let width = |r| printed_width(1.0, r);
@@ -57,7 +57,7 @@ fn f05_by_the_printed_limits() {
     close(width(0.7927), 0.1167, 5e-5);
 }
 
-/// The two printed limits touch at the stated μ.
+/// Checks that the two printed limits touch at the stated μ.
 #[test]
 fn f06_by_the_printed_limits() {
     let narrowest = |mu: f64| {
@@ -68,7 +68,7 @@ fn f06_by_the_printed_limits() {
     assert!(narrowest(1.2310) > 0.0 && narrowest(1.2314) < 0.0);
 }
 
-/// The fundamentals of every pair of friction ratios cross at the same r.
+/// Checks that the fundamental components of every pair of friction ratios cross at the same r.
 #[test]
 fn f07_by_pairs() {
     let system = base(1.0);
@@ -78,7 +78,7 @@ fn f07_by_pairs() {
     }
 }
 
-/// At the stated β, the highest amplitude of continuous motion equals the amplitude of the base.
+/// Checks that at the stated β the highest amplitude of continuous motion equals the amplitude of the base.
 #[test]
 fn f09_by_the_closed_form() {
     let system = base(1.0);
@@ -89,7 +89,8 @@ fn f09_by_the_closed_form() {
     assert!(highest(1.0569) > 1.0 && highest(1.0571) < 1.0);
 }
 
-/// Outside its region the fundamental falls with β: below the pole of U at 1/3, and above the upper bound.
+/// Checks that outside its region the fundamental component falls with β: below the pole of U at r = 1/3, and above the
+/// upper bound.
 #[test]
 fn f13_outside() {
     let system = wall("");
@@ -98,7 +99,7 @@ fn f13_outside() {
     assert!(growth(0.605258 - 1e-6) > 0.0 && growth(0.605258 + 1e-6) < 0.0);
 }
 
-/// A threshold equals β_lim at the resonance. For β ≥ 1/2 there is no quasi-static start.
+/// Checks that a threshold equals β_lim at the resonance. For β ≥ 1/2 there is no quasi-static start.
 #[test]
 fn f14_to_f16_at_the_ends() {
     let system = unit(3, "m2 - wall", "m1");
@@ -116,7 +117,7 @@ fn f14_to_f16_at_the_ends() {
     }
 }
 
-/// At an invariant point the condition is met for every β.
+/// Checks that at an invariant point the condition is satisfied for every β.
 #[test]
 fn f17_f22_f24_for_every_friction() {
     let lower = unit(2, "m1 - wall", "m1");
@@ -137,7 +138,8 @@ fn f17_f22_f24_for_every_friction() {
     }
 }
 
-/// At r = 1 mass m₁ has its antiresonance. V₁ changes sign there, and with it the growth of the estimate with β.
+/// Checks both sides of r = 1, where mass m₁ has its antiresonance. V₁ changes sign there, and with it the growth of
+/// the estimate with β.
 #[test]
 fn f18_either_side_of_one() {
     let system = unit(2, "m1 - wall", "m1");
@@ -145,7 +147,8 @@ fn f18_either_side_of_one() {
     assert!(growth(1.0 - 1e-4) < 0.0 && growth(1.0 + 1e-4) > 0.0);
 }
 
-/// The resonances lie just above the maxima. β_lim there is π/4, because contact and force act on the same mass.
+/// Checks that the resonances lie just above the maxima. β_lim at a resonance is π/4, because contact and force act on
+/// the same mass.
 #[test]
 fn f26_resonances() {
     let system = unit(5, "m1 - wall", "m1");
@@ -161,7 +164,7 @@ fn between() -> System {
     chain(&[1.0, 0.5], &[1.0, 0.5], "m1 - m2", "m1", "")
 }
 
-/// Far above the resonances the limits differ from their values at r → ∞ by a term of order 1/r².
+/// Checks that far above the resonances the limits differ from their values at r → ∞ by a term of order 1/r².
 #[test]
 fn f27_approached() {
     let (continuous, sliding) = between().high_frequency_limits();
@@ -169,7 +172,7 @@ fn f27_approached() {
     close(sliding_limit(&between(), 1e4), sliding, 1e-7);
 }
 
-/// The estimates of every pair of β cross at one r. The exact amplitudes do not.
+/// Checks that the estimates of every pair of β cross at one r, and that the exact amplitudes do not.
 #[test]
 fn f28_for_another_pair() {
     let system = between();
@@ -190,7 +193,7 @@ fn f28_for_another_pair() {
     }
 }
 
-/// The pair of β that gives the lower bound of the first region, by the steady states.
+/// Checks the pair of β that gives the lower bound of the first region, by the steady states.
 #[test]
 fn f28_by_the_orbits() {
     let system = between();
@@ -204,7 +207,7 @@ fn f28_by_the_orbits() {
     assert!(gain(0.769548 - 1e-6) * gain(0.769548 + 1e-6) < 0.0);
 }
 
-/// (7.61) as typed here. Its neglected terms are of the order ζ.
+/// Checks the estimate (7.61), typed in here. Its neglected terms are of the order ζ.
 #[test]
 fn f29_estimate() {
     for zeta in [0.01, 0.1] {
@@ -217,8 +220,8 @@ fn f29_estimate() {
     }
 }
 
-/// ω₀ and ω_z0 as (6.20) and its neighbours define them. Without friction m₁ does not move at ω₀, and moves with the
-/// base at ω_z0.
+/// Checks ω₀ and ω_z0 as (6.20) and neighbouring equations define them. Without friction m₁ does not move at ω₀, and
+/// moves with the base at ω_z0.
 #[test]
 fn f30_antiresonances() {
     let omega = TAU / RATIO;
@@ -232,7 +235,7 @@ fn f30_antiresonances() {
     close(slip, 0.0, 1e-12);
 }
 
-/// At this r mass m₂ acts as an absorber, and m₁ has no fundamental at any friction.
+/// Checks that at this r mass m₂ acts as an absorber, so that m₁ has no fundamental component at any friction.
 #[test]
 fn f32_for_every_friction() {
     let system = chain(&[1.0, GAMMA], &[1.0, KAPPA], "m1 - base", "base", "");
@@ -246,7 +249,7 @@ fn f32_for_every_friction() {
     }
 }
 
-/// There is one stop a cycle near r = 1/2 for μ > 1.
+/// Checks that near r = 1/2 there is one stop a cycle for μ > 1.
 #[test]
 fn f33_one_stop() {
     for (r, beta) in [(0.52, 0.08), (0.56, 0.12)] {

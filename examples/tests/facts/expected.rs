@@ -1,18 +1,18 @@
-//! Expected numbers of each row, to the digits stated, and the printed numbers that are wrong.
+//! Expected numbers of each row, to the stated digits, and the printed numbers that are wrong.
 //!
 //! Most numbers are from the governing equations in extended precision. The following ones were first computed by this
 //! library: the widths of F05, F06, F08 and F09, the regions of F28, the peaks of F29, and the fractions of F33 and
 //! F34.
 //!
-//! * `beside` computes the widths, F06 and F09 in another way.
+//! * `beside` computes the widths, and the numbers of F06 and F09, in another way.
 //! * `typed` computes F08, F28 and F29 by brute force from the closed forms.
 //! * F34 is compared with the simulation in its own row.
-//! * The fractions of F33 are recorded only: counts over ten thousand steady states, of which other tests compare some
-//!   with other programs.
+//! * The fractions of F33 are only recorded. They are counts over ten thousand steady states, some of which other tests
+//!   compare with other programs.
 
-/// Expected numbers of a row.
+/// Expected numbers of a row of the table.
 pub struct Expected {
-    /// Identifier: F01, ….
+    /// Identifier of the row: F01, ….
     pub id: &'static str,
     /// Indices of the row's entries that are wrong in the thesis.
     pub wrong: &'static [usize],

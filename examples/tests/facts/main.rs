@@ -1,4 +1,4 @@
-//! Tests of the table of printed numbers. Every row is present, its numbers and its verdict are the expected ones, and
+//! Tests the table of printed numbers. Every row is present, its numbers and its verdict are the expected ones, and
 //! `docs/facts.md` is the output of the program.
 //!
 //! ```text
@@ -22,7 +22,7 @@ static COMPUTED: LazyLock<Vec<Row>> = LazyLock::new(rows);
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/facts.md");
 
-/// Asserts that `got` is `want` within `tolerance`.
+/// Asserts that `got` differs from `want` by at most `tolerance`.
 #[track_caller]
 fn close(got: f64, want: f64, tolerance: f64) {
     assert!(
@@ -66,7 +66,7 @@ fn every_verdict_is_the_expected_one() {
     }
 }
 
-/// The comparison itself: a number close to half a unit on either side, NaN, and no printed number.
+/// Checks the comparison itself: a number close to half a unit on either side, NaN, and no printed number.
 #[test]
 fn a_wrong_number_does_not_agree() {
     assert!(number("", "0.537", 0.53749, 6).agrees && number("", "0.537", 0.53651, 6).agrees);

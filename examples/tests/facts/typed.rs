@@ -1,12 +1,13 @@
-//! A second computation of the rows whose numbers this library gave first. The closed forms are typed in as printed (V,
-//! U, G, then the lag φ, then x(τ)), and their largest value is found by brute force. Only the regime is taken from the
-//! library. It decides which pairs of β count.
+//! Computes a second time those rows whose numbers this library computed first. The closed forms are typed in as
+//! printed (V, U, G, then the lag φ, then x(τ)), and their largest value is found by brute force. Only the regime is
+//! taken from the library. It decides which pairs of β count.
 
 use crate::close;
 use frictiongen_examples::facts::ask::{base, chain, limit, peak, root};
 use std::f64::consts::PI;
 
-/// A mode: √λ, ζ, and the residues load → mass, load → contact, contact → mass, contact → contact (all over λ).
+/// A mode of a scene: √λ, ζ, and four residues over λ, from load to mass, load to contact, contact to mass and contact
+/// to contact.
 struct Mode {
     root: f64,
     zeta: f64,
@@ -16,7 +17,7 @@ struct Mode {
     contact: f64,
 }
 
-/// A scene as its modes and the coefficient of the base in the contact's motion.
+/// A scene, given by its modes and the coefficient of the base in the contact's motion.
 struct Typed {
     modes: Vec<Mode>,
     of_base: f64,
@@ -46,7 +47,7 @@ impl Mode {
         Complex(re / square, -im / square)
     }
 
-    /// Returns u and g, (7.11) and (7.12).
+    /// Returns u and g of the mode by (7.11) and (7.12).
     fn functions(&self, r: f64) -> (f64, f64) {
         let (ratio, zeta) = (r / self.root, self.zeta);
         let q = (1.0 - zeta * zeta).sqrt();
@@ -71,7 +72,7 @@ impl Mode {
 }
 
 impl Typed {
-    /// Finds the largest |x̄| of the mass over a half period: 400 instants, then a search next to the best one.
+    /// Finds the largest |x̄| of the mass over a half period, by 400 instants and a search next to the best one.
     fn amplitude(&self, r: f64, beta: f64) -> f64 {
         let mut mass = Complex(0.0, 0.0);
         let mut contact = Complex(-self.of_base, 0.0);
@@ -113,7 +114,7 @@ impl Typed {
     }
 }
 
-/// The scene of one mass, in which every residue is 1.
+/// Returns the scene of one mass, in which every residue is 1.
 fn single(zeta: f64, of_base: f64) -> Typed {
     let (root, load_mass, load_contact, contact_mass, contact) = (1.0, 1.0, 1.0, 1.0, 1.0);
     let mode = Mode {
@@ -130,8 +131,8 @@ fn single(zeta: f64, of_base: f64) -> Typed {
     }
 }
 
-/// The scene with contact between two masses, γ = κ = 1/2, force on m₁. The modes are λ = 1/2 with φ = (1, 2)/√3 and λ
-/// = 2 with (1, −1)/√1.5. So φᵀw = φ₂ − φ₁ is 1/√3 and −2/√1.5.
+/// Returns the scene with contact between two masses, γ = κ = 1/2, force on m₁. The modes are λ = 1/2 with φ = (1,
+/// 2)/√3 and λ = 2 with (1, −1)/√1.5. So φᵀw = φ₂ − φ₁ is 1/√3 and −2/√1.5.
 fn between() -> Typed {
     let mode = |lambda: f64, first: f64, across: f64, square: f64| Mode {
         root: lambda.sqrt(),
@@ -210,7 +211,8 @@ fn f29_once_more() {
         let place = peak(|r| typed.amplitude(r, 0.3), 0.9, 1.05);
         close(typed.amplitude(place, 0.3), highest, 5e-5);
         close(typed.amplitude(1.0, 0.3), at_one, 5e-5);
-        // The threshold is β_lim at r = 1 with μ = 1. It needs the maximum S over τ, here in steps of π/10⁵.
+        // The threshold is β_lim at r = 1 with μ = 1. It contains the maximum S over τ, which is found here in steps of
+        // π/10⁵.
         let mode = &typed.modes[0];
         let (u, g) = mode.functions(1.0);
         let q = (1.0 - zeta * zeta).sqrt();

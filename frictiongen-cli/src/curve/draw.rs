@@ -1,4 +1,4 @@
-//! Draws curves.
+//! Draws the curves of `frictiongen curve`.
 
 use super::report::CurveReport;
 use crate::destination::Form;
@@ -9,7 +9,7 @@ use frictiongen_plot::desk::{Drawn, curve_figure};
 use frictiongen_plot::{Colour, Label};
 use std::io::Write;
 
-/// Draws amplitude and phase of each motion.
+/// Draws amplitude and phase of each motion over frequency.
 pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
     let scales = picture::scales(&report.system, report.band.is_physical(), &report.measure);
     let curves = report.curves.iter().enumerate();
@@ -33,7 +33,7 @@ pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(),
     )
 }
 
-/// Returns the start of a curve's motions as a legend words it.
+/// Returns the legend's words for the start of a curve's motions.
 fn way(start: CurveStart) -> &'static str {
     match start {
         CurveStart::Rest => ", from rest",

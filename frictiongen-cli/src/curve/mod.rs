@@ -25,7 +25,7 @@ use frictiongen_codegen::Limits;
 use report::CurveReport;
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen curve`.
 pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let destination = Destination::of(
         arguments.output.as_deref(),
@@ -85,7 +85,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     })
 }
 
-/// Returns the starts of the curves in the order asked for, each once.
+/// Returns the starts of the curves in the order of the options, each once.
 fn starts(asked: &[StartFrom]) -> Result<Vec<CurveStart>, Failure> {
     let mut starts = Vec::new();
     for from in asked {

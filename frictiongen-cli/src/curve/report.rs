@@ -11,23 +11,23 @@ use frictiongen::System;
 use frictiongen::study::columns::{Column, CurveRow, CurveTable, Friction, Setting};
 use frictiongen::study::curve::{Curve, CurveRequest};
 
-/// The curves with everything needed to write them.
+/// The curves, with the settings that are needed to write them.
 pub struct CurveReport {
-    /// The system.
+    /// The system that the answers describe.
     pub system: System,
-    /// The range of frequencies.
+    /// Range of frequencies over which the answers are computed.
     pub band: Band,
-    /// The frictions.
+    /// Frictions for which the answers are computed.
     pub frictions: Frictions,
-    /// The units of the answers.
+    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
-    /// The motions to write.
+    /// The contact and masses whose motions are written.
     pub parts: Vec<Part>,
-    /// The request that made the curves.
+    /// The request from which the curves were computed.
     pub request: CurveRequest,
     /// The curves, one for each friction and start.
     pub curves: Vec<(Friction, Curve)>,
-    /// True if the user asked for a start other than rest.
+    /// True if the user requested a start other than rest.
     pub swept: bool,
 }
 

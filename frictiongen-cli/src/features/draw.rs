@@ -1,4 +1,4 @@
-//! Draws the amplitudes with the features marked.
+//! Draws the amplitudes over frequency, with the features marked.
 
 use super::report::FeaturesReport;
 use crate::asked::Part;
@@ -12,14 +12,14 @@ use frictiongen_plot::desk::{Drawn, Reading, Scales, keys, panel};
 use frictiongen_plot::{Colour, Figure, Label, Marker, Markers};
 use std::io::Write;
 
-/// The marked features: name, marker, and words in the legend.
+/// The features that a picture marks. Each has a name, a marker and its words in the legend.
 const MARKS: [(&str, Marker, &str); 3] = [
     ("invariant point", Marker::Circle, "invariant point"),
     ("same amplitude", Marker::Square, "same amplitude"),
     ("peak", Marker::Triangle, "peak"),
 ];
 
-/// Returns the features to mark among the amplitudes of a motion.
+/// Returns the features that are marked among the amplitudes of a motion.
 pub fn marks(
     lines: &[FeatureLine],
     part: &Part,
@@ -49,7 +49,7 @@ pub fn marks(
     marks
 }
 
-/// Draws every motion in its own panel. Without a friction it draws the motion without friction.
+/// Draws every motion in a panel of its own. Without a friction it draws the motion without friction.
 pub fn draw(
     report: &FeaturesReport<'_>,
     parts: &[Part],

@@ -24,7 +24,7 @@ use std::io::Write;
 /// Largest number of frictions in one call.
 const MOST_FRICTIONS: usize = 16;
 
-/// Runs the command.
+/// Runs `frictiongen features`.
 pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let destination = Destination::of(
         arguments.output.as_deref(),
@@ -67,7 +67,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
     }
     let mut parts = asked::parts(&system, &arguments.of)?;
     if arguments.of.is_empty() && !system.modal().on_moving_base {
-        // A mass that rubs on a support at rest moves as the contact does, so that it is listed only once.
+        // A mass that rubs on a support at rest moves as the contact does. Its motion is therefore listed only once.
         let rubbing = system.modal().rubbing().map(Of::Mass);
         parts.retain(|part| Some(part.of) != rubbing);
     }

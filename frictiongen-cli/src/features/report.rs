@@ -10,15 +10,15 @@ use frictiongen::study::columns::{Column, FeatureLine, FeatureTable, Part, Setti
 use frictiongen::study::features::Sensed;
 use serde_json::{Value as Json, json};
 
-/// The features with everything needed to write them.
+/// The features, with the settings that are needed to write them.
 pub struct FeaturesReport<'s> {
-    /// The system.
+    /// The system that the answers describe.
     pub system: &'s System,
-    /// The range of frequencies.
+    /// Range of frequencies over which the answers are computed.
     pub band: Band,
-    /// The units of the answers.
+    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
-    /// The features.
+    /// The features, one for each line.
     pub lines: Vec<FeatureLine>,
 }
 

@@ -1,4 +1,4 @@
-//! Tests of the grid parser.
+//! Tests the parser of grids.
 
 use super::{MOST_POINTS, Quantity, parse};
 
@@ -39,7 +39,7 @@ fn ranges_include_their_end_and_are_not_accumulated() {
     }
 }
 
-/// The points of a decimal grid are the decimal numbers themselves, whatever its length and its exponents.
+/// Checks that the points of a decimal grid are the decimal numbers themselves, whatever its length and its exponents.
 #[test]
 fn decimal_points() {
     let (mut compared, mut differ) = (0, 0);
@@ -62,7 +62,7 @@ fn decimal_points() {
             compared += 1;
         }
     }
-    // Steps in binary arithmetic miss many of these points.
+    // The chosen grids are those in which binary steps miss many points.
     assert!(
         compared == 1000 + 20 + 2500 + 8301 + 991 && differ > 1000,
         "{compared} {differ}"

@@ -1,4 +1,4 @@
-//! Draws maps.
+//! Draws the map of `frictiongen map`.
 
 use super::points::MapReport;
 use crate::args::Shade;
@@ -10,10 +10,10 @@ use frictiongen_plot::Label;
 use frictiongen_plot::desk::{self, map_figure};
 use std::io::Write;
 
-/// Largest distance of a limit from its drawn line, in β/(1 + β).
+/// Largest distance between a limit and its drawn line, in β/(1 + β).
 const LINES: f64 = 2e-4;
 
-/// Draws a map with the limits over it.
+/// Draws a map, with both limits as lines over it.
 pub fn draw(
     report: &MapReport<'_>,
     boundaries: &[Boundary],

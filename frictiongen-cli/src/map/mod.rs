@@ -25,10 +25,10 @@ use points::{BoundaryReport, MapReport};
 use std::io::Write;
 use std::sync::Mutex;
 
-/// Largest number of digits of a boundary.
+/// Largest number of significant digits to which a boundary can be requested.
 const MOST_DIGITS: u32 = 12;
 
-/// Runs the command.
+/// Runs `frictiongen map`.
 pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let destination = Destination::of(
         arguments.output.as_deref(),

@@ -6,19 +6,19 @@ use crate::output::{Table, Visitor};
 use frictiongen::study::columns::{BoundaryRow, Column, MapRow, MapTable};
 use frictiongen::study::map::{Boundary, Map};
 
-/// The map with everything needed to write it.
+/// The map, with the settings that are needed to write it.
 pub struct MapReport<'m> {
-    /// Grids, units and parts.
+    /// Grids, units, and the contact and masses whose motions the map contains.
     pub grids: Grids,
-    /// The map.
+    /// The map whose points are written.
     pub map: &'m Map,
 }
 
 /// The boundaries between the regions of a map, with the map itself.
 pub struct BoundaryReport<'m> {
-    /// The map.
+    /// The map itself.
     pub map: &'m MapReport<'m>,
-    /// The boundaries, in the order of the frequencies, with ascending friction.
+    /// The boundaries, in the order of the frequencies. At each frequency friction ascends.
     pub boundaries: Vec<Boundary>,
 }
 

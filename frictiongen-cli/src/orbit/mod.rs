@@ -16,7 +16,7 @@ use frictiongen_codegen::Limits;
 use report::OrbitReport;
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen orbit`.
 pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;

@@ -6,13 +6,14 @@ use crate::layout::Layout;
 use crate::output::{Table, Visitor};
 use frictiongen::study::columns::{Column, OrbitRow, OrbitTable};
 
-/// The steady states with everything needed to write them.
+/// The steady states, with the settings that are needed to write them.
 pub struct OrbitReport {
-    /// Grids, units and parts.
+    /// Grids, units, and the contact and masses whose motions are written.
     pub grids: Grids,
-    /// The orders of the harmonics.
+    /// Orders n of the harmonics that the answers contain.
     pub orders: Vec<u32>,
-    /// True if the user asked for every steady state; false for the one from rest.
+    /// True if the user requested every steady state. If false, only the state that motion from rest reaches is
+    /// written.
     pub states: bool,
 }
 
@@ -43,7 +44,7 @@ impl Table for OrbitReport {
                         .states(&at, frequency, friction)
                         .map_err(Failure::new)?;
                 }
-                // Without a state the line gives the reason.
+                // If there is no steady state, the line contains the reason.
                 if rows.is_empty() {
                     let row = table.row(&at, frequency, friction);
                     rows.push(row.map_err(Failure::new)?);

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use frictiongen::System;
 use frictiongen::measure::columns::decay_lines;
 
-/// Returns the result for the only recording.
+/// Identifies friction from the only recording, and returns the result as lines.
 pub fn lines<'a>(arguments: &IdentifyArguments, system: &'a System) -> Result<Lines<'a>, Failure> {
     let files = &arguments.recordings;
     let recordings = files.recordings()?;
@@ -16,7 +16,7 @@ pub fn lines<'a>(arguments: &IdentifyArguments, system: &'a System) -> Result<Li
             "--decay: one recording of one free vibration is needed",
         ));
     };
-    // Damping of the description counts as known, unless the user asks for it.
+    // The damping of the description counts as known, unless the user requests to fit it.
     let described = system.described_damping();
     let known = described.filter(|_| arguments.also.is_empty());
     let found = system

@@ -12,10 +12,11 @@ use frictiongen_plot::{
 };
 use std::io::Write;
 
-/// Largest value on an axis over the largest drawn value.
+/// Largest value on an axis, divided by the largest drawn value.
 const ROOM: f64 = 1.15;
 
-/// Draws residuals over their deviations against frequency: real parts, imaginary parts, and lines at ±2.
+/// Draws residuals, divided by their standard deviations, against frequency: real parts, imaginary parts, and lines at
+/// ±2.
 pub fn residuals(
     system: &System,
     observations: &[Observation],

@@ -14,7 +14,7 @@ use crate::summary::Summary;
 use frictiongen::measure::Inputs;
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen drive`.
 pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let files = &arguments.recordings;
     let output = arguments.output.as_deref();

@@ -1,4 +1,4 @@
-//! The motion of a scene under a recorded input, sample by sample.
+//! Computes the motion of a scene under a recorded input, sample by sample.
 
 use crate::asked::Part;
 use crate::failure::Failure;
@@ -11,10 +11,10 @@ use frictiongen::measure::columns::{Driven, DrivenRow};
 use frictiongen::study::columns::Column;
 use serde_json::{Value as Json, json};
 
-/// The motion under the recorded inputs.
+/// The motion under a recorded input, with the settings that are needed to write it.
 pub struct DrivenReport<'s> {
     system: &'s System,
-    /// The moving parts.
+    /// The contact and masses whose motions are written.
     pub parts: Vec<Part>,
     /// The motion at every sample.
     pub motion: Driven,
@@ -23,7 +23,7 @@ pub struct DrivenReport<'s> {
 }
 
 impl<'s> DrivenReport<'s> {
-    /// Computes the motion.
+    /// Computes the motion under the recorded input.
     pub fn of(system: &'s System, inputs: &Inputs<'_>, parts: Vec<Part>) -> Result<Self, Failure> {
         let turned = system.contact_is_reversed();
         let mut step = system.stepper(inputs.dt()).map_err(|_| {
@@ -66,7 +66,7 @@ impl<'s> DrivenReport<'s> {
         ]
     }
 
-    /// Returns the energy balance in words.
+    /// Returns a sentence about the energy balance.
     pub fn account(&self) -> String {
         let Work {
             load,

@@ -13,7 +13,7 @@ use frictiongen::measure::columns::fit_lines;
 use frictiongen::measure::{SweepFit, SweepPoint};
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen fit`.
 pub fn run(arguments: &FitArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let output = arguments.output.as_deref();
     let destination = Destination::of(output, Some(&arguments.scene), &arguments.format, false)?;

@@ -14,7 +14,7 @@ use frictiongen::measure::columns::identify_lines;
 use frictiongen::measure::{Identified, IdentifyRequest, Observation, Unknown, Using};
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen identify`.
 pub fn run(arguments: &IdentifyArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let files = &arguments.recordings;
     let output = arguments.output.as_deref();
@@ -76,7 +76,7 @@ pub fn run(arguments: &IdentifyArguments, out: &mut dyn Write) -> Result<(), Fai
     })
 }
 
-/// Parses a range of friction forces, a:b.
+/// Parses a range of friction forces `a:b`, in N.
 fn between(text: &str) -> Result<(f64, f64), Failure> {
     let ends = text
         .split_once(':')

@@ -1,4 +1,4 @@
-//! Results as lines: a quantity, its value with an interval, and its unit.
+//! Writes results as lines: a quantity, its value with an interval, and its unit.
 
 use crate::failure::Failure;
 use crate::output::{Table, Visitor};
@@ -7,15 +7,15 @@ use frictiongen::measure::columns::{QuantityLine, line_columns};
 use frictiongen::study::columns::Column;
 use serde_json::Value as Json;
 
-/// Quantities, and texts that come once.
+/// The quantities of a result, and the texts that are printed once above them.
 pub struct Lines<'a> {
-    /// The system.
+    /// The system that the answers describe.
     pub system: &'a System,
-    /// The quantities.
+    /// The quantities of the result, one for each line.
     pub lines: Vec<QuantityLine>,
-    /// Titles and texts before the quantities.
+    /// Titles and texts that are printed before the quantities.
     pub said: Vec<(&'static str, String)>,
-    /// Names and keys that JSON has besides these texts.
+    /// Names and keys that JSON contains in addition to these texts.
     pub keys: Vec<(&'static str, &'static str)>,
 }
 

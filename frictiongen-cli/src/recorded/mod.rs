@@ -1,4 +1,4 @@
-//! Commands over recordings: `transmissibility`, `identify`, `fit`, `drive`.
+//! Commands that evaluate recordings: `transmissibility`, `identify`, `fit`, `drive`.
 
 mod decay;
 #[cfg(feature = "pictures")]

@@ -9,7 +9,7 @@ use frictiongen_codegen::Limits;
 use std::fs;
 use std::path::Path;
 
-/// Reads the scene of the recordings.
+/// Reads the scene to which the recordings belong.
 pub fn scene(path: &Path) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(path.to_owned()),
@@ -35,7 +35,7 @@ pub fn text(path: &Path) -> Result<String, Failure> {
     })
 }
 
-/// Makes the message for an error in a file.
+/// Returns the failure for an error in a file, with the file's name.
 pub fn told(path: &Path, error: &MeasureError) -> Failure {
     Failure::new(format_args!("{}: {error}", path.display()))
 }
@@ -64,7 +64,7 @@ impl RecordingArguments {
         self.recordings.iter().map(read).collect()
     }
 
-    /// Reads the one recording that drives a scene.
+    /// Reads the only recording, which drives a scene.
     pub fn inputs(&self) -> Result<Recording, Failure> {
         let [path] = self.recordings.as_slice() else {
             return Err(Failure::new("give only one recording to drive a scene"));
@@ -73,7 +73,7 @@ impl RecordingArguments {
         Recording::inputs_from_csv(&text, &self.request()?).map_err(|error| told(path, &error))
     }
 
-    /// Returns the steady motion in each recording.
+    /// Evaluates the steady motion in each recording.
     pub fn measured(&self, system: &System) -> Result<Vec<Measured>, Failure> {
         let recordings = self.recordings()?;
         let pairs = self.recordings.iter().zip(&recordings);
@@ -85,7 +85,7 @@ impl RecordingArguments {
     }
 }
 
-/// Parses `NAME=COLUMN:UNIT`.
+/// Parses a channel `NAME=COLUMN:UNIT`.
 fn column(text: &str) -> Result<Column, Failure> {
     let wrong = || {
         Failure::new(format_args!(

@@ -13,7 +13,7 @@ use frictiongen::measure::columns::TransmissibilityTable;
 use frictiongen::study::columns::Column;
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen transmissibility`.
 pub fn run(arguments: &TransmissibilityArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let files = &arguments.recordings;
     let output = arguments.output.as_deref();

@@ -1,4 +1,4 @@
-//! Subject of the page: what the options set, and the choices for everything else.
+//! Chooses the content of the page: the options of the user, and defaults for everything else.
 
 use super::words::Words;
 use crate::args::ReportArguments;
@@ -12,35 +12,35 @@ use frictiongen::study::scene::{Excitation, Node};
 use frictiongen::study::units;
 use frictiongen::{Of, System};
 
-/// Largest number of frictions on a page. More colours could not be told apart.
+/// Largest number of frictions on a page. More colours would be hard to distinguish.
 const MOST_FRICTIONS: usize = 6;
-/// Largest number of masses for which all motions are shown.
+/// Largest number of masses for which the page shows all motions.
 const ALL_SHOWN: usize = 4;
-/// End points of the default range, over the lowest and over the highest resonance.
+/// Bounds of the default range of frequencies, relative to the lowest and to the highest resonance.
 const RANGE: [f64; 2] = [0.3, 1.5];
-/// Default frictions, over the sliding limit that half of the range exceeds.
+/// Default frictions, relative to the median of β*_lim over the range.
 const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
-/// Number of frequencies at which the sliding limit is evaluated for that.
+/// Number of frequencies for this median, and for the largest motion with the contact stuck.
 const PLACES: usize = 401;
 
-/// Subject of the page.
+/// Content of the page.
 pub struct Asked {
-    /// The system.
+    /// The system that the answers describe.
     pub system: System,
-    /// The range of frequencies.
+    /// Range of frequencies over which the answers are computed.
     pub band: Band,
     /// The units and their words.
     pub words: Words,
-    /// The motions that are shown.
+    /// The contact and masses whose motions the page shows.
     pub parts: Vec<Part>,
     /// Friction ratios β, if frictions are given.
     pub frictions: Option<Vec<f64>>,
-    /// Sentences about the choices and their rules.
+    /// Sentences about the choices that the user did not make, with the rules behind them.
     pub chosen: Vec<String>,
 }
 
 impl Asked {
-    /// Reads the options.
+    /// Reads the options, and chooses what they leave open.
     pub fn of(arguments: &ReportArguments, system: System) -> Result<Self, Failure> {
         let measure = measure::of(&arguments.load, &system)?;
         let mut chosen = Vec::new();
@@ -92,7 +92,7 @@ impl Asked {
         })
     }
 
-    /// Returns frequency ratios evenly over the range, both end points included.
+    /// Returns evenly spaced frequency ratios over the range, including both ends.
     pub fn even(&self, count: usize) -> impl Iterator<Item = f64> + use<> {
         evenly(&self.band, count)
     }
@@ -102,7 +102,7 @@ impl Asked {
         farthest_if_stuck(&self.system, &self.band)
     }
 
-    /// Returns the finite sliding limits over the range, ascending.
+    /// Returns the finite values of β*_lim over the range, ascending.
     pub fn sliding_limits(&self) -> Vec<f64> {
         let at = |r: f64| Some(self.system.at(r).ok()?.sliding_limit());
         let mut limits: Vec<f64> = self.even(PLACES).filter_map(at).collect();
@@ -111,8 +111,8 @@ impl Asked {
         limits
     }
 
-    /// Returns the frictions of the curves, ascending: those given, or fractions of the sliding limit and the best
-    /// friction.
+    /// Returns the frictions of the curves, ascending. They are those that the user gave, or the default fractions and
+    /// the best friction.
     pub fn levels(&mut self, best: Option<f64>) -> Vec<f64> {
         if let Some(given) = &self.frictions {
             return given.clone();
@@ -134,7 +134,7 @@ impl Asked {
             if best.is_some() { ", and the best friction" } else { "" },
         ));
         if let Some(best) = best.filter(|best| 0.0 < *best && best.is_finite()) {
-            // A curve too close to the best one could not be told apart, so that it is left out.
+            // A curve too close to the best one would be hard to distinguish, so it is left out.
             levels.retain(|level| 0.05 * best < (level - best).abs());
             levels.push(best);
         }
@@ -145,7 +145,7 @@ impl Asked {
     }
 }
 
-/// Returns frequency ratios evenly over a range, both end points included.
+/// Returns evenly spaced frequency ratios over a range, including both ends.
 fn evenly(band: &Band, count: usize) -> impl Iterator<Item = f64> + use<> {
     let (from, to) = (band.from, band.to);
     let steps = count.max(2) - 1;
@@ -191,8 +191,8 @@ fn automatic(system: &System, in_hertz: bool) -> Band {
     )
 }
 
-/// Returns the motions of a page: all, or the most important ones of a long chain. If the contact is with a wall, only
-/// its mass is listed, because both move alike.
+/// Returns the contact and masses that the page shows: all, or the most important ones of a long chain. If the contact
+/// is with a wall, only its mass is listed, because both move alike.
 fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<Part>, Failure> {
     let mut all = asked::parts(system, &[])?;
     let scene = system.scene();

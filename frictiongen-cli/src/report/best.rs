@@ -1,4 +1,4 @@
-//! The best friction for each mass that is shown.
+//! Finds the best friction for each mass that the page shows.
 
 use super::asked::Asked;
 use super::found::at_once;
@@ -13,25 +13,27 @@ use frictiongen::study::{
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of masses of a chain whose best friction is searched.
+/// Largest number of masses of a chain for which the page has best frictions.
 const MOST_MASSES: usize = 16;
-/// Work of one search, less than that of “frictiongen optimum”, because a page should be ready within seconds.
+/// Bound on the work of one search, in units of about 10 µs. It is below that of `frictiongen optimum`, because a page
+/// should be ready within seconds.
 const WORK: usize = 150_000;
 /// Largest number of motions that are searched in a chain of at most [`ALL_MOTIONS`] masses.
 const MOST_MOTIONS: usize = 4;
 /// Largest number of masses of a short chain. In a longer one [`MOST_OF_LONG`] motions are searched.
 const ALL_MOTIONS: usize = 4;
+/// Largest number of motions that are searched in a longer chain.
 const MOST_OF_LONG: usize = 2;
 
 /// The best friction for one motion, or the reason why there is none.
 pub struct Best {
-    /// The motion.
+    /// The contact or mass whose amplitude is minimised.
     pub part: Part,
     /// The result of the search.
     pub found: Result<Optimum, String>,
 }
 
-/// Searches the best frictions, or returns the reason why it does not.
+/// Searches the best frictions. Returns the reason if it does not search.
 pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let masses = asked.system.scene().masses.len();
     if MOST_MASSES < masses {
@@ -44,7 +46,7 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let parts = asked.parts.iter();
     let parts = parts.filter(|part| only_contact || part.of != Of::Contact);
     let mut parts: Vec<Part> = parts.cloned().collect();
-    // The motions that too much friction enlarges most are kept.
+    // The search keeps the motions that too much friction enlarges most.
     let farthest = asked.farthest_if_stuck();
     let rank = |part: &Part| match part.of {
         Of::Mass(mass) => farthest.iter().position(|other| *other == mass),
@@ -81,7 +83,7 @@ pub fn limits(best: &Result<Vec<Best>, String>) -> Option<(f64, f64)> {
     Some((found.free_of_sticking, found.locked))
 }
 
-/// Returns the range of frictions in which the largest amplitude is at most a tenth above the best.
+/// Returns the range of friction ratios in which the largest amplitude is at most 10 % above the best.
 pub fn within(optimum: &Optimum) -> Option<(f64, f64)> {
     let widest = optimum.tolerances.last();
     widest.map(|widest| (widest.from, widest.to))
@@ -91,12 +93,12 @@ pub fn within(optimum: &Optimum) -> Option<(f64, f64)> {
 pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
     let all = best.as_ref().ok()?.iter();
     let found = all.filter_map(|best| Some((best, best.found.as_ref().ok()?)));
-    // A mass that stays at rest when the contact sticks needs no choice of friction.
+    // A mass that is at rest while the contact sticks needs no choice of friction.
     let found = found.filter(|(_, answer)| 0.0 < answer.amplitude);
     found.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude))
 }
 
-/// Returns what limits the amplitude, in words.
+/// Returns the words for what limits the amplitude at the best friction.
 pub fn kind(optimum: &Optimum) -> &'static str {
     match (optimum.kind, optimum.end) {
         (_, OptimumEnd::WorkSpent) => {
@@ -112,7 +114,7 @@ pub fn kind(optimum: &Optimum) -> &'static str {
     }
 }
 
-/// Returns the section of the page.
+/// Returns the section of the page as HTML.
 pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
     let words = &asked.words;
     html! {
@@ -191,7 +193,7 @@ fn row(best: &Best, asked: &Asked) -> Markup {
     }
 }
 
-/// Returns the section as data.
+/// Returns the section as JSON data.
 pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
     let words = &asked.words;
     let one = |best: &Best| match &best.found {

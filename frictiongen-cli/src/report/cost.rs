@@ -1,4 +1,4 @@
-//! Cost and accuracy of the emitted code: counted in the code, and measured here.
+//! Determines cost and accuracy of the emitted code, by counts in the code and by measurement.
 
 use super::asked::Asked;
 use super::words::{digits, number};
@@ -14,7 +14,7 @@ use serde_json::{Value as Json, json};
 const MOST_COMPARED: usize = 16;
 /// Number of frequencies at which answers are compared.
 const PLACES: usize = 101;
-/// Largest number of masses for which tables are made.
+/// Largest number of masses for which tables are built.
 const MOST_TABLED: usize = 4;
 /// Accuracy declared for the tables.
 const DECLARED: f64 = 1e-4;
@@ -22,17 +22,17 @@ const DECLARED: f64 = 1e-4;
 /// Number of steps in a period of the highest resonance.
 const STEPS_OF_A_PERIOD: f64 = 20.0;
 
-/// Largest differences of the answers from those in double-double.
+/// Largest differences between the answers and those in double-double.
 struct Measured {
     precision: &'static str,
     continuous: f64,
     sliding: f64,
     amplitude: f64,
-    /// Number of compared limits, and of compared amplitudes.
+    /// Number of compared limits, and number of compared amplitudes.
     compared: (usize, usize),
 }
 
-/// Tables of a declared accuracy.
+/// Tables with a declared accuracy.
 struct Tabled {
     pieces: usize,
     bytes: usize,
@@ -45,16 +45,17 @@ struct Tabled {
 /// Upper bounds on evaluations, memory and operations of the solvers. They follow from the numbers of masses and modes
 /// of the scene.
 struct Bounds {
-    /// Evaluations of the modal sum in a search for β_lim, and in a search for an amplitude.
+    /// Largest number of evaluations of the modal sum in a search for β_lim.
     limit: u32,
+    /// Largest number of evaluations of the modal sum in a search for an amplitude.
     amplitude: u32,
     /// Size of a steady state with stops, in bytes.
     orbit: usize,
-    /// Length of a step in seconds, and its operations by the tables and with one event.
+    /// Length of a step in seconds, its operations by the tables, and its operations with one event.
     step: Option<(f64, u64, u64)>,
 }
 
-/// Contents of the section.
+/// Contents of the section about cost and accuracy.
 pub struct Cost {
     bounds: Option<Bounds>,
     functions: Result<Vec<Function>, String>,
@@ -64,7 +65,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// Computes the section for a description.
+    /// Computes the contents of the section for a description.
     pub fn of(text: &str, asked: &Asked) -> Self {
         let scene = asked.system.scene();
         Self {
@@ -79,7 +80,7 @@ impl Cost {
         }
     }
 
-    /// Returns the section of the page.
+    /// Returns the section of the page as HTML.
     pub fn html(&self) -> Markup {
         html! {
             section #cost {
@@ -135,7 +136,7 @@ impl Cost {
         }
     }
 
-    /// Returns the section as data.
+    /// Returns the section as JSON data.
     pub fn data(&self) -> Json {
         let none = |reason: &String| json!({ "none": reason });
         let functions = self.functions.as_ref().map_or_else(none, |all| {
@@ -227,7 +228,7 @@ fn bounds(asked: &Asked) -> Option<Bounds> {
     })
 }
 
-/// Returns the emitted functions whose documentation counts operations.
+/// Returns the emitted functions whose documentation states a number of operations.
 fn functions(text: &str) -> Result<Vec<Function>, String> {
     let description = parse_text(text, &Limits::CHECK).map_err(|_| {
         "The macro does not accept this description; “frictiongen check” lists the errors."
@@ -256,7 +257,7 @@ fn measured(text: &str, asked: &Asked) -> Result<Vec<Measured>, String> {
     ])
 }
 
-/// Returns the largest differences between a system's answers and those of a reference.
+/// Returns the largest differences between the answers of a system and those of a reference.
 fn compared<S: Float>(
     precision: &'static str,
     system: &System<S>,

@@ -1,4 +1,4 @@
-//! The motion at one frequency and one friction, and questions that are answered in parallel.
+//! Computes the motion at one frequency and one friction, and answers questions in parallel.
 
 use super::asked::Asked;
 use frictiongen::study::{
@@ -43,7 +43,7 @@ pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
     Ok((response.regime(), swing))
 }
 
-/// Answers questions in parallel, each in its own thread. There are a few, and each takes seconds.
+/// Answers questions in parallel, each in a thread of its own. There are only a few questions, and each takes seconds.
 pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sync) -> Vec<A> {
     let answer = &answer;
     std::thread::scope(|scope| {
@@ -53,7 +53,7 @@ pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sy
         let threads: Vec<_> = threads.collect();
         let answers = threads.into_iter().map(|thread| match thread.join() {
             Ok(answer) => answer,
-            // A panic continues here as if this thread had computed the answer.
+            // A panic in the thread continues here, as if this thread had computed the answer.
             Err(panic) => std::panic::resume_unwind(panic),
         });
         answers.collect()

@@ -1,4 +1,4 @@
-//! The regimes over frequency and friction, with both limits.
+//! Computes and draws the regimes over frequency and friction, with both limits.
 
 use super::asked::Asked;
 use super::plot::{Across, Axes, Plot, Series};
@@ -14,28 +14,28 @@ use frictiongen_plot::{Across as Line, Colour, Figure, Guide, Layer, Panel};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest distance of a limit from its drawn line, in β/(1 + β).
+/// Largest distance between a limit and its drawn line, in β/(1 + β).
 const LINES: f64 = 5e-4;
 /// Number of rows of the table.
 const ROWS: usize = 31;
 
-/// Contents of the section.
+/// Contents of the section about regimes.
 pub struct Regimes {
     lines: LimitLines,
     /// The map; `None` for a long chain, whose steady states take too long.
     map: Option<Map>,
     top: f64,
     rows: Vec<(f64, Limits<f64>)>,
-    /// The least and the largest limits over the range.
+    /// The smallest and the largest values of both limits over the range.
     pub spread: Spread,
     levels: Vec<f64>,
 }
 
-/// Extreme values of both limits over the range.
+/// Extreme values of both limits over the range, as friction ratios.
 pub struct Spread {
-    /// Largest β up to which the contact sticks nowhere in the range.
+    /// Largest β up to which the contact sticks at no frequency of the range.
     pub continuous_to: f64,
-    /// Least β from which on the contact is stuck in the whole range.
+    /// Smallest β from which on the contact is stuck at every frequency of the range.
     pub stuck_from: f64,
 }
 
@@ -61,7 +61,7 @@ impl Regimes {
                 (low.min(limit), high.max(limit))
             })
         };
-        // The values from the best frictions are better, because a drawn line passes through points only.
+        // The values from the search for the best friction are more accurate. A drawn line only passes through points.
         let (continuous_to, stuck_from) = known.unwrap_or_else(|| {
             (
                 ends(|limits| limits.continuous.min(limits.sliding)).0,
@@ -109,7 +109,7 @@ impl Regimes {
         })
     }
 
-    /// Returns the picture.
+    /// Returns the picture of the map.
     pub fn plot(&self, asked: &Asked) -> Plot {
         let scales = &asked.words.scales;
         let mut panel = match &self.map {
@@ -176,7 +176,7 @@ impl Regimes {
         )
     }
 
-    /// Returns the regime in each cell, row after row from the least friction.
+    /// Returns the regime of each cell, row by row from the smallest friction.
     fn cells(&self, asked: &Asked) -> Json {
         let Some(map) = &self.map else {
             return Json::Null;
@@ -211,7 +211,7 @@ impl Regimes {
         json!({ "x": x, "y": y, "names": names, "cells": cells })
     }
 
-    /// Returns the section of the page.
+    /// Returns the section of the page as HTML.
     pub fn html(&self, plot: &Plot, asked: &Asked) -> Markup {
         let words = &asked.words;
         html! {
@@ -256,7 +256,7 @@ impl Regimes {
         }
     }
 
-    /// Returns the limits as data.
+    /// Returns the limits as JSON data.
     pub fn data(&self, asked: &Asked) -> Json {
         let words = &asked.words;
         let limit = |beta: f64| object(words.friction_json(beta));
@@ -275,7 +275,7 @@ impl Regimes {
     }
 }
 
-/// Returns in words how the contact moves.
+/// Returns words for the motion of the contact with this pattern.
 fn does(pattern: Pattern) -> String {
     use frictiongen::Regime;
     match (pattern.regime, pattern.period, pattern.stops) {

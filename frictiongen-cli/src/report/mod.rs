@@ -23,7 +23,7 @@ use frictiongen_codegen::{Limits, parse_text};
 use page::Page;
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen report`.
 pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(path) = arguments.output.as_deref() {
         // A file that cannot be written is reported before a long computation, not after it.

@@ -1,4 +1,4 @@
-//! The modes: frequencies, damping, shapes, and participation of load and contact.
+//! Lists the modes: frequencies, damping, shapes, and participation of load and contact.
 
 use super::asked::Asked;
 use super::plot::{Across, Axes, Plot, Series};
@@ -9,11 +9,11 @@ use frictiongen_plot::{
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of modes that are drawn. More colours could not be told apart.
+/// Largest number of modes that are drawn. More colours would be hard to distinguish.
 const MOST_DRAWN: usize = 5;
 /// Largest number of modes in the table. The data contain all modes.
 const MOST_LISTED: usize = 16;
-/// Participation, relative to the largest, below which it counts as none.
+/// A mode whose participation, relative to the largest, is below this value counts as not participating.
 const NONE: f64 = 1e-12;
 
 /// A mode.
@@ -21,14 +21,14 @@ struct Mode {
     r: f64,
     hertz: f64,
     zeta: f64,
-    /// Mode shape by mass, with the largest displacement ±1.
+    /// Displacement of each mass in the mode, scaled so that the largest is ±1.
     shape: Vec<f64>,
     load: f64,
     contact: f64,
     threshold: Option<f64>,
 }
 
-/// Contents of the section.
+/// Contents of the section about modes.
 pub struct Modes(Vec<Mode>);
 
 impl Modes {
@@ -61,12 +61,12 @@ impl Modes {
         )
     }
 
-    /// Returns the resonances in words.
+    /// Returns the resonance frequencies as text.
     pub fn resonances(&self, words: &Words) -> Vec<String> {
         self.0.iter().map(|mode| words.frequency(mode.r)).collect()
     }
 
-    /// Returns the picture of the shapes.
+    /// Returns the picture of the mode shapes.
     pub fn plot(&self, asked: &Asked) -> Plot {
         let masses = asked.system.scene().masses.len();
         let x = Axis::new(
@@ -121,7 +121,7 @@ impl Modes {
         )
     }
 
-    /// Returns the section of the page.
+    /// Returns the section of the page as HTML.
     pub fn html(&self, plot: &Plot, asked: &Asked) -> Markup {
         let scene = asked.system.scene();
         let words = &asked.words;
@@ -189,7 +189,7 @@ impl Modes {
         }
     }
 
-    /// Returns all modes as data.
+    /// Returns all modes as JSON data.
     pub fn data(&self) -> Json {
         let modes = self.0.iter().map(|mode| {
             json!({

@@ -1,4 +1,4 @@
-//! The page: its head, its sections and its data.
+//! Assembles the page from its head, its sections and its data.
 
 use super::asked::Asked;
 use super::best::{self, Best};
@@ -15,9 +15,11 @@ use serde_json::{Value as Json, json};
 /// Version of the data's format. It grows when a field is renamed or changes its meaning.
 const VERSION: u32 = 1;
 
+/// Style sheet of the page.
 const STYLE: &str = include_str!("style.css");
+/// Script of the page.
 const SCRIPT: &str = include_str!("read.js");
-/// Hash of the script. The page allows no other script to run. A test compares hash and script.
+/// Hash of the page's script. The page allows no other script to run. A test compares hash and script.
 const SCRIPT_HASH: &str = include_str!("read.js.sha256");
 
 /// Contents of the page.
@@ -26,9 +28,9 @@ pub struct Page<'a> {
     pub file: &'a str,
     /// Doc comments of the description.
     pub documentation: &'a str,
-    /// Subject of the page, asked for or chosen.
+    /// Content of the page, as the user requested it or the command chose it.
     pub asked: Asked,
-    /// The modes.
+    /// Contents of the section about modes.
     pub modes: Modes,
     /// Amplitudes and phases.
     pub responses: Responses,
@@ -36,7 +38,7 @@ pub struct Page<'a> {
     pub regimes: Regimes,
     /// Features of the response.
     pub features: Features,
-    /// The best frictions.
+    /// Best friction of each motion, or the reason why it was not searched.
     pub best: Result<Vec<Best>, String>,
     /// Cost of the emitted code.
     pub cost: Cost,
@@ -111,7 +113,7 @@ impl Page<'_> {
         page.into_string()
     }
 
-    /// Returns the choices that were made, and the units of the page.
+    /// Returns the section about the choices that the command made, and about the units.
     fn chosen(&self) -> Markup {
         let words = &self.asked.words;
         let option = measure::option(&words.measure);
@@ -133,7 +135,7 @@ impl Page<'_> {
     }
 }
 
-/// Returns the questions that the page does not answer.
+/// Returns the section about questions that the page does not answer.
 fn limits_of_the_page() -> Markup {
     html! {
         section #beyond {

@@ -1,26 +1,28 @@
-//! A picture whose values can be read off on the page and in the data.
+//! Builds a picture whose values can be read on the page and in the data.
 
 use super::words::rounded;
 use frictiongen_plot::{Colour, Figure, Label, Layer, Page, PanelFrame, Scale, Stroke};
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Largest distance of straight lines through the data from the curve, relative to a value and to the largest value.
+/// Largest distance between the curve and straight lines through the data. It is the sum of two terms: the first number
+/// times the value, and the second number times the largest value.
 const STRAYS: [f64; 2] = [5e-4, 2e-5];
 
 /// A curve of a panel as it was drawn, in the units of the axes.
 pub struct Series {
     name: String,
     colour: Colour,
-    /// Pieces by regime, or without a regime.
+    /// Pieces of the curve, each with its regime or without a regime.
     runs: Vec<(Option<&'static str>, Pieces)>,
 }
 
-/// Points that are joined, by piece.
+/// Points of each piece. Points of a piece are joined by lines.
 type Pieces = Vec<Vec<(f64, f64)>>;
 
 impl Series {
-    /// Makes a series from the layers that draw one curve. If `by_regime`, the stroke of a layer gives its regime.
+    /// Builds a series from the layers that draw one curve. If `by_regime` is true, the stroke of a layer determines
+    /// its regime.
     pub fn of(name: &Label, colour: Colour, layers: &[Layer], by_regime: bool) -> Self {
         let lines = layers.iter().filter_map(|layer| match layer {
             Layer::Line(line) => Some(line),
@@ -63,8 +65,8 @@ impl Series {
     }
 }
 
-/// Keeps the points of a piece that straight lines need to stay close to the curve. A curve that was followed into a
-/// pole or an edge has many times as many points.
+/// Removes points of a piece without which straight lines still stay close to the curve. A curve that was followed into
+/// a pole or an edge has many more points than needed.
 fn thinned(piece: &[(f64, f64)], most: f64) -> Vec<(f64, f64)> {
     let [relative, absolute] = STRAYS;
     let mut kept = vec![false; piece.len()];
@@ -103,9 +105,9 @@ fn thinned(piece: &[(f64, f64)], most: f64) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// A picture with the curves of each of its panels.
+/// A picture, with the data of the curves in each of its panels.
 pub struct Plot {
-    /// Identifier in the page and in the data.
+    /// Identifier of the picture in the page and in the data.
     pub id: String,
     /// Title of the picture.
     pub title: String,
@@ -113,7 +115,7 @@ pub struct Plot {
     data: Json,
 }
 
-/// Name and unit of a panel's values.
+/// Name and unit of the values of a panel.
 pub struct Axes<'a> {
     /// Name of the quantity.
     pub quantity: &'a str,
@@ -130,8 +132,8 @@ pub struct Across<'a> {
 }
 
 impl Plot {
-    /// Makes a plot of a figure, as wide as the screen of a telephone. `curves` has the curves of each panel, `more`
-    /// further data.
+    /// Builds a plot of a figure, as wide as the screen of a telephone. `curves` has the curves of each panel, and
+    /// `more` has further data.
     pub fn new(
         id: &str,
         title: &str,
@@ -175,7 +177,7 @@ impl Plot {
         }
     }
 
-    /// Returns the picture for the page.
+    /// Returns the picture as HTML.
     pub fn html(&self) -> Markup {
         html! {
             figure.plot data-plot=(self.id) aria-label=(self.title) {
@@ -191,7 +193,7 @@ impl Plot {
     }
 }
 
-/// Returns the position of a frame, in the units of the picture, and the values at its sides.
+/// Returns the position of a panel's frame, in the units of the picture, and the values at its sides.
 fn placed(frame: &PanelFrame) -> Json {
     json!({
         "left": rounded(frame.left),

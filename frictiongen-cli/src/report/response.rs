@@ -1,4 +1,4 @@
-//! Amplitudes and phases over frequency at several frictions, without friction and with the contact stuck.
+//! Computes and draws amplitudes and phases over frequency, at several frictions and with the contact stuck.
 
 use super::asked::Asked;
 use super::found::{Found, STUCK, at_once, found};
@@ -21,14 +21,14 @@ use serde_json::{Value as Json, json};
 
 /// Number of rows of the table.
 const ROWS: usize = 31;
-/// Largest number of intervals of one regime that are listed in words.
+/// Largest number of frequency ranges with one regime each that the page lists in words.
 const MOST_STRETCHES: usize = 6;
-/// Work of one curve. A page has up to eight.
+/// Bound on the work of one curve, in units of about 10 µs. A page has up to eight curves.
 const WORK: usize = 60_000;
-/// Least amplitude on an axis over the largest: the axis shows four decades.
+/// Smallest amplitude on an axis, relative to the largest. The axis shows four decades.
 const DECADES: f64 = 1e-4;
 
-/// A curve and its name.
+/// A curve at one friction, with its name.
 struct Level {
     name: String,
     beta: f64,
@@ -36,15 +36,15 @@ struct Level {
     curve: Curve,
 }
 
-/// Contents of the section.
+/// Contents of the section about responses.
 pub struct Responses {
     levels: Vec<Level>,
-    /// Motions by frequency, then by friction, then by part.
+    /// Motions of the table: for each frequency, for each friction, for each contact or mass.
     rows: Vec<(f64, Vec<Vec<Found>>)>,
 }
 
 impl Responses {
-    /// Computes the curves at some frictions.
+    /// Computes the curves at the given frictions.
     pub fn of(asked: &Asked, frictions: &[f64], best: Option<f64>) -> Result<Self, Failure> {
         let words = &asked.words;
         let of: Vec<Of> = asked.parts.iter().map(|part| part.of).collect();
@@ -99,7 +99,7 @@ impl Responses {
         Ok(Self { levels, rows })
     }
 
-    /// Returns the regimes along the curve of a friction, each with its range. Returns `None` if there are too many.
+    /// Returns the regimes along a curve, each with its range of frequencies. `None` if there are too many ranges.
     pub fn stretches(&self, beta: f64) -> Option<Vec<(&'static str, f64, f64)>> {
         let level = self.levels.iter().find(|level| level.beta == beta)?;
         let mut found: Vec<(&'static str, f64, f64)> = Vec::new();
@@ -120,7 +120,7 @@ impl Responses {
         (1..=MOST_STRETCHES).contains(&found.len()).then_some(found)
     }
 
-    /// Returns a picture for each motion, with its features marked.
+    /// Returns one picture for each motion, with its features marked.
     pub fn plots(&self, asked: &Asked, features: &[FeatureLine]) -> Vec<Plot> {
         let parts = asked.parts.iter().enumerate();
         parts
@@ -204,8 +204,8 @@ impl Responses {
         )
     }
 
-    /// Returns the end points of the amplitude axis: all values, or, if one is unbounded, a multiple of those on an
-    /// even grid.
+    /// Returns the bounds of the amplitude axis. They include all values. If a value is unbounded, the upper bound is a
+    /// multiple of the values on an even grid.
     fn ends(&self, part: usize, words: &Words) -> (f64, f64) {
         let sizes = |level: &Level| -> Vec<f64> {
             let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
@@ -242,7 +242,7 @@ impl Responses {
         (low.max(DECADES * high).min(0.1 * high), 1.3 * high)
     }
 
-    /// Returns the section of the page.
+    /// Returns the section of the page as HTML.
     pub fn html(&self, plots: &[Plot], asked: &Asked) -> Markup {
         let words = &asked.words;
         html! {
@@ -270,7 +270,7 @@ impl Responses {
         }
     }
 
-    /// Returns the largest amplitude of a curve.
+    /// Returns the largest amplitude of a curve, with its frequency ratio r and its regime.
     fn peak(level: &Level, part: usize) -> Option<(f64, f64, Regime)> {
         let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
         let sizes = points.filter_map(|point| {
@@ -339,7 +339,7 @@ impl Responses {
         }
     }
 
-    /// Returns the table and the peaks as data.
+    /// Returns the table and the peaks as JSON data.
     pub fn data(&self, asked: &Asked) -> Json {
         let words = &asked.words;
         let cell = |found: &Found| match found {
@@ -376,8 +376,8 @@ impl Responses {
     }
 }
 
-/// Returns the largest distance of straight lines from the curve. More masses have a larger one, because their steady
-/// states take longer.
+/// Returns the accuracy of a curve, as relative distance of straight lines from it. With more masses it is coarser,
+/// because their steady states take longer.
 fn accuracy(masses: usize) -> f64 {
     match masses {
         0..=4 => 5e-4,
@@ -386,7 +386,7 @@ fn accuracy(masses: usize) -> f64 {
     }
 }
 
-/// Returns the end points of a phase axis, in whole eighths of a turn.
+/// Returns the bounds of a phase axis, as whole eighths of a turn.
 fn turns(layers: &[Layer]) -> (f64, f64) {
     let lines = layers.iter().filter_map(|layer| match layer {
         Layer::Line(line) => Some(line.pieces.iter().flatten()),

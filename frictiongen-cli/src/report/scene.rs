@@ -1,4 +1,4 @@
-//! The scene: its drawing and its values.
+//! Describes the scene by a drawing and its values.
 
 use super::asked::Asked;
 use super::words::digits;
@@ -13,7 +13,7 @@ fn node(scene: &Scene, node: Node) -> &str {
     scene.node_name(node)
 }
 
-/// Returns the sketch with its values, or `None` if the chain is too long.
+/// Returns the sketch with its values. `None` if the chain is too long.
 fn drawing(asked: &Asked) -> Option<String> {
     let scene = asked.system.scene();
     let plain = desk::sketch(scene, true);
@@ -38,7 +38,7 @@ fn drawing(asked: &Asked) -> Option<String> {
     sketch.svg()
 }
 
-/// Returns the damping in words.
+/// Describes the damping in words.
 fn damping(scene: &Scene) -> String {
     match &scene.damping {
         Damping::None => "none but friction".to_owned(),
@@ -55,7 +55,7 @@ fn damping(scene: &Scene) -> String {
     }
 }
 
-/// Returns the load in words.
+/// Describes the load in words.
 fn load(asked: &Asked) -> String {
     let scene = asked.system.scene();
     let place = match scene.excitation {
@@ -75,7 +75,7 @@ fn load(asked: &Asked) -> String {
     }
 }
 
-/// Returns the section of the page.
+/// Returns the section of the page as HTML.
 pub fn html(asked: &Asked) -> Markup {
     let scene = asked.system.scene();
     let contact = (
@@ -124,7 +124,7 @@ pub fn html(asked: &Asked) -> Markup {
     }
 }
 
-/// Returns the scene as data.
+/// Returns the scene as JSON data.
 pub fn data(asked: &Asked) -> Json {
     let scene = asked.system.scene();
     let masses = scene.masses.iter();

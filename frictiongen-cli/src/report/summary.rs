@@ -1,4 +1,4 @@
-//! Main results: the first lines of the page.
+//! Writes the main results, which are the first lines of the page.
 
 use super::asked::Asked;
 use super::best::{self, Best};
@@ -13,10 +13,10 @@ use frictiongen::study::{
 };
 use maud::{Markup, html};
 
-/// Largest number of resonances that are named.
+/// Largest number of resonances that the summary names.
 const MOST_NAMED: usize = 4;
 
-/// Returns the first lines of the page.
+/// Returns the first lines of the page as HTML.
 pub fn html(
     asked: &Asked,
     modes: &Modes,

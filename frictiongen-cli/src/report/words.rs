@@ -1,4 +1,4 @@
-//! Formats the numbers of the page for people: four digits with the unit.
+//! Formats the numbers of the page for people, with four digits and the unit.
 
 use crate::measure::{Dimension, Measure};
 use crate::number::Exact as _;
@@ -7,12 +7,12 @@ use frictiongen::study::units;
 use frictiongen_plot::desk::Scales;
 use serde_json::Value as Json;
 
-/// Units of the page.
+/// Units in which the page shows its numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Words {
-    /// Units of the axes.
+    /// Units of the axes of pictures.
     pub scales: Scales,
-    /// True if frequencies are in Hz.
+    /// True if the page shows frequencies in Hz.
     pub in_hertz: bool,
     /// The load and its units.
     pub measure: Measure,
@@ -43,7 +43,7 @@ pub fn digits(value: f64) -> String {
     text.replace('-', "−")
 }
 
-/// Removes trailing zeros.
+/// Removes trailing zeros after the decimal point.
 fn trimmed(text: &str) -> String {
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -52,12 +52,12 @@ fn trimmed(text: &str) -> String {
     }
 }
 
-/// Converts a number to JSON. JSON has no infinity, so that a string replaces it.
+/// Converts a number to JSON. A string stands for infinity, which JSON lacks.
 pub fn number(value: f64) -> Json {
     crate::number::Cell::from(value).json()
 }
 
-/// Rounds to six digits, which is what a picture shows.
+/// Rounds to six digits, which is the resolution of a picture.
 pub fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
@@ -72,18 +72,18 @@ impl Words {
         }
     }
 
-    /// Formats a displacement.
+    /// Formats a displacement, given over P/k₁ or Y, with its unit.
     pub fn length(&self, ratio: f64) -> String {
         let value = digits(self.scales.length(ratio));
         format!("{value} {}", self.length_unit())
     }
 
-    /// Formats a friction ratio.
+    /// Formats a friction, given as ratio β, with its unit.
     pub fn friction(&self, beta: f64) -> String {
         self.force(self.scales.friction(beta))
     }
 
-    /// Formats a friction that is already in its unit.
+    /// Formats a friction that is already in the page's unit.
     pub fn force(&self, force: f64) -> String {
         let value = digits(force);
         match self.measure.scale() {
@@ -92,7 +92,7 @@ impl Words {
         }
     }
 
-    /// Formats a frequency.
+    /// Formats a frequency, given as ratio r, with its unit.
     pub fn frequency(&self, r: f64) -> String {
         let value = digits(self.scales.frequency(r));
         if self.in_hertz {
@@ -107,9 +107,9 @@ impl Words {
         if self.in_hertz { "f (Hz)" } else { "r" }
     }
 
-    /// Formats a phase given in rad, in degrees.
+    /// Formats a phase, given in rad, in degrees.
     pub fn angle(radians: f64) -> String {
-        // Nobody reads off more than a tenth of a degree.
+        // A tenth of a degree is the finest resolution that a reader uses.
         format!("{:.1}°", radians.to_degrees() + 0.0).replace('-', "−")
     }
 
@@ -139,7 +139,7 @@ impl Words {
     }
 }
 
-/// Returns an object of some fields.
+/// Returns a JSON object with the given fields.
 pub fn object<K: Into<String>>(fields: impl IntoIterator<Item = (K, Json)>) -> Json {
     let fields = fields.into_iter().map(|(name, value)| (name.into(), value));
     Json::Object(fields.collect())

@@ -16,7 +16,7 @@ use frictiongen_codegen::Limits;
 use report::ResponseReport;
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen response`.
 pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.point.frequency, false)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;

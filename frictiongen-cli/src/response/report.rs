@@ -6,11 +6,11 @@ use crate::layout::Layout;
 use crate::output::{Table, Visitor};
 use frictiongen::study::columns::{Column, ResponseRow, ResponseTable};
 
-/// The responses with everything needed to write them.
+/// The responses, with the settings that are needed to write them.
 pub struct ResponseReport {
-    /// Grids, units and parts.
+    /// Grids, units, and the contact and masses whose motions are written.
     pub grids: Grids,
-    /// The orders of the harmonics.
+    /// Orders n of the harmonics that the answers contain.
     pub orders: Vec<u32>,
 }
 

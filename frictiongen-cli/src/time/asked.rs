@@ -1,4 +1,4 @@
-//! Options of a motion over time: its length and its start.
+//! Parses the options of a motion over time: its length and its start.
 
 use super::course::Course;
 use crate::args::TimeArguments;
@@ -10,23 +10,23 @@ use frictiongen::study::history::MOST_SAMPLES;
 /// Largest number of cycles, of skipped cycles and of samples in a cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
-/// Length and form of a motion.
+/// Length and form of the motion that the user requests.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
     /// Number of cycles that are written.
     pub cycles: u32,
-    /// Number of cycles that are computed before.
+    /// Number of cycles that are computed before the first written one.
     pub skip: u32,
     /// Number of samples in a cycle.
     pub samples: u32,
-    /// True if one period of the steady state is written instead.
+    /// True if one period of the steady state is written instead of a run.
     pub steady: bool,
-    /// True if the spectrum is written.
+    /// True if the spectrum is written instead of samples.
     pub spectrum: bool,
 }
 
 impl Asked {
-    /// Reads the options.
+    /// Reads the options of the command.
     pub fn parse(arguments: &TimeArguments) -> Result<Self, Failure> {
         let number = |option, text: &Option<String>, least, default| match text {
             Some(text) => whole(option, text, least..=MOST),
@@ -53,7 +53,7 @@ impl Asked {
 /// Displacements and velocities of all masses, as non-dimensional groups.
 pub type Start = (Vec<f64>, Vec<f64>);
 
-/// Parses the state of `--from`, in the units of the load if there is one.
+/// Parses the state of `--from`. It is in the units of the load, if there is one.
 pub fn start(text: &str, system: &System, course: &Course<'_>) -> Result<Start, Failure> {
     let refuse = |why: &str| Failure::new(format_args!("--from `{text}`: {why}"));
     let halves: Vec<&str> = text.split(';').collect();

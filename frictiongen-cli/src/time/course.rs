@@ -1,25 +1,25 @@
-//! Frequency, friction, parts and units of a motion.
+//! Settings of a motion over time: frequency, friction, units, and the contact and masses.
 
 use crate::asked::Part;
 use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, FrequencyUnit, Friction, HistoryTable, Setting};
 
-/// Frequency, friction, parts and units of a motion.
+/// Settings of a motion over time: frequency, friction, units, and the contact and masses.
 pub struct Course<'a> {
-    /// The system.
+    /// The system that the answers describe.
     pub system: &'a System,
-    /// The unit of the frequency.
+    /// Unit in which the user gave the frequency.
     pub unit: FrequencyUnit,
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// The friction.
+    /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: Friction,
-    /// The units of the answers.
+    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
-    /// The moving parts.
+    /// The contact and masses whose motions are written.
     pub parts: Vec<Part>,
-    /// True if times are given in seconds too.
+    /// True if times are written in seconds too.
     pub in_seconds: bool,
 }
 

@@ -29,7 +29,7 @@ use samples::{EventsReport, SamplesReport};
 use spectrum::{SpectrumReport, spectra};
 use std::io::Write;
 
-/// Runs the command.
+/// Runs `frictiongen time`.
 pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let destination = Destination::of(
         arguments.output.as_deref(),

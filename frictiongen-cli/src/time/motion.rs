@@ -14,13 +14,13 @@ use serde_json::{Value as Json, json};
 
 /// A motion over time.
 pub struct Motion<'a> {
-    /// Frequency, friction, parts and units.
+    /// Frequency, friction, units, and the contact and masses.
     pub course: Course<'a>,
-    /// Samples and events.
+    /// Samples and events of the motion.
     pub history: History,
-    /// Exact spectrum of each motion, if the user requests the spectrum of a steady state.
+    /// Exact spectrum of each motion. It is empty unless the user requests the spectrum of a steady state.
     pub exact: Vec<Spectrum>,
-    /// Start of the motion in words: from rest, from a state, or a steady state.
+    /// Words for the start of the motion: from rest, from a state, or a steady state.
     kind: &'static str,
     /// Regime of a steady state.
     regime: Option<&'static str>,
@@ -70,7 +70,7 @@ impl<'a> Motion<'a> {
         })
     }
 
-    /// Returns frequency and friction with their names.
+    /// Returns frequency and friction, each with its name.
     fn point(&self) -> impl Iterator<Item = (String, Cell<'static>)> {
         let (course, setting) = (&self.course, self.course.table().setting);
         let frequency = setting.frequency_columns().into_iter();
@@ -82,7 +82,7 @@ impl<'a> Motion<'a> {
         frequency.chain(friction)
     }
 
-    /// Returns the fields that the JSON has once.
+    /// Returns the fields that JSON contains once.
     pub fn head(&self) -> Vec<(String, Json)> {
         let history = &self.history;
         let point = self.point();
@@ -98,7 +98,7 @@ impl<'a> Motion<'a> {
         head
     }
 
-    /// Returns the lines that a table has once.
+    /// Returns the lines above a printed table.
     pub fn preamble(&self) -> Vec<(&'static str, String)> {
         let history = &self.history;
         let number = |value: &Cell<'_>| match value {
@@ -128,7 +128,7 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// Makes the message for an error, with the names of the options.
+/// Returns the failure for an error, whose message names the options.
 fn told(error: HistoryError) -> Failure {
     match error {
         HistoryError::TooManySamples => {

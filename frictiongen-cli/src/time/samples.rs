@@ -7,15 +7,15 @@ use crate::output::{Table, Visitor};
 use frictiongen::study::columns::{Column, EventRow, SampleRow};
 use serde_json::Value as Json;
 
-/// Writer of the samples of a motion.
+/// Writes the samples of a motion.
 pub struct SamplesReport<'m> {
-    /// The motion.
+    /// The motion over time whose data are written.
     pub motion: &'m Motion<'m>,
 }
 
-/// Writer of the events of a motion.
+/// Writes the events of a motion.
 pub struct EventsReport<'m> {
-    /// The motion.
+    /// The motion over time whose data are written.
     pub motion: &'m Motion<'m>,
 }
 

@@ -9,11 +9,11 @@ use frictiongen::study::history::Spectrum;
 use serde_json::Value as Json;
 use std::borrow::Cow;
 
-/// Writer of the spectra of a motion.
+/// Writes the spectra of a motion.
 pub struct SpectrumReport<'m> {
-    /// The motion.
+    /// The motion over time whose data are written.
     pub motion: &'m Motion<'m>,
-    /// Spectrum of each part.
+    /// Spectrum of the contact and of each mass that is written.
     pub spectra: &'m [Spectrum],
 }
 

@@ -1,4 +1,4 @@
-//! Tests that every bad input gets a clear line and exit status 2.
+//! Tests that every bad input gets a clear message of one line and exit status 2.
 
 use crate::common::{BLOCK, FRAME, failure, run_with};
 use std::process::{Command, Stdio};
@@ -185,7 +185,8 @@ fn a_full_disk_is_one() {
     }
 }
 
-/// Every command of the exact response refuses a kinetic friction level that depends on the speed. `expand` accepts it.
+/// Checks that every command of the exact response refuses a kinetic friction level that depends on the speed. `expand`
+/// accepts it.
 #[test]
 fn a_friction_law_without_a_constant_level() {
     let stribeck = BLOCK.replace(

@@ -1,4 +1,4 @@
-//! Tests of `frictiongen compile`.
+//! Tests `frictiongen compile`.
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may fail")]
 
 use crate::common::{BLOCK, FRAME, failure, json, output, run_with};
@@ -45,7 +45,8 @@ fn the_figures() {
     );
 }
 
-/// Without --prove the figures say that the tables are checked, at how many points, and which option proves them.
+/// Checks that without `--prove` the output states that the tables are checked, at how many points, and which option
+/// proves them.
 #[test]
 fn checked_or_proven() {
     let with = |more: &[&str]| {
@@ -81,7 +82,7 @@ fn checked_or_proven() {
     );
 }
 
-/// `compile` prints the regimes that the declared friction ratios reach.
+/// Checks that `compile` prints the regimes that the declared friction ratios reach.
 #[test]
 fn regimes() {
     let with = |beta: &str| {
@@ -116,7 +117,7 @@ fn regimes() {
     assert_eq!(told(&with("0.4")), slides);
 }
 
-/// The declarations of the description apply if no option overrides them.
+/// Checks that the declarations of the description apply if no option overrides them.
 #[test]
 fn a_description_that_declares() {
     let declared = BLOCK.replace(
@@ -133,7 +134,7 @@ fn a_description_that_declares() {
         text.contains("r from 0.5 to 2\naccuracy        1e-6\n"),
         "{text}"
     );
-    // β_lim cannot be proven to 1e-9, whatever proof the description requests from the macro.
+    // β_lim cannot be proven to 1e-9, whatever proof the description requests.
     let proven = declared.replace("0.5..2 }", "0.5..2 }, proof: whole");
     let text = output(&proven, &["compile", "--accuracy", "1e-9", "--prove"]);
     assert!(
@@ -170,7 +171,7 @@ fn the_data() {
         data["functions"],
         serde_json::json!(["beta_lim", "a", "g", "arg_V", "abs_V"])
     );
-    // Look up a value in the pieces by hand.
+    // The test finds the value at this r in the polynomial pieces.
     let r = 0.9;
     let pieces = data["pieces"].as_array().unwrap();
     let piece = pieces
@@ -205,7 +206,7 @@ const FIVE: &str = "struct Five {
     budget: 2000, range: { r: 1.5..2.5 },
 }";
 
-/// Stuck responses are reported and written if the description provides them. The force is |V/H| = μβ*_lim.
+/// Checks that stuck responses are reported and written if the description provides them. The force is |V/H| = μβ*_lim.
 #[test]
 fn stuck_responses() {
     let scene = fs::read_to_string(FRAME).unwrap();
@@ -268,7 +269,7 @@ fn stuck_responses() {
             "frictiongen: the stuck responses have no table here: their zeros are too close together, their rounding errors exceed half the accuracy, or they need more than a quarter of the bytes; leave `stuck` out of `provide`, or use the macro or the library"
         ]
     );
-    // The description does not provide stuck responses, so the data have none.
+    // This description does not provide stuck responses, so the data contain none.
     let without = json(&output(
         "",
         &[
@@ -328,7 +329,7 @@ fn code_in_files() {
     assert!(rust.contains("pub fn contact(r: f64, beta: f64)"));
 }
 
-/// A name for the C functions lets a program use two tables of one scene.
+/// Checks that a name for the C functions lets a program use two tables of one scene.
 #[test]
 fn a_name() {
     let declared = BLOCK.replace(
@@ -371,7 +372,7 @@ fn a_name() {
     }
 }
 
-/// `compile` lists on standard error the items of `provide` that no table contains.
+/// Checks that `compile` lists on standard error the items of `provide` that no table contains.
 #[test]
 fn what_is_left_out() {
     let with = |provide: &str| {

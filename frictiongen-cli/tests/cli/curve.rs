@@ -1,4 +1,4 @@
-//! Tests of `frictiongen curve` and `frictiongen map`: their data, and their pictures.
+//! Tests the data and the pictures of `frictiongen curve` and `frictiongen map`.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
@@ -16,7 +16,7 @@ fn number(text: &str) -> f64 {
     text.parse().unwrap()
 }
 
-/// Creates a folder of this test.
+/// Creates a folder for this test.
 fn folder(name: &str) -> PathBuf {
     let folder =
         std::env::temp_dir().join(format!("frictiongen-curve-{}-{name}", std::process::id()));
@@ -24,7 +24,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Points of a curve equal those of `response`, in units and in groups.
+/// Checks that points of a curve equal those of `response`, in units and in groups.
 #[test]
 fn points_are_responses() {
     let of = ["--of", "upper", "--of", "contact"];
@@ -61,7 +61,7 @@ fn points_are_responses() {
             response[1][place].clone()
         };
         assert_eq!(there("regime"), row[place("regime")], "{row:?}");
-        // The offset of a stuck contact depends on every earlier slip, and on the last digit of the frequency.
+        // The offset of a stuck contact depends on every earlier slip, and so on the last digit of the frequency.
         let size = if row[place("regime")] == "stuck" {
             "upper.centred_m"
         } else {
@@ -72,7 +72,7 @@ fn points_are_responses() {
             (amplitude - number(&row[place(size)])).abs() < 1e-9 * amplitude.max(1e-6),
             "{row:?}"
         );
-        // A contact that sticks off its centre has an amplitude and no phase.
+        // A contact that sticks off its centre has an amplitude but no phase.
         assert_eq!(row[phase].is_empty(), there("upper.phase_deg").is_empty());
         if amplitude > 1e-9 && !row[phase].is_empty() {
             let lag = number(&there("upper.phase_deg")) - number(&row[phase]);
@@ -88,7 +88,7 @@ fn points_are_responses() {
     }
 }
 
-/// With a load the power of friction, in watts, is its work in a cycle times the frequency.
+/// Checks that under a load the power of friction, in watts, is its work in a cycle times the frequency.
 #[test]
 fn power_is_work_times_frequency() {
     let physical = lines(&[
@@ -120,14 +120,14 @@ fn power_is_work_times_frequency() {
         place(&physical, "contact_force_N"),
     );
     for (one, other) in physical.iter().zip(&groups).skip(1) {
-        // The unit of work is k₁Y² = 1190 · 0.002².
+        // The unit of work is k₁Y² = 1190 N/m · (0.002 m)².
         let expected = number(&other[work]) * 1190.0 * 4e-6 * number(&one[hz]);
         assert!((number(&one[power]) - expected).abs() < 1e-12 + 1e-9 * expected);
         assert!((number(&one[force]) - 1.0).abs() < 1e-12);
     }
 }
 
-/// A CSV may have further lines for a spreadsheet: units in the second line, and comments that pandas skips.
+/// Checks the additional lines of a CSV: units in the second line, and comments that pandas skips.
 #[test]
 fn units_and_comments_in_csv() {
     let asked = ["limits", FRAME, "--hz", "1,2", "--base", "0.002", "--csv"];
@@ -161,7 +161,7 @@ fn units_and_comments_in_csv() {
     }
 }
 
-/// The rows of a map are the grid, and its boundaries lead from each cell to the next.
+/// Checks that the rows of a map are the grid, and that its boundaries lead from each cell to the next.
 #[test]
 fn maps_and_their_boundaries() {
     let grid = ["--r", "0.2:0.2:2", "--beta", "0.1:0.1:1"];
@@ -188,7 +188,7 @@ fn maps_and_their_boundaries() {
                 region = boundary[4].clone();
                 here += 1;
             }
-            // Where periods appear and disappear without end, only the lowest boundaries are followed.
+            // Where periods appear and disappear many times, the search follows only the lowest boundaries.
             assert!(region == pair[1][3] || 6 < here, "{region}: {pair:?}");
             whole += usize::from(0 < here && region == pair[1][3]);
             followed += here;
@@ -198,8 +198,8 @@ fn maps_and_their_boundaries() {
     assert!(whole > 10, "{whole}");
 }
 
-/// The ending of the file name decides the format. A picture of either format is valid, and the same when it is drawn
-/// twice.
+/// Checks that the extension of the file name sets the format. A picture of either format is valid, and the same when
+/// it is drawn twice.
 #[test]
 fn pictures() {
     let folder = folder("pictures");
@@ -263,13 +263,13 @@ fn pictures() {
     std::fs::remove_dir_all(folder).unwrap();
 }
 
-/// Ctrl-C in the middle of a map keeps whole columns, and reports their number.
+/// Checks that Ctrl-C in the middle of a map keeps whole columns, and that the command reports their number.
 #[cfg(target_os = "linux")]
 #[test]
 fn an_interrupted_map_is_kept() {
     let folder = folder("interrupted");
     let (scene, out) = (folder.join("slow.friction"), folder.join("map.csv"));
-    // Four masses with little damping, so that a column takes long.
+    // The scene has four masses with little damping, so a column takes long.
     let slow = "struct Slow { masses: { a: 1, b: 1, c: 1, d: 1 }, springs: { base - a: 1, a - b: 1, b - c: 1, c - d: 1 },
                 contact: b - wall, excitation: d, damping: modal(0.004), stiction: 1.2 }";
     std::fs::write(&scene, slow).unwrap();
@@ -312,8 +312,8 @@ fn an_interrupted_map_is_kept() {
     std::fs::remove_dir_all(folder).unwrap();
 }
 
-/// Two sweeps in one table. The stuck block begins to slide on its base at r² = μβ − |offset|, where the offset is that
-/// of the stuck contact from its centre.
+/// Checks two sweeps in one table. The stuck block begins to slide on its base at r² = μβ − |offset|, where the offset
+/// is that of the stuck contact from its centre.
 #[test]
 fn sweeps_up_and_down() {
     let block = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },

@@ -1,4 +1,4 @@
-//! Tests of requests that `frictiongen curve` and `frictiongen map` refuse, and of files that cannot be written.
+//! Tests the requests that `frictiongen curve` and `frictiongen map` refuse, and files that cannot be written.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
@@ -88,7 +88,7 @@ fn what_cannot_be_asked() {
     std::fs::remove_dir_all(folder).unwrap();
 }
 
-/// A device without space gives one line on standard error, and no incomplete file.
+/// Checks that a device without space gives one line on standard error, and no incomplete file.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk() {

@@ -1,4 +1,4 @@
-//! Tests of `frictiongen diff`.
+//! Tests `frictiongen diff`.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use crate::common::{BLOCK, FRAME, output, run_with};
@@ -53,8 +53,9 @@ fn a_changed_spring() {
     assert!(found["not_compared"].as_array().unwrap().is_empty());
 }
 
-/// Twice every mass and every spring leaves frequencies and shapes alone. A force of the base is twice as large, so that
-/// twice the friction limits the motion. The difference is relative to the larger value.
+/// Checks a scene with twice the masses and twice the stiffnesses. Frequencies and shapes do not change. The force of
+/// the base is twice as large, so twice the friction limits the motion. The printed difference is relative to the
+/// larger value.
 #[test]
 fn twice_the_masses_and_springs() {
     let old = "struct S { masses: { a: 1, b: 2 }, springs: { base - a: 100, a - b: 50 }, contact: b - wall,
@@ -128,7 +129,7 @@ fn scenes_of_different_kinds() {
     assert_eq!(found["answers"].as_array().unwrap().len(), 5);
 }
 
-/// More masses than a macro accepts have answers, but no code.
+/// Checks that scenes with more masses than a macro accepts have answers, but no code.
 #[test]
 fn scenes_without_code() {
     let masses: Vec<String> = (0..65).map(|index| format!("m{index}: 1")).collect();
@@ -148,7 +149,7 @@ fn scenes_without_code() {
     assert_eq!(found["parameters"].as_array().unwrap().len(), 2);
 }
 
-/// A faulty description is compared as a text. All its errors are printed.
+/// Checks that a faulty description is compared as a text, and that all its errors are printed.
 #[test]
 fn a_description_with_errors() {
     let faulty = frame()

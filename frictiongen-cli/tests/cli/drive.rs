@@ -1,4 +1,4 @@
-//! Tests of `frictiongen drive`.
+//! Tests `frictiongen drive`.
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 
 use crate::common::{FRAME, failure, output};
@@ -6,7 +6,7 @@ use frictiongen::System;
 use frictiongen::study::SystemInput;
 use std::{fs, process};
 
-/// Writes a recording of this test, and returns its path.
+/// Writes a recording for this test, and returns its path.
 fn recording(name: &str, text: &str) -> String {
     let name = format!("frictiongen-drive-{}-{name}.csv", process::id());
     let path = std::env::temp_dir().join(name);
@@ -14,7 +14,7 @@ fn recording(name: &str, text: &str) -> String {
     path.to_str().unwrap().to_owned()
 }
 
-/// A recording of the base's acceleration with samples at intervals of 0.01 s: a motion, then rest.
+/// Returns a recording of the base's acceleration with samples at intervals of 0.01 s. The base moves and then rests.
 fn shaken() -> String {
     let mut text = String::from("time_s,base_m_s2\n");
     for sample in 0..200_u32 {
@@ -57,7 +57,7 @@ fn gives_what_the_stepper_gives() {
             } else {
                 0.0
             };
-            // The acceleration is linear between samples, and is integrated twice.
+            // The acceleration varies linearly between samples, and is integrated twice.
             place += 0.01 * velocity + 0.01 * 0.01 * (last / 3.0 + now / 6.0);
             velocity += 0.01 * 0.5 * (last + now);
             last = now;
@@ -109,7 +109,7 @@ fn text_of(picture: &str) -> String {
     pieces.map(|(_, text)| text).collect()
 }
 
-/// The recording of `drive` is an arbitrary input, so the help does not require a driving frequency.
+/// Checks that the help of `drive` does not require a driving frequency, because its recording is an arbitrary input.
 #[test]
 fn help_asks_for_no_driving_frequency() {
     let help = output("", &["drive", "--help"]);

@@ -1,10 +1,10 @@
-//! Tests of `frictiongen expand`.
+//! Tests `frictiongen expand`.
 
 use crate::common::{BLOCK, FRAME, failure, output};
 use std::path::PathBuf;
 use std::{fs, process};
 
-/// Path of a file of this test.
+/// Returns the path of a file for this test.
 fn temporary(name: &str) -> PathBuf {
     std::env::temp_dir().join(format!("frictiongen-cli-{}-{name}", process::id()))
 }

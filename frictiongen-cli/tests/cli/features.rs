@@ -1,4 +1,4 @@
-//! Tests of `frictiongen features`: its output, and requests that it refuses.
+//! Tests the output of `frictiongen features`, and the requests that it refuses.
 
 #![allow(
     clippy::expect_used,
@@ -29,7 +29,7 @@ fn rows(csv: &str) -> Vec<std::collections::HashMap<String, String>> {
     each.collect()
 }
 
-/// The three formats agree. Hz, N and m are the groups times their units.
+/// Checks that the three formats agree, and that Hz, N and m are the groups times their units.
 #[test]
 fn in_units_and_in_three_formats() {
     let groups = rows(&output(
@@ -86,7 +86,7 @@ fn in_units_and_in_three_formats() {
     assert!(table.contains("resonance if stuck") && table.contains("1 % of"));
 }
 
-/// The features equal those printed in section 6.3.3 of the thesis.
+/// Checks that the features equal those that section 6.3.3 of the thesis prints.
 #[test]
 fn of_the_thesis() {
     let rows = rows(&output("", &["features", UPPER, "--r", "0.62:4", "--csv"]));

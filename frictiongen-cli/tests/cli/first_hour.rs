@@ -1,4 +1,4 @@
-//! Tests of problems that users met in their first hour.
+//! Tests against problems that users met in their first hour.
 
 #![allow(
     clippy::expect_used,
@@ -45,7 +45,7 @@ fn a_decimal_grid_has_the_decimal_numbers() {
     assert_eq!((compared, ratios.len()), (20, 100));
 }
 
-/// A point has the same regime in the output of every command.
+/// Checks that a point has the same regime in the output of every command.
 #[test]
 fn a_point_has_one_regime() {
     let absorber = "struct A { masses: { a: 1, b: 1 }, springs: { base - a: 1, a - b: 1 },
@@ -77,7 +77,7 @@ fn a_point_has_one_regime() {
     assert!(compared == 2 * 18 * 16 && unbounded > 10);
 }
 
-/// Every cell of a point with a steady state has a value, and the row names its origin.
+/// Checks that every cell of a point with a steady state has a value, and that the row names its origin.
 #[test]
 fn a_curve_in_one_command() {
     let grids = ["--r", "0.1:0.05:2.5", "--beta", "0.4", "--csv"];
@@ -119,7 +119,8 @@ fn a_curve_in_one_command() {
     assert!(counts[0] > 5 && counts[2] > 20 && counts.iter().sum::<i32>() == 49);
 }
 
-/// A subharmonic state is read over its two cycles, and a motion that does not settle over its last 64 cycles.
+/// Checks that the values of a subharmonic state are taken over its two cycles, and those of a motion that does not
+/// settle over its last 64 cycles.
 #[test]
 fn beyond_one_cycle() {
     let rubbing = |stiction: &str| {
@@ -221,7 +222,7 @@ fn no_advice_that_is_refused() {
     assert!(!help.contains("may be 0 and inf") && help.contains("above 0 and below infinity"));
 }
 
-/// Every command refuses an incomplete declaration, and prints nothing on standard output.
+/// Checks that every command refuses an incomplete declaration, and prints nothing on standard output.
 #[test]
 fn what_is_said_by_halves_is_refused() {
     for (field, told) in [

@@ -1,10 +1,10 @@
-//! Tests of `frictiongen new`, `check`, `completions` and `man`, the first commands that a user types.
+//! Tests `frictiongen new`, `check`, `completions` and `man`, the first commands that a user types.
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 
 use crate::common::{failure, output};
 use std::{fs, process};
 
-/// Path of a file of this test.
+/// Returns the path of a file for this test.
 fn temporary(name: &str) -> std::path::PathBuf {
     std::env::temp_dir().join(format!("frictiongen-steps-{}-{name}", process::id()))
 }
@@ -45,7 +45,7 @@ fn check_marks_each_error() {
     ] {
         assert!(text.contains(marked), "{text}");
     }
-    // An error at the end of the text, and an empty text.
+    // The first text has an error at its end, and the second text is empty.
     assert!(!failure("pub struct A {", &["check"]).is_empty());
     assert!(!failure("", &["check"]).is_empty());
 }

@@ -1,4 +1,4 @@
-//! Tests of `frictiongen limits`.
+//! Tests `frictiongen limits`.
 
 use crate::common::{BLOCK, FRAME, cells, json, output};
 use std::f64::consts::FRAC_PI_4;

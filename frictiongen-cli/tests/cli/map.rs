@@ -1,4 +1,4 @@
-//! Tests of pictures of maps. The legend states which values lie beyond the colour scale.
+//! Tests pictures of maps. Their legend states which values lie beyond the colour scale.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use crate::common::{FRAME, output};
@@ -45,15 +45,15 @@ fn after(picture: &str, word: &str) -> Option<f64> {
     text.parse().ok()
 }
 
-/// Next to a resonance the colours end below the largest amplitude. The scale states the last colour's value and the
-/// largest amplitude.
+/// Checks that next to a resonance the colours end below the largest amplitude. The legend states the value of the last
+/// colour and the largest amplitude.
 #[test]
 fn a_clipped_scale_says_so() {
     let (picture, sizes) = drawn("1:0.05:4", "amplitude");
     let most = sizes.iter().copied().fold(0.0, f64::max);
     let end = after(&picture, "top colour ≥").unwrap();
     let largest = after(&picture, "largest").unwrap();
-    // The legend has four digits.
+    // The legend prints four digits.
     assert!((largest / most - 1.0).abs() < 1e-3, "{largest} for {most}");
     assert!(end < 0.7 * most, "{end} of {most}: nothing is clipped");
     let beyond = sizes.iter().filter(|size| end < **size).count();
@@ -64,7 +64,7 @@ fn a_clipped_scale_says_so() {
     );
 }
 
-/// Without a resonance the scale covers all values, and the legend says nothing about it.
+/// Checks that without a resonance the colour scale covers all values, and that the legend has no remark about it.
 #[test]
 fn a_whole_scale_says_nothing() {
     for (hz, shade) in [("4.6:0.1:5", "amplitude"), ("1:0.05:4", "stuck")] {

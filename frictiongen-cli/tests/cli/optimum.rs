@@ -1,4 +1,4 @@
-//! Tests of `frictiongen optimum`: its output, and requests that it refuses.
+//! Tests the output of `frictiongen optimum`, and the requests that it refuses.
 
 #![allow(
     clippy::expect_used,
@@ -8,7 +8,7 @@
 
 use crate::common::{cells, failure, json, output};
 
-/// One mass on a moving base, on which it rubs.
+/// Description of one mass on a moving base, on which it rubs.
 const BLOCK: &str = "struct Block { masses: { block: 2 }, springs: { base - block: 50 },
     contact: block - base, excitation: base, damping: modal(0.02) }";
 
@@ -21,12 +21,12 @@ fn found<'a>(rows: &'a [Vec<&str>], quantity: &str) -> (f64, &'a str) {
     (row[1].parse().unwrap_or(f64::NAN), row[2])
 }
 
-/// Hz and m are the groups times their units, and the three formats agree.
+/// Checks that Hz and m are the groups times their units, and that the three formats agree.
 #[test]
 fn in_units_and_in_three_formats() {
     let groups = output(BLOCK, &split("optimum --r 0.5:2 --of block --csv"));
     let groups = cells(&groups);
-    // r = 2πf √(2/50).
+    // The frequency ratio is r = 2πf √(2/50), with f in Hz.
     let ends = [0.5, 2.0].map(|r: f64| r * 5.0 / std::f64::consts::TAU);
     let line = format!(
         "optimum --hz {:?}:{:?} --base 0.01 --of block",
@@ -61,7 +61,7 @@ fn in_units_and_in_three_formats() {
     );
 }
 
-/// An undamped mass on a wall is at rest for β ≥ 1, and unbounded at its resonance for β up to π/4.
+/// Checks that an undamped mass on a wall is at rest for β ≥ 1, and unbounded at its resonance for β up to π/4.
 #[test]
 fn an_undamped_mass_is_held() {
     let wall =
@@ -76,8 +76,8 @@ fn an_undamped_mass_is_held() {
     assert!((threshold - std::f64::consts::FRAC_PI_4).abs() < 1e-15);
 }
 
-/// For a mass above its resonance a softer spring is better, so the best stiffness is the lower bound of the interval.
-/// The groups refer to that spring. Hertz, newtons and metres do not change with it.
+/// Checks `--vary` with a spring. For a mass above its resonance a softer spring is better, so the best stiffness is
+/// the lower bound of the interval. The groups refer to that spring. Hertz, newtons and metres do not change with it.
 #[test]
 #[ignore = "many optima: half a minute without optimisation"]
 fn a_spring_is_chosen_too() {
@@ -87,7 +87,7 @@ fn a_spring_is_chosen_too() {
     let rows = cells(&rows);
     assert_eq!(found(&rows, "k base - block"), (20.0, "N/m"));
     assert!(rows.iter().any(|row| row[0] == "which is"));
-    // No name contains a comma, which would split the row.
+    // A name with a comma would split the row, so no name has one.
     assert!(rows.iter().all(|row| row.len() == 3));
     assert_eq!(
         rows.iter()
@@ -200,7 +200,7 @@ fn what_is_wrong_is_named() {
         );
         assert_eq!(line, format!("frictiongen: --vary `{vary}`: {message}"));
     }
-    // In the second mode the mass that rubs does not move.
+    // In the second mode the rubbing mass does not move.
     let chain = "struct Chain { masses: { a: 1, b: 1, c: 1 },
         springs: { base - a: 1, a - b: 1, b - c: 1, c - wall: 1 }, contact: b - wall, excitation: a }";
     let line = told(chain, &split("optimum --r 1.2:1.6 --of a"));

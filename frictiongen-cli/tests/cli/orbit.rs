@@ -1,4 +1,4 @@
-//! Tests of `frictiongen orbit`.
+//! Tests `frictiongen orbit`.
 
 use crate::common::{BLOCK, FRAME, cells, failure, json, output};
 
@@ -78,7 +78,7 @@ fn json_has_everything() {
     assert_eq!(moduli.fold(0.0, f64::max), largest);
     let harmonics = point["masses"][0]["harmonics"].as_array().unwrap();
     assert_eq!(harmonics.len(), 4);
-    // A symmetric motion has no mean and no even harmonics.
+    // A symmetric motion has neither a mean nor even harmonics.
     for even in [0, 2] {
         assert!(harmonics[even]["amplitude"].as_f64().unwrap() < 1e-14);
     }
@@ -128,8 +128,8 @@ fn r_must_be_positive_and_finite() {
 const STUBBORN: &str = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
     contact: block - base, excitation: base, stiction: 2 }";
 
-/// `--states` returns the closed form and the stuck state, one of which motion from rest reaches. Without `--states`
-/// only one of them is returned.
+/// Checks that `--states` returns the closed form and the stuck state, one of which motion from rest reaches. Without
+/// `--states` only that one is returned.
 #[test]
 fn states_beside_each_other() {
     let asked = ["orbit", "--r", "1.1", "--beta", "0.65", "--json"];
@@ -145,7 +145,7 @@ fn states_beside_each_other() {
     };
     assert_eq!(points.len(), 2);
     let (sliding, stuck) = (of("continuous"), of("stuck"));
-    // Den Hartog's closed form.
+    // The expected amplitude is that of Den Hartog's closed form.
     let amplitude = sliding["contact"]["amplitude"].as_f64().unwrap();
     assert!((amplitude - CLOSED_FORM).abs() < 1e-9, "{amplitude}");
     assert_eq!(
@@ -161,11 +161,11 @@ fn states_beside_each_other() {
     assert_eq!(alone["points"][0], points[0]);
 }
 
-/// Value of the closed form, z̄₀² = V² − β²U² at r = 1.1, β = 0.65, with the load r²Y.
+/// Amplitude over Y of the closed form, from z̄₀² = V² − β²U² at r = 1.1, β = 0.65, with the load r²Y.
 const CLOSED_FORM: f64 = 4.038_387_375_443_518;
 
-/// A contact with the moving base starts at z̄ = −Y and sticks there. The block moves by at most 2Y, and by Y about its
-/// middle.
+/// Checks a contact with the moving base that starts at z̄ = −Y and sticks there. The block moves by at most 2Y, and by
+/// Y about its middle.
 #[test]
 fn a_contact_stuck_off_its_centre() {
     let point = &json(&output(

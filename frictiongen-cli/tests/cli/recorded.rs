@@ -1,4 +1,4 @@
-//! Tests of `transmissibility`, `identify` and `fit`: files, columns, formats, and inputs that they refuse.
+//! Tests `transmissibility`, `identify` and `fit`: files, columns, formats, and inputs that they refuse.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use crate::common::{cells, failure, json, output};
@@ -24,14 +24,14 @@ fn plate() -> String {
     )
 }
 
-/// A recording of 10 s at 100 Hz, driven at 4 Hz: a base of 1.75 mm and a plate of 2 mm with a lag of 2.6 rad. `change`
-/// formats each value.
+/// Returns a recording of 10 s at 100 Hz, driven at 4 Hz: a base of 1.75 mm and a plate of 2 mm with a lag of 2.6 rad.
+/// `change` formats each value.
 fn recording(head: &str, change: impl Fn(usize, f64) -> String) -> String {
     let mut text = format!("{head}\n");
     for i in 0..1000 {
         let t = f64::from(i) / 100.0;
         let turn = std::f64::consts::TAU * 4.0 * t;
-        // A small component of other frequencies, as noise has.
+        // A small component at other frequencies acts as noise.
         let rest = 1e-3 * (f64::from(i * i % 997) - 498.0) / 288.0;
         let (base, plate) = (1.75 * turn.cos() + rest, 2.0 * (turn - 2.6).cos() - rest);
         let _ = writeln!(text, "{t:.2},{},{}", change(0, base), change(1, plate));
@@ -75,7 +75,7 @@ fn forms_and_columns() {
     };
     let (first, second) = (numbers(&rows[1]), numbers(&cells(&other)[1]));
     for (a, b) in first.iter().zip(&second) {
-        // A given rate agrees with that of a column up to the rounding of the column.
+        // A rate given as an option agrees with that of a time column up to the rounding of the column.
         assert!((a - b).abs() <= 1e-9 * a.abs().max(1e-3), "{own}\n{other}");
     }
     assert!(
@@ -118,7 +118,7 @@ fn friction_as_table_and_json() {
     assert!(drawn.contains("<svg") && drawn.contains("residual over deviation"));
 }
 
-/// Each bad recording gives one clear error on one line, with the name of the file.
+/// Checks that each bad recording gives one clear error on one line, with the name of the file.
 #[test]
 fn bad_recordings() {
     let plate = plate();
@@ -213,7 +213,7 @@ fn a_drive_that_drifts() {
     );
 }
 
-/// A steady recording of the plate with μ = 1 and F = 0.4 k Y, made from the library's response with noise.
+/// Writes a steady recording of the plate with μ = 1 and F = 0.4 kY, made from the library's response with noise.
 fn made(scene: &str, hertz: f64, late: f64) -> String {
     let system: frictiongen::System = scene.parse().unwrap();
     let load = frictiongen::study::units::Load::Base(1.75e-3);
@@ -247,7 +247,7 @@ fn made(scene: &str, hertz: f64, late: f64) -> String {
     text
 }
 
-/// If noise does not explain the misfit, the output says so first, in text and in JSON.
+/// Checks that the output begins with a warning, in text and in JSON, if noise does not explain the misfit.
 #[test]
 fn a_late_channel_is_not_explained() {
     let scene = std::fs::read_to_string(plate()).unwrap();
@@ -276,7 +276,8 @@ fn a_late_channel_is_not_explained() {
     assert_eq!(json["points"][0]["value"], "not explained");
 }
 
-/// Without a stop μ is reported as not determined, and the interval of the force is as narrow as without μ.
+/// Checks that without a stop μ is reported as not determined, and that the interval of the force is as narrow as
+/// without μ.
 #[test]
 fn stiction_without_a_stop_is_not_determined() {
     let scene = std::fs::read_to_string(plate()).unwrap();
@@ -297,7 +298,7 @@ fn stiction_without_a_stop_is_not_determined() {
         with["not determined"].as_str().unwrap().starts_with("mu: "),
         "{with}"
     );
-    // This fit takes steps instead of sections. Its results agree to a hundredth of the interval.
+    // This fit takes steps instead of golden sections. Its results agree to a hundredth of the interval.
     for (a, b) in alone.iter().zip(force(&with)) {
         assert!(
             (a - b).abs() < 0.01 * (alone[2] - alone[1]),

@@ -1,5 +1,5 @@
-//! Tests of the page of `frictiongen report`: it is well-formed, executes nothing that is part of a name, and shows the
-//! library's numbers.
+//! Tests the page of `frictiongen report`. It must be well-formed, must not execute any part of a name, and must show
+//! the library's numbers.
 #![allow(
     clippy::unwrap_used,
     clippy::indexing_slicing,
@@ -15,7 +15,7 @@ use serde_json::Value;
 /// HTML elements without an end tag.
 const VOID: [&str; 3] = ["meta", "br", "input"];
 
-/// Creates a page, and checks its elements, its quoted attributes and its data.
+/// Creates a page, and checks its elements, its quoted attributes and its data. Returns the text and the data.
 fn page(input: &str, arguments: &[&str]) -> (String, Value) {
     let arguments = [&["report"], arguments].concat();
     let page = output(input, &arguments);
@@ -47,7 +47,7 @@ fn page(input: &str, arguments: &[&str]) -> (String, Value) {
             rest = &rest[close + name.len() + 3..];
             continue;
         }
-        // Only the handlers of the page run, and none of them is in an attribute.
+        // Only the handlers of the page's script may run, so no attribute may contain one.
         assert!(!tag.contains(" on"), "<{tag}>");
         open.push(name.to_owned());
     }
@@ -60,7 +60,7 @@ fn page(input: &str, arguments: &[&str]) -> (String, Value) {
     (page, data)
 }
 
-/// Finds the end of a tag, which does not lie within quotes.
+/// Returns the position of the end of a tag. A `>` within quotes does not end the tag.
 fn tag_end(text: &str) -> usize {
     let mut quoted = false;
     text.find(|c| {
@@ -143,7 +143,7 @@ fn the_numbers_are_the_librarys() {
     println!("{compared} numbers compared");
 }
 
-/// The features are the lines of `frictiongen features --json` without their derivatives.
+/// Checks that the features are the lines of `frictiongen features --json` without their derivatives.
 #[test]
 fn features_are_those_of_the_command() {
     let undamped = [
@@ -200,7 +200,7 @@ fn features_are_those_of_the_command() {
         for words in told {
             assert!(text.contains(words), "{file}: {words}");
         }
-        // The features are marked in the pictures of the curves.
+        // The pictures of the curves must mark the features.
         let mark = if file == two {
             "invariant point"
         } else {
@@ -212,7 +212,7 @@ fn features_are_those_of_the_command() {
     assert!(300 < compared, "{compared}");
 }
 
-/// A chain of `count` masses whose last one rubs.
+/// Returns a chain of `count` masses whose last mass rubs.
 fn chain(count: usize) -> String {
     let masses: Vec<String> = (1..=count).map(|i| format!("m{i}: 1")).collect();
     let springs: Vec<String> = (2..=count)
@@ -226,7 +226,7 @@ fn chain(count: usize) -> String {
     )
 }
 
-/// The best friction of a longer chain also equals that of the library's search, with its bracket.
+/// Checks that the best friction of a longer chain equals that of the library's search, with its bracket.
 #[test]
 fn the_best_friction_is_the_optimum() {
     let (text, data) = page(&chain(6), &["--r", "0.15:1.2", "--of", "m3"]);
@@ -273,8 +273,8 @@ fn nothing_runs_from_a_name_or_a_comment() {
             .unwrap()
             .ends_with("a<b>&\"onclick=.friction")
     );
-    // Names in a description consist of letters. The longest chain has such names, and one scene has markup in its
-    // description.
+    // Names in a description consist of letters, also of other alphabets. The longest chain has such names, and one
+    // scene has markup in its description.
     let masses: Vec<String> = (1..=64).map(|i| format!("größe_ß{i}: 1")).collect();
     let springs: Vec<String> = (1..=64).map(|i| format!("größe_ß{i} - base: 1")).collect();
     let scene = format!(
@@ -310,7 +310,7 @@ fn scenes_without_an_answer_say_so() {
     let (text, _) = page(rubs_on_base, &["--r", "0.8:1.3", "--beta", "0"]);
     assert!(text.contains("unbounded"));
     let long = chain(64);
-    // The friction exceeds every limit, because 64 masses with stick-slip would take long.
+    // The friction exceeds every limit, because stick-slip of 64 masses would take long.
     let (text, data) = page(&long, &["--r", "0.01:0.02", "--beta", "1000", "--of", "m1"]);
     assert!(text.contains("A chain of 64 masses is not drawn"));
     assert_eq!(data["modes"].as_array().unwrap().len(), 64);

@@ -1,9 +1,9 @@
-//! Tests of `frictiongen response`.
+//! Tests `frictiongen response`.
 
 use crate::common::{BLOCK, FRAME, cells, json, output};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Two masses in a row. The first one rubs.
+/// Description of two masses in a row, of which the first one rubs.
 const PAIR: &str = "struct Pair {
     masses: { a: 1, b: 1 },
     springs: { base - a: 1, a - b: 1 },
@@ -65,7 +65,7 @@ fn one_mass_follows_the_closed_form() {
         let place = cells[0].iter().position(|cell| *cell == name);
         cells[1][place.unwrap()].parse().unwrap()
     };
-    // Closed form: Z² = V² − (βU)² with V = 1/(1 − r²), U = tan(π/2r)/r.
+    // The closed form is Z² = V² − (βU)² with V = 1/(1 − r²), U = tan(π/2r)/r.
     let (v, u) = (-1.0 / 3.0_f64, 0.2 * 0.5);
     let amplitude = (v * v - u * u).sqrt();
     let phase = (-u).atan2(amplitude) + PI;
@@ -144,7 +144,7 @@ fn json_has_harmonics_that_sum_to_the_motion() {
     let phase = lower["phase"].as_f64().unwrap();
     let harmonics = lower["harmonics"].as_array().unwrap();
     assert_eq!(harmonics.len(), 500);
-    // The series Re Σ X_n e^{inτ} at the phase of the largest displacement.
+    // `sum` is the series Re Σ X_n e^{inτ} at the phase of the largest displacement.
     let mut sum = 0.0;
     for harmonic in harmonics {
         let field = |name: &str| harmonic[name].as_f64().unwrap();

@@ -1,4 +1,4 @@
-//! Tests of `frictiongen sensitivity`: a line for each parameter, three formats, and requests that it refuses.
+//! Tests `frictiongen sensitivity`: a line for each parameter, three formats, and requests that it refuses.
 
 #![allow(
     clippy::expect_used,
@@ -23,7 +23,7 @@ fn run(line: &str, format: &[&str]) -> String {
     )
 }
 
-/// Derivatives with respect to friction, load and frequency equal difference quotients of `response`.
+/// Checks that derivatives with respect to friction, load and frequency equal difference quotients of `response`.
 #[test]
 fn as_the_response_moves() {
     let csv = run(STOPS, &["--csv"]);
@@ -81,15 +81,15 @@ fn as_the_response_moves() {
             (amplitudes[place], (above.0 - below.0) / (h + h)),
             (phases[place], (above.1 - below.1) / (h + h)),
         ] {
-            // The error of the difference is of second order in a relative step of about 5e-5, times a curvature of
-            // some hundreds.
+            // The relative error of the difference quotient is of second order in a step of about 5e-5, times a
+            // curvature of some hundreds.
             assert!(
                 (derivative / difference - 1.0).abs() < 1e-6,
                 "{place}: {derivative} {difference}"
             );
         }
     }
-    // Relative derivatives: p/X·dX/dp for the amplitude, and p·dφ/dp for the phase.
+    // Relative derivatives are p/X·dX/dp for the amplitude, and p·dφ/dp for the phase.
     let (values, own) = (column(&csv, "value"), column(&csv, "amplitude_m"));
     let relative = column(&csv, "amplitude_m.relative");
     let of_phase = column(&csv, "phase_deg.relative");
@@ -101,7 +101,7 @@ fn as_the_response_moves() {
     }
 }
 
-/// The table and the JSON have the content of the CSV.
+/// Checks that the table and the JSON have the content of the CSV.
 #[test]
 fn in_three_formats() {
     let csv = run(STOPS, &["--csv"]);
@@ -132,8 +132,8 @@ fn in_three_formats() {
     );
 }
 
-/// Without a load the derivatives are those at constant r and β. They exist for the contact's own motion, and in every
-/// regime.
+/// Checks that without a load the derivatives are those at constant r and β. They exist for the contact's own motion,
+/// and in every regime.
 #[test]
 fn in_groups_and_in_every_regime() {
     for (line, regime) in [
@@ -155,13 +155,13 @@ fn in_groups_and_in_every_regime() {
         let friction = column(&csv, "amplitude.derivative")[7];
         assert_eq!(friction == 0.0, regime == "stuck", "{csv}");
     }
-    // A stuck contact does not move, and has no phase.
+    // A stuck contact does not move, so it has no phase.
     let csv = run("--r 0.4 --beta 2 --of contact", &["--csv"]);
     assert!(column(&csv, "amplitude").iter().all(|value| *value == 0.0));
     assert!(column(&csv, "phase").iter().all(|value| value.is_nan()));
 }
 
-/// If a derivative does not exist, the line gives the reason.
+/// Checks that the line gives the reason if a derivative does not exist.
 #[test]
 fn where_there_is_none() {
     let line = "sensitivity --r 1,0.3 --beta 0.1 --of block --csv";
@@ -222,7 +222,7 @@ fn what_is_wrong_is_named() {
             "{line}"
         );
     }
-    // The motion is not given, so clap reports it with the usage.
+    // The option for the motion is missing, so clap reports it with the usage.
     let lines = failure(BLOCK, &split("sensitivity --r 1 --beta 1"));
     assert!(
         lines[0].contains("required") && lines[1].contains("--of"),

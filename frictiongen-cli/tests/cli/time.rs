@@ -1,4 +1,4 @@
-//! Tests of `frictiongen time`.
+//! Tests `frictiongen time`.
 
 #![allow(
     clippy::expect_used,
@@ -31,7 +31,7 @@ fn temporary(name: &str) -> PathBuf {
     folder
 }
 
-/// The samples equal those of the library to the last bit.
+/// Checks that the samples equal those of the library to the last bit.
 #[test]
 fn samples_are_those_of_the_library() {
     let line = "time FILE --r 0.9 --beta 0.6 --cycles 4 --skip 3 --samples 50 --csv";
@@ -61,7 +61,7 @@ fn samples_are_those_of_the_library() {
     for state in ["stuck", "forward", "backward"] {
         assert!(states.contains(&state), "{state}");
     }
-    // The events equal those of the library.
+    // The events must equal those of the library, too.
     let csv = output("", &words(&format!("{arguments} --events --of lower")));
     let header = "tau,event,contact.state,lower.displacement";
     assert_eq!(csv.lines().next().unwrap(), header);
@@ -71,7 +71,7 @@ fn samples_are_those_of_the_library() {
     assert!(events.contains(&"stop") && events.contains(&"break-away"));
 }
 
-/// Every physical column is a column of groups in other units.
+/// Checks that every physical column is a column of groups in other units.
 #[test]
 fn columns_beside_those_of_the_groups() {
     let system = frame();
@@ -125,8 +125,8 @@ fn columns_beside_those_of_the_groups() {
     assert!(compared > 10_000);
 }
 
-/// r and β refer to the first listed mass and spring, and the relative motion of two masses to their order. Physical
-/// quantities do not depend on that order.
+/// Checks that physical quantities do not depend on the order of masses and springs. r and β refer to the first listed
+/// mass and spring, and the relative motion of two masses to their order.
 #[test]
 fn no_order_of_a_description_changes_a_physical_answer() {
     let masses = ["lower: 3.27", "upper: 3.25"];
@@ -192,7 +192,7 @@ fn no_order_of_a_description_changes_a_physical_answer() {
     assert!(compared > 15_000 && worst < 1e-11);
 }
 
-/// The exact spectrum has the harmonics of `response`.
+/// Checks that the exact spectrum has the harmonics of `response`.
 #[test]
 fn a_steady_spectrum_has_the_harmonics_of_the_response() {
     let point = format!("{FRAME} --omega 16 --friction 0.3 --base 0.001");
@@ -272,14 +272,14 @@ motion                       from rest, cycles 0 to 1, 2 samples a cycle
     );
 }
 
-/// The initial state is in the units of the load.
+/// Checks that the initial state is in the units of the load.
 #[test]
 fn from_a_state() {
     let line = "time - --r 0.7 --beta 0.2 --cycles 2 --samples 10 --csv";
     let groups = output(BLOCK, &words(&format!("{line} --from -0.5;1.25")));
     assert_eq!(column(&groups, "block.displacement")[0], -0.5);
     assert_eq!(column(&groups, "block.velocity")[0], 1.25);
-    // The units are P/k₁ = 4 m and ω = 0.7 rad/s.
+    // The units are 4 m for a displacement (P/k₁), and ω = 0.7 rad/s for a velocity.
     let physical = output(BLOCK, &words(&format!("{line} --force 4 --from -2;3.5")));
     assert_eq!(column(&physical, "time_s")[10], TAU / 0.7);
     let pairs = column(&physical, "block.displacement_m").into_iter();
@@ -288,7 +288,7 @@ fn from_a_state() {
     }
 }
 
-/// A file has the content of standard output, and no other file remains next to it.
+/// Checks that a file has the content of standard output, and that no other file remains next to it.
 #[test]
 fn files_are_whole() {
     let folder = temporary("whole");

@@ -1,4 +1,4 @@
-//! Tests of requests that `frictiongen time` refuses.
+//! Tests the requests that `frictiongen time` refuses.
 
 #![allow(clippy::indexing_slicing, reason = "a test may fail")]
 
@@ -129,7 +129,7 @@ fn what_cannot_be_asked() {
         let arguments = [&["time", FRAME], &words(&line)[..]].concat();
         assert_eq!(failure("", &arguments)[0], message);
     }
-    // A motion without steady state.
+    // The motion of this scene has no steady state.
     let restless = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
         contact: block - base, excitation: base, stiction: 3 }";
     let lines = failure(

@@ -1,4 +1,4 @@
-//! Tests of `frictiongen time` with a kinetic friction level that depends on the speed.
+//! Tests `frictiongen time` with a kinetic friction level that depends on the speed.
 
 #![allow(
     clippy::unwrap_used,
@@ -33,7 +33,7 @@ fn words(line: &str) -> Vec<&str> {
     line.split(' ').collect()
 }
 
-/// Samples and events equal those of the library, in metres, metres a second and newtons.
+/// Checks that samples and events equal those of the library, in m, m/s and N.
 #[test]
 fn samples_and_events_are_those_of_the_library() {
     let text = frame(STRIBECK);
@@ -57,7 +57,7 @@ fn samples_and_events_are_those_of_the_library() {
     let close = |found: Vec<f64>, want: Vec<f64>| {
         assert_eq!(found.len(), want.len());
         for (found, want) in found.iter().zip(&want) {
-            // The products are rounded in a different order.
+            // Both products are rounded in a different order.
             assert!(
                 (found - want).abs() <= 1e-14 * want.abs(),
                 "{found}, {want}"
@@ -90,7 +90,8 @@ fn samples_and_events_are_those_of_the_library() {
     assert!(events.len() > 7);
 }
 
-/// A constant level gives the results of Coulomb's law, and the spectrum of a run is that of its samples.
+/// Checks that a constant level gives the results of Coulomb's law, and that the spectrum of a run is that of its
+/// samples.
 #[test]
 fn a_level_that_does_not_change() {
     for rest in ["", " --spectrum", " --from 0.001,0.002;0,0.01"] {
@@ -108,8 +109,8 @@ fn a_level_that_does_not_change() {
                     assert_eq!(found, want);
                     continue;
                 };
-                // The largest value is 1.2 N. The lags, in degrees, of spectral lines that are zero up to rounding are
-                // not compared.
+                // The largest value is 1.2 N. Lags in degrees are not compared for spectral lines that are zero up to
+                // rounding.
                 let lag = rest.contains("spectrum");
                 assert!((a - b).abs() < 1e-11 || lag, "{a}, {b}");
                 compared += 1;

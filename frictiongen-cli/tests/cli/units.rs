@@ -1,4 +1,4 @@
-//! Tests of Hz, N, m and degrees in place of the groups.
+//! Tests answers in Hz, N, m and degrees, in place of non-dimensional groups.
 
 #![allow(
     clippy::expect_used,
@@ -11,7 +11,7 @@
 use crate::common::{FRAME, cells, column_with_gaps as column, json, output};
 use std::f64::consts::{PI, TAU};
 
-/// One undamped mass of 2 kg on a spring of 50 N/m.
+/// Description of one undamped mass of 2 kg on a spring of 50 N/m.
 const BLOCK: &str = "struct Block { masses: { block: 2 }, springs: { base - block: 50 },
     contact: block - wall, excitation: block }";
 
@@ -22,7 +22,7 @@ fn close(value: f64, expected: f64) {
     );
 }
 
-/// Computes P = 10 N, F = 2 N, 1.5 Hz by hand in newtons and metres.
+/// Compares with newtons and metres computed by hand, for P = 10 N, F = 2 N, 1.5 Hz.
 #[test]
 fn one_mass_by_hand() {
     let (mass, stiffness, force, friction, hz) = (2.0_f64, 50.0_f64, 10.0, 2.0, 1.5);
@@ -57,7 +57,8 @@ fn one_mass_by_hand() {
     }
 }
 
-/// If the upper floor sticks, the lower one is a mass on both springs, and the base drives it by k1 Y.
+/// Checks a frame solved by hand. If the upper floor sticks, the lower one is a mass on both springs, and the base
+/// drives it by k₁Y.
 #[test]
 fn the_frame_by_hand() {
     let scene = "struct Frame { masses: { lower: 3.27, upper: 3.25 },
@@ -77,7 +78,7 @@ fn the_frame_by_hand() {
     close(column(&text, "beta")[0], 50.0 / (1190.0 * 0.002));
 }
 
-/// Every physical column is a column of groups in other units, in every regime.
+/// Checks that every physical column is a column of groups in other units, in every regime.
 #[test]
 fn columns_beside_those_of_the_groups() {
     let mut compared = 0;
@@ -95,7 +96,7 @@ fn columns_beside_those_of_the_groups() {
             let (plain, unit) = match name.as_str() {
                 "friction_N" => ("beta", 0.002 * 1190.0),
                 "frequency_Hz" => ("r", (1190.0_f64 / 3.27).sqrt() / TAU),
-                // The groups have no seconds. The test `stops_in_seconds` covers them.
+                // Groups have no column in seconds. The test `stops_in_seconds` covers these columns.
                 "regime" | "answer" | "state" | "symmetry" | "longest_stop_s" => continue,
                 name => match (name.strip_suffix("_m"), name.strip_suffix("_deg")) {
                     (Some(plain), _) => (plain, 0.002),
@@ -121,7 +122,7 @@ fn columns_beside_those_of_the_groups() {
     assert!(compared > 500);
 }
 
-/// Sticking intervals are given in seconds, in addition to the phase of the excitation.
+/// Checks that sticking intervals are given in seconds, in addition to the phase of the excitation.
 #[test]
 fn stops_in_seconds() {
     let arguments = "orbit - --r 0.3 --beta 0.4 --force 10";
@@ -235,7 +236,8 @@ fn json_names_hold_units() {
     }
 }
 
-/// r and beta refer to the first listed mass and spring. Physical quantities do not depend on that order.
+/// Checks that physical quantities do not depend on the order of masses and springs, although r and β refer to the
+/// first ones.
 #[test]
 fn no_order_of_a_description_changes_a_physical_answer() {
     let masses = ["lower: 3.27", "upper: 3.25"];
@@ -275,7 +277,7 @@ fn no_order_of_a_description_changes_a_physical_answer() {
                         .iter()
                         .any(|unit| name.ends_with(unit))
                 }) {
-                    // The phase of a motion that vanishes says nothing.
+                    // A motion that vanishes has no meaningful phase, so its phase is not compared.
                     let size = name
                         .replace("fundamental_phase_deg", "amplitude_m")
                         .replace("phase_deg", "amplitude_m");

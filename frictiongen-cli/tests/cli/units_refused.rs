@@ -1,4 +1,4 @@
-//! Tests of physical options that are missing, wrong or too many. Each gives one clear line.
+//! Tests physical options that are missing, wrong or too many. Each must give one clear line.
 
 #![allow(
     clippy::expect_used,
@@ -9,7 +9,7 @@
 
 use crate::common::{failure, output};
 
-/// One undamped mass of 2 kg on a spring of 50 N/m.
+/// Description of one undamped mass of 2 kg on a spring of 50 N/m.
 const BLOCK: &str = "struct Block { masses: { block: 2 }, springs: { base - block: 50 },
     contact: block - wall, excitation: block }";
 

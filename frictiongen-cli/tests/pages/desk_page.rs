@@ -5,7 +5,7 @@ use crate::common::{FRAME, output};
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/desk.md");
 
-/// Every column in a table of docs/desk.md is a heading of the command above that table.
+/// Checks that every column in a table of docs/desk.md is a heading of the command above that table.
 #[test]
 fn the_columns() {
     let page = std::fs::read_to_string(PAGE).unwrap();

@@ -6,7 +6,7 @@ use crate::common::{FRAME, output};
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/features.md");
 const UPPER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/thesis/two_m2.friction");
 
-/// Every command of docs/features.md runs, and its output contains the numbers of the page.
+/// Checks that every command of docs/features.md runs, and that its output contains the numbers of the page.
 #[test]
 fn the_page() {
     let page = std::fs::read_to_string(PAGE).unwrap();
@@ -28,7 +28,7 @@ fn the_page() {
             assert!(!drawn || last.contains("invariant point"));
             commands += 1;
         }
-        // A row of a table of the output: a number, and the words of its line.
+        // A row of a printed table has a number, and the words of its line.
         let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
         if let [number, words, _] = cells.as_slice()
             && let Some(printed) = number

@@ -1,4 +1,4 @@
-//! Fuzzing of command lines and files. Each input must give a result or a reason, never a panic. The long form is
+//! Tests random command lines and files. Each input must give a result or a reason, never a panic. The long form is
 //! `scripts/fuzz`.
 #![allow(clippy::expect_used, reason = "a test may fail")]
 
@@ -82,7 +82,7 @@ impl Write for Patience {
     }
 }
 
-/// Runs an input, and returns an error if the command did not handle it properly.
+/// Runs a command line, and returns an error if the command did not handle the input properly.
 fn taken(input: &Input, file: &Path) -> Result<(), String> {
     let (line, bytes) = input;
     std::fs::write(file, bytes).map_err(|error| error.to_string())?;

@@ -1,5 +1,5 @@
-//! The pages of the documentation, whose commands print what the pages show, and random arguments. Published packages
-//! do not contain these tests, because they need pages and a crate of the repository.
+//! Tests the pages of the documentation, whose commands print what the pages show, and random arguments. Published
+//! packages do not contain these tests, because they need pages and a crate of the repository.
 
 #[path = "../cli/common/mod.rs"]
 mod common;

@@ -79,7 +79,7 @@ fn line(csv: &str, name: &str) -> [f64; 3] {
 
 #[test]
 fn what_the_commands_say_is_true() {
-    // F = βkY, with the values from which the recordings were made.
+    // The true force is F = βkY, with the values from which the recordings were made.
     let truth = 0.4 * 2.0 * (std::f64::consts::TAU * 3.086_f64).powi(2) * 1.75e-3;
     for arguments in [
         "below.csv above.csv fast.csv",
@@ -95,7 +95,7 @@ fn what_the_commands_say_is_true() {
             (value / truth - 1.0).abs() < 0.02,
             "{arguments}: {value} for {truth}"
         );
-        // The description has stiffness 751.9 instead of 751.937, which changes the force by 5e-5.
+        // The description has stiffness 751.9 N/m instead of 751.937 N/m, which changes the force by a relative 5e-5.
         assert!(
             from * 0.9999 <= truth && truth <= to * 1.0001,
             "{arguments}: {csv}"

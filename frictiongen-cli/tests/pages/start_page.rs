@@ -1,5 +1,5 @@
-//! Tests of three pages. The commands of docs/start.md print the text of the page, and its statements are right.
-//! docs/which.md names existing items. The commands of docs/desk.md without a picture run.
+//! Tests three pages. The commands of docs/start.md print the text of the page, and its statements are right.
+//! docs/which.md names existing items. The commands of docs/desk.md that draw no picture run.
 //!
 //! `UPDATE_DOCS=1 cargo test -p frictiongen-cli --test pages start_page::` rewrites the output on docs/start.md.
 #![allow(
@@ -20,7 +20,7 @@ fn page(name: &str) -> String {
     std::fs::read_to_string(format!("{ROOT}/docs/{name}")).unwrap()
 }
 
-/// Creates a folder of this test.
+/// Creates a folder for this test.
 fn folder(name: &str) -> PathBuf {
     let id = std::process::id();
     let folder = std::env::temp_dir().join(format!("frictiongen-docs-{id}-{name}"));
@@ -29,7 +29,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Returns the output of a command line of the page.
+/// Returns the output of a command line that the page shows.
 fn printed(line: &str, folder: &Path) -> String {
     let words: Vec<&str> = line.split_whitespace().skip(1).collect();
     let run = Command::new(env!("CARGO_BIN_EXE_frictiongen"))
@@ -130,7 +130,7 @@ fn what_start_says_is_true(text: &str, printed: &[String]) {
     }
 }
 
-/// The commands of docs/desk.md without a picture run. `scripts/desk` runs the others.
+/// Checks that the commands of docs/desk.md that draw no picture run. `scripts/desk` runs the other commands.
 #[test]
 fn commands_of_desk_run() {
     let page = page("desk.md");
@@ -149,7 +149,7 @@ fn commands_of_desk_run() {
     assert_eq!(run, 8);
 }
 
-/// The numbers of the tuned frame on docs/desk.md are right.
+/// Checks that the numbers of the tuned frame on docs/desk.md are right.
 #[test]
 #[ignore = "minutes without optimisation"]
 fn the_tuned_frame_of_desk() {
@@ -175,7 +175,7 @@ fn the_tuned_frame_of_desk() {
     assert!(page.contains(&told), "{told}");
 }
 
-/// Returns the names in code marks of a cell, each cut at the first character that is not part of a name.
+/// Returns the names in the code marks of a cell. Each is cut at the first character that cannot be part of a name.
 fn names(cell: &str) -> Vec<&str> {
     let quoted = cell.split('`').skip(1).step_by(2);
     quoted
@@ -233,7 +233,7 @@ fn which_names_what_there_is() {
         counts[0] >= 16 && counts[1] >= 10 && counts[2] >= 25,
         "{counts:?}"
     );
-    // Files that the pages link to exist.
+    // Files to which the pages link must exist.
     let mut links = 0;
     for name in ["start.md", "which.md", "desk.md"] {
         let text = self::page(name);

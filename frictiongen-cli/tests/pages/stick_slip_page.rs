@@ -17,7 +17,7 @@ fn page() -> String {
     text.expect("the page")
 }
 
-/// Returns the only point of `frictiongen orbit` as a function from names to values.
+/// Returns the only point of `frictiongen orbit`, as a function from names of columns to values.
 fn point(file: &str, r: &str, beta: &str) -> impl Fn(&str) -> String + use<> {
     let file = format!("{ROOT}/{file}");
     let csv = output("", &["orbit", &file, "--r", r, "--beta", beta, "--csv"]);
@@ -32,7 +32,7 @@ fn point(file: &str, r: &str, beta: &str) -> impl Fn(&str) -> String + use<> {
     }
 }
 
-/// Compares a printed number with a value, to the printed decimals.
+/// Compares a printed number with a value, up to the printed decimals.
 fn same(printed: &str, value: &str, what: &str) {
     let decimals = printed.split_once('.').map_or(0, |(_, tail)| tail.len());
     let value: f64 = value.parse().unwrap();
@@ -56,7 +56,7 @@ fn cases() {
         if !line.starts_with("| frictiongen |") {
             continue;
         }
-        // Each table follows a command of its own.
+        // Each table of the page belongs to the command above it.
         let command = command.take().expect("a command above the table");
         let [_, _, file, "--r", r, "--beta", beta] = command.as_slice() else {
             panic!("{command:?}");
@@ -93,7 +93,7 @@ fn multipliers_of_the_thesis_examples() {
         assert_eq!(value("state"), "stable", "{line}");
         same(stops, &value("stops"), line);
         same(multiplier, &value("largest_multiplier"), line);
-        // The number of cycles is ln 10/−ln m, to two digits.
+        // The number of cycles is ln 10/−ln m, rounded to two digits. m is the largest multiplier.
         let largest: f64 = value("largest_multiplier").parse().unwrap();
         let tenth = std::f64::consts::LN_10 / -largest.ln();
         let printed: f64 = cycles.parse().unwrap();
@@ -103,7 +103,7 @@ fn multipliers_of_the_thesis_examples() {
     assert_eq!(seen, 30);
 }
 
-/// The coexisting states, in any order.
+/// Checks the table of coexisting states, which may be in any order.
 #[test]
 fn several_states() {
     let page = page();

@@ -1,4 +1,4 @@
-//! Defines the arithmetic of functions of frequency: numbers, intervals, and intervals with a slope.
+//! Arithmetic of functions of frequency: numbers, intervals, and intervals with a slope.
 
 use super::Interval;
 use frictiongen_kernel::Scalar;
@@ -15,11 +15,11 @@ pub trait Number:
 {
     /// Returns the given number in this arithmetic.
     fn number(value: f64) -> Self;
-    /// Returns π.
+    /// Returns π in this arithmetic.
     fn pi() -> Self;
     /// Returns (sin πh, cos πh).
     fn sine_cosine(self) -> (Self, Self);
-    /// Returns the square.
+    /// Returns the square of the number or function.
     #[must_use]
     fn squared(self) -> Self {
         self * self
@@ -158,13 +158,14 @@ impl Number for Jet {
 mod tests {
     use super::{Interval, Jet, Number};
 
-    /// Evaluates a formula that uses every operation.
+    /// Evaluates a formula that uses every operation of the arithmetic.
     fn formula<T: Number>(h: T) -> T {
         let (sine, cosine) = h.sine_cosine();
         (sine * h - cosine.squared()) / (h.squared() + T::number(0.5)) + -h
     }
 
-    /// Values at points must lie in the interval result, and difference quotients in the slope.
+    /// Checks that the interval result contains the values at points, and that its slope contains the difference
+    /// quotients.
     #[test]
     fn hold_what_they_should() {
         let mut state = 7_u64;

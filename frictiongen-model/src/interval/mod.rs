@@ -1,5 +1,5 @@
-//! Interval arithmetic with outward rounding. An interval contains every value that a function takes. Intervals are
-//! also combined with a slope.
+//! Interval arithmetic with outward rounding. The interval of a result contains every value that the function takes.
+//! Intervals can carry the slope of the function.
 
 mod jet;
 
@@ -9,19 +9,20 @@ use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// All numbers from `low` to `high`.
+/// An interval: all numbers from `low` to `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// The lower bound.
+    /// The lower bound of the interval.
     pub low: f64,
-    /// The upper bound.
+    /// The upper bound of the interval.
     pub high: f64,
 }
 
 /// Absolute error bound of the kernel's sine and cosine, which are within 1.1 units in the last place.
 const SINE: f64 = 1e-15;
-/// 1 minus and 1 plus one unit in the last place of 1.
+/// 1 minus one unit in the last place of 1.
 const BELOW: f64 = 1.0 - f64::EPSILON;
+/// 1 plus one unit in the last place of 1.
 const ABOVE: f64 = 1.0 + f64::EPSILON;
 /// Allowance for underflow. A subnormal number would suffice, but processors are much slower with subnormal numbers.
 /// Products with this number are still normal.
@@ -77,7 +78,7 @@ impl Interval {
         }
     }
 
-    /// Returns the interval from −`size` to `size`.
+    /// Returns the interval from −`size` to `size`, for a number of at most this magnitude.
     #[must_use]
     pub fn within(size: f64) -> Self {
         Self::new(-size, size)
@@ -121,7 +122,8 @@ impl Interval {
 
     /// Returns the interval with its bounds rounded outward. Returns `ALL` if a bound is NaN.
     ///
-    /// Uses a product and a difference, because macros run without optimisation, where each function call counts.
+    /// The code uses a product and a difference, because macros run without optimisation, where each function call
+    /// costs time.
     #[inline(always)]
     fn outward(low: f64, high: f64) -> Self {
         // The product shifts a bound by at least one and at most two units in the last place. `TINY` covers underflow.
@@ -141,7 +143,7 @@ impl Interval {
         Self { low, high }
     }
 
-    /// Returns the bounds of a product, rounded to nearest. A bound is NaN where 0 meets an infinite bound.
+    /// Returns the bounds of a product, rounded to nearest. A bound is NaN where 0 is multiplied by an infinite bound.
     #[inline(always)]
     #[must_use]
     pub fn ends_times(self, other: Self) -> (f64, f64) {
@@ -168,14 +170,14 @@ impl Interval {
         }
     }
 
-    /// Returns whether the interval contains only 0.
+    /// Returns true if the interval contains only 0.
     #[inline(always)]
     #[must_use]
     pub fn is_nothing(&self) -> bool {
         self.low == 0.0 && self.high == 0.0
     }
 
-    /// Returns whether the interval contains 0.
+    /// Returns true if the interval contains 0.
     #[inline(always)]
     #[must_use]
     pub fn holds_zero(&self) -> bool {
@@ -207,7 +209,7 @@ impl Interval {
         self.low.abs().max(self.high.abs())
     }
 
-    /// Returns the intersection of two intervals that contain the same number.
+    /// Returns the intersection of two intervals, which must contain a common number.
     #[must_use]
     pub fn both(self, other: Self) -> Self {
         Self::new(self.low.max(other.low), self.high.min(other.high))
@@ -274,12 +276,13 @@ impl Interval {
         (sine, cosine)
     }
 
-    /// Returns the bounds of cos πh between two bounds of h, from its values there.
+    /// Returns the bounds of cos πh for h between two bounds, from the values of the cosine at both bounds.
     #[inline]
     fn wave([first, last]: [f64; 2], [from, to]: [f64; 2]) -> Self {
         let mut low = first.min(last) - SINE;
         let mut high = first.max(last) + SINE;
-        // A whole number within rounding of a bound counts as inside.
+        // A whole number h within rounding of a bound counts as inside, because cos πh has its extremes at whole
+        // numbers.
         let slack = 2.0 * f64::EPSILON * (1.0 + from.abs() + to.abs());
         let (least, most) = ((from - slack).ceil(), (to + slack).floor());
         if least <= most {

@@ -1,4 +1,4 @@
-//! Tests intervals against double-double.
+//! Tests interval results against values in double-double.
 
 use super::{Interval, TINY};
 use frictiongen_kernel::Scalar;
@@ -15,7 +15,7 @@ impl Numbers {
             .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
-    /// Returns a number of either sign over ten decades, and sometimes 0.
+    /// Returns a random bound of an interval: a number of either sign over ten decades, and sometimes 0.
     fn end(&mut self) -> f64 {
         let size = 10_f64.powf(10.0 * self.next() - 5.0);
         match (16.0 * self.next()) as u32 {
@@ -26,7 +26,7 @@ impl Numbers {
     }
     fn interval(&mut self) -> Interval {
         let (a, b) = (self.end(), self.end());
-        // Two in five intervals are narrow.
+        // Two in five random intervals are narrow.
         if self.next() < 0.4 {
             Interval::new(a, a + a.abs() * 1e-12 * self.next())
         } else {
@@ -43,7 +43,7 @@ impl Numbers {
     }
 }
 
-/// Returns whether an interval contains a number to about its 31 digits. The slack is far below one rounding of a
+/// Returns true if an interval contains a number to about its 31 digits. The tolerance is far below one rounding of a
 /// double.
 fn holds(interval: Interval, value: Dd) -> bool {
     let slack = value.abs() * Dd::from(1e-28);
@@ -95,7 +95,7 @@ fn functions() {
             "e^{interval:?} at {x}"
         );
     }
-    // The nearest extreme lies on a bound or one rounding away from it.
+    // The bounds of the tested intervals lie on an extreme of the cosine, or one rounding away from it.
     for whole in [-3.0, -1.0, 0.0, 2.0, 5.0_f64] {
         for end in [whole - 0.5, whole, whole + 0.5] {
             let interval = Interval::new(end.next_down(), end.next_down());

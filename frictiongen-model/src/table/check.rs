@@ -8,8 +8,8 @@ use super::split::Landmarks;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Number of comparison points in each piece. No gap between them exceeds a forty-sixth of the piece. The check stands
-/// alone in a macro without a proof.
+/// Number of comparison points in each piece. Neighbouring points are at most a forty-sixth of the piece apart. In a
+/// macro without a proof, this check is the only one.
 const POINTS: usize = 64;
 /// Closest distance to a zero at which a piece is compared, in decades: 10^−13 of the length of the piece.
 const DECADES: f64 = 13.0;

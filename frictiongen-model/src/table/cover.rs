@@ -28,7 +28,7 @@ const SHORTEST: f64 = 1e-13;
 /// First trial length of a polynomial piece, as a multiple of the length of the previous piece. It is rather too long
 /// than too short, since a trial that is too long bounds the length from above at once.
 const LONGER: f64 = 1.5;
-/// Length of the last polynomial piece. The first trial length of the next piece follows from it.
+/// Largest number of fits in the search for the longest polynomial piece from one start.
 const MOST_FITS: usize = 200;
 /// Error that the next trial length of a piece aims at, divided by the allowed error, after a fit within the allowed
 /// error.
@@ -41,6 +41,7 @@ const TINY: f64 = 1e-6;
 /// Bounds on the factor by which the trial length of a piece grows after a fit within the allowed error. The factor
 /// comes from a power law, which is only approximate.
 const LONGER_BY: [f64; 2] = [1.05, 2.0];
+/// Bounds on the factor by which the trial length of a piece shrinks after a piece that was too long.
 const SHORTER_BY: [f64; 2] = [0.2, 0.95];
 
 /// Returns a value, limited to the interval between two bounds.
@@ -224,8 +225,8 @@ impl<S: Float> Cover<'_, '_, S> {
         for _ in 0..MOST_FITS {
             let end = end_of(length);
             let between = if forwards { (start, end) } else { (end, start) };
-            // If a zero is farther away than the piece is long, the powers of the distance to the zero would be nearly
-            // equal.
+            // The zero is used only if its distance is at most the length of the piece. At a larger distance, the
+            // powers of the distance to the zero would be nearly equal.
             let zero = zero.filter(|zero| zero.distance(start).abs() <= length);
             let piece = fit(self.comparison.exact, between, zero, self.comparison.form)
                 .ok_or(Stuck { at: start })?;
@@ -236,7 +237,7 @@ impl<S: Float> Cover<'_, '_, S> {
                     break;
                 }
                 if length >= stop {
-                    // The piece has passed beyond a weak kink, which may lie within a piece.
+                    // The piece extends beyond a weak kink, which does no harm within a piece.
                     stop = next.next().unwrap_or(most);
                 }
                 let guess = length * clamped((AIM / error.max(TINY)).powf(order), LONGER_BY);

@@ -106,7 +106,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         of_limit.max(or_infinite(of_motion))
     }
 
-    /// Returns two frequency ratios: r increased and r decreased by some roundings.
+    /// Returns r increased by some roundings, and r decreased by as many.
     fn beside(r: f64) -> [f64; 2] {
         [1.0, -1.0].map(|side| r * (1.0 + side * ROUNDINGS * f64::EPSILON))
     }
@@ -197,8 +197,7 @@ pub(super) fn or_infinite(error: f64) -> f64 {
 /// Number of compared values: the amplitude and the phase of the contact at each friction ratio in `FRICTION_SHARES`.
 const APART: usize = 2 * FRICTION_SHARES.len();
 
-/// Returns the errors of the contact's amplitudes (relative) and phases (rad), in this order, at each compared friction
-/// ratio.
+/// Returns the errors of the contact's amplitudes (relative) and phases (rad), first all amplitudes, then all phases.
 fn apart<T: Float>(answer: &ContactTable<T>, exact: &ContactTable<f64>) -> [f64; APART] {
     let mut apart = [0.0; APART];
     let (amplitudes, phases) = apart.split_at_mut(FRICTION_SHARES.len());

@@ -2,7 +2,7 @@
 
 use super::worst::Worst;
 
-/// Evidence for the accuracy of a table.
+/// The evidence for the accuracy of a table: proven, partly proven or checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Evidence {
@@ -26,15 +26,16 @@ impl Evidence {
     }
 }
 
-/// Largest work of a proof, in evaluations of one mode. An evaluation takes about a quarter of a microsecond, or one
-/// and a half in code without optimisation.
+/// Bound on the work of a proof, in evaluations of one mode. An evaluation takes about 0.25 µs, or 1.5 µs in code
+/// without optimisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Work(pub usize);
 
 impl Work {
-    /// Work of a macro. A table that needs more is recognised by its size and only checked.
+    /// Bound on the work of a proof within a macro. A table that needs more work is recognised by its size, and then
+    /// only checked.
     pub const AT_EXPANSION: Self = Self(1_700_000);
-    /// Work of a command: at most about four seconds of processor time.
+    /// Bound on the work of a proof within a command: at most about four seconds of processor time.
     pub const WHOLE: Self = Self(16_000_000);
 }
 

@@ -10,7 +10,8 @@ use frictiongen_kernel::response::At;
 use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
-/// Index of arg V among the functions. The functions before it are divided by |V|/β_lim.
+/// Index of arg V among the tabulated functions. The functions before it are multiplied by β_lim/|V|, except β_lim
+/// itself.
 pub const ANGLE: usize = 3;
 /// Index of |V|, if it is one of the functions.
 pub const SIZE: usize = 4;

@@ -12,7 +12,9 @@ const ORIGIN: f64 = 0.1;
 /// Smallest relative error down to which tables of polynomials with four coefficients store the fewest numbers. The
 /// next two constants are the same for six and eight coefficients.
 const FOUR_TERMS: f64 = 3e-3;
+/// The same bound for polynomials with six coefficients.
 const SIX_TERMS: f64 = 1e-7;
+/// The same bound for polynomials with eight coefficients.
 const EIGHT_TERMS: f64 = 1e-10;
 
 /// Polynomial piece of a table, with the functions in vectors: one interval of r, on which each function is a
@@ -109,7 +111,7 @@ pub(super) fn fit<S: Float>(
         }
         let places: Vec<f64> = nodes.iter().map(|r| (r - origin.to_f64()) / half).collect();
         let mut through = interpolated(&places, &values);
-        // The allowed rounding of each coefficient follows from its effect at the end of the piece.
+        // The allowed rounding of each coefficient follows from its effect at the ends of the piece.
         let least = values
             .iter()
             .fold(f64::INFINITY, |least, value| least.min(value.abs()));

@@ -111,7 +111,7 @@ impl<S: Float> Held<S> {
     }
 }
 
-/// A frequency ratio r at which responses are compared, with the exact responses at r.
+/// A frequency ratio r at which responses are compared, with the exact responses there.
 struct Point {
     r: f64,
     at: HeldAt,

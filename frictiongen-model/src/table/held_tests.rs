@@ -38,8 +38,9 @@ fn of_single_precision() {
     of_chains::<f32>(1e-5);
 }
 
-/// The base drives two masses that rub on each other. Stuck together, they are a mass of 2 on a spring of 1, under any
-/// damping that treats both modes alike. The undamped chain keeps the exact formulas.
+/// Checks a case that is solved by hand. The base drives two masses that rub on each other. Stuck together, they are a
+/// mass of 2 on a spring of 1, under any damping that treats both modes alike. The undamped chain keeps the exact
+/// formulas.
 #[test]
 fn driven_by_the_base() {
     let mut modal = scene("Pair", 2, 0.0, 1.0);
@@ -64,8 +65,8 @@ fn driven_by_the_base() {
     }
 }
 
-/// The second of two masses is stuck to the wall, so the first mass is on two springs: its response is 1/(2 − r²). The
-/// contact force has the same value.
+/// Checks a case that is solved by hand. The second of two masses is stuck to the wall, so the first mass is on two
+/// springs. Its response is 1/(2 − r²), and the contact force has the same value.
 #[test]
 fn two_masses_by_hand() {
     let held = Held::<f64>::of(&scene("Wall", 2, 0.0, 1.0), RANGE).unwrap();
@@ -90,8 +91,8 @@ fn two_masses_by_hand() {
     assert_eq!(on.resonances, [1.0]);
 }
 
-/// Returns the change of y that changes the factor of a zero by about 100 %, somewhere in the range. y is the imaginary
-/// part of the zero.
+/// Returns the change of y, the imaginary part of a zero, that changes the zero's factor by about 100 % somewhere in
+/// the range.
 fn reach(y: f64) -> f64 {
     let r = y.clamp(RANGE.0, RANGE.1);
     if r == y {
@@ -149,7 +150,7 @@ fn numbers(form: &mut HeldForm<f64>) -> Vec<(&mut f64, f64)> {
     }
 }
 
-/// The check must find a number whose error changes a response by ten times the accuracy.
+/// Checks that the check of the tables finds a number whose error changes a response by ten times the accuracy.
 #[test]
 fn a_wrong_number() {
     let mut moved = 0;

@@ -16,6 +16,7 @@ const ON_RESONANCE: f64 = 1e-12;
 /// iteration begins in double precision with these values, and ends in double-double with `LAST_STEPS`. Near
 /// convergence each correction is about the cube of the previous one, so after 10⁻²³ only rounding is left.
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
+/// The same two bounds for the iteration in double-double.
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
 
 /// A rational function of s = ir, given by its zeros and poles up to a constant factor.
@@ -44,7 +45,7 @@ fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>
     ))
 }
 
-/// Contact force and modal amplitudes at one frequency ratio while the contact is stuck, to the last digits.
+/// Contact force and modal amplitudes while the contact is stuck, at one frequency ratio and to the last digits.
 pub(super) struct HeldAt {
     /// V/H, the force that keeps the contact stuck.
     pub force: Complex<Dd>,

@@ -3,7 +3,7 @@
 use super::fit::Fitted;
 use frictiongen_kernel::Float;
 
-/// Smallest number of buckets. So few buckets are never too many for a table.
+/// Smallest number of buckets. A table of any size has at least as many.
 const FEWEST: usize = 8;
 /// Numbers of buckets that `Index::of` tries, one after the other. If the number is a power of two, a lookup finds its
 /// bucket without a comparison.
@@ -11,8 +11,8 @@ const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
 /// Largest ratio of the number of buckets to the number of numbers that the polynomial pieces store. More buckets would
 /// need more memory than they are worth.
 const CROWDED: usize = 1;
-/// Number of comparisons per lookup that is small enough. To save even more comparisons, more buckets would not pay
-/// off.
+/// Number of comparisons per lookup that needs no improvement. More buckets for fewer comparisons would not be worth
+/// their memory.
 const FEW: u32 = 2;
 
 /// Buckets that divide a range of r into equal parts, by which a lookup finds the polynomial piece that contains r.

@@ -104,7 +104,8 @@ fn polynomial<T: Number>(coefficients: &[f64], t: T) -> T {
         .fold(zero, |sum, coefficient| sum * t + T::number(*coefficient))
 }
 
-/// Returns whether a function with the lower bound `least` exceeds a number over a whole interval.
+/// Returns true if a function exceeds the number `most` over a whole interval. `least` returns a lower bound on the
+/// function over an interval.
 fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f64) -> bool {
     if most < least(r) {
         return true;
@@ -140,7 +141,7 @@ fn size<S: Float>(product: &Product<S>, r: Interval) -> Interval {
         quotient
     };
     let value = rounded::<S>(Interval::point(product.gain.to_f64()) * root);
-    // The result is the absolute value.
+    // The emitted result is the absolute value.
     if value.high < 0.0 { -value } else { value }
 }
 
@@ -199,14 +200,14 @@ mod tests {
         let [limit, sliding] = least(&tables);
         let name = format!("{kind}{count}, {zeta}, {stiction}: {limit} and {sliding}");
         let reach = |most| tables.reach(stiction, most);
-        // At friction ratios closer to the limit, the bound on the rounding errors may not decide.
+        // At friction ratios closer to the limit, the bound on the rounding errors may leave the result undecided.
         for (share, is_below) in [(0.5, true), (0.99, true), (1.001, false), (2.0, false)] {
             assert_eq!(reach(share * limit).always_continuous, is_below, "{name}");
             assert_eq!(reach(share * sliding).never_stuck, is_below, "{name}");
         }
         assert_eq!(reach(f64::INFINITY), Reach::default());
-        // The largest friction ratio that is reported as continuous must be below every emitted limit. This must be so
-        // in the number type of the table, with its rounding errors.
+        // The search finds the largest friction ratio that is reported as continuous. It must be below every limit of
+        // the emitted code, with the rounding errors of the table's number type.
         let (mut said, mut unsaid) = (0.99 * limit, 1.001 * limit);
         for _ in 0..40 {
             let middle = 0.5 * (said + unsaid);
@@ -233,8 +234,8 @@ mod tests {
         }
     }
 
-    /// Every piece must be examined up to its end. The last piece ends at the end of the range, where β_lim is smallest
-    /// in this test.
+    /// Checks that every piece is examined up to its end. The last piece ends at the end of the range, where β_lim is
+    /// smallest in this test.
     #[test]
     fn up_to_the_end_of_the_range() {
         let modal = scene("Wall", 1, 0.02, 1.0);
@@ -250,8 +251,8 @@ mod tests {
         assert!(!tables.reach(1.0, 0.6).always_continuous);
     }
 
-    /// With μ = 2, β*_lim is 1/2 near the resonance and smaller than β_lim. A stuck state then exists in addition to
-    /// the closed form.
+    /// Checks the flags for μ = 2. Near the resonance β*_lim is 1/2 and smaller than β_lim, so a stuck state exists in
+    /// addition to the closed form.
     #[test]
     fn a_stuck_state_beside_the_closed_form() {
         let modal = scene("Wall", 1, 0.05, 2.0);
@@ -267,7 +268,7 @@ mod tests {
         }
     }
 
-    /// If β_lim has a zero within the range, no regime may be excluded.
+    /// Checks that no regime is excluded if β_lim has a zero within the range.
     #[test]
     fn beside_a_zero() {
         let modal = scene("Wall", 1, 0.0, 1.0);

@@ -4,25 +4,27 @@ use super::request::is_single;
 use crate::interval::Interval;
 use frictiongen_kernel::Float;
 
-/// Allowance for products that underflow in a polynomial, in single and in double precision: some of the smallest
-/// numbers.
+/// Allowance for products that underflow in a polynomial. It is some of the smallest numbers of single and of double
+/// precision.
 const UNDERFLOW_SINGLE: f64 = 1e-43;
+/// The same allowance in double precision.
 const UNDERFLOW: f64 = 1e-321;
 /// Factor on a sum of roundings, for their products and for the roundings of the sum itself.
 const UP: f64 = 1.001;
 
-/// Returns the largest number of roundings of the term c_k tᵏ in the emitted evaluation.
+/// Returns an upper bound on the number of roundings of the term c_k tᵏ in the emitted evaluation.
 ///
-/// A pair c_2j + c_2j+1·t has one rounding for its sum, and its second term has one more. The sum with the higher terms
-/// has one. Each of the j products with t² adds three: the product, the rounding of t², and a sum. The difference r −
-/// origin is exact if both are within a factor of two. Otherwise it adds a rounding for each power.
+/// A pair c_2j + c_2j+1·t has one rounding for its sum, and its second term has one more. Adding the higher terms
+/// causes one rounding. Each of the j products with t² adds three: the product, the rounding of t², and a sum. The
+/// difference r − origin is exact if both numbers are within a factor of two. Otherwise it adds one rounding for each
+/// power.
 fn counts(power: usize, exact_difference: bool) -> f64 {
     let of_difference = if exact_difference { 0 } else { power };
     (power % 2 + 2 + 3 * (power / 2) + of_difference) as f64
 }
 
-/// Returns the largest rounding error of the evaluation in the table's scalar. Near a zero, returns it divided by the
-/// distance from the zero.
+/// Returns an upper bound on the rounding error of the evaluation in the table's scalar. Near a zero, the error is
+/// divided by the distance from the zero.
 pub fn rounding<S: Float>(
     coefficients: &[f64],
     origin: f64,
@@ -39,13 +41,13 @@ pub fn rounding<S: Float>(
         let term = coefficient.abs() * counts(k, exact) * unit;
         sum += match nearest {
             None => term * power,
-            // For k > 0, tᵏ over the distance grows with the distance, apart from the offset of the origin.
+            // For k > 0, tᵏ divided by the distance grows with the distance, apart from the offset of the origin.
             Some(nearest) if k == 0 => term / nearest,
             Some(_) => term * power / t * 2.0,
         };
         power *= t;
     }
-    // Allowance for products that underflow and for the roundings of this function.
+    // The allowance covers products that underflow, and the roundings of this function itself.
     let smallest = if is_single::<S>() {
         UNDERFLOW_SINGLE
     } else {
@@ -61,7 +63,8 @@ mod tests {
     use super::super::samples::random;
     use super::rounding;
 
-    /// The rounding errors of the emitted evaluation in single precision must stay within the bound, and come near it.
+    /// Checks that the rounding errors of the emitted evaluation in single precision stay within the bound, and come
+    /// close to it.
     #[test]
     fn roundings_are_within_their_bound() {
         let (mut state, mut nearest) = (3, 0.0_f64);

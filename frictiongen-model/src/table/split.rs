@@ -33,8 +33,8 @@ const BESIDE: [f64; 13] = [
 ];
 /// Largest relative distance of a zero of β_lim from the range of r at which the zero still influences the table.
 const OUTSIDE: f64 = 1e-2;
-/// Bound above which a mode is too damped for a narrow feature in β_lim. It is compared with the damping ratio times
-/// the order of a sub-harmonic, and for a zero x + iy with |x|/y.
+/// A mode with more damping has no narrow feature in β_lim. The bound applies to the damping ratio times the order of a
+/// sub-harmonic, and to |x|/y for a zero x + iy.
 const BROAD: f64 = 0.5;
 /// Largest number of sub-harmonics that are considered for each mode.
 const MOST: usize = 10_000;
@@ -66,7 +66,7 @@ impl Landmarks {
         self.closely.insert(place, r);
     }
 
-    /// Finds the properties over a range. `zeros` is `None` if the zeros could not be separated.
+    /// Returns the landmarks of a range of r. `zeros` is `None` if the zeros could not be separated.
     #[must_use]
     pub fn of(modal: &Modal, zeros: Option<&Zeros>, (low, high): (f64, f64)) -> Self {
         let within = |r: f64| low <= r && r <= high;
@@ -82,7 +82,8 @@ impl Landmarks {
                 if zeta.to_f64() * order > BROAD {
                     break;
                 }
-                // At this r the U of an undamped mode is infinite, for any damping of the other modes. β_lim is then 0.
+                // At this r the response U of an undamped mode is infinite, whatever the damping of the other modes.
+                // β_lim is then 0.
                 if zeta.is_zero() && (k > 0 || mode.residue.is_zero()) {
                     edges.push(Edge::new(place));
                 }

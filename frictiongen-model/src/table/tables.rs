@@ -19,7 +19,7 @@ use crate::modal::Modal;
 use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 
-/// Bound on the responses with the contact stuck: they may use the allowed bytes divided by this number.
+/// The responses with the contact stuck may use the allowed bytes divided by this number.
 const STUCK_PART: usize = 4;
 /// Length of the range of r, divided by the length of the first piece that the fit tries.
 const FIRST: f64 = 16.0;
@@ -114,7 +114,7 @@ impl<S: Float> Tables<S> {
         &self.kinks
     }
 
-    /// Returns whether amplitude and phase of the contact follow from these tables.
+    /// Returns true if amplitude and phase of the contact follow from these tables.
     #[must_use]
     pub fn moves(&self) -> bool {
         self.functions > 1

@@ -50,7 +50,7 @@ fn request(r: (f64, f64), accuracy: f64) -> Request {
     }
 }
 
-/// Equal masses: x̄₂ = 2x̄₁ + …. The first two masses move alike at r² = 1, whatever masses follow.
+/// Checks the zeros of chains of equal masses. The first two masses move alike at r² = 1, whatever masses follow.
 #[test]
 fn zeros_of_equal_masses() {
     for count in [2, 3, 5, 9] {
@@ -62,7 +62,7 @@ fn zeros_of_equal_masses() {
             .collect();
         assert_eq!(places.len(), 1, "{count} masses: {places:?}");
         assert!((places[0] - 1.0).abs() < 1e-28, "{places:?}");
-        // H, the receptance of the contact, has one zero between each pair of resonances.
+        // H, the receptance of the contact, has one zero between each two neighbouring resonances.
         assert_eq!(zeros.receptance.len() + zeros.common.len(), count - 1);
         assert_eq!(zeros.loaded.len() + zeros.unloaded.len(), count);
     }
@@ -86,8 +86,8 @@ fn piece(fitted: &Fitted<f64>) -> Piece<f64, 1, 6> {
     }
 }
 
-/// A lookup must find the piece that contains r, for every r. The test includes bounds of the range, boundaries of
-/// pieces and their neighbouring numbers.
+/// Checks that a lookup finds the piece that contains r, for every r. The test includes bounds of the range, boundaries
+/// of pieces and their neighbouring numbers.
 #[test]
 fn every_r_finds_its_piece() {
     for count in [2, 5] {
@@ -159,7 +159,7 @@ fn what_cannot_be_had() {
     assert!(error.contains("no table fits into 64 bytes"), "{error}");
 }
 
-/// A larger budget of bytes must never give a coarser accuracy.
+/// Checks that a larger budget of bytes never gives a coarser accuracy.
 #[test]
 fn a_budget_of_bytes() {
     let modal = Modal::of(&chain(2, Damping::Uniform(0.02)));
@@ -173,7 +173,7 @@ fn a_budget_of_bytes() {
     }
 }
 
-/// If |V| as a function of the pieces does not fit into the bytes, its product over zeros and poles must be used.
+/// Checks that the product for |V| is used if |V| as a polynomial of the pieces does not fit into the bytes.
 #[test]
 fn a_budget_below_the_polynomials() {
     let modal = Modal::of(&chain(2, Damping::Uniform(0.02)));

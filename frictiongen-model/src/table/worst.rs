@@ -1,4 +1,4 @@
-//! The largest error that a check has found, and where.
+//! The largest error that a check has found, with its frequency ratio.
 
 /// The largest error that a check has found, with the frequency ratio at which it occurs.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -33,9 +33,9 @@ const ANGLES: f64 = 0.7;
 /// with y > 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Zero {
-    /// Real part.
+    /// Real part x of the zero or pole.
     pub x: Dd,
-    /// Imaginary part, not negative.
+    /// Imaginary part y of the zero or pole, not negative.
     pub y: Dd,
 }
 

@@ -66,7 +66,7 @@ pub(super) fn held<T: Float, S: Scalar>(
         for participation in own.iter_mut().flatten() {
             *participation = *participation / largest;
         }
-        // Two different pairs are orthogonal in the bilinear form B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ.
+        // Two modes a and b of different pairs are orthogonal in the bilinear form B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ.
         let (mut first, mut mixed, mut second) = (zero, zero, zero);
         let mut force = zero;
         for (mode, [g, h]) in modes.iter().zip(&own) {

@@ -3,12 +3,12 @@
 /// Reserved words, which cannot be the name of a mass: the words of a description, and all methods of the generated
 /// types. The name of a mass becomes a method of the generated types. This is the only list of reserved words.
 pub const RESERVED: &[&str] = &[
-    // words of a description
+    // These are the words of a description.
     "base",
     "contact",
     "mass",
     "wall",
-    // methods of the scene
+    // These are methods of the scene.
     "at",
     "friction_ratio",
     "frequency_ratio",
@@ -18,7 +18,7 @@ pub const RESERVED: &[&str] = &[
     "simulation_from",
     "stepper",
     "stepper_from",
-    // methods at one frequency ratio
+    // These are methods of the scene at one frequency ratio.
     "continuous_limit",
     "continuous_limit_per_mode",
     "continuous_limit_without_search",
@@ -31,7 +31,7 @@ pub const RESERVED: &[&str] = &[
     "regime",
     "sliding_limit",
     "stuck",
-    // methods of a motion
+    // These are methods of a motion.
     "amplitude",
     "amplitude_monoharmonic",
     "displacement",
@@ -39,7 +39,7 @@ pub const RESERVED: &[&str] = &[
     "largest",
     "phase",
     "velocity",
-    // methods of an orbit
+    // These are methods of an orbit.
     "is_marginal",
     "is_stable",
     "is_symmetric",
@@ -47,7 +47,7 @@ pub const RESERVED: &[&str] = &[
     "reversals",
     "stops",
     "stuck_fraction",
-    // methods of a stepper, and fields of its input
+    // These are methods of a stepper, and fields of its input.
     "advance",
     "begin",
     "begin_with",
@@ -62,12 +62,12 @@ pub const RESERVED: &[&str] = &[
     "stiction",
     "time",
     "work",
-    // methods of derived traits, which a mass of that name would hide
+    // These are methods of derived traits, which a mass of that name would hide.
     "clone",
     "eq",
     "fmt",
     "ne",
-    // methods that the prelude gives every type by value, which would hide a mass of that name
+    // The prelude gives every type these methods by value. They would hide a mass of that name.
     "into",
     "try_into",
 ];

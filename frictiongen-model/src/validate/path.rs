@@ -1,6 +1,6 @@
-//! Path of an item in a scene, which tells where an error is.
+//! Paths of the items of a scene. A path tells where an error is.
 
-/// Item of a scene that causes an error. Indices of masses and springs count from 0 in the order of the description.
+/// An item of a scene that causes an error. Indices of masses and springs count from 0 in the order of the description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Path {
     /// The scene as a whole.

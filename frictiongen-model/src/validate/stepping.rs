@@ -157,7 +157,7 @@ fn check_forces(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     for (index, mass) in scene.stepping.forces.iter().copied().enumerate() {
         let path = Path::Force(Some(index));
         check_node(scene, Node::Mass(mass), path, errors);
-        // The input of the stepper has fields with these names.
+        // The stepper's input has fields with these names, so a loaded mass must not have them.
         if let Some(taken) = scene.masses.get(mass)
             && ["force", "friction"].contains(&taken.name.as_str())
         {

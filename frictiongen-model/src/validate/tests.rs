@@ -218,7 +218,7 @@ fn words_of_the_language_and_of_the_results_are_no_names() {
     }
 }
 
-/// A loaded mass becomes a field of the stepper's input, next to the fields `force` and `friction`.
+/// Checks that a loaded mass may not be called `force` or `friction`, which are fields of the stepper's input.
 #[test]
 fn a_loaded_mass_has_no_name_of_the_input() {
     let mut scene = chain(3);

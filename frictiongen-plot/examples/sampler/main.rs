@@ -1,8 +1,8 @@
-//! Samples of everything that a figure can contain, written to the folder of the first argument:
-//! `cargo run --example sampler`. Each figure is written for a page and for a telephone, as SVG and, with the feature
-//! `png`, as PNG.
+//! Draws samples of everything that a figure can contain, into the folder of the first argument: `cargo run --example
+//! sampler`. Each figure is written for a page and for a telephone, as SVG and, with the feature `png`, as PNG.
 //!
-//! One file for each kind of figure: `responses`, `maps`, `times`, and `systems`, which has the sketches of the others.
+//! Each kind of figure has a file: `responses`, `maps`, `times`, and `systems`, which also has the sketches of the
+//! other figures.
 
 mod maps;
 mod responses;

@@ -1,4 +1,4 @@
-//! Figures of regions and maps.
+//! Draws figures of regions and maps.
 
 use crate::{curve, damped};
 use frictiongen_plot::{
@@ -9,7 +9,7 @@ use frictiongen_plot::{
 /// Names of the classes of a map.
 const STOPS: [&str; 5] = ["no stop", "1 stop", "2 stops", "3 stops", "4 stops"];
 
-/// Figure of regions and maps.
+/// Returns the figure of regions and maps.
 pub fn maps() -> Figure {
     let x = || Axis::new("frequency ratio *r*", 0.0, 2.0);
     let lower = |r: f64| 0.8 * r * r / (0.3 + r * r);

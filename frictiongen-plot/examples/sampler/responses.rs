@@ -1,4 +1,4 @@
-//! Figures of curves with markers, an inset and degrees.
+//! Draws figures of curves with markers, an inset and degrees.
 
 use crate::systems::two_masses;
 use crate::{curve, damped};
@@ -16,7 +16,7 @@ fn regimes() -> [Key; 4] {
     ]
 }
 
-/// Figure of curves with markers, an inset and degrees.
+/// Returns the figure of curves with markers, an inset and degrees.
 pub fn responses() -> Figure {
     let x = || Axis::new("frequency ratio *r*_1", 0.0, 2.5);
     let mut amplitude = Panel::new(

@@ -1,8 +1,8 @@
-//! Figures with sketches of chains.
+//! Draws figures with sketches of chains.
 
 use frictiongen_plot::{Contact, End, Excitation, Figure, Sketch, Spring};
 
-/// Figure with sketches of all kinds of contact and excitation.
+/// Returns the figure with sketches of all kinds of contact and excitation.
 pub fn systems() -> Figure {
     let mut sketch = two_masses();
     sketch.masses = (1..=6).map(|i| format!("*m*_{i}").into()).collect();

@@ -1,11 +1,11 @@
-//! Figures of motions over time.
+//! Draws figures of motions over time.
 
 use crate::curve;
 use crate::systems::base_driven;
 use frictiongen_plot::{Axis, Colour, Figure, Fill, Key, Line, Panel, Stroke};
 use std::f64::consts::PI;
 
-/// Figure with multiples of π, jumps, and values that are not finite.
+/// Returns the figure with multiples of π, jumps, and values that are not finite.
 pub fn times() -> Figure {
     let stuck = |tau: f64| (1.4 * tau.cos()).clamp(-1.0, 1.0);
     // A value that is not finite interrupts a line, so no line is drawn across a pole.

@@ -33,7 +33,8 @@ pub struct Drawn<'a> {
 /// Largest difference of phase, in radians, between neighbouring points that are joined by a line.
 const TURN: f64 = 0.6;
 /// Smallest amplitude at which the plot shows a phase, relative to the median amplitude over the range of the piece.
-/// Below it the phase is mostly rounding error: an amplitude has some 1e-13 of the largest term of its sum.
+/// Below it the phase is mostly rounding error, because an amplitude has an error of some 1e-13 of the largest term of
+/// its sum.
 const VANISHING: f64 = 1e-10;
 
 /// Returns the stroke in which a regime is drawn.
@@ -111,7 +112,7 @@ fn phases(
     let sizes: Vec<Point> = sizes
         .filter_map(|point| Some((point.r, reading.polar(point, part)?.0)))
         .collect();
-    // Points are dense near a pole. The share of the frequency range therefore counts, not the number of points.
+    // Points are dense near a pole. The median is therefore taken over the frequency range, not over the points.
     let least = VANISHING * exceeded(&sizes, 0.5);
     let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
     let mut before: Option<f64> = None;
@@ -173,7 +174,8 @@ pub fn lines(
         layers.push(Line { name, ..line }.into());
     }
     if !reading.is_phase() {
-        // The amplitudes of a motion that does not settle scatter.
+        // The amplitudes of a motion that does not settle scatter. Each of them is a piece with a single point, which
+        // is drawn as a dot.
         let lone = drawn
             .curve
             .pieces
@@ -329,7 +331,8 @@ mod tests {
     use frictiongen::study::curve::CurveRequest;
     use frictiongen::{Of, System};
 
-    /// A phase has a line as far as it has numbers. The last mass of a long chain hardly moves at high frequency.
+    /// Checks that a phase is drawn wherever it has significant digits. The last mass of a long chain hardly moves at
+    /// high frequency.
     #[test]
     fn phases_are_drawn_as_far_as_they_are_known() -> Result<(), Box<dyn std::error::Error>> {
         let chain: System = "struct Chain {

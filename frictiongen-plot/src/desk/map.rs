@@ -19,7 +19,7 @@ pub enum Shade {
     Amplitude(usize),
 }
 
-/// Number of cells of a map along an axis whose sampled values are not evenly spaced.
+/// Number of cells of a map along an axis on which the sampled values are not evenly spaced.
 const CELLS: usize = 400;
 
 /// Returns a figure of a map, with β_lim, β*_lim and the boundaries between motions over it.
@@ -113,7 +113,7 @@ pub fn map_panel(
     panel.with(continuous).with(sliding)
 }
 
-/// Assignment of the sampled values of an axis to cells of equal width.
+/// Assigns the sampled values of an axis to cells of equal width.
 struct Spread {
     /// Lower and upper end of the range that the cells cover.
     ends: (f64, f64),
@@ -178,7 +178,7 @@ fn upper(cells: &[f64]) -> (f64, f64) {
     finite.sort_by(f64::total_cmp);
     let most = finite.last().copied().unwrap_or(1.0);
     let usual = finite.get(finite.len() * 9 / 10).copied().unwrap_or(1.0);
-    // If nine tenths of the cells are at rest, the remaining tenth alone sets the scale.
+    // If nine tenths of the cells are at rest, the values of the remaining tenth alone set the scale.
     let end = if 0.0 < usual {
         most.min(2.0 * usual)
     } else {

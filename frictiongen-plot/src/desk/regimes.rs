@@ -68,12 +68,12 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
                 )
             })
             .collect();
-        // With μ = 1 the limits do not cross except by rounding.
+        // With μ = 1 only rounding can make the limits cross.
         if name == BISTABLE && places.iter().all(|(_, low, high)| high - low < SEEN * top) {
             continue;
         }
         let mut region = Region::between(name, Fill::Class(fill), &drawn);
-        // A bistable area is a narrow wedge without room for its long name.
+        // A bistable area is a narrow wedge without space for its long name.
         let room = (name != BISTABLE).then(|| roomiest(&places, top)).flatten();
         if let Some((r, beta)) = room {
             region = region.named_at((scales.frequency(r), scales.friction(beta)));

@@ -11,11 +11,11 @@ use crate::parse::syntax::{
 /// Maps the items of a scene back to the description.
 pub(super) struct Places<'s> {
     pub(super) syntax: &'s Syntax,
-    /// The entry of each spring in the scene. Some written springs are not in the scene.
+    /// The written entry of each spring of the scene. A faulty spring is written but not part of the scene.
     pub(super) springs: Vec<&'s SpringEntry>,
-    /// The entry of each provided item.
+    /// The written entry of each provided item.
     pub(super) provide: Vec<&'s ProvideEntry>,
-    /// The name of each mass that may be loaded.
+    /// The written name of each mass that the stepper may load.
     pub(super) force: Vec<&'s Name>,
 }
 

@@ -1,4 +1,4 @@
-//! Collects what a faulty description says about the type that it describes.
+//! Reads a faulty description as far as possible, to determine the type that it describes.
 
 use std::collections::HashSet;
 
@@ -8,13 +8,13 @@ use frictiongen_model::validate::may_name;
 use crate::parse::Name;
 use crate::parse::syntax::Syntax;
 
-/// The fields of a faulty description that decide the methods of its type.
+/// The fields of a faulty description that determine the methods of its type.
 pub struct Readable<'s> {
     /// The masses whose names are valid method names.
     pub mass_names: Vec<&'s Name>,
     /// The scalar type of the scene.
     pub precision: Precision,
-    /// True if the base is excited.
+    /// True if the base is the excited node.
     pub on_base: bool,
     /// The masses that the stepper may load, as indices into `mass_names`.
     pub forces: Vec<usize>,
@@ -23,7 +23,7 @@ pub struct Readable<'s> {
 }
 
 impl Syntax {
-    /// Returns the fields that could be read in spite of the errors.
+    /// Returns the fields that could be read in spite of errors.
     #[must_use]
     pub fn readable(&self) -> Readable<'_> {
         let fields = &self.fields;

@@ -75,8 +75,7 @@ pub(super) fn resolve<'s>(
     };
     if let Err(errors) = validate_known(&scene, &checks) {
         for error in errors {
-            // A number that could not be read is NaN in the scene, and its error is already
-            // reported.
+            // A number that could not be read is NaN in the scene. Its error is already reported.
             if !unread.contains(&error.path()) {
                 problems.report(places.of(error.path()), error.to_string());
             }
@@ -91,7 +90,7 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
         .name
         .as_ref()
         .map_or("the scene".to_owned(), |name| format!("`{}`", name.text));
-    // The advice names a mass that the scene has.
+    // The advice should name a mass of the scene.
     let entries = fields
         .masses
         .given()
@@ -155,7 +154,7 @@ impl<'s> Names<'s> {
                 place
             });
         }
-        // A description without any mass gets one error for that, not one error for each name.
+        // A description without any mass gets one error, not one error for each name.
         let complete = masses.list.complete && !order.is_empty();
         Self {
             index,

@@ -44,8 +44,7 @@ impl<'s> Lowering<'s, '_> {
             || matches!(fields.beyond, Slot::Broken)
             || matches!(fields.proof, Slot::Broken);
         if broken {
-            // The error is reported. The other declarations cannot be judged without the broken
-            // field.
+            // The error is already reported. Without the broken field the other declarations cannot be checked.
             return Declared::default();
         }
         let accuracy = match fields.accuracy.given() {
@@ -89,7 +88,7 @@ impl<'s> Lowering<'s, '_> {
         }
     }
 
-    /// Returns the items that could be read, with the entry of each.
+    /// Returns the provided items that could be read, each with its written entry.
     pub(super) fn provide(&mut self, fields: &'s Fields) -> (Vec<Provide>, Vec<&'s ProvideEntry>) {
         let default = || (vec![Provide::Limits, Provide::Motion(None)], Vec::new());
         self.checks.provide = match &fields.provide {
@@ -100,8 +99,8 @@ impl<'s> Lowering<'s, '_> {
         let Slot::Given(Placed { list, .. }) = &fields.provide else {
             return default();
         };
-        // A list whose entries are all faulty counts as missing. Only a list without any written
-        // entry is an error.
+        // A list whose entries are all faulty counts as missing. Only a list without any written entry is an error of
+        // its own.
         if list.entries.is_empty() && !list.complete {
             return default();
         }

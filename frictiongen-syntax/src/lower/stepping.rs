@@ -25,7 +25,7 @@ impl<'s> Lowering<'s, '_> {
         FrictionLaw::Stribeck(points.collect())
     }
 
-    /// Returns the stepper settings, and the entry of each mass that the stepper may load.
+    /// Returns the settings of the stepper, and the written name of each mass that the stepper may load.
     pub(super) fn stepping(&mut self, fields: &'s Fields) -> (Stepping, Vec<&'s Name>) {
         let (mut forces, mut entries) = (Vec::new(), Vec::new());
         let written = fields.force.given();

@@ -66,13 +66,13 @@ fn known(word: &str) -> Option<Field> {
         .map(|&(_, field)| field)
 }
 
-/// Returns the names of the fields.
+/// Returns the names of all fields.
 fn names() -> impl Iterator<Item = &'static str> {
     FIELDS.iter().map(|&(name, _)| name)
 }
 
-/// Returns whether a known field begins here. `crate:` and `crate: ::path` begin one, but
-/// `crate::path` does not.
+/// Returns true if the next tokens begin a known field. `crate:` and `crate: ::path` begin one, but `crate::path` does
+/// not.
 pub(crate) fn begins(reader: &Reader<'_>) -> bool {
     matches!(reader.peek(0), Some(Token { kind: Kind::Word(text), .. }) if known(text).is_some())
         && reader.is_punct(1, ':')
@@ -111,7 +111,7 @@ fn field(
         let message = format!("{}; delete this one", chain::ONE_CONTACT);
         return Err(problems.report(place, message));
     }
-    // An unknown field gets no second error for a missing colon.
+    // If the field is unknown, a missing colon is not reported as a second error.
     let field = recognise(&word, problems).ok_or(Reported)?;
     reader.take_colon(problems, "the name of a field and its value")?;
     match field {
@@ -179,7 +179,7 @@ fn field(
     }
 }
 
-/// Words that belong to a request for an answer and not to a scene, with the message for each.
+/// Words for the arguments of a question, which do not belong into a description. Each group of words has its message.
 const ASKED: [(&[&str], &str); 3] = [
     (
         &["friction_force", "friction_ratio", "beta", "coulomb"],
@@ -291,7 +291,7 @@ pub(crate) fn path(reader: &mut Reader<'_>) -> Option<RustPath> {
     }
 }
 
-/// Returns whether the token is a keyword that Rust accepts in no path.
+/// Returns true if the token is a keyword that no path of Rust may contain.
 fn in_no_path(token: &Token) -> bool {
     let Kind::Word(text) = &token.kind else {
         return false;

@@ -48,7 +48,7 @@ pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
             };
         }
     };
-    // The bracket is consumed even if its numbers are faulty, so the reader is still in step.
+    // The bracket is consumed even if its numbers are faulty, so the reader is at the end of the entry.
     Read {
         value: kind.ok().map(|kind| DampingEntry { place, kind }),
         clean: true,
@@ -108,7 +108,7 @@ fn rayleigh(
     }
 }
 
-/// Parses the numbers in parentheses. Fails if an entry could not be located.
+/// Parses the numbers in parentheses. Fails if an error leaves the position of an entry unknown.
 fn arguments(mut inside: Inside<'_>, problems: &mut Problems) -> Result<Vec<Number>, Reported> {
     let list = numbers(&mut inside.reader, problems);
     if list.complete {

@@ -136,8 +136,8 @@ fn attribute(
     }
 }
 
-/// Returns why the form of an attribute is wrong, in the words of `syn`. Numbers and comments do not
-/// count. The expression after `=` is not read, because only emitted code needs it.
+/// Returns the reason why an attribute has a wrong form, in the words of `syn`. Numbers and comments do not count. The
+/// expression after `=` is not read, because only emitted code needs it.
 fn fault(mut reader: Reader<'_>) -> Option<&'static str> {
     reader.next();
     let ignored =
@@ -150,7 +150,7 @@ fn fault(mut reader: Reader<'_>) -> Option<&'static str> {
     }
 }
 
-/// Returns whether Rust accepts the path in a visibility without `in`.
+/// Returns true if Rust accepts the path in a visibility without `in`.
 fn is_short(path: &RustPath) -> bool {
     match path.segments.as_slice() {
         [(None, word)] => ["crate", "self", "super"].contains(&word.text.as_str()),

@@ -31,11 +31,11 @@ struct Lexer<'t, 'p> {
     problems: &'p mut Problems,
 }
 
-/// An open bracket.
+/// A bracket that is open at the current position.
 struct Open {
     bracket: Delimiter,
     place: Place,
-    /// Tokens before the bracket.
+    /// Tokens that were read before the bracket.
     before: Vec<Token>,
 }
 
@@ -43,8 +43,7 @@ impl Lexer<'_, '_> {
     fn run(&mut self) -> Result<Vec<Token>, Reported> {
         let mut open: Vec<Open> = Vec::new();
         let mut tokens = Vec::new();
-        // A scene nests braces at most two deep. A third level means that the second was never
-        // closed.
+        // A scene nests braces at most two deep. At a third level, the second one was probably never closed.
         let mut suspect = None;
         while let Some(next) = self.peek(0) {
             let place = self.place();
@@ -346,7 +345,7 @@ fn is_continue(letter: char) -> bool {
     is_start(letter) || letter.is_ascii_digit()
 }
 
-/// Returns whether the compiler reads a word of letters, digits and `_` as one identifier.
+/// Returns true if the compiler reads a word of letters, digits and `_` as one identifier.
 fn is_identifier(word: &str) -> bool {
     let mut letters = word.chars();
     letters

@@ -64,8 +64,8 @@ pub fn parse_tokens(tokens: &[Token], end: Place, problems: &mut Problems) -> Sy
     syntax
 }
 
-/// Parses the names of a description with a reported error that makes others meaningless. The
-/// result has no scene.
+/// Parses the names of a description with a reported error after which further errors would be meaningless. The result
+/// has no scene.
 #[must_use]
 pub fn parse_faulty(tokens: &[Token], end: Place) -> Syntax {
     let mut syntax = parse_tokens(tokens, end, &mut Problems::default());
@@ -73,7 +73,7 @@ pub fn parse_faulty(tokens: &[Token], end: Place) -> Syntax {
     syntax
 }
 
-/// Returns the inside of a macro call that was pasted with its description.
+/// Returns the inside of a macro call, if the text is a macro call that contains the description.
 fn call<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'t>> {
     const NAME: &str = "friction_system";
     let mut ahead = *reader;
@@ -94,7 +94,7 @@ fn call<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'
     Some(inside.reader)
 }
 
-/// Returns the inside of the braces.
+/// Returns the inside of the braces, which contains the fields.
 fn body<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'t>> {
     let place = reader.place();
     if let Some(inside) = reader.take_group(Delimiter::Brace) {

@@ -133,7 +133,7 @@ fn single(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repor
 const NO_POWERS: &str =
     "there are no powers in a number; multiply instead, for example `2.0 * 2.0`";
 
-/// Reports frequent errors after a number, with advice.
+/// Reports frequent errors after a number, each with advice.
 fn check_after(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<(), Reported> {
     let Some(Token { kind, place }) = reader.peek(0) else {
         return Ok(());
@@ -174,7 +174,7 @@ fn literal(text: &str, place: Place, problems: &mut Problems) -> Result<f64, Rep
     nonzero(value, !is_zero, place, problems)
 }
 
-/// Reports overflow, and a value that underflowed to zero.
+/// Reports a result that overflowed, and a result that underflowed to zero.
 fn nonzero(
     value: f64,
     expected: bool,

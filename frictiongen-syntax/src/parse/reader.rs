@@ -1,4 +1,4 @@
-//! Walks over the tokens of one bracket, and finds the next entry after an error.
+//! Reads the tokens of one bracket in order, and finds the next entry after an error.
 
 use super::token::{Delimiter, Kind, Token};
 use crate::diagnostics::{Place, Problems, Reported};
@@ -25,7 +25,7 @@ pub(crate) struct Inside<'t> {
     pub(crate) place: Place,
 }
 
-/// A parsed item. `clean` is false after an error that left the reader at an unknown position.
+/// An item that was parsed. `clean` is false after an error that left the reader at an unknown position.
 pub(crate) struct Read<T> {
     pub(crate) value: Option<T>,
     pub(crate) clean: bool,
@@ -82,7 +82,7 @@ impl<'t> Reader<'t> {
         self.rest.is_empty()
     }
 
-    /// Returns the number of unread tokens. A caller compares it to see whether anything was read.
+    /// Returns the number of unread tokens. A caller compares it to detect whether anything was read.
     pub(crate) fn left(&self) -> usize {
         self.rest.len()
     }
@@ -132,7 +132,7 @@ impl<'t> Reader<'t> {
         })
     }
 
-    /// Returns the inside of a bracket of the wanted kind.
+    /// Returns the inside of a bracket of the kind `wanted`, if it is the next token.
     pub(crate) fn take_group(&mut self, wanted: Delimiter) -> Option<Inside<'t>> {
         let token = self.peek(0)?;
         match &token.kind {

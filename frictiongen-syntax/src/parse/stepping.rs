@@ -39,14 +39,14 @@ pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read
             Err(reported)
         }
     };
-    // The bracket is consumed even if its points are faulty, so the reader is still in step.
+    // The bracket is consumed even if its points are faulty, so the reader is at the end of the entry.
     Read {
         value: law.ok().map(|law| FrictionEntry { place, law }),
         clean: true,
     }
 }
 
-/// Parses the points in parentheses. Fails if a point could not be located.
+/// Parses the points in parentheses. Fails if an error leaves the position of a point unknown.
 fn points(
     reader: &mut Reader<'_>,
     problems: &mut Problems,

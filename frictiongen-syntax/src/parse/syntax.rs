@@ -1,4 +1,4 @@
-//! Defines the syntax tree: the written words with their positions, without name resolution.
+//! Defines the syntax tree: the written words with their positions. Names are not resolved yet.
 
 use frictiongen_model::scene::{Beyond, Precision, Proving, Side, StepInput};
 
@@ -7,13 +7,13 @@ use super::number::Number;
 use super::reader::{List, Name};
 use crate::diagnostics::Place;
 
-/// A field of the description.
+/// A field of the description, which may be missing or unreadable.
 #[derive(Default)]
 pub(crate) enum Slot<T> {
     /// The field is absent.
     #[default]
     Missing,
-    /// The field is present but unreadable. Its errors are reported.
+    /// The field is present but unreadable. Its errors are already reported.
     Broken,
     /// The field is present.
     Given(T),
@@ -74,7 +74,7 @@ pub(crate) struct ProvideEntry {
 
 pub(crate) enum ProvideKind {
     Limits,
-    /// The named masses; `None` for all masses.
+    /// The masses that are named. `None` stands for all masses.
     Motion(Option<List<Name>>),
     Stuck,
     Orbit,
@@ -132,7 +132,7 @@ pub struct Syntax {
     pub attributes: Vec<Attribute>,
     /// The visibility of the struct.
     pub visibility: Visibility,
-    /// The name of the struct; `None` if it is not usable.
+    /// The name of the struct. `None` if the written name cannot be used.
     pub name: Option<Name>,
     /// Position at which missing fields are reported.
     pub(crate) place: Place,

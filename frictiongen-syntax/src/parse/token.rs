@@ -76,7 +76,7 @@ impl Token {
         }
     }
 
-    /// Returns whether this token is the given punctuation.
+    /// Returns true if this token is the punctuation character `sign`.
     #[must_use]
     pub fn is_punct(&self, sign: char) -> bool {
         matches!(self.kind, Kind::Punct(own) if own == sign)

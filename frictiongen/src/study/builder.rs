@@ -80,14 +80,14 @@ impl Builder {
         self
     }
 
-    /// Adds a spring between two nodes. The first spring is the reference k₁.
+    /// Adds a spring of the given stiffness between two nodes. The first spring is the reference k₁.
     pub fn spring(mut self, from: &str, to: &str, stiffness: f64) -> Self {
         self.springs
             .push((from.to_owned(), to.to_owned(), stiffness));
         self
     }
 
-    /// Sets the two nodes of the friction contact.
+    /// Sets the two nodes between which the friction contact acts.
     pub fn contact(mut self, from: &str, to: &str) -> Self {
         self.contact = Some((from.to_owned(), to.to_owned()));
         self

@@ -1,4 +1,4 @@
-//! A run-time system with tables, as the field `accuracy` of a description emits them.
+//! A run-time system with tables like those that the macro emits for the field `accuracy` of a description.
 
 pub use super::compiled_stuck::CompiledStuck;
 use super::error::UnknownMass;
@@ -17,7 +17,7 @@ use frictiongen_model::table::Work;
 use frictiongen_model::table::{Fitted, Proof, Request, TableError, Tables};
 use std::ops::{Deref, Range};
 
-/// Number of functions of frequency that one set of polynomial pieces tabulates: β_lim, a, g, arg V and |V|.
+/// Number of functions of frequency in one set of polynomial pieces: β_lim, the coefficients a and g, arg V and |V|.
 const FUNCTIONS: usize = 5;
 
 /// The polynomial pieces of a table, in one variant for each polynomial degree.
@@ -94,7 +94,7 @@ impl<S: Float> System<S> {
     }
 }
 
-/// Converts the fitted polynomial pieces to arrays. Functions that were not requested are 0.
+/// Converts the fitted polynomial pieces to arrays of C coefficients. Functions that were not requested are 0.
 fn arrays<S: Float, const C: usize>(pieces: &[Fitted<S>]) -> Vec<Piece<S, FUNCTIONS, C>> {
     let array = |piece: &Fitted<S>| {
         let mut coefficients = [[S::constant(0.0); C]; FUNCTIONS];
@@ -147,8 +147,8 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         self
     }
 
-    /// Returns what is proven of β_lim. Without a proof, by `proven` with the feature `proof`, the tables are only
-    /// checked at points.
+    /// Returns the proof for β_lim. If `proven` did not run, which needs the feature `proof`, the
+    /// tables are only checked at points.
     ///
     /// `tables().motion_proof` is the proof for the contact's motion. `tables().sliding_proof` is the proof for
     /// β*_lim, which takes no work.

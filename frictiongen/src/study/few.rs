@@ -5,11 +5,11 @@
 #[derive(Clone, Debug)]
 #[allow(clippy::large_enum_variant, reason = "room in place is what it is for")]
 pub enum Few<T> {
-    /// The list has one entry, for a single mode.
+    /// One entry, for a chain with one mode.
     One([T; 1]),
-    /// The list has two entries, for two modes.
+    /// Two entries, for a chain with two modes.
     Two([T; 2]),
-    /// The list has any number of entries, one for each mode.
+    /// Any number of entries, one for each mode.
     Many(Vec<T>),
 }
 

@@ -52,7 +52,7 @@ impl<'a> Deref for SystemHeld<'a> {
     }
 }
 
-/// Returns the displacement of a mass for a constant unit displacement of the contact: Σφ_k(φᵀw)/λ over Σ(φᵀw)²/λ.
+/// Returns the displacement of a mass for a constant unit displacement of the contact, Σφ_k(φᵀw)/λ over Σ(φᵀw)²/λ.
 pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let shape = system.shape(mass)?;

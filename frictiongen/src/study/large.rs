@@ -1,8 +1,8 @@
 //! Modal analysis of large scenes: nalgebra's symmetric eigensolver, then one-sided Jacobi sweeps.
 //!
-//! The eigenvectors V of Γ^−½K̄Γ^−½ make the columns of G·V orthogonal, except for digits lost in forming K̄. A small
-//! frequency among large ones loses most digits. One or two sweeps of one-sided Jacobi rotations on these columns, in
-//! double precision, restore the digits.
+//! Let G be the matrix whose singular values are the frequency ratios √λ, and V the eigenvectors of Γ^−½K̄Γ^−½. The
+//! columns of G·V are orthogonal, except for digits lost in forming K̄. A small frequency among large ones loses most
+//! digits. One or two sweeps of one-sided Jacobi rotations on these columns, in double precision, restore the digits.
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Scene;
@@ -10,10 +10,11 @@ use nalgebra::DMatrix;
 
 /// Largest number of masses for which the modal analysis is in double-double arithmetic.
 pub(super) const LARGEST_EXACT: usize = 64;
-/// Share of a residue's largest possible size below which the residue counts as rounding noise.
+/// A residue below this fraction of its largest possible size counts as rounding.
 const NOISE: f64 = 1e-13;
 /// Cosine of the angle between two columns below which the columns count as orthogonal.
 const ORTHOGONAL: f64 = 1e-15;
+/// Largest number of sweeps of rotations.
 const MAX_SWEEPS: usize = 12;
 
 /// Returns the modal analysis of a scene with any number of masses.

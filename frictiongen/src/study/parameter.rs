@@ -43,9 +43,9 @@ pub enum Parameter {
 /// A number X and its derivative with respect to one parameter p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
-    /// The number X whose derivative is taken.
+    /// The number X itself.
     pub value: f64,
-    /// The derivative dX/dp of the number X with respect to a parameter p.
+    /// The derivative dX/dp.
     pub derivative: f64,
 }
 

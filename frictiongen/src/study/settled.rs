@@ -9,8 +9,8 @@ use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckReso
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
-/// Relative tolerance, in units of the machine epsilon, within which √λ_i/r counts as an even integer. The tolerance
-/// of Floquet multipliers on the unit circle is the same.
+/// Relative tolerance, in units of the machine epsilon, within which √λ_i/r counts as an even integer. A Floquet
+/// multiplier within the same tolerance counts as on the unit circle.
 const ON_CIRCLE: f64 = 4096.0;
 
 /// The state of a steady motion at a maximum of the excitation: displacement and velocity of every mass.
@@ -78,8 +78,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response in which motion from the state `start` ends, and that response's own state for the next
-    /// call.
+    /// Returns the response in which motion from the state `start` ends, and the state of this response, from which the
+    /// next call can start.
     #[cfg(feature = "desk")]
     pub(super) fn response_from(
         &self,
@@ -110,7 +110,7 @@ impl<'a> SystemAt<'a> {
     /// influence on the result. A motion that does not settle counts as stick-slip.
     #[must_use]
     pub fn regime_of(&self, orbit: &SystemOrbit<'_>) -> Regime {
-        // Just below β*_lim, rounding can hide a small motion, so the limit decides too.
+        // Just below β*_lim rounding can hide a small motion, so β is compared with β*_lim too.
         let holds = !(orbit.beta() < self.sliding_limit());
         let frictionless = orbit.beta() == 0.0;
         if holds && orbit.is_settled() && orbit.never_slides() {
@@ -208,9 +208,9 @@ mod tests {
     use super::Carried;
     use crate::study::System;
 
-    /// A state carries over from one frequency to another with unchanged displacements and velocities in time, where
-    /// dx̄/dτ = (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the initial position and
-    /// velocity.
+    /// Checks that a state carries over from one frequency to another with unchanged displacements and velocities in
+    /// time, where dx̄/dτ = (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the initial
+    /// position and velocity.
     #[test]
     fn a_state_goes_over_to_another_frequency() {
         let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall,

@@ -10,11 +10,11 @@ use frictiongen_kernel::stepper::{
 use frictiongen_kernel::{Float, Plain};
 use std::ops::{Deref, DerefMut};
 
-/// Number of coefficients that describe the input over one step. It suffices for each kind of input.
+/// Number of polynomial coefficients that describe the input over one step. It suffices for each kind of input.
 const COEFFICIENTS: usize = 4;
 
-/// The constants of a step of one length, in vectors: the propagation of each mode while the contact slides and while
-/// it sticks.
+/// The constants of steps of one length, as vectors: the propagation of each mode while the contact slides and while it
+/// sticks.
 #[derive(Clone, Debug)]
 pub struct SystemStepTables<S> {
     pace: Pace<S>,
@@ -67,7 +67,7 @@ where
     }
 }
 
-/// The state of a stepper, in vectors: displacement and velocity of each mode while the contact slides and while it
+/// The state of a stepper, as vectors: displacement and velocity of each mode while the contact slides and while it
 /// sticks.
 #[derive(Clone, Debug)]
 pub struct SystemStepStore<S> {

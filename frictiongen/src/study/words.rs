@@ -1,4 +1,4 @@
-//! Words for regimes, answers, events and features. Each has one word in tables, files and every language.
+//! Words for regimes, answers, events and features. Tables, files and all languages use the same word for each.
 
 use super::{
     StudyError, SystemAt,
@@ -85,7 +85,7 @@ pub fn reason(error: NoOrbit) -> &'static str {
     }
 }
 
-/// Returns how a response was found.
+/// Returns the word for the method that computed a response.
 #[must_use]
 pub fn answer(response: &SystemResponse<'_>) -> &'static str {
     match response {
@@ -95,7 +95,7 @@ pub fn answer(response: &SystemResponse<'_>) -> &'static str {
     }
 }
 
-/// Returns the kind of a steady state that was computed from event to event.
+/// Returns the word for a steady state that was computed from event to event.
 #[must_use]
 pub fn found(orbit: &SystemOrbit<'_>) -> &'static str {
     match (orbit.is_marginal(), orbit.is_stable()) {
@@ -108,7 +108,7 @@ pub fn found(orbit: &SystemOrbit<'_>) -> &'static str {
     }
 }
 
-/// Returns how a point of a curve was found, or why there is none.
+/// Returns the word for the method that computed a point of a curve, or the reason why there is none.
 #[cfg(feature = "desk")]
 #[must_use]
 pub fn on_curve(point: Result<&CurvePoint, Error>) -> &'static str {
@@ -185,7 +185,7 @@ pub fn event(event: Event) -> &'static str {
     }
 }
 
-/// Returns what limits the amplitude at an optimum.
+/// Returns the word for the reason why the amplitude at an optimum cannot be lower.
 #[must_use]
 pub fn kind(kind: OptimumKind) -> &'static str {
     match kind {
@@ -196,7 +196,7 @@ pub fn kind(kind: OptimumKind) -> &'static str {
     }
 }
 
-/// Returns how the search for an optimum ended.
+/// Returns the word for the cause that ended the search for an optimum.
 #[must_use]
 pub fn end(end: OptimumEnd) -> &'static str {
     match end {
@@ -223,7 +223,7 @@ pub fn no_derivative(error: &StudyError) -> Option<&'static str> {
     })
 }
 
-/// Returns the word for the quantity that an invariant point keeps.
+/// Returns the word for the quantity that is independent of friction at an invariant point.
 #[must_use]
 pub fn measured(measured: Measured) -> &'static str {
     match measured {
@@ -256,7 +256,7 @@ pub fn edge(edge: Edge) -> &'static str {
     }
 }
 
-/// Returns whether a list of features is proven to be complete or comes from samples.
+/// Returns the word for the completeness of a list of features: proven, or sampled.
 #[must_use]
 pub fn certainty(certainty: Certainty) -> &'static str {
     match certainty {

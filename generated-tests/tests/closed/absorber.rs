@@ -1,4 +1,5 @@
-//! Masses beyond the contact as absorbers: V and H vanish together at the natural frequencies of these masses.
+//! Tests masses beyond the contact that act as absorbers: V and H vanish together at the natural frequencies of these
+//! masses.
 //!
 //! With the contact stuck, the masses beyond it have no load and do not move. The tests compare every mass, not only
 //! those between load and contact.
@@ -28,7 +29,7 @@ friction_system! {
     }
 }
 
-// With five modes the emitted code evaluates sums by calls instead of straight-line code.
+// With five modes, the emitted code evaluates sums by function calls instead of straight-line code.
 friction_system! {
     pub struct Five {
         masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1 },
@@ -45,7 +46,7 @@ const FIVE: &str = "struct Five { masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1 },
     springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1 },
     contact: m3 - wall, excitation: m1 }";
 
-/// Returns the frequency ratio r and ratios on either side of it, nearer and nearer.
+/// Returns the frequency ratio r, and ratios on either side of it in decreasing distance.
 fn beside(r: f64) -> Vec<f64> {
     let mut ratios = vec![r, r.next_up(), r.next_down()];
     for exponent in 1..=15 {
@@ -55,16 +56,18 @@ fn beside(r: f64) -> Vec<f64> {
     ratios
 }
 
-/// The sliding limit and the masses' amplitudes at r.
+/// Function that returns β*_lim and the masses' amplitudes (over P/k₁) at r.
 type Exact = fn(f64) -> (f64, Vec<f64>);
 
-/// Three masses with the contact stuck: m₁ is between two unit springs, and m₃ hangs on a mass at rest.
+/// Returns the exact result for three masses with the contact stuck. Mass m₁ is between two unit springs, and m₃ hangs
+/// on a mass at rest.
 fn three(r: f64) -> (f64, Vec<f64>) {
     let first = 1.0 / (2.0 - r * r);
     (first.abs(), vec![first, 0.0, 0.0])
 }
 
-/// Five masses with the contact stuck: m₁ and m₂ are between the base and the stuck m₃, on which m₂ pulls.
+/// Returns the exact result for five masses with the contact stuck. Masses m₁ and m₂ are between the base and the stuck
+/// m₃, on which m₂ pulls.
 fn five(r: f64) -> (f64, Vec<f64>) {
     let a = 2.0 - r * r;
     let (first, second) = (a / (a * a - 1.0), 1.0 / (a * a - 1.0));
@@ -89,7 +92,7 @@ where
         (compared, worst) = (compared + 1, worst.max(error));
     };
     for r in beside(r) {
-        // The exact values use r as rounded to the system's scalar.
+        // The exact values are computed for r as rounded to the system's scalar.
         let read = F::Scalar::constant(r);
         let (limit, amplitudes) = exact(read.to_f64());
         let at = system.at(read).expect("in the domain");
@@ -109,20 +112,20 @@ where
     (compared, worst)
 }
 
-/// Tolerance in double precision. The quotient loses a rounding divided by the distance from the absorber's frequency.
-/// The series loses the fourth power of that distance. Both losses are equal at the fourth root of a rounding, where a
-/// quarter of the digits and a small factor are lost.
+/// Tolerance in double precision. At a relative distance d from the absorber's frequency, the quotient V/H has an error
+/// of a rounding over d, and the series an error of d⁴. Both are equal where d⁴ is somewhat above a rounding, and about
+/// a quarter of the digits is lost there.
 const DOUBLE: f64 = 1e-11;
 const SINGLE: f64 = 1e-4;
-/// Tolerance in double-double. Three quarters of 31 digits would be 1e-23, but the exact values are in double
-/// precision.
+/// Tolerance in double-double. The formula keeps three quarters of 31 digits, or 1e-23, but the exact values are in
+/// double precision.
 const EXACT: f64 = 2e-15;
 
 #[test]
 fn three_masses_at_the_absorbers_frequency() {
     let system: System = THREE.parse().expect("a valid scene");
     let exact: System<Dd> = THREE.parse().expect("a valid scene");
-    // There are 33 frequencies, each with a limit and three complex amplitudes.
+    // There are 33 frequencies, each with one limit and three complex amplitudes.
     for (compared, _) in [
         check(&Three, 1.0, three, DOUBLE),
         check(&system, 1.0, three, DOUBLE),
@@ -137,8 +140,8 @@ fn three_masses_at_the_absorbers_frequency() {
     );
 }
 
-/// Five unit masses with the contact in the middle. The frequency ratios of the two masses beyond it are the golden
-/// ratio and its reciprocal.
+/// Checks five unit masses with the contact in the middle. The natural frequencies of the two masses beyond it, as
+/// ratios, are the golden ratio and its reciprocal.
 #[test]
 fn two_masses_beyond_the_contact() {
     let system: System = FIVE.parse().expect("a valid scene");

@@ -1,5 +1,5 @@
-//! The reference values of `reference/closed_form.json` and of the wedges in `reference/several_states.json`, compared
-//! at run time and through the macro. A wedge is the range of friction ratios between β*_lim and β_lim.
+//! Compares answers, at run time and through the macro, with the reference values of `reference/closed_form.json` and
+//! of the wedges in `reference/several_states.json`. A wedge is the range of friction ratios between β*_lim and β_lim.
 
 use frictiongen::System;
 use frictiongen::study::scene::Scene;
@@ -12,23 +12,23 @@ use generated_tests::reference::{
 use generated_tests::scenes::{TEXTS, compare_double, compare_single};
 use generated_tests::wedges as emitted_wedges;
 
-/// Tolerance in double precision, 1e-12 of each quantity's scale, which is some 4500 roundings.
+/// Tolerance in double precision: 1e-12 of each quantity's scale, which is some 4500 roundings.
 ///
-/// A point within 1e-2 of a subharmonic costs up to three of the sixteen digits. At r far above the resonances, the
-/// modal terms of a mass several springs away from load and contact cancel to 1e-4 of their size. An example is scene
-/// 20, mass 4, r = 5.3.
+/// The tolerance covers two losses. At a point within 1e-2 of a subharmonic up to three of the sixteen digits are lost.
+/// At r far above the resonances, the modal terms of a mass several springs away from load and contact cancel to 1e-4
+/// of their size. An example is scene 20, mass 4, r = 5.3.
 const DOUBLE: f64 = 1e-12;
 
-/// Tolerance in single precision, 2e-4 of each quantity's scale, which is some 1700 roundings.
+/// Tolerance in single precision: 2e-4 of each quantity's scale, which is some 1700 roundings.
 const SINGLE: f64 = 2e-4;
 /// Numbers of the scenes whose points lose too many digits for 2e-4 in single precision.
 ///
-/// They have far masses above the resonances (11, 20) or limits near a subharmonic (30). There the rounding of r and λ
-/// to single precision alone changes the limits by more than 2e-4.
+/// Scenes 11 and 20 have far masses above the resonances, and scene 30 has limits near a subharmonic. There the
+/// rounding of r and λ to single precision alone changes the limits by more than 2e-4.
 const ILL_CONDITIONED: [usize; 3] = [11, 20, 30];
 
-/// Number of values of each kind in the reference: 38 scenes with 141 masses in total, three points each, and two
-/// motions a point.
+/// Number of compared values of each kind. The reference has 38 scenes with 141 masses in total, three points for each
+/// scene, and two motions for each point.
 const COMPARED: [(&str, usize); 11] = [
     ("amplitude", 846),
     ("contact amplitude", 228),
@@ -63,12 +63,12 @@ fn run_time_system() {
     all_within(&worst, DOUBLE);
 }
 
-/// Tolerance for the wedges, in units of a quantity's scale: 64 roundings of ε = 2⁻⁵².
+/// Tolerance for the wedges, in units of a quantity's scale. It is 64 roundings of ε = 2⁻⁵².
 ///
 /// The scale is the value itself. For displacements and harmonics it is the amplitude of their mass, for a stuck
 /// response the largest of its scene, for a phase one radian.
 const WEDGE: f64 = 64.0 * f64::EPSILON;
-/// Number of values of the wedges: 22 points of 14 scenes, 44 motions of 80 masses.
+/// Number of compared values of each kind in the wedges: 22 points of 14 scenes, 44 motions of 80 masses.
 const WEDGES: [(&str, usize); 10] = [
     ("amplitude", 80),
     ("contact amplitude", 44),
@@ -89,7 +89,7 @@ fn all_wedges_within(worst: &Worst, tolerance: impl Fn(&str) -> f64) {
     assert_eq!(worst.beyond(tolerance), Vec::<String>::new());
 }
 
-/// With μ > 1 the closed form is a steady state for every β < β_lim, also from β*_lim on.
+/// Checks that with μ > 1 the closed form is a steady state for every β < β_lim, also for β above β*_lim.
 #[test]
 fn wedges_at_run_time() {
     let (mut worst, mut wide) = (Worst::default(), Worst::default());
@@ -119,11 +119,13 @@ fn emitted_wedges() {
 
 /// Tolerance in double-double: half a unit of the reference's 20th digit, 5e-20, and as much again for the comparison.
 const DIGITS: f64 = 1e-19;
-/// Tolerance for phases in double-double. The reference has the instant of a maximum to fewer digits than its height,
-/// 1e-16. (Scene 31, r = 0.445156, mass 3 is the worst. In 50 digits its phase is −3.113282548776704094, not …4180.)
+/// Tolerance for phases in double-double, in rad. The reference has fewer digits for the instant of a maximum, 1e-16,
+/// than for its height. The worst phase is that of scene 31, r = 0.445156, mass 3: in 50 digits it is
+/// −3.113282548776704094, and the reference ends in …4180.
 const PLACES: f64 = 2e-16;
 
-/// The formulas in double-double, which are the reference of other tests, agree with the JSON file to its digits.
+/// Checks that the formulas in double-double, which are the reference of other tests, agree with the JSON file to its
+/// digits.
 #[test]
 fn read_in_double_double() {
     let mut worst = Worst::default();
@@ -137,7 +139,7 @@ fn read_in_double_double() {
     assert_eq!(beyond, Vec::<String>::new());
 }
 
-/// The extremes in double-double, near poles, where up to ten of its 31 digits are lost.
+/// Checks the extremes in double-double. They are near poles, where up to ten of the 31 digits are lost.
 #[test]
 fn extremes_read_in_double_double() {
     let mut all = Worst::default();
@@ -169,9 +171,9 @@ fn extremes_read_in_double_double() {
     ];
     assert_eq!(all.compared(), compared);
     assert_eq!(usual.beyond(|_| DIGITS), Vec::<String>::new());
-    // At both bounds of the range the reference has 17 digits.
+    // At both bounds of the range the reference has only 17 digits.
     assert_eq!(ends.beyond(|_| 5e-17), Vec::<String>::new());
-    // Below 1e-290 the low word of a double-double underflows, so only double precision is left.
+    // Below 1e-290 the low word of a double-double underflows, so only double precision remains.
     assert_eq!(vanishing.beyond(|_| f64::EPSILON), Vec::<String>::new());
 }
 
@@ -191,7 +193,7 @@ fn emitted_single() {
     for (index, scene) in compare_single(&closed_form()).into_iter().enumerate() {
         let failed = scene.beyond(|_| SINGLE);
         if ILL_CONDITIONED.contains(&(index + 1)) {
-            // Five times the tolerance is enough there.
+            // At these points five times the tolerance is enough.
             assert_eq!(scene.beyond(|_| 5.0 * SINGLE), Vec::<String>::new());
             ill.join(scene);
         } else if failed.is_empty() {
@@ -207,7 +209,7 @@ fn emitted_single() {
     assert_eq!(worst.compared(), COMPARED);
 }
 
-/// The macro has received exactly the scenes of the reference.
+/// Checks that the macro has received exactly the scenes of the reference.
 #[test]
 fn texts_are_the_references() {
     let references = closed_form();
@@ -217,7 +219,7 @@ fn texts_are_the_references() {
     }
 }
 
-/// Reads a scene without its name.
+/// Reads a scene and removes its name, which may differ between two texts of the same scene.
 fn read(text: &str) -> Scene {
     let scene = parse_text(text, &Limits::MACRO).expect("a valid scene");
     Scene {
@@ -226,7 +228,7 @@ fn read(text: &str) -> Scene {
     }
 }
 
-/// With one mass the sum of the modes' own maxima is the maximum of the sum.
+/// Checks that with one mass the sum of the modes' own maxima is the maximum of the sum.
 #[test]
 fn one_mode_has_its_own_maximum() {
     let (mut compared, mut searched, mut worst) = (0, 0, 0.0);
@@ -260,9 +262,9 @@ fn one_mode_has_its_own_maximum() {
         }
     }
     println!("{compared} values compared, worst {worst:.1e}; {searched} with a search");
-    // Both searches find S to a few roundings, which U² + S² may double.
+    // Both searches find S to a few roundings, and U² + S² may double this error.
     assert!(worst < 1e-14);
     assert_eq!(compared, 6 * 2 * 199);
-    // The counted searches are those in which S exceeds its value at the start.
+    // Only searches count in which S exceeds its value at the start of the half period.
     assert!(searched > 100, "{searched}");
 }

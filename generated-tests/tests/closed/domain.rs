@@ -1,4 +1,4 @@
-//! Arguments outside the domain, at its bounds, and on the boundaries of the regimes.
+//! Tests arguments outside the domain, at its bounds, and on the boundaries of the regimes.
 
 use frictiongen::{Error, Given, NotContinuous, OutOfDomain, Regime, System};
 use generated_tests::shown::{
@@ -49,13 +49,13 @@ fn ratios_that_are_none() {
 
 #[test]
 fn a_motion_says_which_regime_it_is_instead() {
-    // At r = 0.3, β_lim is 0.05 and β*_lim is 1.
+    // At r = 0.3 the limits are β_lim = 0.05 and β*_lim = 1.
     let at = SdofWall::at(0.3).expect("in the domain");
     assert_eq!(at.motion(0.5).err(), Some(NotContinuous::StickSlip));
     assert_eq!(at.motion(1.0).err(), Some(NotContinuous::Stuck));
     assert_eq!(at.regime(0.01), Ok(Regime::Continuous));
     assert!(at.motion(0.01).is_ok());
-    // β lies one rounding on either side of each limit.
+    // The tested β lie one rounding below and one rounding above each limit.
     let (continuous, sliding) = (at.continuous_limit(), at.sliding_limit());
     assert!(at.motion(continuous.next_down()).is_ok());
     assert_eq!(at.motion(continuous).err(), Some(NotContinuous::StickSlip));
@@ -84,14 +84,15 @@ fn without_friction_there_is_always_a_motion() {
     assert_eq!(compared, 3 * 2);
 }
 
-/// On an undamped resonance the threshold is π/4·|φᵀp/φᵀw|. With less friction the motion is unbounded.
+/// Checks the regimes on an undamped resonance. The threshold is π/4·|φᵀp/φᵀw|, and with less friction the motion is
+/// unbounded.
 #[test]
 fn on_a_resonance() {
     let at = SdofWall::at(SdofWall::RESONANCES[0]).expect("in the domain");
     assert!((at.continuous_limit() - std::f64::consts::FRAC_PI_4).abs() < 1e-15);
     assert_eq!(at.motion(0.5).err(), Some(NotContinuous::Unbounded));
     assert_eq!(at.motion(0.9).err(), Some(NotContinuous::StickSlip));
-    // The thresholds of the thesis's three masses are 0.436, 1.765 and 0.630.
+    // The thresholds of the thesis's three masses are the friction ratios 0.436, 1.765 and 0.630.
     let mut compared = 0;
     assert_eq!(Thesis::RESONANCES.len(), 3);
     for (r, threshold) in Thesis::RESONANCES
@@ -139,7 +140,7 @@ fn the_ends_of_the_range() {
     let at = SdofBase::at(0.0).expect("in the domain");
     assert_eq!((at.continuous_limit(), at.sliding_limit()), (0.0, 0.0));
     assert_eq!(at.regime(0.1), Ok(Regime::Stuck));
-    // The limits at nearby ratios tend to those at the bound, in both precisions.
+    // The limits at nearby ratios approach those at the bound, in both precisions.
     let far = PairMasses::at(f64::INFINITY)
         .expect("in the domain")
         .continuous_limit();

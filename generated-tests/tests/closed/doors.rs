@@ -1,4 +1,4 @@
-//! A description in a file, in a function, and several descriptions in one module.
+//! Tests a description in a file, a description in a function, and several descriptions in one module.
 
 use frictiongen::{System, friction_system};
 use generated_tests::shown::Braced;
@@ -7,7 +7,7 @@ mod from_file {
     frictiongen::friction_system!("scenes/braced.friction");
 }
 
-/// A description in a file gives the same solver as the same scene in the source, with the same arithmetic.
+/// Checks that a description in a file gives the same solver as the same scene in the source, with the same arithmetic.
 #[test]
 fn a_file_is_a_description() {
     let mut compared = 0;

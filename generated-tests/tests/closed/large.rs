@@ -23,8 +23,8 @@ fn chain(masses: usize, spread: f64) -> String {
     text
 }
 
-/// The double-double analysis of the same scene gives the same frequencies to a relative 1e-13, also where masses and
-/// stiffnesses spread over eight decades.
+/// Checks that the double-double analysis of the same scene gives the same frequencies to a relative 1e-13. This is
+/// also true where masses and stiffnesses spread over eight decades.
 #[test]
 fn frequencies_and_limits_of_80_masses() {
     for spread in [10.0, 1e8] {
@@ -48,8 +48,8 @@ fn frequencies_and_limits_of_80_masses() {
             "spread {spread:e}: frequencies off by {worst:e}"
         );
     }
-    // 64 masses have the same limits as 64 masses and one more that is too light and soft to matter. The contact is
-    // next to the load, so that no sum over modes cancels.
+    // A chain of 64 masses has the same limits as the chain with one more mass that is too light and soft to matter.
+    // The contact is next to the load, so no sum over modes cancels.
     let text = chain(64, 10.0);
     let (small, large) = (
         text.clone(),
@@ -100,7 +100,7 @@ fn compare_uniform(masses: usize) {
         let limit = system.at(r).expect("in the domain").sliding_limit();
         let error = (limit * (2.0 - r * r).abs() - 1.0).abs();
         println!("r = {r}: sliding limit off by {error:.1e}");
-        // Poles are some 1/N apart, so that 1e-13 of a frequency is 1e-10 near them.
+        // Poles are some 1/N apart, so an error of 1e-13 in a frequency causes an error of 1e-10 near a pole.
         assert!(error < 1e-13 * (10 * masses) as f64, "r = {r}: {error:e}");
     }
 }
@@ -110,7 +110,8 @@ fn a_uniform_chain_of_100_masses() {
     compare_uniform(100);
 }
 
-/// Run with `cargo test --release -p generated-tests --test closed large:: -- --ignored --nocapture`.
+/// Measures chains of a thousand masses. Run it with `cargo test --release -p generated-tests --test closed large:: --
+/// --ignored --nocapture`.
 #[test]
 #[ignore = "a thousand masses take some seconds"]
 fn a_thousand_masses() {

@@ -1,5 +1,5 @@
-//! Closed forms: limits, continuous motion and stuck responses, at run time and emitted. The references have 40 digits,
-//! or solve the governing equations.
+//! Tests of closed forms: limits, continuous motion and stuck responses, at run time and emitted. The references have
+//! 40 digits, or solve the governing equations.
 
 mod absorber;
 mod closed_form;

@@ -1,5 +1,5 @@
-//! One formula in three implementations: an interpreter of the recorded graph, the compiled code printed from that
-//! graph, and the run-time system.
+//! Tests one formula in three implementations: an interpreter of the recorded graph, the compiled code printed from
+//! that graph, and the run-time system.
 
 use frictiongen::{
     ContinuousMotion, FrictionSystem, Given, LimitsAt, MotionAt, Of, OutOfDomain, Slice, Steady,
@@ -11,8 +11,8 @@ use generated_tests::shown;
 
 const RATIOS: [f64; 7] = [0.0371, 0.3, 0.61, 0.97, 1.3, 2.2, 9.0];
 
-/// Compares the limits at several points. The interpreted and the compiled ones must be equal bit for bit, those of the
-/// run-time system within `roundings`.
+/// Compares the limits at several points. The interpreted and the compiled limits must be equal bit for bit. Those of
+/// the run-time system may differ by `roundings` roundings.
 fn check<S, F>(name: &str, emitted: &F, roundings: f64)
 where
     S: Float,
@@ -150,7 +150,7 @@ where
     }
     println!("{name}: {compared} motions compared, {skipped} of masses without one skipped");
     assert_eq!(compared + skipped, RATIOS.len() * system.masses());
-    // These scenes provide the motion of one mass, and the others of every mass.
+    // These scenes provide the motion of one mass. The other scenes provide the motion of every mass.
     let without = match name {
         "OneMotion" | "Five" | "Tall" => system.masses() - 1,
         _ => 0,
@@ -165,8 +165,8 @@ fn same_bits<S: Float>(interpreted: S, compiled: S, place: &str) {
     );
 }
 
-/// Asserts a difference of at most `roundings` roundings of `scale`. 1e-13 is 450 of them, and single precision has the
-/// same bound.
+/// Asserts a difference of at most `roundings` roundings of `scale`. In double precision 1e-13 is 450 roundings, and
+/// single precision has the same number.
 fn close<S: Float>(a: S, b: S, scale: S, roundings: f64, place: &str) {
     let bound = scale.to_f64().abs() * roundings * S::EPSILON;
     let difference = (a.to_f64() - b.to_f64()).abs();
@@ -219,13 +219,13 @@ fn stuck_responses_agree() {
                 for (part, compiled) in [("re", compiled.re), ("im", compiled.im)] {
                     let wanted = format!("{}.stuck.{part}", mass.name);
                     let found = interpreted.iter().find(|(name, _)| *name == wanted);
-                    // The graph does not compute a mass that the stuck contact ties to its support.
+                    // The graph does not compute a mass that the stuck contact holds at its support.
                     let Some((_, value)) = found else {
                         assert_eq!(compiled, 0.0);
                         tied += 1;
                         continue;
                     };
-                    // An imaginary zero has no sign of its own.
+                    // An imaginary part of 0 may have either sign, so its sign is dropped.
                     let value = value + 0.0;
                     same_bits(
                         value,
@@ -238,14 +238,14 @@ fn stuck_responses_agree() {
         }
         println!("{name}: {compared} values compared, {tied} of tied masses found to be 0");
         assert_eq!(compared + tied, RATIOS.len() * scene.masses.len() * 2);
-        // On the wall one mass is tied. Of two masses that rub on each other none is tied.
+        // On the wall one mass is held by the stuck contact. If two masses rub on each other, none is held.
         let masses = usize::from(name != "PairMasses");
         assert_eq!(tied, RATIOS.len() * masses * 2, "{name}");
     }
     check_all!(stuck: PairMasses, Five, Symmetric);
 }
 
-/// The function `limits_without_search` gives the same bits as the limits by `at`, emitted and at run time.
+/// Checks that `limits_without_search` gives the same bits as the limits by `at`, emitted and at run time.
 #[test]
 fn limits_without_search_are_those_of_at() {
     fn by_at<F: FrictionSystem>(system: &F, r: F::Scalar) -> [u64; 2] {
@@ -293,7 +293,7 @@ fn limits_without_search_are_those_of_at() {
                 assert_eq!(found, at_once(system, *r), "{name} at r = {r:?} of a slice");
             }
         }
-        // The first invalid r ends the slice, and the earlier elements are filled in.
+        // The first invalid r ends the evaluation of the slice, and the elements before it are filled in.
         for at in 0..19 {
             let mut rs = ratios[700..720].to_vec();
             rs[at] = F::Scalar::constant(f64::NAN);
@@ -337,7 +337,7 @@ fn limits_without_search_are_those_of_at() {
         PairMasses, Thesis, Five, Single, Braced, Symmetric, LimitsOnly, OneMotion, Tall, Stopping);
 }
 
-/// The limits of a slice equal those of single calls bit for bit.
+/// Checks that the limits of a slice equal those of single calls bit for bit.
 #[test]
 fn slices_are_single_points() {
     let (mut continuous, mut sliding) = ([0.0; 7], [0.0; 7]);

@@ -1,4 +1,4 @@
-//! Constants in single precision are double-double numbers, rounded once.
+//! Tests that constants in single precision are double-double numbers, rounded once.
 //!
 //! A conversion through a double would round them twice. The difference shows only where the double lies halfway
 //! between two single numbers. The second rounding then does not know on which side the number was. The stiffnesses
@@ -32,7 +32,7 @@ friction_system! {
     }
 }
 
-/// Returns (1 + k·2⁻²⁴)², which is exact in double precision.
+/// Returns (1 + k·2⁻²⁴)², which double precision represents exactly.
 fn square(k: f64) -> f64 {
     let root = 1.0 + k * 2.0_f64.powi(-24);
     root * root
@@ -40,7 +40,7 @@ fn square(k: f64) -> f64 {
 
 #[test]
 fn emitted_and_at_run_time() {
-    // The stiffnesses are the neighbours of the exact squares.
+    // These stiffnesses are the double-precision neighbours of the exact squares.
     let texts = [ABOVE, BELOW];
     let meant = [square(1.0).next_up(), square(3.0).next_down()];
     for (text, meant) in texts.iter().zip(meant) {
@@ -65,7 +65,7 @@ fn emitted_and_at_run_time() {
         assert_eq!(got, nearest, "{what}");
         compared += 1;
     }
-    // A frequency is also divided by ω.
+    // Each compared frequency is also divided by ω.
     for (what, got) in [
         ("emitted, above", Above::frequency_ratio(1.0)),
         ("emitted, below", Below::frequency_ratio(1.0)),

@@ -1,4 +1,4 @@
-//! The quasi-static start, compared with a linear solve of the chain: K x = p − βw while the contact slides.
+//! Compares the quasi-static start with a linear solve of the chain: K x = p − βw while the contact slides.
 
 use frictiongen::System;
 use generated_tests::larger;
@@ -62,7 +62,7 @@ fn starts_are_static_displacements() {
             DVector::from_column_slice(case.load),
             DVector::from_column_slice(case.contact),
         );
-        // The force in the stuck contact is wᵀK⁻¹p/wᵀK⁻¹w.
+        // The force in the stuck contact, over P, is wᵀK⁻¹p/wᵀK⁻¹w.
         let free = k.solve(&p).expect("a chain that is held");
         let by_contact = k.solve(&w).expect("a chain that is held");
         let holding = (w.dot(&free) / w.dot(&by_contact)).abs();
@@ -90,7 +90,7 @@ fn starts_are_static_displacements() {
         }
     }
     println!("{compared} values compared, worst {worst:.1e}; {stuck} of stuck contacts");
-    // The displacements are of order 1, and the solve is well conditioned.
+    // The displacements are of order 1 and the solve is well conditioned, so few digits are lost.
     assert!(worst < 1e-14);
     assert_eq!(compared, 16 * (3 + 2 + 2));
     assert_eq!(stuck, 3 * 4);

@@ -1,5 +1,5 @@
-//! Frequencies at which the response with a stuck contact is refused with `StuckResonance`. The tests run emitted and
-//! at run time, in both precisions, and on every mass. No frequency near a refused one is refused.
+//! Tests the frequencies at which the response with a stuck contact is refused with `StuckResonance`. The tests run
+//! emitted and at run time, in both precisions, and on every mass. No frequency near a refused one is refused.
 
 use frictiongen::{FrictionSystem, StuckAt, StuckResonance, System, friction_system};
 use frictiongen_kernel::{Float, Scalar};
@@ -26,7 +26,8 @@ const SYMMETRIC: &str = "struct Symmetric { masses: { left: 1, middle: 1, right:
     springs: { base - left: 1, left - middle: 1, middle - right: 1, right - wall: 1 },
     contact: middle - wall, excitation: left }";
 
-/// A symmetric chain of seven masses, whose sums over modes are calls. The contact does not touch three of its modes.
+/// Description of a symmetric chain of seven masses, in which the emitted sums over modes are function calls. The
+/// contact does not move in three of its modes.
 const SEVEN: &str = "struct Seven { masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1, m6: 1, m7: 1 },
     springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1, m5 - m6: 1, m6 - m7: 1,
     m7 - wall: 1 }, contact: m4 - wall, excitation: m1 }";
@@ -42,7 +43,7 @@ friction_system! {
     }
 }
 
-// With damping, the same mode is bounded.
+// With damping, the response of the same mode is bounded.
 friction_system! {
     pub struct Damped {
         masses: { left: 1, middle: 1, right: 1 },
@@ -102,7 +103,7 @@ fn a_resonance_that_the_contact_does_not_touch() {
     assert_eq!(check(&single, &[1]), 27);
     assert_eq!(check(&Seven, &[1, 3, 5]), 147);
     assert_eq!(check(&seven, &[1, 3, 5]), 147);
-    // The inherent functions answer as those of the trait.
+    // The inherent functions must return the same as those of the trait.
     let r = Symmetric::RESONANCES[1];
     let refused = |at: Result<_, _>| matches!(at, Err(StuckResonance));
     assert!(refused(
@@ -119,8 +120,8 @@ fn a_damped_one_is_bounded() {
     let system: System = text.parse().expect("a valid scene");
     assert_eq!(check(&Damped, &[]), 27);
     assert_eq!(check(&system, &[]), 27);
-    // The difference of left and right has that mode alone. φ² of each mass is 1/2 and λ is 2, so each has (1/4)/(2iζ)
-    // of the mode, with opposite signs.
+    // The difference of the left and right mass contains that mode alone. Each mass has φ² = 1/2 and λ is 2, so each
+    // has (1/4)/(2iζ) of the mode, with opposite signs.
     let at = Damped::at(Damped::RESONANCES[1]).expect("in the domain");
     let stuck = at.stuck().expect("damped");
     let apart = stuck.left() - stuck.right();
@@ -130,8 +131,8 @@ fn a_damped_one_is_bounded() {
     );
 }
 
-/// A mode that neither the contact touches nor the load drives is not in the response. Here the load acts on the
-/// middle.
+/// Checks that a mode that neither the contact nor the load drives is not in the response. In this scene the load acts
+/// on the middle mass.
 #[test]
 fn one_that_nothing_drives_is_not_there() {
     let text = SYMMETRIC.replace("excitation: left", "excitation: middle");
@@ -151,8 +152,8 @@ friction_system! {
     }
 }
 
-/// At a resonance of the chain with its contact stuck, the response is 1/(4 − r²) up to the rounding of the natural
-/// frequencies. It is beyond 10¹⁴, or refused.
+/// Checks the response at a resonance of the chain with its contact stuck. It is 1/(4 − r²) up to the rounding of the
+/// natural frequencies, so it is above 10¹⁴, or refused.
 #[test]
 fn a_resonance_of_the_held_chain() {
     let text = "struct Held { masses: { m1: 1, m2: 1 }, springs: { base - m1: 1, m1 - m2: 3 },
@@ -168,7 +169,7 @@ fn a_resonance_of_the_held_chain() {
         }
         Ok(x) => {
             let exact = 1.0 / (4.0 - r * r);
-            // λ and r have a rounding each, which the distance from the resonance magnifies.
+            // λ and r have one rounding each, and the small distance from the resonance magnifies both.
             let tolerance = 64.0 * f64::EPSILON / (2.0 - r).abs();
             assert!((x / exact - 1.0).abs() < tolerance, "{x} {exact}");
             answered += 1;

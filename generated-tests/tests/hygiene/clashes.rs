@@ -1,4 +1,4 @@
-//! Scenes among names that clash with emitted ones.
+//! Scenes in modules with items whose names clash with emitted names.
 #![deny(warnings)]
 #![no_std]
 

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Editions that users may have.
+/// Editions that a user's crate may have.
 const EDITIONS: [&str; 3] = ["2018", "2021", "2024"];
 
-/// Crates that compile and run in one workspace, so that their dependencies are built once.
+/// Checks crates that compile and run in one workspace, so that their dependencies are built once.
 ///
 /// * For each edition a crate without the standard library, with the facade renamed and every item documented.
 /// * A crate with constants, statics, unit structs and types that have the names of emitted items, a scene with the
@@ -29,7 +29,7 @@ fn every_edition_and_names_that_clash() {
     check("crates", &members);
 }
 
-/// A crate with one of the sources in this folder.
+/// A crate that consists of one of the sources in this folder.
 struct Member<'a> {
     name: String,
     edition: &'a str,
@@ -71,7 +71,7 @@ fn check(workspace: &str, members: &[Member<'_>]) {
         );
         write(folder.join(name).join("Cargo.toml"), &manifest);
     }
-    // The lock file of this workspace, so that nothing has to be downloaded.
+    // The workspace gets the project's lock file, so that nothing has to be downloaded.
     let lock = std::fs::read_to_string(root.join("Cargo.lock")).expect("a lock file");
     if !folder.join("Cargo.lock").exists() {
         write(folder.join("Cargo.lock"), &lock);

@@ -54,7 +54,7 @@ macro_rules! through_own_crate {
     };
 }
 
-/// Passes a whole description to `friction_system!`.
+/// Passes a whole description, as tokens, to `friction_system!`.
 macro_rules! handed_on {
     ($($tokens:tt)*) => { friction_system! { $($tokens)* } };
 }

@@ -64,7 +64,7 @@ fn nothing_is_in_scope() {
 mod among_types_of_the_same_names {
     #![allow(dead_code, non_camel_case_types, reason = "they only stand in the way")]
 
-    /// Defines types with names that emitted code uses.
+    /// Defines types whose names emitted code uses.
     macro_rules! in_the_way {
         ($($name:ident)*) => { $(#[derive(Clone, Copy, Debug)] pub(super) struct $name {})* };
     }
@@ -76,7 +76,7 @@ mod among_types_of_the_same_names {
         Iterator IntoIterator Steady LimitsAt FrictionSystem Of f32 usize str bool u8
     }
 
-    /// Modules with names that emitted code uses.
+    /// Defines modules whose names emitted code uses.
     pub(super) mod core {}
     pub(super) mod std {}
     pub(super) mod kernel {}

@@ -1,5 +1,5 @@
-//! Scenes that are hardly used, several in one module, in functions, and with restricted visibility. It also tests what
-//! precedes `struct`.
+//! Scenes in unusual positions: hardly used, several in one module, in functions, and with restricted visibility. Items
+//! before `struct` are tested too.
 
 use frictiongen::friction_system;
 
@@ -37,7 +37,7 @@ fn what_is_not_used_is_no_warning() {
     assert!(hardly_used::limit().expect("in the domain") > 0.0);
 }
 
-/// Several scenes with the same masses in one module, and a scene in a function.
+/// Checks several scenes with the same masses in one module, and a scene in a function.
 #[test]
 fn scenes_side_by_side_and_inside_functions() {
     friction_system! {
@@ -106,7 +106,7 @@ fn visibility_holds_for_every_type() {
     seen_from::check();
 }
 
-/// Doc comments and attributes before `struct` precede the emitted type.
+/// Checks that doc comments and attributes before `struct` become those of the emitted type.
 #[test]
 fn documentation_and_lint_levels_are_carried_through() {
     use frictiongen_codegen::{Limits, parse_text, pretty};

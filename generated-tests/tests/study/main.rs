@@ -1,4 +1,4 @@
-//! Tests of design studies (curves, maps, sweeps, features, optima), and random input to every function.
+//! Tests of design studies (curves, maps, sweeps, features, optima), and of random input to every function.
 
 mod answers;
 mod desk;

@@ -1,4 +1,4 @@
-//! Tests of the friction that minimises the largest amplitude over a band, against maps by brute force.
+//! Tests the friction that minimises the largest amplitude over a band, against maps by brute force.
 //!
 //! ```sh
 //! cargo test --release -p generated-tests --test study optimum:: -- --ignored --nocapture
@@ -12,7 +12,7 @@ use frictiongen::study::{
 use std::f64::consts::FRAC_PI_4;
 use std::time::Instant;
 
-/// Frame of the tour.
+/// Frame of the tour, a frame of two storeys.
 const FRAME: &str = "struct Frame { masses: { lower: 3.27, upper: 3.25 },
     springs: { base - lower: 1190.0, lower - upper: 1323.0 }, contact: upper - wall, excitation: base,
     damping: modal[0.010, 0.012], stiction: 1.2 }";
@@ -20,7 +20,7 @@ const FRAME: &str = "struct Frame { masses: { lower: 3.27, upper: 3.25 },
 const WALL: &str =
     "struct Wall { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall,
     excitation: block }";
-/// A mass that rubs on the main mass. Nothing else damps the resonances.
+/// An absorber mass that rubs on the main mass. Nothing else damps the resonances.
 const ABSORBER: &str = "struct Absorber { masses: { a: 1.0, b: 0.1 },
     springs: { base - a: 1.0, a - b: 0.085 }, contact: a - b, excitation: a }";
 /// One mass that rubs on the moving base.
@@ -46,8 +46,8 @@ fn amplitude(system: &System, of: Of, r: f64, beta: f64, count: &mut usize) -> f
     })
 }
 
-/// Returns the largest amplitude over a band by samples only: a grid, in which every cell that may contain the maximum
-/// is refined.
+/// Returns the largest amplitude over a band by samples only. Every interval of a grid that may contain the maximum is
+/// refined.
 fn largest(system: &System, of: Of, [from, to]: [f64; 2], beta: f64, count: &mut usize) -> f64 {
     const GRID: usize = 600;
     let grid = |a: f64, b: f64, cells: usize| -> Vec<f64> {
@@ -83,7 +83,8 @@ fn largest(system: &System, of: Of, [from, to]: [f64; 2], beta: f64, count: &mut
     best
 }
 
-/// Returns the smallest of these largest amplitudes: 40 friction ratios, then 40 near the best one, and so on.
+/// Returns the smallest of these largest amplitudes. It samples 40 friction ratios, then 40 near the best one, and so
+/// on.
 fn by_map(
     system: &System,
     of: Of,
@@ -92,7 +93,7 @@ fn by_map(
 ) -> (f64, f64, usize) {
     let mut count = 0;
     let (mut best, mut least) = (f64::NAN, f64::INFINITY);
-    // Where two peaks cross, the relative error of the amplitude is that of the friction.
+    // Where two peaks cross, the relative error of the amplitude equals that of the friction.
     while high - low > 2e-9 * high {
         let cell = (high - low) / 40.0;
         for place in 0..=40 {
@@ -113,8 +114,8 @@ fn optimum(system: &System, request: &OptimumRequest) -> (Optimum, f64) {
     (optimum, start.elapsed().as_secs_f64())
 }
 
-/// At the optimum two peaks cross. They are equal to rounding, one falls and one rises with friction, and any other
-/// friction is worse.
+/// Checks an optimum at which two peaks cross. They are equal to rounding, one falls and one rises with friction, and
+/// any other friction is worse.
 #[test]
 fn two_equal_peaks() {
     let (system, request) = asked(ABSORBER, "a", 0.75, 1.25);
@@ -136,7 +137,7 @@ fn two_equal_peaks() {
         );
         assert!(optimum.amplitude < beside, "{share}: {beside}");
     }
-    // Without damping the amplitude is unbounded without friction, and also with the contact stuck.
+    // Without damping the amplitude is unbounded without friction. It is unbounded with the contact stuck, too.
     assert!(optimum.without_friction.is_infinite() && optimum.with_contact_locked.is_infinite());
     assert!(optimum.locked.is_infinite());
     println!(
@@ -145,8 +146,8 @@ fn two_equal_peaks() {
     );
 }
 
-/// The frame up to just below its second resonance. The largest amplitude is not above that at neighbouring friction
-/// ratios, where steady states with stops appear and disappear.
+/// Checks the frame up to just below its second resonance. The largest amplitude is not above that at neighbouring
+/// friction ratios, where steady states with stops appear and disappear.
 #[test]
 fn where_steady_states_jump() {
     let (system, request) = asked(FRAME, "lower", 0.33, 1.3);
@@ -163,7 +164,7 @@ fn where_steady_states_jump() {
     }
 }
 
-/// One mass on a moving base, from rest. With more friction it sticks off the centre of the base, farther at low
+/// Checks one mass on a moving base, from rest. With more friction it sticks off the centre of the base, farther at low
 /// frequencies. With less friction it resonates. A little more or less friction than the best is worse.
 #[test]
 fn one_mass_between_its_resonance_and_its_offset() {
@@ -171,7 +172,7 @@ fn one_mass_between_its_resonance_and_its_offset() {
     let (optimum, _) = optimum(&system, &request);
     assert_eq!(optimum.kind, OptimumKind::EqualPeaks);
     assert_eq!(optimum.end, OptimumEnd::Converged);
-    // If the mass sticks from the start, when the base is at its maximum, it moves between 0 and −2 Y.
+    // If the mass sticks from the start, when the base is at its maximum, it moves between 0 and −2Y.
     assert!((optimum.with_contact_locked - 2.0).abs() < 1e-12);
     let mut count = 0;
     for share in [0.5, 0.99, 1.01, 2.0] {
@@ -186,8 +187,8 @@ fn one_mass_between_its_resonance_and_its_offset() {
     }
 }
 
-/// One undamped mass that rubs on a wall. Below π/4 its resonance is unbounded, above π/4 it is bounded, and from 1 on
-/// the mass is at rest. Just below 1 the motions are too small to settle and are not searched.
+/// Checks one undamped mass that rubs on a wall. Below β = π/4 its resonance is unbounded, above π/4 it is bounded, and
+/// from β = 1 on the mass is at rest. Just below 1 the motions are too small to settle and are not searched.
 #[test]
 fn an_undamped_mass_is_held() {
     let (system, request) = asked(WALL, "block", 0.5, 1.5);
@@ -203,9 +204,9 @@ fn an_undamped_mass_is_held() {
     assert!(at(FRAC_PI_4 * (1.0 + 1e-9)).is_finite());
 }
 
-/// One mass between a wall and its base, on which it rubs. The best friction is a 250th of that which makes the contact
-/// stick. The minimum lies between two steps of a scan. At the upper step the maximum is flat, so the tangents at the
-/// two steps do not cross between them.
+/// Checks one mass between a wall and its base, on which it rubs. The best friction is a 250th of the friction that
+/// makes the contact stick. The minimum lies between two steps of a scan. At the upper step the maximum is flat, so the
+/// tangents at the two steps do not cross between them.
 #[test]
 fn a_least_that_a_scan_hides() {
     let text =
@@ -224,7 +225,8 @@ fn a_least_that_a_scan_hides() {
     );
 }
 
-/// Three masses of which the middle one rubs. If both halves are equal, the second mode does not move the contact.
+/// Returns three masses, of which the middle one rubs. If both halves are equal, the second mode does not move the
+/// contact.
 fn chain(last: f64) -> String {
     format!(
         "struct Chain {{ masses: {{ a: 1, b: 1, c: 1 }}, contact: b - wall, excitation: a,
@@ -232,7 +234,8 @@ fn chain(last: f64) -> String {
     )
 }
 
-/// A mode that neither damping nor the contact dissipates is unbounded at every friction, wherever the band lies.
+/// Checks that a mode that neither damping nor the contact dissipates is unbounded at every friction, wherever the band
+/// lies.
 #[test]
 fn a_mode_that_the_contact_does_not_touch() {
     for [from, to] in [[1.2, 1.6], [0.3, 0.5]] {
@@ -242,7 +245,8 @@ fn a_mode_that_the_contact_does_not_touch() {
     }
 }
 
-/// The contact hardly moves this mode. Hundreds of motions do not settle, and the search returns the best so far.
+/// Checks a search whose work is bounded. The contact hardly moves one mode, so hundreds of motions do not settle. The
+/// search returns the best friction so far.
 #[test]
 #[ignore = "all the work that is allowed: some seconds"]
 fn a_search_whose_work_is_bounded_keeps_the_best() {
@@ -254,7 +258,7 @@ fn a_search_whose_work_is_bounded_keeps_the_best() {
     assert!(found.amplitude.is_finite() && found.bracket[0] <= found.beta);
 }
 
-/// The frame of the tour and the absorber, compared with maps.
+/// Compares the frame of the tour and the absorber with maps.
 #[test]
 #[ignore = "maps of a million responses: some minutes"]
 fn as_by_brute_force() {

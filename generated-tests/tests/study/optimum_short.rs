@@ -1,4 +1,4 @@
-//! Tests of the best friction against maps near it, and of the counts in its result.
+//! Tests the best friction against maps near it, and the counts in its result.
 
 use frictiongen::Of;
 use frictiongen::study::{
@@ -52,8 +52,8 @@ fn largest_of<const CELLS: u32>(system: &System, of: Of, [from, to]: [f64; 2], b
     best
 }
 
-/// A mass that rubs on the main mass. A little more or less friction raises the largest amplitude, as the tangents of
-/// both peaks predict. Between half and twice the friction nothing is better.
+/// Checks an absorber that rubs on the main mass. A little more or less friction raises the largest amplitude, as the
+/// tangents of both peaks predict. Between half and twice the friction nothing is better.
 #[test]
 fn absorber_as_by_a_map() {
     let text = "struct Absorber { masses: { a: 1.0, b: 0.1 },
@@ -61,7 +61,7 @@ fn absorber_as_by_a_map() {
     let band = [0.75, 1.25];
     let (system, of, optimum) = optimum(text, "a", band);
     let there = largest(&system, of, band, optimum.beta);
-    // Golden section search leaves an error of 1e-9 in the abscissa of a flat maximum, and none in its height.
+    // Golden section search has an error of 1e-9 in the frequency of a flat maximum, and none in its height.
     assert!((there / optimum.amplitude - 1.0).abs() < 1e-12, "{there}");
     for step in 1..=8 {
         for share in [
@@ -77,7 +77,7 @@ fn absorber_as_by_a_map() {
         let by = (share - 1.0) * optimum.beta;
         let slopes = optimum.peaks.iter().filter_map(|peak| peak.slope);
         let expected = slopes.map(|slope| slope * by).fold(0.0, f64::max);
-        // Curvature adds 1e-5 of the difference.
+        // The curvature of a peak changes the difference by a relative 1e-5.
         let found = other - optimum.amplitude;
         assert!(
             (found / expected - 1.0).abs() < 1e-3,
@@ -86,7 +86,7 @@ fn absorber_as_by_a_map() {
     }
 }
 
-/// A resonance below the band does not make the amplitudes in the band unbounded.
+/// Checks that a resonance below the band does not make the amplitudes in the band unbounded.
 #[test]
 fn a_resonance_below_the_band() {
     let text = "struct Pair { masses: { a: 1, b: 1 }, springs: { base - a: 1, a - b: 1 },
@@ -99,7 +99,7 @@ fn a_resonance_below_the_band() {
     assert_eq!(Some(found.unbounded_to), thresholds[1]);
 }
 
-/// At both bounds of a tolerance the largest amplitude exceeds the best by the stated percentage.
+/// Checks that at both bounds of a tolerance the largest amplitude exceeds the best by the stated percentage.
 #[test]
 fn tolerances_end_at_their_excess() {
     let text = "struct Absorber { masses: { a: 1.0, b: 0.1 },
@@ -112,15 +112,15 @@ fn tolerances_end_at_their_excess() {
         let level = optimum.amplitude * (1.0 + tolerance.excess);
         assert!(tolerance.from < optimum.beta && optimum.beta < tolerance.to);
         for end in [tolerance.from, tolerance.to] {
-            // A bound is known to 1e-8 of β, and the amplitude changes by a few times that.
+            // A bound is known to 1e-8 of β, and the relative change of the amplitude is a few times as large.
             let there = largest_of::<200>(&system, of, band, end);
             assert!((there / level - 1.0).abs() < 1e-6, "{tolerance:?}: {there}");
         }
     }
 }
 
-/// The derivative of the height of two equal peaks includes the change of the best friction. It equals the difference
-/// quotient of the optima of other absorbers.
+/// Checks that the derivative of the height of two equal peaks includes the change of the best friction. It equals the
+/// difference quotient between the optima of other absorbers.
 #[test]
 fn sensitivities_of_two_equal_peaks() {
     let solved = |mass: f64| {
@@ -144,12 +144,12 @@ fn sensitivities_of_two_equal_peaks() {
     let mut all = here.sensitivities.iter();
     let found = all.find(|(of, _)| *of == parameter);
     let (_, found) = found.expect("a derivative");
-    // The error is the step times a curvature of about ten.
+    // The difference quotient has an error of the step times a curvature of about ten.
     assert!((found - expected).abs() < 1e-4, "{found} for {expected}");
 }
 
-/// With μ > 1 the stuck state begins below the limit of the closed form. A mass on a moving base sticks from that lower
-/// limit on.
+/// Checks that with μ > 1 the stuck state begins below the limit of the closed form. A mass on a moving base sticks
+/// from that lower limit on.
 #[test]
 fn nothing_sticks_below_the_lower_limit() {
     let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },

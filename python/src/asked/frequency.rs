@@ -1,4 +1,4 @@
-//! Frequency arguments: ratios r, Hz or rad/s.
+//! Reads the frequency arguments: ratios r, Hz or rad/s.
 
 use super::ACROSS;
 use super::measure::Measure;
@@ -16,7 +16,7 @@ pub type FrequencyArguments<'py> = (
     Option<Bound<'py, PyAny>>,
 );
 
-/// Returns the argument that gives frequencies in a unit.
+/// Returns the name of the argument that gives frequencies in a unit.
 fn argument(unit: Unit) -> &'static str {
     match unit {
         Unit::Ratio | Unit::RatioUnderLoad => "r",
@@ -36,12 +36,12 @@ fn chosen<'a, 'py>(
     }
 }
 
-/// Returns whether computing one number from another neither lost it nor made it infinite.
+/// Returns true if a computed number is 0 or infinite only where the given number is 0 or infinite.
 pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
 
-/// Frequencies in the order given.
+/// Frequencies in the order in which they were given.
 pub struct Frequencies {
     given: Given,
     unit: Unit,
@@ -50,7 +50,7 @@ pub struct Frequencies {
 }
 
 impl Frequencies {
-    /// Reads the frequencies. `in_time` requires frequencies that have a cycle.
+    /// Reads the frequencies. If `in_time` is true, every frequency must have a cycle.
     pub fn of(
         system: &System,
         arguments: &FrequencyArguments<'_>,
@@ -111,7 +111,7 @@ impl Frequencies {
         self.unit.under(measure)
     }
 
-    /// Returns the shape of an answer over the frequencies.
+    /// Returns the shape of an array over the frequencies.
     pub fn shape(&self) -> Vec<usize> {
         self.given.shape()
     }
@@ -124,9 +124,9 @@ impl Frequencies {
 
 /// A range of frequencies.
 pub struct Band {
-    /// Lowest frequency ratio r.
+    /// Lowest frequency ratio r of the range.
     pub from: f64,
-    /// Highest frequency ratio r.
+    /// Highest frequency ratio r of the range.
     pub to: f64,
     unit: Unit,
 }
@@ -159,7 +159,7 @@ impl Band {
         let (given, unit) = chosen(arguments)?;
         let argument = argument(unit);
         let Some((from, to)) = ends(argument, given)? else {
-            // A text must be refused as a text, before the message about bands.
+            // A text must give the error about texts, not the message about bands.
             numbers(argument, given)?;
             return Err(domain(format_args!(
                 "{argument}: a band is needed, a tuple (from, to); lists and arrays are points, for `limits`, `response` and `map`"

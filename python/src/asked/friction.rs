@@ -1,4 +1,4 @@
-//! Friction arguments: ratios β, or forces.
+//! Reads the friction arguments: ratios β, or forces.
 
 use super::UP;
 use super::frequency::survives;
@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 /// The arguments `beta` and `friction`.
 pub type FrictionArguments<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
-/// Frictions in the order given.
+/// Frictions in the order in which they were given.
 pub struct Frictions {
     given: Given,
     argument: &'static str,
@@ -99,7 +99,7 @@ impl Frictions {
         self.all.clone()
     }
 
-    /// Returns the shape of an answer over the frictions.
+    /// Returns the shape of an array over the frictions.
     pub fn shape(&self) -> Vec<usize> {
         self.given.shape()
     }

@@ -1,4 +1,4 @@
-//! Units of the answers from the load arguments.
+//! Determines the units of the answers from the load arguments.
 
 use super::numbers::one;
 use crate::errors::domain;
@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 /// The arguments `force` and `base`.
 pub type LoadArguments<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
-/// Makes the units from the load arguments, if a load is given.
+/// Returns the units under the load that the arguments give. Without a load the units are non-dimensional groups.
 pub fn of(system: &System, (force, base): &LoadArguments<'_>) -> PyResult<Measure> {
     let (name, load) = match (force, base) {
         (None, None) => return Ok(Measure::groups(system)),
@@ -31,7 +31,7 @@ pub fn of(system: &System, (force, base): &LoadArguments<'_>) -> PyResult<Measur
     })
 }
 
-/// Returns the argument that gives the load of the scene.
+/// Returns the name of the argument that gives this scene's load.
 pub fn argument(measure: &Measure) -> &'static str {
     if measure.is_base_motion() {
         "base"

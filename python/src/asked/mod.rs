@@ -17,16 +17,16 @@ use frictiongen::study::columns::{FrequencyUnit, Setting};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
-/// Number of points that cover a band of frequencies.
+/// Number of points by which a band of frequencies is covered.
 const ACROSS: u32 = 161;
 
-/// Number of points that cover a band of frictions.
+/// Number of points by which a band of frictions is covered.
 const UP: u32 = 81;
 
-/// Largest number of points of an answer, the same as that of the command.
+/// Largest number of points of an answer. It is the same as that of the command.
 pub const MOST_POINTS: usize = 10_000_000;
 
-/// Largest number of values of an answer: 800 MB.
+/// Largest number of values of an answer. They take 800 MB.
 const MOST_NUMBERS: usize = 100_000_000;
 
 /// Largest order of a harmonic.
@@ -35,7 +35,8 @@ pub const MOST_HARMONICS: u32 = 9999;
 /// An argument that may be left out.
 pub type Optional<'py> = Option<Bound<'py, PyAny>>;
 
-/// Returns what the tables of the library need. The decimals of given numbers are for tables for people alone.
+/// Returns the settings for the tables of the library. The decimals of given numbers are left out, because only printed
+/// tables need them.
 pub fn setting<'a>(
     system: &'a System,
     measure: Measure,
@@ -68,7 +69,7 @@ pub fn names(argument: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<S
     })
 }
 
-/// Returns the parts of these names, each once. Without names it returns the contact and all masses.
+/// Returns the contact or masses with these names, each once. Without names it returns the contact and all masses.
 pub fn parts(
     system: &System,
     argument: &str,
@@ -94,7 +95,7 @@ pub fn parts(
     Ok(parts)
 }
 
-/// Returns the part of this name.
+/// Returns the contact or mass with this name.
 pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Part> {
     let Ok(name) = given.cast::<PyString>() else {
         return Err(wrong_type(format_args!(
@@ -109,12 +110,12 @@ pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResu
     })
 }
 
-/// Reads the highest order of a harmonic, or 0.
+/// Reads the highest order of a harmonic. Without the argument it is 0.
 pub fn harmonics(given: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
     given.map_or(Ok(0), |given| whole("harmonics", given, 1..=MOST_HARMONICS))
 }
 
-/// Returns an error if an answer of that many points with that many numbers each is too large.
+/// Returns an error if an answer of `points` points with `numbers` numbers each is too large.
 pub fn check_size(points: usize, numbers: usize) -> PyResult<()> {
     if points <= MOST_POINTS && points.saturating_mul(numbers) <= MOST_NUMBERS {
         return Ok(());

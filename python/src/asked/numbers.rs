@@ -1,4 +1,4 @@
-//! Reads numbers from Python: one, or several in a row.
+//! Reads numbers from Python: one number, or a row of numbers.
 
 use crate::errors::{domain, wrong_type};
 use numpy::PyReadonlyArray1;
@@ -6,16 +6,16 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyTuple};
 use std::ops::RangeInclusive;
 
-/// Numbers that were given.
+/// Numbers that the caller gave.
 pub struct Given {
-    /// The values.
+    /// The given values, in their order.
     pub values: Vec<f64>,
-    /// Whether a single number was given instead of a row.
+    /// True if the caller gave a single number instead of a row.
     pub is_one: bool,
 }
 
 impl Given {
-    /// Returns the shape of an answer over these numbers.
+    /// Returns the shape of an array over these numbers.
     pub fn shape(&self) -> Vec<usize> {
         if self.is_one {
             Vec::new()
@@ -24,7 +24,7 @@ impl Given {
         }
     }
 
-    /// Returns the name of a number in a message.
+    /// Returns the name of one of the numbers, for a message.
     pub fn place(&self, argument: &str, index: usize) -> String {
         if self.is_one {
             argument.to_owned()
@@ -94,7 +94,7 @@ pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f
     }
 }
 
-/// Reads one number, points in a row, or a band (from, to) that `count` points cover evenly.
+/// Reads one number, a row of points, or a band (from, to), which is covered evenly by `count` points.
 pub fn points(argument: &str, given: &Bound<'_, PyAny>, count: u32) -> PyResult<Given> {
     let Some((from, to)) = ends(argument, given)? else {
         return numbers(argument, given);

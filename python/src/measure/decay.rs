@@ -1,4 +1,4 @@
-//! Friction and damping from a free vibration.
+//! Identifies friction and damping from a free vibration.
 
 use super::once::once;
 use super::recording::NativeRecording;
@@ -33,7 +33,7 @@ pub fn free_decay<'py>(
         }
         (Some(ratio), false) => Some(ratio),
         (None, true) => None,
-        // Damping of the description counts as known.
+        // The damping of the description counts as known.
         (None, false) => system.described_damping(),
     };
     let found = without_lock(py, |_| system.free_decay(&recording.recording, known))?;

@@ -1,4 +1,4 @@
-//! A scene under a recorded input.
+//! Computes the motion of a scene under a recorded input.
 
 use super::recording::NativeRecording;
 use crate::asked::{Optional, one, parts};

@@ -15,10 +15,10 @@ use pyo3::types::PyDict;
 /// A mass with its amplitudes over the excitation and, if they are known, their standard deviations.
 type Swept<'py> = (String, Bound<'py, PyAny>, Option<Bound<'py, PyAny>>);
 
-/// The single values, the points, and the fitted system.
+/// Results of a fit: the single values, the points, and the fitted system.
 type Answer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
 
-/// Reads a row of numbers as long as the frequencies. If `gaps`, NaN marks a missing number.
+/// Reads a row of numbers with the length of the frequencies. If `gaps` is true, NaN marks a missing number.
 fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> PyResult<Vec<f64>> {
     let given = numbers(argument, given)?;
     if given.values.len() != count {

@@ -13,10 +13,10 @@ use frictiongen::measure::{IdentifyRequest, Unknown};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Options: by, also, between, harmonics.
+/// Options of an identification: by, also, between, harmonics.
 type Asked<'py> = (Option<String>, Optional<'py>, Optional<'py>, Optional<'py>);
 
-/// The single values, the motions, and the system with the values found.
+/// Results of an identification: the single values, the motions, and the system with the values found.
 type Answer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
 
 fn unknowns(given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Unknown>> {

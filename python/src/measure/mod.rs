@@ -1,4 +1,4 @@
-//! Recordings, and the results from them: transmissibilities, the friction force, parameters.
+//! Reads recordings, and evaluates them: transmissibilities, the friction force, parameters.
 
 pub mod decay;
 pub mod drive;

@@ -1,4 +1,4 @@
-//! Observations, from recordings or from amplitudes and phases.
+//! Collects observations, from recordings or from amplitudes and phases.
 
 use super::recording::NativeRecording;
 use super::transmissibility::measured;
@@ -11,8 +11,7 @@ use frictiongen::study::units::Load;
 use frictiongen::{Complex, Of, System};
 use pyo3::prelude::*;
 
-/// A mass, the order of the harmonic, its amplitude, phase and standard deviation, and the standard deviation of its
-/// phase.
+/// A motion as the caller gives it: mass, order of the harmonic, amplitude, phase and both standard deviations.
 type Told<'py> = (
     String,
     u32,
@@ -22,7 +21,7 @@ type Told<'py> = (
     Optional<'py>,
 );
 
-/// Frequencies, load, standard deviation of the load, motions.
+/// Observations as the caller gives them: frequencies, load, standard deviation of the load, and motions.
 type Points<'py> = (
     Bound<'py, PyAny>,
     LoadArguments<'py>,
@@ -39,8 +38,8 @@ pub struct Observed {
     pub known: Vec<Known>,
 }
 
-/// Reads numbers, one for each frequency or one for all, that satisfy `sound`. `needed` words the condition in the
-/// message.
+/// Reads numbers, one for each frequency or one for all. They must satisfy `sound`, and `needed` states this condition
+/// in the message.
 fn row(
     argument: &str,
     given: &Bound<'_, PyAny>,
@@ -90,7 +89,7 @@ fn loads(system: &System, load: &LoadArguments<'_>, count: usize) -> PyResult<Ve
     }
 }
 
-/// A motion at each frequency.
+/// A motion with its values at each frequency.
 struct Motion {
     mass: usize,
     harmonic: u32,
@@ -158,7 +157,8 @@ impl Motion {
         }
     }
 
-    /// Returns the motion at an index, over a load. An unknown amplitude counts as 1, and an unknown phase as 0.
+    /// Returns the motion at one frequency, divided by a load. An unknown amplitude counts as 1, and an unknown phase
+    /// as 0.
     fn datum(&self, place: usize, load: f64) -> Datum {
         let at = |values: &Vec<f64>| values.get(place).copied().unwrap_or(f64::NAN);
         let phase = self.phase.as_ref().map_or(0.0, at).to_radians();
@@ -176,7 +176,8 @@ impl Motion {
 }
 
 impl Observed {
-    /// Reads recordings and given motions, in their order. Of recordings it takes the odd harmonics up to `harmonics`.
+    /// Reads recordings and given motions, in their order. From recordings it takes the odd harmonics up to order
+    /// `harmonics`.
     pub fn of(
         py: Python<'_>,
         system: &System,

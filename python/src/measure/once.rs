@@ -1,4 +1,4 @@
-//! Single values of measurements, by key.
+//! Returns the single values of a measurement, by key.
 
 use frictiongen::measure::Estimate;
 use frictiongen::measure::columns::{Keyed, SingleValue};

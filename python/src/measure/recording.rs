@@ -9,14 +9,14 @@ use pyo3::prelude::*;
 /// A recording and its name in messages.
 #[pyclass(frozen, module = "frictiongen._native", name = "Recording")]
 pub struct NativeRecording {
-    /// The recording in Rust.
+    /// The recording, in the form of the Rust library.
     pub recording: Recording,
     /// The file from which it was read.
     pub source: Option<String>,
 }
 
 impl NativeRecording {
-    /// Returns the name of the recording among several.
+    /// Returns the name of the recording. `place` and `of` give its position among several recordings.
     pub fn called(&self, place: usize, of: usize) -> Option<String> {
         let number = || (1 < of).then(|| format!("recording {}", place + 1));
         self.source.clone().or_else(number)

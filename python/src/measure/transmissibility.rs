@@ -1,4 +1,4 @@
-//! Driving frequency, transmissibility and phase of recordings.
+//! Computes driving frequency, transmissibility and phase of recordings.
 
 use super::recording::NativeRecording;
 use crate::columns::Columns;
@@ -11,7 +11,7 @@ use frictiongen::measure::{MeasureError, Measured};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Returns the steady motion in each recording.
+/// Evaluates the steady motion in each recording.
 pub fn measured(
     py: Python<'_>,
     system: &System,

@@ -1,4 +1,4 @@
-//! Features of the response: those that `frictiongen features` lists, in the words of the page.
+//! Lists the features of the response. They are those of `frictiongen features`, in the words of the page.
 
 mod tables;
 
@@ -10,15 +10,15 @@ use frictiongen::study::columns::{FeatureLine, FeaturesAsked};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of masses for which features are searched. Each number has its derivatives with respect to all masses
+/// Largest number of masses for which features are searched. Each feature has derivatives with respect to all masses
 /// and springs, which take time.
 const MOST_MASSES: usize = 16;
-/// Largest number of masses for which features at every given friction and the true peaks are searched.
+/// Largest number of masses for which true peaks are searched, and features at every given friction.
 const ALL_FRICTIONS: usize = 4;
 /// Largest number of rows of a table. The data contain all rows.
 const MOST_ROWS: usize = 24;
 
-/// Contents of the section.
+/// Contents of the section about features.
 pub struct Features {
     /// Friction ratios β of the features that depend on friction.
     frictions: Vec<f64>,
@@ -34,7 +34,7 @@ struct Table {
 }
 
 impl Features {
-    /// Finds the features at the given frictions, or at the best one. A long chain has none.
+    /// Finds the features at the given frictions, or at the best one. For a long chain the result is empty.
     pub fn of(asked: &Asked, levels: &[f64], best: Option<f64>) -> Self {
         let masses = asked.system.scene().masses.len();
         if MOST_MASSES < masses {
@@ -78,7 +78,7 @@ impl Features {
         Self { frictions, lines }
     }
 
-    /// Returns all features.
+    /// Returns all features that were found, one for each line.
     pub fn lines(&self) -> &[FeatureLine] {
         self.lines.as_deref().unwrap_or_default()
     }
@@ -88,7 +88,7 @@ impl Features {
         lines.filter(move |line| line.feature == feature)
     }
 
-    /// Returns the same lines as the command, each with the parameter to which its first number is most sensitive.
+    /// Returns the lines of the command. Each has the parameter to which its first number is most sensitive.
     fn report<'a>(&self, asked: &'a Asked) -> FeaturesReport<'a> {
         FeaturesReport {
             system: &asked.system,
@@ -98,7 +98,7 @@ impl Features {
         }
     }
 
-    /// Returns the section of the page.
+    /// Returns the section of the page as HTML.
     pub fn html(&self, asked: &Asked) -> Markup {
         let damped = asked.system.modal().is_damped();
         html! {
@@ -124,7 +124,8 @@ impl Features {
         }
     }
 
-    /// Returns the section as data: the lines of `frictiongen features --json`, with one derivative instead of all.
+    /// Returns the section as JSON data: the lines of `frictiongen features --json`, with one derivative instead of
+    /// all.
     pub fn data(&self, asked: &Asked) -> Json {
         if let Err(reason) = &self.lines {
             return json!({ "none": reason });
@@ -145,7 +146,7 @@ impl Features {
 }
 
 impl Table {
-    /// Removes the column with this heading.
+    /// Removes the column with this heading from the table.
     fn leave_out(&mut self, head: &str) {
         let Some(place) = self.heads.iter().position(|other| *other == head) else {
             return;

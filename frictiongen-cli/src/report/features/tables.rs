@@ -1,4 +1,4 @@
-//! Tables of the features.
+//! Builds the tables of the section about features.
 
 use super::super::asked::Asked;
 use super::super::words::{Words, digits};
@@ -6,7 +6,7 @@ use super::{Features, Table};
 use frictiongen::study::columns::FeatureLine;
 
 impl Features {
-    /// Returns the tables that have rows.
+    /// Returns the tables that have at least one row.
     pub(super) fn tables(&self, asked: &Asked) -> Vec<Table> {
         let mut tables = self.about_the_chain(asked);
         if !asked.system.modal().is_damped() {
@@ -185,7 +185,7 @@ impl Features {
                 does(&line.detail).to_owned(),
             ]
         });
-        // A mass that a sticking contact keeps at rest has no peak.
+        // A mass that the stuck contact holds at rest has no peak.
         let moving = |line: &&FeatureLine| line.amplitude != Some(0.0);
         let peaks = self.named("peak").filter(moving).map(|line| {
             let (mode, regime) = line.detail.split_once(": ").unwrap_or((&line.detail, ""));
@@ -255,7 +255,7 @@ impl Features {
             },
         ];
         if let [_] = self.frictions.as_slice() {
-            // The title already gives the only friction.
+            // If there is only one friction, the title contains it, so its column is removed.
             for table in &mut tables {
                 table.leave_out("friction");
             }
@@ -277,7 +277,7 @@ fn range(words: &Words, line: &FeatureLine) -> String {
     }
 }
 
-/// Formats a friction that may be infinite.
+/// Formats a friction, which may be infinite.
 fn limit(words: &Words, force: f64) -> String {
     if force.is_infinite() {
         "any friction".to_owned()
@@ -286,7 +286,7 @@ fn limit(words: &Words, force: f64) -> String {
     }
 }
 
-/// Formats the amplitude of a line, which is already in its unit.
+/// Formats the amplitude of a line, which is already in m under a load.
 fn amplitude(words: &Words, line: &FeatureLine) -> String {
     match line.amplitude {
         None => String::new(),
@@ -295,7 +295,7 @@ fn amplitude(words: &Words, line: &FeatureLine) -> String {
     }
 }
 
-/// Returns in words which quantity stays the same or grows.
+/// Returns words for the quantity that stays constant or grows.
 fn measured(detail: &str) -> &'static str {
     if detail.starts_with("fundamental") {
         "fundamental component"
@@ -308,7 +308,7 @@ fn measured(detail: &str) -> &'static str {
     }
 }
 
-/// Returns in words how the contact moves.
+/// Returns words for the motion of the contact in a regime.
 fn does(regime: &str) -> &str {
     match regime {
         "continuous" => "slides all the time",

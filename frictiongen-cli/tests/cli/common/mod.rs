@@ -8,7 +8,7 @@ use std::process::{Command, Output, Stdio};
 /// Path of the two-storey frame's description.
 pub const FRAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/frame.friction");
 
-/// One mass that rubs on a wall, undamped.
+/// Description of one undamped mass that rubs on a wall.
 pub const BLOCK: &str = "struct Block {
     masses: { block: 1 },
     springs: { base - block: 1 },
@@ -93,7 +93,7 @@ pub fn texts<'a>(csv: &'a str, name: &str) -> Vec<&'a str> {
     rows.iter().map(cell).collect()
 }
 
-/// Returns the numbers of a column. Every cell must contain one.
+/// Returns the numbers of a column of a CSV. Every cell must contain one.
 pub fn column(csv: &str, name: &str) -> Vec<f64> {
     let numbers = texts(csv, name).into_iter();
     numbers
@@ -101,7 +101,7 @@ pub fn column(csv: &str, name: &str) -> Vec<f64> {
         .collect()
 }
 
-/// Returns the numbers of a column, NaN for a cell without a number.
+/// Returns the numbers of a column of a CSV. A cell without a number gives NaN.
 pub fn column_with_gaps(csv: &str, name: &str) -> Vec<f64> {
     let numbers = texts(csv, name).into_iter();
     numbers

@@ -3,16 +3,16 @@
 use frictiongen_kernel::number::dd::Dd;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// 2^−102, more than the relative error of a double-double operation, which is below 2^−103.
+/// Bound on the relative error of a double-double operation: 2^−102. The error itself is below 2^−103.
 const ROUNDING: f64 = 1.0 / 5_070_602_400_912_917_605_986_812_821_504.0;
-/// Bound on the loss of an operation by underflow, among numbers that are not tiny.
+/// Bound on the absolute error by underflow in one operation, unless its numbers are tiny.
 const LOST: f64 = 1e-280;
-/// Factor on a sum of errors in double precision, for the roundings of the sum.
+/// Factor on a sum of errors in double precision. It covers the roundings of the sum.
 pub(super) const UP: f64 = 1.0 + 1e-14;
-/// Bound on numbers whose squares may underflow.
+/// Upper bound on the magnitude of numbers whose squares may underflow.
 const SQUARED_AWAY: f64 = 1e-150;
 
-/// A number that is within `off` of `at`.
+/// An uncertain number: `at` with an absolute error of at most `off`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ball {
     pub at: Dd,
@@ -51,7 +51,7 @@ impl Ball {
         Self { at, off }
     }
 
-    /// Returns the reciprocal.
+    /// Returns the reciprocal, with a bound on its error.
     pub fn inverse(self) -> Self {
         let least = self.least();
         let off = if least > 0.0 {
@@ -109,7 +109,7 @@ impl Mul for Ball {
     }
 }
 
-/// A complex number, by its real and imaginary part.
+/// An uncertain complex number, by its real and imaginary part.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Disc {
     pub re: Ball,
@@ -128,7 +128,7 @@ impl Disc {
     /// Returns an upper bound on the modulus.
     pub fn most(&self) -> f64 {
         let (re, im) = (self.re.most(), self.im.most());
-        // `SQUARED_AWAY` covers the underflow of the squares.
+        // `SQUARED_AWAY` is added because the squares may underflow.
         (re * re + im * im).sqrt() * UP + SQUARED_AWAY
     }
 

@@ -7,38 +7,41 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 
-/// Factor on sums of small relative errors, for their products.
+/// Factor on a sum of small relative errors. It covers the products of these errors.
 pub(super) const UP: f64 = 1.03;
-/// Largest sum of relative errors that counts as small. [`UP`] covers the products of errors that large.
+/// Largest sum of relative errors that counts as small. [`UP`] covers the products of errors of this size.
 const SMALL: f64 = 0.02;
-/// Smallest normal number, up to rounding, in single and in double precision.
+/// Smallest normal number in single precision, up to rounding.
 const NORMAL_SINGLE: f64 = 1.2e-38;
+/// Smallest normal number in double precision, up to rounding.
 const NORMAL: f64 = 2.3e-308;
 
 /// Factors on positive expressions of a few operations in double precision. They cover the roundings and the neglected
 /// terms with a wide margin.
 const MORE: f64 = 1.01;
+/// The same factor for lower bounds.
 const LESS: f64 = 0.99;
-/// Bound on the relative error of a zero's position, rounded once to double precision, with a few further roundings.
-/// The bound is a hundred roundings.
+/// Bound on the relative error of a zero's position. It is a hundred roundings of double precision, for one rounding to
+/// double precision and a few further ones.
 const PLACE: f64 = 1e-14;
-/// Bound on the relative error of a difference of squares or of positions, which is off by a few roundings. The bound
-/// is millions of roundings.
+/// Bound on the relative error of a difference of squares or of positions. The difference has an error of a few
+/// roundings, and the bound is millions of roundings.
 const DIFFERENCE: f64 = 1e-9;
 /// Relative change of a factor whose zero shifts by d, over d divided by the distance from the zero. To first order it
 /// is four, from ±ir − z and the conjugate terms. The excess covers the second order.
 const MOVED: f64 = 4.1;
-/// Safely less than a half. A number that is not the nearest is at least half a spacing away. Where r − at is not
-/// exact, r is farther from `at` than half of it.
+/// A little less than ½. A number of the scalar that is not nearest to `at` is at least half a spacing away from it.
+/// Where r − at is not exact, |r − at| exceeds half of `at`.
 const WITHIN_HALF: f64 = 0.45;
-/// B² + 4x²y² is at least 4xy|B|. So |B| over it is at most a quarter of 1/(xy), and 2x²|B| over it at most half of
-/// x/y. Both constants are enlarged.
+/// Bounds on two quotients, slightly enlarged. Since B² + 4x²y² ≥ 4xy|B|, the quotient |B|/(B² + 4x²y²) is at most
+/// ¼/(xy), and 2x²|B|/(B² + 4x²y²) is at most ½x/y.
 const QUARTER: f64 = 0.26;
+/// Bound on 2x²|B|/(B² + 4x²y²) in units of x/y, as explained at `QUARTER`.
 const HALF: f64 = 0.51;
 /// Bound on (|r² − y²| + x²)/|B| where B ≥ x²/2.
 const TIMES: f64 = 3.0;
 
-/// A cell of r, bounded by numbers of the scalar.
+/// An interval of r, bounded by numbers of the emitted scalar type.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell {
     pub low: f64,
@@ -94,7 +97,7 @@ impl Known {
     pub fn distance(&self, cell: Cell) -> f64 {
         let y = self.zero.y.to_f64();
         let outside = (cell.low - y).max(y - cell.high) * (1.0 - DIFFERENCE);
-        // The numbers at the ends of a cell may be as near as any other.
+        // The bounds of the cell are numbers of the scalar, and may be as near to y as any other number.
         self.nearest.max(outside - PLACE * y)
     }
 
@@ -185,11 +188,11 @@ impl Known {
         let first = if exact {
             0.0
         } else {
-            // Otherwise r is farther from `at` than half of it.
+            // Otherwise |r − at| exceeds half of `at`.
             unit * (1.0 + from_at / (WITHIN_HALF * place - from_at).max(0.0))
         };
         let sum = unit + from_at / (cell.low + y.to_f64()) * MORE;
-        // The roundings are those of both differences, of the sum and of the product.
+        // The error contains the roundings of both differences, of the sum and of the product.
         (first + unit + sum + unit, offset)
     }
 
@@ -203,7 +206,7 @@ impl Known {
     ) -> Option<Bounds> {
         let (x, y) = (self.zero.x.abs().to_f64(), self.zero.y.to_f64());
         let distance = self.distance(cell);
-        // B rises with r.
+        // B is smallest at the lower bound of r and largest at the upper bound.
         let low = (cell.low - y) * (cell.low + y) + x * x;
         let high = (cell.high - y) * (cell.high + y) + x * x;
         let scale = cell.high * cell.high + y * y + x * x;
@@ -217,7 +220,7 @@ impl Known {
         if !(whole > 0.0) {
             return None;
         }
-        // |B|/(B² + 4x²y²), bounded in two ways.
+        // `steep` bounds |B|/(B² + 4x²y²), by the smaller of two bounds.
         let steep = if smallest > 0.0 {
             1.0 / smallest
         } else {
@@ -233,7 +236,7 @@ impl Known {
         let times = (1.0 + HALF * x / y).min(TIMES);
         let shifted = offset * (cell.high + y) + off;
         let of_square = 2.0 * (own * times + unit + shifted * steep);
-        // (a + b + c)² ≤ 3(a² + b² + c²).
+        // The inequality (a + b + c)² ≤ 3(a² + b² + c²) separates the three errors.
         let second = 3.0 * (TIMES * TIMES * own * own + unit * unit + shifted * shifted / whole);
         Some(Bounds {
             error: of_square + second + unit + least / whole + unit,

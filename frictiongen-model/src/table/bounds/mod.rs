@@ -1,4 +1,4 @@
-//! Proof that an emitted product over zeros and poles is β*_lim, or |V|.
+//! Proves that the emitted products over zeros and poles are β*_lim and |V|, within an error bound.
 //!
 //! [`roots`] shows in double-double that V and H are products over the zeros that were found. [`factor`] bounds the
 //! errors of the emitted numbers, and the roundings of their evaluation. The proof samples nothing. It takes a few
@@ -26,30 +26,33 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use roots::{Factored, Sum};
 
-/// Largest share of the accuracy that the uncertainty of a zero may use at the next number. Tuned: a larger share
-/// leaves fewer numbers out, and less of the accuracy for the others.
+/// Largest fraction of the accuracy that the uncertainty of a zero may use at the number of the scalar nearest to the
+/// zero. With more uncertainty, that number is left out of the proof. The value is tuned. A larger fraction leaves out
+/// fewer numbers, but other errors get less of the accuracy.
 const UNCERTAIN: f64 = 0.1;
-/// Largest error for which that factor suffices.
+/// Largest relative error of a product that the proof accepts. For such errors the factor `UP` covers the neglected
+/// terms.
 const SMALL: f64 = 0.1;
-/// The largest included number, times the smallest normal number. It is a twentieth of the largest number of a
-/// scalar, which leaves room for the bounds of an operation.
+/// Largest intermediate result that the proof accepts, as a multiple of the reciprocal of the smallest normal number.
+/// It is a twentieth of the scalar's largest number, so that the next operation does not overflow.
 const LARGEST: f64 = 0.2;
 /// Allowed number of double-double roundings between a mode's constants and its pole.
 const POLE_ROUNDINGS: f64 = 64.0;
-/// Relative excess for the roundings of the bounds themselves: thousands of roundings.
+/// Relative excess of the bounds for the roundings of their own computation. It is thousands of roundings of double
+/// precision.
 const OUTWARD: f64 = 1e-12;
 
-/// The exact product, gain·Π numerator/Π denominator, up to the remainders of the zeros of some sums.
+/// The exact product, gain·Π numerator/Π denominator. Some of its sums leave small remainders at their computed zeros.
 struct Meant {
     gain: Ball,
     numerator: Vec<Known>,
     denominator: Vec<Known>,
-    /// Zeros with their weights.
+    /// Zeros with their weights: the remainder at a zero, divided by the distance from it, is a relative error.
     weights: Vec<(Known, f64)>,
     tail: f64,
 }
 
-/// V and H as products with bounds.
+/// V and H of the contact as products over zeros and poles, with error bounds.
 pub(super) struct Receptances {
     damped: bool,
     zeros: Zeros,
@@ -90,7 +93,7 @@ impl Receptances {
         })
     }
 
-    /// Proves the β*_lim of a product.
+    /// Proves that a product is β*_lim, with a bound on its relative error.
     pub fn sliding<S: Float>(&self, product: &Product<S>, request: &Request) -> Proof {
         let gain =
             self.excitation.gain * (Ball::exact(self.stiction) * self.receptance.gain).inverse();
@@ -113,7 +116,7 @@ impl Receptances {
         self.proof(product, meant, request, allowed)
     }
 
-    /// Proves the |V| of a product. For an undamped chain it is V with its sign.
+    /// Proves that a product is |V|, with a bound on its relative error. For an undamped chain it is V with its sign.
     pub fn excitation<S: Float>(&self, product: &Product<S>, request: &Request) -> Proof {
         let own = self.excitation.zeros.iter();
         let mut gain = self.excitation.gain;
@@ -201,7 +204,7 @@ impl Receptances {
         }
     }
 
-    /// Returns bounds on the relative error over a cell, or `None` if no bound is known.
+    /// Returns bounds on the relative error of the product over a cell. `None` if no bound is known.
     fn cell<S: Float>(
         &self,
         product: &Product<S>,
@@ -241,9 +244,9 @@ impl Receptances {
         } else if self.damped && !plain {
             return None;
         }
-        // The rounding of the product with the gain.
+        // This is the rounding of the product with the gain.
         error += unit;
-        // The remainders of the exact product at its zeros.
+        // The exact product leaves remainders at its zeros, which are part of the error.
         error += meant.tail;
         for (known, weight) in &meant.weights {
             let zero = &known.zero;
@@ -285,7 +288,7 @@ impl Receptances {
     }
 }
 
-/// Returns a zero as it was found.
+/// Returns a zero whose position has no other error than its last digit.
 fn plain(zero: Zero) -> Known {
     Known {
         zero,
@@ -294,7 +297,7 @@ fn plain(zero: Zero) -> Known {
     }
 }
 
-/// Returns zeros as they were found, and poles, whose positions follow from the constants of a mode.
+/// Returns zeros as they were found, and poles with the errors of the constants from which they follow.
 fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
     let lists = lists.iter();
     lists
@@ -316,15 +319,15 @@ fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
 }
 
 impl Known {
-    /// Sets the distance of the nearest number of the scalar. If a number lies so near a zero on the axis that no bound
-    /// is possible there, it is left out and returned.
+    /// Sets the distance from the zero to the nearest number of the scalar. A number that is too close to a zero on the
+    /// axis has no bound. It is then left out of the proof and returned.
     fn place<S: Float>(&mut self, weight: f64, accuracy: f64) -> Option<f64> {
         if !self.zero.is_on_axis() || self.zero.y.is_zero() {
             return None;
         }
         let (near, apart, others) = beside::<S>(self.zero.y);
         let y = self.zero.y.to_f64();
-        // The uncertainty from the zero's own digits, and from the two emitted terms of its position.
+        // The uncertainty comes from the zero's own digits, and from the two emitted terms of its position.
         let uncertain = weight.max(weight / y) + self.off + y * f64::EPSILON * f64::EPSILON;
         if uncertain <= UNCERTAIN * accuracy * apart {
             self.nearest = apart.min(others);
@@ -336,7 +339,7 @@ impl Known {
     }
 }
 
-/// Returns the range, divided between neighbouring zeros.
+/// Divides the range of r into cells between neighbouring zeros.
 fn cells(meant: &Meant, low: f64, high: f64) -> Vec<Cell> {
     let all = meant.numerator.iter().chain(&meant.denominator);
     let mut places: Vec<f64> = all

@@ -1,4 +1,4 @@
-//! Proof that a sum over modes is a product over given zeros, up to a bounded relative error.
+//! Proves that a sum over modes equals a product over given zeros, up to a bounded relative error.
 //!
 //! N = (direct + Σρ_i/d_i)·Πd_i is a polynomial in v, which is s = ir, or s² for an undamped chain. Let P = Π(v − z_j)
 //! be the product over the given zeros. In partial fractions, N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j). The N(z_j) are
@@ -10,7 +10,7 @@ use super::OUTWARD;
 use super::ball::{Ball, Disc, UP as OF_ONE};
 use frictiongen_kernel::number::dd::Dd;
 
-/// Factor for the roundings of a whole bound: thousands of roundings.
+/// Factor that covers the roundings of a whole bound. It allows thousands of roundings of double precision.
 const UP: f64 = 1.0 + OUTWARD;
 
 /// A term of the sum: a mode's denominator v² + rate·v + square, or v + square, and its residue.
@@ -27,13 +27,13 @@ pub(super) struct Sum {
     terms: Vec<Term>,
 }
 
-/// A sum as a product, with bounds.
+/// A sum, written as a product over its zeros with error bounds.
 pub(super) struct Factored {
     /// The constant in N = gain·Π(v − z_j)·(1 + δ).
     pub gain: Ball,
     /// |δ| is at most this number plus, for each zero, its weight over the distance of v from it.
     pub tail: f64,
-    /// The zeros, with their weights.
+    /// The zeros, each with the weight of its remainder.
     pub zeros: Vec<(Zero, f64)>,
 }
 
@@ -57,7 +57,7 @@ impl Sum {
         }
     }
 
-    /// Returns the degree of N in v, if nothing cancels.
+    /// Returns the degree of the polynomial N in v, if its leading terms do not cancel.
     fn degree(&self) -> Option<usize> {
         let full = self.terms.len() * if self.damped { 2 } else { 1 };
         if self.direct.is_zero() {
@@ -67,7 +67,7 @@ impl Sum {
         }
     }
 
-    /// Returns N.
+    /// Returns the polynomial N at v.
     fn numerator(&self, v: Disc) -> Disc {
         let mut sum = Disc::real(Ball::exact(self.direct));
         let mut all = Disc::real(Ball::number(1.0));
@@ -83,7 +83,7 @@ impl Sum {
         sum * all
     }
 
-    /// Returns the product over these zeros with its bounds, or `None` if no bound can be shown.
+    /// Returns the product over these zeros with its bounds. `None` if no bound can be shown.
     pub fn factored(&self, zeros: &[Zero], highest: f64) -> Option<Factored> {
         let roots: Vec<Vec<Disc>> = zeros.iter().map(|zero| self.roots(zero)).collect();
         let all: Vec<Disc> = roots.iter().flatten().copied().collect();
@@ -131,7 +131,7 @@ impl Sum {
         let mean = values.iter().fold(zero, |sum, value| sum + *value) * share;
         let apart = values.iter().map(|value| (*value - mean).most());
         let apart = apart.fold(0.0, f64::max) + 2.0 * beside;
-        // N and P are real, and so is q.
+        // N and P are real, so q is real too.
         let mut gain = mean.re;
         gain.off += beside;
         let least = gain.least();
@@ -148,7 +148,7 @@ impl Sum {
         (least > 0.0 && known).then_some(Factored { gain, tail, zeros })
     }
 
-    /// Returns the roots in v of a zero.
+    /// Returns the roots in v that a zero represents: one root, or a pair.
     fn roots(&self, zero: &Zero) -> Vec<Disc> {
         let (x, y) = (Ball::exact(zero.x), Ball::exact(zero.y));
         let root = if self.damped {

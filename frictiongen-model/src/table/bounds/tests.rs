@@ -13,7 +13,7 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::{Factor, Quotient};
 
-/// Kind, number of masses, ζ and μ of the tested chains. A negative ζ applies to every other mode.
+/// Kind, number of masses, ζ and μ of each tested chain. A negative ζ damps only every other mode, with |ζ|.
 const KINDS: [(&str, usize, f64, f64); 15] = [
     ("Wall", 1, 0.0, 1.0),
     ("Wall", 1, 0.02, 1.2),
@@ -57,7 +57,7 @@ fn exact(exact: &Exact<'_>, r: f64) -> [(Dd, f64); 2] {
     [(v / h / exact.modal.stiction, noise[0]), (v, noise[1])]
 }
 
-/// Returns random r, and numbers of the scalar near and on each zero.
+/// Returns random frequency ratios, and the numbers of the scalar at and near each zero.
 fn places<S: Float>(zeros: &Zeros) -> Vec<f64> {
     let mut state = 5;
     let mut places: Vec<f64> = (0..500)
@@ -93,7 +93,7 @@ fn counted<S: Float>(accuracy: f64, side: Side) -> (usize, usize) {
             (&tables.excitation, &tables.excitation_proof),
         ];
         for (which, (product, proof)) in products.into_iter().enumerate() {
-            // Where every mode is damped, |V| is one of the functions of the table.
+            // If every mode is damped, |V| is a polynomial of the table, so there is no product for it.
             let Some(product) = product else {
                 assert!(which == 1 && tables.functions == 5, "{kind}{count}");
                 continue;
@@ -141,7 +141,7 @@ fn the_bound_holds() {
     }
 }
 
-/// Returns the number of numbers in a factor.
+/// Returns how many numbers a factor stores.
 fn numbers<S>(factor: &Factor<S>) -> usize {
     match factor {
         Factor::Zero { .. } => 2,
@@ -150,7 +150,7 @@ fn numbers<S>(factor: &Factor<S>) -> usize {
     }
 }
 
-/// Returns a factor with one number changed.
+/// Returns a factor in which one of its numbers is changed by `by`.
 fn moved<S: Float>(factor: Factor<S>, which: usize, by: f64) -> Factor<S> {
     let add = |value: S| S::constant(value.to_f64() + by);
     match factor {
@@ -201,7 +201,7 @@ fn farthest<S: Float>(a: &Quotient<'_, S>, b: &Quotient<'_, S>) -> f64 {
     places.map(ratio).fold(0.0, f64::max)
 }
 
-/// Returns whether a product is proven over the whole range.
+/// Returns true if a product is proven over the whole range.
 fn passes(proof: &Proof) -> bool {
     proof.evidence != Evidence::Checked && proof.open_length() == 0.0
 }
@@ -243,7 +243,7 @@ fn faults<S: Float>(accuracy: f64) -> usize {
                     };
                     let factors = own.numerator.iter().chain(&own.denominator);
                     for number in 0..numbers(factors.clone().nth(place).unwrap()) {
-                        // The change makes an answer wrong by `times` accuracies somewhere.
+                        // The change makes the result wrong somewhere by `times` the accuracy.
                         let mut by = accuracy * times;
                         for _ in 0..6 {
                             let off = farthest(&with(number, by).quotient(), &own.quotient());
@@ -268,7 +268,8 @@ fn faults<S: Float>(accuracy: f64) -> usize {
     found
 }
 
-/// A product must not pass if any of its numbers is wrong by more than the accuracy, or by ten times as much.
+/// Checks that a product is not proven if one of its numbers causes an error of the accuracy, or of ten times the
+/// accuracy.
 #[test]
 fn a_wrong_number_is_not_proven() {
     let found = faults::<f64>(1e-3) + faults::<f64>(1e-8) + faults::<f32>(1e-4);
@@ -276,8 +277,8 @@ fn a_wrong_number_is_not_proven() {
     assert!(found > 1200, "{found}");
 }
 
-/// The error of a zero must enter the bound, divided by the distance from the zero. That distance is below 5
-/// everywhere. Under a root the contribution is halved.
+/// Checks that the error of a zero enters the bound, divided by the distance from the zero. In this test the distance
+/// is below 5. Under a square root the contribution is halved.
 #[test]
 fn uncertain_zeros_are_in_the_bound() {
     let (weight, mut seen) = (1e-6, 0);
@@ -300,7 +301,7 @@ fn uncertain_zeros_are_in_the_bound() {
             assert!(more > weight / 25.0, "{kind}{count}, {zeta}: {more:e}");
             seen += 1;
         }
-        // The remainder of the sum without its zeros counts in full.
+        // The remainder of the sum that belongs to no zero enters the bound fully.
         let mut uncertain = Receptances::of(&known, zeros.as_ref(), 2.5).unwrap();
         uncertain.receptance.tail = weight;
         let own = uncertain.sliding(&product, &asked);
@@ -310,7 +311,7 @@ fn uncertain_zeros_are_in_the_bound() {
     assert!(seen > 30, "{seen}");
 }
 
-/// The error of a zero's position must enter the bound of its factor.
+/// Checks that the error of a zero's position enters the bound of its factor.
 #[test]
 fn an_uncertain_place_is_in_the_bound() {
     let (off, mut seen) = (1e-9, 0);
@@ -341,8 +342,8 @@ fn an_uncertain_place_is_in_the_bound() {
     assert!(seen > 30, "{seen}");
 }
 
-/// Two masses rub on each other, and the load acts on the second. V = (1 − r²)/D vanishes at r = 1, the only r without
-/// a proof.
+/// Checks that the frequency ratio without a proof is reported. Two masses rub on each other, and the load acts on the
+/// second. V = (1 − r²)/D vanishes at r = 1, the only r without a proof.
 #[test]
 fn a_zero_that_is_a_number_is_named() {
     let modal = scene("Pair", 2, 0.0, 1.0);
@@ -351,7 +352,7 @@ fn a_zero_that_is_a_number_is_named() {
     assert_eq!(tables.sliding_proof.evidence, Evidence::Partly);
 }
 
-/// Zeros that are wrong by far less than an accuracy must leave a weight that shows it.
+/// Checks that zeros with an error far below the accuracy have a weight that shows this error.
 #[test]
 fn zeros_that_are_none() {
     for (kind, count, zeta, stiction) in KINDS {

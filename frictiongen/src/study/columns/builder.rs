@@ -1,11 +1,11 @@
-//! The list of a table's columns, to which each column is added in one line.
+//! Collects the columns of a table. Each call adds one column.
 
 use super::cell::Cell;
 use super::column::{Axis, Column, Head, Kind, Read, Row, Shown};
 use super::measure::{Dimension, Measure};
 use crate::study::features::Sensed;
 
-/// The columns of a table, in order.
+/// The columns of a table, from left to right.
 pub struct Columns<'a, R> {
     measure: Measure,
     part: Option<String>,
@@ -16,7 +16,7 @@ pub struct Columns<'a, R> {
 }
 
 impl<'a, R: Row + 'a> Columns<'a, R> {
-    /// Starts without columns.
+    /// Returns a list without columns, for numbers in the units of `measure`.
     #[must_use]
     pub fn new(measure: &Measure) -> Self {
         Self {
@@ -35,34 +35,34 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         &self.measure
     }
 
-    /// Sets the part to which the columns from now on belong.
+    /// Sets the contact or mass to which the columns added after this call belong.
     pub fn begin_part(&mut self, part: &str) {
         self.part = Some(part.to_owned());
         self.order = None;
     }
 
-    /// Ends the parts: the columns from now on belong to the whole row.
+    /// Ends the columns of a contact or mass. Columns added after this call belong to the whole row.
     pub fn end_parts(&mut self) {
         self.part = None;
         self.order = None;
     }
 
-    /// Sets the order of the harmonic to which the columns from now on belong.
+    /// Sets the order of the harmonic to which the columns added after this call belong.
     pub fn begin_harmonic(&mut self, order: u32) {
         self.order = Some(order);
     }
 
-    /// Sets the outputs that have the columns from now on.
+    /// Sets the outputs (text, CSV, JSON, Python) that contain the columns added after this call.
     pub fn show(&mut self, shown: Shown) {
         self.shown = shown;
     }
 
-    /// Sets the arguments on which the columns from now on depend.
+    /// Sets the arguments, frequency or friction, on which the columns added after this call depend.
     pub fn along(&mut self, axis: Axis) {
         self.axis = axis;
     }
 
-    /// Adds numbers, which `read` gives as groups.
+    /// Adds a column of numbers. `read` returns each number as a non-dimensional group, and the column converts it.
     pub fn number(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<f64> + 'a) {
         let (head, measure) = (head.into(), self.measure);
         let dimension = head.dimension;
@@ -73,12 +73,12 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head, Kind::Number, Box::new(move |row| convert(row).into()));
     }
 
-    /// Adds numbers that have their unit already.
+    /// Adds a column of numbers that `read` returns in the column's own unit.
     pub fn converted(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<f64> + 'a) {
         self.given(head, &[], read);
     }
 
-    /// Adds numbers that the user gave, all of which are `grid`, and that have their unit already.
+    /// Adds a column of numbers that the user gave, in the column's own unit. `grid` contains all of them.
     pub fn given(
         &mut self,
         head: impl Into<Head>,
@@ -92,7 +92,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(move |row| read(row).into()));
     }
 
-    /// Adds counts.
+    /// Adds a column of counts.
     pub fn count(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<usize> + 'a) {
         self.push(
             head.into(),
@@ -101,7 +101,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         );
     }
 
-    /// Adds words. `widest` is the widest usual word.
+    /// Adds a column of words. `widest` is the longest of the usual words.
     pub fn word(
         &mut self,
         head: impl Into<Head>,
@@ -112,7 +112,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(move |row| read(row).into()));
     }
 
-    /// Adds flags.
+    /// Adds a column of flags, true or false.
     pub fn flag(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<bool> + 'a) {
         self.push(
             head.into(),
@@ -121,7 +121,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         );
     }
 
-    /// Adds lists.
+    /// Adds a column of lists, of complex numbers or of intervals.
     pub fn list(
         &mut self,
         head: impl Into<Head>,
@@ -131,7 +131,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(move |row| read(row).into()));
     }
 
-    /// Adds cells of any kind.
+    /// Adds a column of cells of any kind.
     pub fn cell(
         &mut self,
         head: impl Into<Head>,
@@ -141,19 +141,19 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(read));
     }
 
-    /// Sets the derivatives of the last column.
+    /// Sets the function that returns the derivatives of the last column's values.
     pub fn moves(&mut self, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         self.moves_before(0, of);
     }
 
-    /// Sets the derivatives of a column before the last one.
+    /// Sets the function that returns the derivatives of an earlier column. `before` counts the columns after it.
     pub fn moves_before(&mut self, before: usize, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         if let Some(column) = self.all.iter_mut().rev().nth(before) {
             column.moves = Some(Box::new(of));
         }
     }
 
-    /// Sets the condition under which the last column says something in a list of lines.
+    /// Sets the condition under which an answer printed as lines contains a line for the last column.
     pub fn say_if(&mut self, says: impl Fn(&R) -> bool + 'a) {
         if let Some(last) = self.all.last_mut() {
             last.says = Some(Box::new(says));
@@ -189,7 +189,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         });
     }
 
-    /// Returns the columns.
+    /// Returns all columns that were added, from left to right.
     #[must_use]
     pub fn done(self) -> Vec<Column<'a, R>> {
         self.all

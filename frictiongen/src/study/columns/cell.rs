@@ -1,26 +1,26 @@
-//! Values of columns.
+//! The value of a table in one row and one column.
 
 use std::borrow::Cow;
 
-/// A value of a column.
+/// A value of a table in one row and one column.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell<'a> {
-    /// A number, never NaN and never −0.
+    /// A number. It is never NaN and never −0.
     Number(f64),
-    /// A count.
+    /// A count, such as a number of stops.
     Count(usize),
-    /// A word.
+    /// A word, such as the name of a regime.
     Word(Cow<'a, str>),
-    /// A flag.
+    /// A flag, true or false.
     Flag(bool),
-    /// A list of complex numbers or of intervals (start and length).
+    /// A list of complex numbers (real and imaginary part), or of intervals (start and length).
     Pairs(Vec<[f64; 2]>),
-    /// A missing value.
+    /// The row has no value in this column.
     Missing,
 }
 
 impl Cell<'_> {
-    /// Returns the cell with its own word.
+    /// Returns the same cell with an owned copy of its word.
     #[must_use]
     pub fn into_owned(self) -> Cell<'static> {
         match self {
@@ -33,7 +33,7 @@ impl Cell<'_> {
         }
     }
 
-    /// Returns the same cell, which borrows its word.
+    /// Returns the same cell with a borrowed word.
     #[must_use]
     pub fn borrowed(&self) -> Cell<'_> {
         match self {

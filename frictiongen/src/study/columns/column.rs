@@ -5,16 +5,17 @@ use super::measure::Dimension;
 use crate::study::features::Sensed;
 use std::borrow::Cow;
 
-/// The kind of a column's values.
+/// The kind of values that a column contains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind<'a> {
     /// Numbers.
     Number,
-    /// Numbers that the user gave: all of them, from which a table takes the number of decimals.
+    /// Numbers that the user gave. The slice contains all of them, from which a printed table takes the number of
+    /// decimals.
     Given(&'a [f64]),
     /// Counts.
     Count,
-    /// Words. The number of characters of the widest usual word.
+    /// Words. The value is the number of characters of the longest usual word.
     Word(usize),
     /// Flags.
     Flag,
@@ -27,32 +28,32 @@ pub enum Kind<'a> {
 /// The arguments on which the values of a column depend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// The frequency alone.
+    /// The values depend on the frequency alone.
     Frequency,
-    /// The friction alone.
+    /// The values depend on the friction alone.
     Friction,
-    /// The whole row.
+    /// The values depend on the whole row.
     Row,
 }
 
-/// The outputs that have a column.
+/// The outputs that contain a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
     /// Every output.
     Everywhere,
-    /// Every output except tables for people.
+    /// Every output except printed tables.
     Files,
     /// JSON and Python, for values that do not fit into a cell.
     Objects,
     /// JSON alone.
     Json,
-    /// Tables for people and CSV.
+    /// Printed tables and CSV.
     Lines,
     /// Python alone.
     Python,
 }
 
-/// Name, unit and heading of a column.
+/// Name, unit and heading of a column, before the units of the table are known.
 #[derive(Clone, Debug)]
 pub struct Head {
     pub(super) name: Cow<'static, str>,
@@ -84,7 +85,7 @@ impl Head {
         }
     }
 
-    /// Sets another name for use under a load.
+    /// Sets another name, which the column has under a load.
     #[must_use]
     pub fn under_load(self, name: &'static str) -> Self {
         Self {
@@ -93,7 +94,7 @@ impl Head {
         }
     }
 
-    /// Sets another name for Python, where the name is a reserved word.
+    /// Sets another name for Python, for a name that is a reserved word in Python.
     #[must_use]
     pub fn attribute(self, name: &'static str) -> Self {
         Self {
@@ -102,7 +103,7 @@ impl Head {
         }
     }
 
-    /// Sets the lines of the heading. By default they are the name and the unit.
+    /// Sets the lines of the heading. The default lines are the name and the unit.
     #[must_use]
     pub fn titled(self, lines: &[&str]) -> Self {
         let lines = lines.iter().map(|line| (*line).to_owned());
@@ -119,26 +120,26 @@ impl From<&'static str> for Head {
     }
 }
 
-/// Function that reads a cell.
+/// Function that reads a column's cell from a row.
 pub(super) type Read<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
 
-/// Function that returns whether a value says something in a list of lines.
+/// Function that returns true if an answer printed as lines contains a line for this value.
 type Says<'a, Row> = Box<dyn Fn(&Row) -> bool + 'a>;
 
-/// Function that returns the derivatives of a value.
+/// Function that returns a value's derivatives with respect to the parameters.
 type Moves<'a, Row> = Box<dyn Fn(&Row) -> Option<&Sensed> + 'a>;
 
-/// A column of a table.
+/// A column of a table, with the function that reads its cells.
 pub struct Column<'a, Row> {
-    /// Name of the contact or of the mass whose motion it is.
+    /// Name of the contact or mass whose motion the column describes. `None` for the whole row.
     pub part: Option<String>,
-    /// Order of the harmonic.
+    /// Order of the harmonic. `None` for a column that belongs to no harmonic.
     pub order: Option<u32>,
-    /// Lines of the heading, without the name of the part.
+    /// Lines of the heading, without the name of the contact or mass.
     pub title: Vec<String>,
     /// Unit of the numbers, empty for ratios.
     pub unit: &'static str,
-    /// Kind of the values.
+    /// Kind of the values: numbers, counts, words, flags or lists.
     pub kind: Kind<'a>,
     /// The arguments on which the values depend.
     pub axis: Axis,
@@ -146,7 +147,7 @@ pub struct Column<'a, Row> {
     pub shown: Shown,
     pub(super) name: String,
     pub(super) attribute: Option<&'static str>,
-    /// Unit, or reference of a displacement without a load.
+    /// Unit of the numbers. For a displacement without a load it is the reference, `P/k1` or `Y`.
     pub(super) of_what: &'static str,
     pub(super) read: Read<'a, Row>,
     pub(super) says: Option<Says<'a, Row>>,
@@ -154,12 +155,12 @@ pub struct Column<'a, Row> {
 }
 
 impl<Row> Column<'_, Row> {
-    /// Reads the cell of a row.
+    /// Returns the value of a row in this column.
     pub fn read<'r>(&self, row: &'r Row) -> Cell<'r> {
         (self.read)(row)
     }
 
-    /// Returns whether the value of a row says something in a list of lines, such as a bound that was reached.
+    /// Returns true if an answer printed as lines contains a line for this value, for example a bound that was reached.
     pub fn says(&self, row: &Row) -> bool {
         self.says.as_ref().is_none_or(|says| says(row))
     }
@@ -170,24 +171,24 @@ impl<Row> Column<'_, Row> {
         self.moves.is_some()
     }
 
-    /// Returns the derivatives of the value of a row, if it has any.
+    /// Returns the derivatives of a row's value, if they exist.
     pub fn derivatives<'r>(&self, row: &'r Row) -> Option<&'r Sensed> {
         self.moves.as_ref()?(row)
     }
 
-    /// Returns the unit, and for a displacement without a load its reference: `m`, `P/k1`.
+    /// Returns the unit of the numbers. For a displacement without a load it is the reference: `m`, `P/k1`.
     #[must_use]
     pub fn of_what(&self) -> &'static str {
         self.of_what
     }
 
-    /// Returns the name without part and harmonic: `amplitude_m`.
+    /// Returns the name without contact or mass and without harmonic: `amplitude_m`.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Returns the name without the part: `X3.amplitude_m`.
+    /// Returns the name with its harmonic, but without contact or mass: `X3.amplitude_m` for the third harmonic.
     #[must_use]
     pub fn name_in_part(&self) -> String {
         match self.order {
@@ -211,25 +212,25 @@ impl<Row> Column<'_, Row> {
         self.attribute.map_or_else(|| self.key(), str::to_owned)
     }
 
-    /// Returns true if tables for people have the column.
+    /// Returns true if printed tables contain the column.
     #[must_use]
     pub fn is_in_text(&self) -> bool {
         matches!(self.shown, Shown::Everywhere | Shown::Lines)
     }
 
-    /// Returns true if CSV has the column.
+    /// Returns true if CSV files contain the column.
     #[must_use]
     pub fn is_in_csv(&self) -> bool {
         matches!(self.shown, Shown::Everywhere | Shown::Files | Shown::Lines)
     }
 
-    /// Returns true if JSON has the column.
+    /// Returns true if JSON files contain the column.
     #[must_use]
     pub fn is_in_json(&self) -> bool {
         !matches!(self.shown, Shown::Lines | Shown::Python)
     }
 
-    /// Returns true if Python has the column.
+    /// Returns true if Python's results contain the column.
     #[must_use]
     pub fn is_in_python(&self) -> bool {
         !matches!(self.shown, Shown::Lines | Shown::Json)
@@ -238,7 +239,7 @@ impl<Row> Column<'_, Row> {
 
 /// A row of a table.
 pub trait Row {
-    /// Returns ω in rad/s, which converts velocities, accelerations and powers of the row.
+    /// Returns the row's angular frequency ω in rad/s, which converts its velocities, accelerations and powers.
     fn omega(&self) -> f64 {
         f64::NAN
     }

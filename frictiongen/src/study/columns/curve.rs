@@ -1,4 +1,4 @@
-//! Rows and columns of curves.
+//! Rows and columns of the table of curves along frequency.
 
 use super::builder::Columns;
 use super::column::{Column, Head, Row};
@@ -11,31 +11,31 @@ use crate::study::{
     words,
 };
 
-/// A row: a point of a piece, or an end point of a gap.
+/// A row of the table: a point of a curve, or an end point of a gap in it.
 #[derive(Clone, Debug)]
 pub struct CurveRow {
-    /// The friction of the curve.
+    /// The frequency of the point.
     pub friction: Friction,
     /// The start of the motions of the curve.
     pub start: CurveStart,
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// Number of the piece, counted from 1 along the frequency. `None` in a gap.
     pub piece: Option<usize>,
-    /// The point, or the reason for the gap.
+    /// The response at the point, or the reason for the gap.
     pub found: Result<CurvePoint, Error>,
 }
 
 /// The table of curves along frequency.
 #[derive(Clone, Copy)]
 pub struct CurveTable<'a> {
-    /// System, units and parts.
+    /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
-    /// True for the start of each curve.
+    /// True if the table has a column for the start of each curve.
     pub starts: bool,
-    /// True for velocities and accelerations.
+    /// True if the table has columns for velocities and accelerations.
     pub rates: bool,
-    /// The orders of the harmonics.
+    /// The orders of the harmonics that the table contains.
     pub orders: &'a [u32],
 }
 
@@ -102,7 +102,7 @@ impl<'a> CurveTable<'a> {
         rows
     }
 
-    /// Returns the columns.
+    /// Returns the columns of the table, from left to right.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, CurveRow>> {
         use Dimension::{Force, Length, Power};

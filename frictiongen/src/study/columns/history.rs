@@ -12,51 +12,51 @@ use crate::study::{
 use crate::{Complex, Of};
 use frictiongen_kernel::simulation::Contact;
 
-/// A row: a sample.
+/// A row of the table of samples: one instant.
 #[derive(Clone, Copy, Debug)]
 pub struct SampleRow<'h> {
-    /// The motion.
+    /// The motion over time to which the row belongs.
     pub history: &'h History,
-    /// Index of the sample.
+    /// Index of the sample, counted from 0.
     pub index: usize,
-    /// Angular frequency in rad/s.
+    /// Angular frequency ω of the excitation, rad/s.
     pub omega: f64,
 }
 
-/// A row: an event.
+/// A row of the table of events.
 #[derive(Clone, Copy, Debug)]
 pub struct EventRow<'h> {
-    /// The event.
+    /// The event: a stop, a break-away or a reversal.
     pub event: &'h HistoryEvent,
-    /// Angular frequency in rad/s.
+    /// Angular frequency ω of the excitation, rad/s.
     pub omega: f64,
 }
 
-/// A row: a line of the spectra.
+/// A row of the table of spectra: one order.
 #[derive(Clone, Copy, Debug)]
 pub struct SpectrumRow<'h> {
-    /// The spectrum of each part.
+    /// The spectra of the contact and masses, one for each.
     pub spectra: &'h [Spectrum],
-    /// Index of the line.
+    /// Index of the order in each spectrum.
     pub index: usize,
-    /// Angular frequency in rad/s.
+    /// Angular frequency ω of the excitation, rad/s.
     pub omega: f64,
 }
 
 /// The tables of a motion over time.
 #[derive(Clone, Copy)]
 pub struct HistoryTable<'a> {
-    /// System, units and parts.
+    /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
     /// Frequency of the excitation.
     pub at: Frequency,
-    /// True for seconds and Hz besides τ and orders.
+    /// True if the tables have columns in seconds and Hz in addition to τ and orders.
     pub in_seconds: bool,
 }
 
-/// A row with an instant.
+/// A row that belongs to an instant.
 trait Timed: Row {
-    /// Returns the instant τ.
+    /// Returns the instant as phase τ = ωt.
     fn tau(&self) -> f64;
 }
 
@@ -101,7 +101,7 @@ impl SpectrumRow<'_> {
 }
 
 impl<'a> HistoryTable<'a> {
-    /// Returns a value of a part with the sign of the units.
+    /// Returns a value of the contact's or a mass's motion, with the sign of the table's units.
     #[must_use]
     pub fn signed(&self, of: Of, value: f64) -> f64 {
         // The subtraction avoids −0.
@@ -139,7 +139,7 @@ impl<'a> HistoryTable<'a> {
         events.map(move |event| EventRow { event, omega })
     }
 
-    /// Returns the rows of the spectra of all parts.
+    /// Returns the rows of the spectra of the contact and masses.
     pub fn lines<'h>(
         &self,
         spectra: &'h [Spectrum],

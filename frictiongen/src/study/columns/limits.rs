@@ -1,4 +1,4 @@
-//! Rows and columns of both limits.
+//! Rows and columns of the table of both limits, β_lim and β*_lim.
 
 use super::builder::Columns;
 use super::column::{Column, Head, Row};
@@ -6,36 +6,36 @@ use super::measure::Dimension;
 use super::setting::{AtFrequency, Frequency, Setting};
 use crate::OutOfDomain;
 
-/// The limits that a table has.
+/// The choice of limits that the table contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LimitsAsked {
-    /// The limits β_lim and β*_lim, exact.
+    /// The exact limits β_lim and β*_lim.
     Exact,
-    /// Also the estimates of β_lim.
+    /// The exact limits, and the estimates of β_lim in addition.
     All,
-    /// The limit β*_lim, and β_lim with S at its start value τ → 0.
+    /// The limit β*_lim, and an upper bound on β_lim with the velocity constraint S at its start value τ → 0.
     WithoutSearch,
 }
 
-/// A row: the limits at one frequency, as friction ratios. A limit that was not asked for is missing.
+/// A row: the limits at one frequency, as friction ratios. A limit is `None` if it was not requested.
 #[derive(Clone, Copy, Debug)]
 pub struct LimitsRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// β_lim.
+    /// Limit of continuous motion β_lim.
     pub continuous: Option<f64>,
-    /// β_lim with S at its start value τ → 0.
+    /// Upper bound on β_lim, with the velocity constraint S at its start value τ → 0.
     pub without_search: Option<f64>,
-    /// β_lim with S for each mode.
+    /// Estimate of β_lim, with the velocity constraint S taken for each mode separately.
     pub per_mode: Option<f64>,
-    /// β*_lim.
+    /// Limit of sliding β*_lim.
     pub sliding: f64,
 }
 
 /// The table of both limits over frequency.
 #[derive(Clone, Copy)]
 pub struct LimitsTable<'a> {
-    /// System and units.
+    /// System and units of the answers.
     pub setting: Setting<'a>,
     /// The limits of the table.
     pub asked: LimitsAsked,
@@ -53,7 +53,7 @@ impl AtFrequency for LimitsRow {
     }
 }
 
-/// Function that reads a limit.
+/// Function that reads a limit from a row.
 type Read = fn(&LimitsRow) -> Option<f64>;
 
 /// The limits in order: name, heading, symbol of the ratio, and the function that reads the limit.
@@ -76,7 +76,7 @@ const LIMITS: [(&str, &str, &str, Read); 4] = [
 ];
 
 impl LimitsAsked {
-    /// Returns whether the table has the limit with this index.
+    /// Returns true if the table contains the limit with this index.
     fn has(self, index: usize) -> bool {
         match self {
             Self::Exact => matches!(index, 0 | 3),
@@ -115,7 +115,7 @@ impl<'a> LimitsTable<'a> {
         })
     }
 
-    /// Returns the columns.
+    /// Returns the columns of the table, from left to right.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, LimitsRow>> {
         let measure = self.setting.measure;

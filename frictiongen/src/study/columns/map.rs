@@ -11,47 +11,47 @@ use crate::study::{
 use crate::{Error, Limits};
 use std::borrow::Cow;
 
-/// A row: a point of a map.
+/// A row of the table of points: one frequency and one friction.
 #[derive(Clone, Debug)]
 pub struct MapRow<'m> {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// The friction.
+    /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: Friction,
-    /// Name of the region.
+    /// Name of the region of the map: regime, stops and period of the motion.
     pub region: Cow<'static, str>,
     /// The point, or the reason why there is no response.
     pub found: &'m Result<MapPoint, Error>,
 }
 
-/// A row: both limits at a frequency of a map.
+/// A row of the table of limits: both limits at one frequency of a map.
 #[derive(Clone, Copy, Debug)]
 pub struct MapLimitsRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// The limits as friction ratios.
     pub limits: Limits<f64>,
 }
 
-/// A row: a boundary between the regions of a map.
+/// A row of the table of boundaries: one friction at which the region of the map changes.
 #[derive(Clone, Debug)]
 pub struct BoundaryRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// The friction on the boundary.
     pub friction: Friction,
     /// Width of the interval of β that contains the boundary.
     pub width: f64,
-    /// Name of the region below.
+    /// Name of the region at less friction.
     pub below: Cow<'static, str>,
-    /// Name of the region above.
+    /// Name of the region at more friction.
     pub above: Cow<'static, str>,
 }
 
 /// The table of a map over frequency and friction.
 #[derive(Clone, Copy)]
 pub struct MapTable<'a> {
-    /// System, units and parts.
+    /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
 }
 
@@ -90,13 +90,13 @@ impl MapRow<'_> {
         self.found.as_ref().ok()
     }
 
-    /// Returns the point if its motion repeats. Another motion has no counts.
+    /// Returns the point if its motion repeats. Motions that do not repeat have no numbers of stops and reversals.
     fn counted(&self) -> Option<&MapPoint> {
         self.point().filter(|point| 0 < point.pattern.period)
     }
 }
 
-/// Pairs the entries of a map with their frequencies, in order. A map that was cancelled lacks some frequencies.
+/// Pairs the entries of a map with their frequencies, in order. A cancelled map lacks some frequencies.
 fn placed<T>(
     frequencies: impl Iterator<Item = Frequency>,
     found: &[T],

@@ -1,4 +1,4 @@
-//! Units of answers: those of a load, or non-dimensional groups.
+//! Units of the answers: SI units under a load, otherwise non-dimensional groups.
 
 use crate::Of;
 use crate::study::scene::Excitation;
@@ -8,32 +8,32 @@ use crate::study::{
 };
 use std::f64::consts::TAU;
 
-/// The physical quantity of a number. It gives the unit of a column.
+/// The physical quantity of a number, from which its unit follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
-    /// A ratio, or a number whose unit stands in another column.
+    /// A ratio, or a number whose unit another column contains.
     One,
-    /// A displacement: m under a load, else over P/k₁, for base motion over Y.
+    /// A displacement, in m under a load. Without a load the unit is P/k₁, for base motion Y.
     Length,
-    /// A velocity: m/s under a load, else dx̄/dτ.
+    /// A velocity, in m/s under a load, otherwise dx̄/dτ.
     Velocity,
-    /// An acceleration: m/s² under a load, else d²x̄/dτ².
+    /// An acceleration, in m/s² under a load, otherwise d²x̄/dτ².
     Acceleration,
-    /// A phase: degrees under a load, else rad.
+    /// A phase, in degrees under a load, otherwise in rad.
     Angle,
-    /// A force: N under a load, else over P, for base motion over k₁Y.
+    /// A force, in N under a load. Without a load the unit is P, for base motion k₁Y.
     Force,
-    /// Mean power in W under a load, else the work of a cycle over P²/k₁, for base motion over k₁Y².
+    /// Mean power in W under a load. Without a load, the work of a cycle in units of P²/k₁, for base motion k₁Y².
     Power,
-    /// A frequency in Hz.
+    /// A frequency, in Hz.
     Hertz,
-    /// An angular frequency in rad/s.
+    /// An angular frequency, in rad/s.
     AngularFrequency,
-    /// A time in s.
+    /// A time, in s.
     Time,
 }
 
-/// Units of answers: those of a load, or non-dimensional groups.
+/// Units of the answers: SI units under a load, otherwise non-dimensional groups.
 #[derive(Clone, Copy, Debug)]
 pub struct Measure {
     scale: Option<LoadScale>,
@@ -43,7 +43,7 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// Makes the units without a load, which are non-dimensional groups.
+    /// Returns the units without a load: non-dimensional groups.
     #[must_use]
     pub fn groups(system: &System) -> Self {
         Self {
@@ -54,7 +54,7 @@ impl Measure {
         }
     }
 
-    /// Makes the units of a load.
+    /// Returns the units under a load: N, m, Hz, degrees.
     ///
     /// # Errors
     /// Same errors as [`System::load_scale`].
@@ -66,7 +66,7 @@ impl Measure {
         })
     }
 
-    /// Makes the units of answers that are in SI units already.
+    /// Returns the units of answers that are already in SI units.
     #[must_use]
     pub fn si(system: &System) -> Self {
         Self {
@@ -81,7 +81,7 @@ impl Measure {
         self.scale
     }
 
-    /// Returns the load, if one is given.
+    /// Returns the load, if there is one.
     #[must_use]
     pub fn load(&self) -> Option<Load> {
         self.load
@@ -93,8 +93,8 @@ impl Measure {
         self.base_motion
     }
 
-    /// Returns true if the contact's motion has the opposite sign of the library's answers, so that it does not depend
-    /// on the order of the masses.
+    /// Returns true if these units reverse the sign of the contact's motion. The sign then agrees with the description,
+    /// whatever the order of its masses.
     #[must_use]
     pub fn turns_contact(&self) -> bool {
         self.reversed && self.scale.is_some()
@@ -112,7 +112,8 @@ impl Measure {
         if self.turns_contact() { -1.0 } else { 1.0 }
     }
 
-    /// Converts a group to these units. ω in rad/s converts velocities, accelerations and powers.
+    /// Converts a non-dimensional group to these units. `omega` is ω in rad/s, for velocities, accelerations and
+    /// powers.
     #[must_use]
     pub fn convert(&self, dimension: Dimension, value: f64, omega: f64) -> f64 {
         match dimension {
@@ -128,7 +129,7 @@ impl Measure {
         }
     }
 
-    /// Returns a displacement in these units.
+    /// Converts a non-dimensional displacement to these units.
     #[must_use]
     pub fn length(&self, ratio: f64) -> f64 {
         self.scale.map_or(ratio, |scale| scale.displacement(ratio))
@@ -141,20 +142,20 @@ impl Measure {
             .map_or(length, |scale| scale.displacement_ratio(length))
     }
 
-    /// Returns a velocity in these units, at an angular frequency in rad/s.
+    /// Converts a non-dimensional velocity dx̄/dτ to these units, at an angular frequency in rad/s.
     #[must_use]
     pub fn velocity(&self, rate: f64, omega: f64) -> f64 {
         self.scale.map_or(rate, |scale| scale.velocity(rate, omega))
     }
 
-    /// Returns d²x̄/dτ² at the angular frequency ω, or the acceleration if the load is known.
+    /// Converts a non-dimensional acceleration d²x̄/dτ² to these units, at the angular frequency ω in rad/s.
     #[must_use]
     pub fn acceleration(&self, rate: f64, omega: f64) -> f64 {
         self.scale
             .map_or(rate, |scale| scale.velocity(rate, omega) * omega)
     }
 
-    /// Returns the work of a cycle over P²/k₁, or the mean power if the load is known.
+    /// Converts the work of a cycle over P²/k₁ to these units: mean power in W under a load.
     #[must_use]
     pub fn power(&self, work: f64, omega: f64) -> f64 {
         self.scale.map_or(work, |scale| {
@@ -162,19 +163,19 @@ impl Measure {
         })
     }
 
-    /// Returns a force in these units.
+    /// Converts a force ratio, such as β, to these units.
     #[must_use]
     pub fn force(&self, ratio: f64) -> f64 {
         self.scale.map_or(ratio, |scale| scale.friction(ratio))
     }
 
-    /// Returns a phase in these units.
+    /// Converts a phase in rad to these units: degrees under a load.
     #[must_use]
     pub fn angle(&self, radians: f64) -> f64 {
         self.scale.map_or(radians, |_| radians.to_degrees())
     }
 
-    /// Returns the name of a column with its unit: `amplitude_m`, without a load `amplitude`.
+    /// Returns the name of a column, under a load with its unit: `amplitude_m`, otherwise `amplitude`.
     #[must_use]
     pub fn name(&self, name: &str, dimension: Dimension) -> String {
         let (suffix, always) = match dimension {

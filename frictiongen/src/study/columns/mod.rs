@@ -1,7 +1,7 @@
-//! The table of each question: its rows, its columns with their units, and the cells between them.
+//! The table of each question of a design study: its rows and its columns with their units.
 //!
-//! The command line prints text, CSV and JSON from these tables, its report reads them, and Python's arrays are their
-//! columns. A column is one line of the list of its question.
+//! The command prints text, CSV and JSON from these tables. The report reads them, and Python's arrays are their
+//! columns. One line of code adds a column to a table.
 //!
 //! ```
 //! use frictiongen::study::columns::{CurveTable, FrequencyUnit, Friction, Measure, Part, Setting};

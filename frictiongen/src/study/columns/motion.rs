@@ -1,4 +1,4 @@
-//! Columns of the motions of the contact and of masses.
+//! Columns of the motions of the contact and of masses, which several tables have in common.
 
 use super::builder::Columns;
 use super::column::{Head, Row, Shown};
@@ -8,43 +8,43 @@ use crate::Complex;
 use crate::study::response::Swing;
 use crate::study::units::polar;
 
-/// The motion of a part, in groups. Missing quantities are `None`.
+/// The motion of the contact or of a mass, in non-dimensional groups. `None` means that a quantity is missing.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PartMotion<'r> {
-    /// Amplitude and phase of the largest displacement.
+    /// Largest displacement over P/k₁ or Y (amplitude), and its phase in rad.
     pub swing: Option<Swing>,
-    /// Half the distance between the smallest and the largest displacement.
+    /// Centred amplitude: half the distance between the least and the largest displacement, over P/k₁ or Y.
     pub centred: Option<f64>,
-    /// Lag of the fundamental component.
+    /// Lag of the fundamental component behind the excitation, rad.
     pub fundamental_phase: Option<f64>,
-    /// Monoharmonic estimate of the amplitude.
+    /// Monoharmonic estimate of the amplitude, over P/k₁ or Y.
     pub monoharmonic: Option<f64>,
-    /// Largest velocity and acceleration.
+    /// Largest |dx̄/dτ| and largest |d²x̄/dτ²|.
     pub rates: Option<(f64, f64)>,
-    /// The requested harmonics.
+    /// Complex amplitudes of the requested harmonics, in the order of the request.
     pub harmonics: &'r [Complex<f64>],
 }
 
-/// A row with motions.
+/// A row that contains motions.
 pub trait Moving: Row {
-    /// Returns the motion of a part, by its index.
+    /// Returns the motion of the contact or mass with this index.
     fn motion(&self, part: usize) -> Option<PartMotion<'_>>;
 }
 
-/// Columns of a motion besides amplitude and phase.
+/// The columns that each motion has in addition to amplitude and phase.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent<'a> {
-    /// True for the monoharmonic amplitude.
+    /// True if each motion has a column for the monoharmonic amplitude.
     pub monoharmonic: bool,
-    /// True for velocity and acceleration.
+    /// True if each motion has columns for velocity and acceleration.
     pub rates: bool,
-    /// Orders of the harmonics.
+    /// Orders of the harmonics that have columns.
     pub orders: &'a [u32],
-    /// True for real and imaginary part of each harmonic in JSON.
+    /// True if JSON files contain the real and imaginary part of each harmonic.
     pub complex: bool,
 }
 
-/// Adds the columns of the motion of every part.
+/// Adds the columns of the motions of the contact and masses in `parts`.
 pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part], of: Extent<'_>) {
     use Dimension::{Acceleration, Angle, Length, Velocity};
     let [length, angle] = [Length, Angle].map(|dimension| columns.measure().title(dimension));
@@ -83,7 +83,7 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
     }
 }
 
-/// Adds the columns of a harmonic: amplitude and lag, and in JSON also real and imaginary part.
+/// Adds the columns of a harmonic: amplitude and lag, and for JSON also real and imaginary part.
 fn harmonic<'a, R: Moving + 'a>(
     columns: &mut Columns<'a, R>,
     (part, place): (usize, usize),

@@ -1,4 +1,4 @@
-//! Rows and columns of the best friction: the answer, its peaks, tolerances and sensitivities.
+//! Rows and columns of the tables about the best friction: the answer, its peaks, tolerances and sensitivities.
 
 mod lines;
 
@@ -17,18 +17,18 @@ use crate::study::{
 /// The tables of the best friction.
 #[derive(Clone, Copy)]
 pub struct OptimumTable<'a> {
-    /// System, units and the only part.
+    /// System, units, and the contact or mass whose amplitude is minimised.
     pub setting: Setting<'a>,
 }
 
-/// A row: a peak of the largest amplitude.
+/// A row of the table of peaks: a frequency at which the amplitude is largest.
 #[derive(Clone, Copy, Debug)]
 pub struct PeakRow {
     frequency: Frequency,
     peak: OptimumPeak,
 }
 
-/// A row: the relative derivative with respect to a parameter.
+/// A row of the table of sensitivities: the relative derivative of the best amplitude with respect to one parameter.
 #[derive(Clone, Debug)]
 pub struct OptimumSensitivityRow {
     parameter: Parameter,
@@ -79,7 +79,7 @@ impl<'a> OptimumTable<'a> {
         rows.collect()
     }
 
-    /// Returns an operating point. Names and units do not depend on its numbers.
+    /// Returns an operating point at which the parameters get their names and units. Its numbers do not matter.
     fn point(&self) -> Option<OperatingPoint> {
         Some(OperatingPoint::Physical {
             hertz: 1.0,
@@ -97,7 +97,8 @@ impl<'a> OptimumTable<'a> {
         columns
     }
 
-    /// Returns the columns of the best friction. The first line of a heading is the label of a line.
+    /// Returns the columns of the best friction and its amplitude. The first line of a heading is the label of a
+    /// printed line.
     fn best(&self) -> Vec<Column<'a, Optimum>> {
         use Dimension::{Force, Length};
         let mut columns = Columns::new(&self.setting.measure);
@@ -128,7 +129,8 @@ impl<'a> OptimumTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the frictions and amplitudes with which to compare.
+    /// Returns the columns with which the best friction is compared: limits of friction, and amplitudes without
+    /// friction and with a stuck contact.
     fn bounds(&self) -> Vec<Column<'a, Optimum>> {
         use Dimension::{Force, Length};
         let mut columns = Columns::new(&self.setting.measure);
@@ -148,7 +150,7 @@ impl<'a> OptimumTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the work of the search.
+    /// Returns the columns that count the work of the search.
     fn effort(&self) -> Vec<Column<'a, Optimum>> {
         let mut columns = Columns::new(&self.setting.measure);
         let head = Head::new("evaluations").titled(&["amplitudes computed"]);

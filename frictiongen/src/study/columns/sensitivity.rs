@@ -1,4 +1,4 @@
-//! Rows and columns of derivatives with respect to the parameters.
+//! Rows and columns of the table of derivatives with respect to the parameters.
 
 use super::builder::Columns;
 use super::column::{Column, Head, Row, Shown};
@@ -10,17 +10,17 @@ use crate::study::{
     words,
 };
 
-/// Name of the row with the answers themselves.
+/// Symbol in the row that contains the answers instead of their derivatives.
 const ITSELF: &str = "the answer";
 
-/// A row: the derivatives with respect to one parameter at one point.
+/// A row: the derivatives of the answers with respect to one parameter at one operating point.
 #[derive(Clone, Debug)]
 pub struct SensitivityRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// The friction.
+    /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: Friction,
-    /// Regime of the contact.
+    /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
     /// The word `exact`, or the reason why there are no derivatives.
     pub answer: &'static str,
@@ -32,18 +32,18 @@ struct Found {
     symbol: String,
     unit: &'static str,
     sensitivity: ParameterSensitivity,
-    /// True for the row with the answers in place of their derivatives.
+    /// True for the row that contains the answers instead of their derivatives.
     itself: bool,
 }
 
-/// The table of derivatives.
+/// The table of derivatives with respect to the parameters, at points of frequency and friction.
 #[derive(Clone, Copy)]
 pub struct SensitivityTable<'a> {
-    /// System, units and the only part.
+    /// System, units, and the contact or mass whose motion is differentiated.
     pub setting: Setting<'a>,
 }
 
-/// An answer X whose derivatives a table has.
+/// An answer X, such as an amplitude, whose derivatives the table contains.
 #[derive(Clone, Copy)]
 struct Answer {
     name: &'static str,
@@ -52,7 +52,7 @@ struct Answer {
     read: fn(&ParameterSensitivity) -> Option<Slope>,
 }
 
-/// The answers in order.
+/// The answers in the order of their columns.
 const ANSWERS: [Answer; 4] = [
     Answer {
         name: "amplitude",
@@ -95,7 +95,7 @@ impl AtFriction for SensitivityRow {
 }
 
 impl SensitivityRow {
-    /// Returns the row with the answers themselves, if there are any.
+    /// Returns the row that contains the answers instead of their derivatives, if there are answers.
     #[must_use]
     pub fn itself(&self) -> Option<Self> {
         let mut row = self.clone();
@@ -105,7 +105,7 @@ impl SensitivityRow {
         Some(row)
     }
 
-    /// Returns the parameter, unless this is the row with the answers themselves.
+    /// Returns the parameter. `None` for the row that contains the answers.
     fn parameter(&self) -> Option<&Found> {
         self.found.as_ref().filter(|found| !found.itself)
     }
@@ -117,7 +117,7 @@ impl SensitivityRow {
 }
 
 impl<'a> SensitivityTable<'a> {
-    /// Returns the operating point of a row.
+    /// Returns the operating point at a frequency and a friction.
     #[must_use]
     pub fn point(&self, frequency: Frequency, friction: Friction) -> OperatingPoint {
         match self.setting.measure.load() {
@@ -133,10 +133,11 @@ impl<'a> SensitivityTable<'a> {
         }
     }
 
-    /// Returns the rows at a point: one for each parameter, or one with the reason why there are no derivatives.
+    /// Returns the rows at an operating point: one for each parameter. If there are no derivatives, one row contains
+    /// the reason.
     ///
     /// # Errors
-    /// The error of an answer that has no word as a reason.
+    /// An error for which the table has no word.
     pub fn rows(
         &self,
         frequency: Frequency,
@@ -210,8 +211,8 @@ impl<'a> SensitivityTable<'a> {
         }
     }
 
-    /// Adds the columns of an answer: its value, its derivative and the relative derivative. Under a load the library
-    /// gives lengths and forces with their units, but phases in rad.
+    /// Adds the columns of an answer: value, derivative and relative derivative. Under a load lengths and forces are
+    /// already in m and N, but phases are in rad.
     fn answer(&self, columns: &mut Columns<'a, SensitivityRow>, answer: Answer, title: &str) {
         let measure = self.setting.measure;
         let is_phase = answer.dimension == Dimension::Angle;
@@ -246,7 +247,7 @@ impl<'a> SensitivityTable<'a> {
         });
     }
 
-    /// Returns a word as wide as the longest symbol.
+    /// Returns a word as wide as the longest symbol of a parameter.
     fn widest(&self) -> String {
         let scene = self.setting.system.scene();
         let masses = scene.masses.iter().map(|mass| mass.name.len() + 2);

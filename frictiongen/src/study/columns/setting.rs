@@ -1,4 +1,4 @@
-//! System, units, frequency, friction and parts, which the tables have in common.
+//! The settings that all tables have in common: system, units, frequencies, frictions and motions.
 
 use super::builder::Columns;
 use super::column::{Axis, Column, Head, Row};
@@ -12,17 +12,17 @@ use crate::study::{
 /// Name of the contact, which no mass can have.
 pub const CONTACT: &str = "contact";
 
-/// A moving part: the contact or a mass.
+/// A contact or mass whose motion a table contains.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// The motion of the part.
+    /// Selects the contact or the mass.
     pub of: Of,
-    /// Name of the part.
+    /// Name of the contact or mass.
     pub name: String,
 }
 
 impl Part {
-    /// Returns the contact.
+    /// Returns the entry for the contact's relative motion.
     #[must_use]
     pub fn contact() -> Self {
         Self {
@@ -35,18 +35,18 @@ impl Part {
 /// The unit in which frequencies are given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrequencyUnit {
-    /// Ratios r.
+    /// Frequency ratios r.
     Ratio,
-    /// Ratios r, printed with Hz because the load has units.
+    /// Frequency ratios r, next to which tables print Hz, because a load is known.
     RatioUnderLoad,
-    /// Hz.
+    /// Frequencies in Hz.
     Hertz,
-    /// rad/s.
+    /// Angular frequencies in rad/s.
     AngularFrequency,
 }
 
 impl FrequencyUnit {
-    /// Returns the unit for use under a load. Ratios are then printed with their Hz.
+    /// Returns the unit for tables under a load. Tables then print Hz next to frequency ratios.
     #[must_use]
     pub fn under(self, measure: &Measure) -> Self {
         match (self, measure.scale()) {
@@ -67,7 +67,7 @@ impl FrequencyUnit {
         self != Self::Ratio
     }
 
-    /// Returns a frequency that was given in this unit.
+    /// Returns the frequency of the number `given` in this unit.
     #[must_use]
     pub fn given(self, system: &System, given: f64) -> Frequency {
         match self {
@@ -85,10 +85,10 @@ impl FrequencyUnit {
     }
 }
 
-/// A frequency.
+/// A frequency, as ratio r, in Hz and in rad/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frequency {
-    /// Frequency ratio r.
+    /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
     /// Frequency in Hz, as given or computed from r.
     pub hertz: f64,
@@ -112,10 +112,10 @@ impl Frequency {
     }
 }
 
-/// A friction.
+/// A friction, as ratio β and as force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
-    /// Friction ratio β.
+    /// Friction ratio β = F/P, for base motion F/(k₁Y).
     pub beta: f64,
     /// Friction force in N, if the load is known.
     force: Option<f64>,
@@ -147,32 +147,32 @@ impl Friction {
     }
 }
 
-/// Settings that all tables share: the system, the units, the frequencies and frictions, and the motions.
+/// The settings that all tables have in common.
 #[derive(Clone, Copy)]
 pub struct Setting<'a> {
-    /// The system.
+    /// The system that the answers describe.
     pub system: &'a System,
-    /// The units of the answers.
+    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The unit of the frequencies.
     pub frequency: FrequencyUnit,
-    /// The frequencies as given. Empty for a band.
+    /// The frequencies as the user gave them. The slice is empty for a band of frequencies.
     pub frequencies: &'a [f64],
-    /// The frictions as given.
+    /// The frictions as the user gave them.
     pub frictions: &'a [f64],
-    /// True if the frictions were given as forces.
+    /// True if the user gave frictions as forces.
     pub forces: bool,
-    /// The contact and masses of the answers.
+    /// The contact and masses whose motions the table contains.
     pub parts: &'a [Part],
 }
 
-/// A row with a frequency.
+/// A row that belongs to a frequency.
 pub trait AtFrequency: Row {
     /// Returns the frequency of the row.
     fn frequency(&self) -> Frequency;
 }
 
-/// A row with a friction.
+/// A row that belongs to a friction.
 pub trait AtFriction: Row {
     /// Returns the friction of the row.
     fn friction(&self) -> Friction;

@@ -15,7 +15,7 @@ use crate::study::{
 };
 use crate::{Of, Regime};
 
-/// The motion of a part, in groups. Missing quantities are `None`.
+/// The motion of the contact or of a mass, in non-dimensional groups. `None` means that a quantity is missing.
 #[derive(Clone, Debug, Default)]
 struct Motion {
     swing: Option<Swing>,
@@ -26,7 +26,7 @@ struct Motion {
 }
 
 impl Motion {
-    /// Takes the motion of a response in any regime.
+    /// Reads the motion from a response in any regime.
     fn of_response(response: &SystemResponse<'_>, of: Of, orders: &[u32]) -> Self {
         let harmonics = orders.iter().map(|order| response.harmonic(of, *order));
         Self {
@@ -38,7 +38,7 @@ impl Motion {
         }
     }
 
-    /// Takes the motion of a steady state.
+    /// Reads the motion from a steady state.
     fn of_orbit(motion: &SystemOrbitMotion<'_, '_>, orders: &[u32]) -> Self {
         let (amplitude, phase) = motion.largest();
         let centred = motion.centred_amplitude();
@@ -54,7 +54,7 @@ impl Motion {
         }
     }
 
-    /// Reverses the sign of the motion, which then has this phase.
+    /// Reverses the sign of the motion. `phase` is the phase of the reversed motion.
     fn turn(&mut self, phase: Option<f64>) {
         if let Some(swing) = &mut self.swing {
             swing.phase = phase;
@@ -65,7 +65,7 @@ impl Motion {
         }
     }
 
-    /// Sets displacements that vanish at r = ∞ to zero. The formulas are evaluated at a large, finite r.
+    /// Sets displacements to zero at r = ∞, where they vanish. The formulas are evaluated at a large, finite r instead.
     fn settle(&mut self) {
         let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
         if let Some(swing) = &mut self.swing {
@@ -78,14 +78,15 @@ impl Motion {
         }
     }
 
-    /// Removes the phase of a motion that is at rest.
+    /// Removes the phase of a motion whose amplitude is 0, because it has none.
     fn leave_out_phase(&mut self) {
         if let Some(swing) = &mut self.swing {
             swing.phase = swing.phase.filter(|_| swing.amplitude != 0.0);
         }
     }
 
-    /// Removes what a stuck contact does not change: its own motion, and harmonics, of which a stuck response has one.
+    /// Removes quantities without information while the contact is stuck: the contact's own motion, and the harmonics,
+    /// because a stuck response has only one.
     fn leave_out_stuck(&mut self, of: Of) {
         match of {
             Of::Contact => *self = Self::default(),

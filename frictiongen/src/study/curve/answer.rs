@@ -7,7 +7,7 @@ use crate::{Error, Regime};
 /// A response along frequency at one friction ratio.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// Friction ratio β.
+    /// Friction ratio β = F/P, for base motion F/(k₁Y).
     pub beta: f64,
     /// The start of the motion at each point.
     pub start: CurveStart,
@@ -22,7 +22,7 @@ pub struct Curve {
 /// An interval of a curve in one regime, whose points may be joined.
 #[derive(Clone, Debug)]
 pub struct Piece {
-    /// Regime of all points.
+    /// Regime at all points of the piece.
     pub regime: Regime,
     /// The points, with ascending r.
     pub points: Vec<CurvePoint>,

@@ -1,4 +1,4 @@
-//! Responses along frequency in every regime, with points as close as the curve bends.
+//! Responses along frequency in every regime. Points are dense where a curve bends.
 //!
 //! A curve consists of pieces. It is cut where the regime changes, at poles, at jumps and where there is no response.
 //! Between the cuts it is refined. Cuts are located to rounding, so that a picture never joins points on two sides of a

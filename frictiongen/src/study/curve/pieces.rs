@@ -6,7 +6,7 @@ use super::refine::Node;
 use super::request::CurveStart;
 use crate::Error;
 
-/// Returns the curve of nodes in ascending order.
+/// Returns the curve through nodes in ascending order of r. A node is a frequency ratio with its response.
 pub(super) fn curve(
     (beta, start): (f64, CurveStart),
     nodes: impl Iterator<Item = Node>,
@@ -32,7 +32,7 @@ pub(super) fn curve(
     }
 }
 
-/// Collects nodes in ascending order to pieces and gaps.
+/// Collects nodes in ascending order into pieces and gaps.
 #[derive(Default)]
 struct Builder {
     pieces: Vec<Piece>,
@@ -111,7 +111,8 @@ mod tests {
         }
     }
 
-    /// Neighbouring nodes without an answer are one gap. A point between two of them ends the first.
+    /// Checks that neighbouring nodes without an answer become one gap, and that a point between two such nodes ends
+    /// the gap.
     #[test]
     fn a_point_between_gaps_parts_them() {
         let nodes = [(0.1, false), (0.2, false), (0.3, true), (0.4, false)];

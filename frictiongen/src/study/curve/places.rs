@@ -13,7 +13,7 @@ const MOST_SUBHARMONICS: usize = 25;
 const NEAR_POLE: f64 = 1e-5;
 /// Relative distance from a resonance at which the test for a pole evaluates the amplitude.
 const POLE: f64 = 1e-9;
-/// Number of steps in a search for a hidden regime. Each step keeps 0.62 of an interval.
+/// Number of steps in a search for a range of another regime between three places. Each step keeps 0.62 of an interval.
 const STEPS: usize = 60;
 
 /// A frequency ratio at which a curve is computed.
@@ -89,7 +89,7 @@ fn grid(request: &CurveRequest) -> Vec<f64> {
     let inner = (1..count).map(|i| request.from + width * i as f64 / count as f64);
     let mut grid: Vec<f64> = inner.collect();
     grid.extend([request.from, request.to]);
-    // Sub-harmonics crowd towards r = 0, so the spacing shrinks with r.
+    // Sub-harmonics become dense towards r = 0, so the spacing shrinks with r.
     let mut low = request.from * 1.05;
     while low < request.to * 0.1 && grid.len() < count + 200 {
         grid.push(low);
@@ -185,7 +185,8 @@ impl Search<'_> {
         }
         places.push(Place::cut(low, End::Boundary));
         if high < right {
-            // Stick-slip may lie between the continuous and the stuck regime, so the search continues.
+            // Stick-slip may lie between the continuous and the stuck regime, so the search continues above this
+            // boundary.
             self.change(high, right, [self.regime(high), second], places);
         }
     }

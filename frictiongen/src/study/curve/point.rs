@@ -8,9 +8,9 @@ use crate::{Complex, Of, Regime};
 /// The response at one frequency ratio of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvePoint {
-    /// Frequency ratio r.
+    /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
-    /// Regime of the response.
+    /// Regime of the response: continuous, stick-slip or stuck.
     pub regime: Regime,
     /// Number of stops of the contact in a period.
     pub stops: usize,
@@ -25,7 +25,7 @@ pub struct CurvePoint {
     pub from_rest: bool,
     /// The offset of the contact's motion, over P/k₁, for base motion over Y.
     pub offset: f64,
-    /// The requested motions, in the order of the request.
+    /// The motions that were requested, in the order of the request.
     pub movements: Vec<Movement>,
     /// The largest friction force over P, for base motion over k₁Y.
     pub contact_force: f64,
@@ -44,7 +44,7 @@ pub struct Movement {
     pub fundamental_phase: Option<f64>,
     /// The largest |dx̄/dτ| and the largest |d²x̄/dτ²|, if they were requested.
     pub rates: Option<(f64, f64)>,
-    /// The requested harmonics, in the order of the request.
+    /// The harmonics that were requested, in the order of the request.
     pub harmonics: Vec<Complex<f64>>,
 }
 

@@ -56,7 +56,7 @@ struct Interval {
     part: usize,
 }
 
-/// The refinement of one curve.
+/// Refines one curve between its first points.
 pub(super) struct Refine<'a> {
     pub system: &'a System,
     pub request: &'a CurveRequest,
@@ -64,7 +64,8 @@ pub(super) struct Refine<'a> {
     pub straight: Straight,
 }
 
-/// True if the offset of a stuck contact depends on every earlier slip: with μ > 1 or without damping.
+/// Returns true if the offset of a stuck contact depends on every earlier slip. This is so with μ > 1 or without
+/// damping.
 fn offsets_jump(system: &System) -> bool {
     let scene = system.scene();
     1.0 < scene.stiction || scene.damping == Damping::None
@@ -105,14 +106,14 @@ impl<'a> Refine<'a> {
         (point, work)
     }
 
-    /// Returns the smallest amplitude that counts, for each motion. It is a share of the median over the first nodes,
-    /// as a pole does not change the median.
+    /// Returns for each motion the smallest amplitude at which the curve is refined. It is a fraction of the median
+    /// over the first nodes. A pole does not change the median.
     pub(super) fn scales(&self, nodes: &[Node]) -> Vec<f64> {
         let median = |index: usize| {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
             let sizes =
                 points.filter_map(|point| Some(point.movements.get(index)?.swing.amplitude));
-            // Points without motion say nothing about the size of a motion.
+            // Points without motion give no scale for the motion's size.
             let mut sizes: Vec<f64> = sizes.filter(|size| 0.0 < *size).collect();
             sizes.sort_by(f64::total_cmp);
             SMALL * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
@@ -269,7 +270,7 @@ pub(super) fn spent(nodes: &[Node]) -> usize {
 }
 
 /// Returns the number of intervals, in their order, for which the remaining work suffices. The middle of an interval is
-/// estimated to take as much work as the dearer of its two points.
+/// estimated to take as much work as the more expensive of its two points.
 fn affordable(intervals: &[(Interval, f64)], nodes: &[Node], left: usize) -> usize {
     let work = |end: usize| nodes.get(end).map_or(0, |node| node.work);
     let mut sum = 0_usize;

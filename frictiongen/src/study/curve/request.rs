@@ -2,7 +2,7 @@
 
 use crate::Of;
 
-/// Default bound on the work of a curve, a few seconds.
+/// Default bound on the work of a curve, in units of about 10 µs: two seconds.
 const WORK: usize = 200_000;
 
 /// The start of the motion at each point of a curve.
@@ -22,15 +22,15 @@ pub enum CurveStart {
 /// The range, motions, accuracy and work of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurveRequest {
-    /// The lowest frequency ratio r, above 0.
+    /// The lowest frequency ratio r. It must be above 0.
     pub from: f64,
-    /// The highest frequency ratio r, finite.
+    /// The highest frequency ratio r. It must be finite.
     pub to: f64,
     /// The motions that each point contains.
     pub of: Vec<Of>,
     /// The largest deviation of a straight line between two neighbouring points from the curve, relative to the curve.
     pub accuracy: f64,
-    /// The largest distance of neighbouring points, in r.
+    /// The largest distance between neighbouring points, in r. `None` sets no bound.
     pub widest: Option<f64>,
     /// The orders of the harmonics that each point contains.
     pub harmonics: Vec<u32>,
@@ -39,8 +39,8 @@ pub struct CurveRequest {
     /// True if the contact's motion is wanted with the opposite sign, for the case
     /// [`System::contact_is_reversed`](crate::study::System::contact_is_reversed).
     pub turned: bool,
-    /// Bound on the work of the curve, in units of about 10 µs. Work is counted, so that a curve is the same on every
-    /// machine. The points at cuts and on an even grid are computed whatever their work.
+    /// Bound on the work of the curve, in units of about 10 µs. Work is counted, so a curve is the same on every
+    /// machine. Points at cuts and on an even grid are computed even if their work exceeds the bound.
     pub work: usize,
     /// The start of the motion at each point.
     pub start: CurveStart,

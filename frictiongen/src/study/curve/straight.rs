@@ -24,7 +24,7 @@ impl Straight {
         self.swings([a, m, b]).all(|([a, m, b], scale)| {
             let stray = (m.amplitude - 0.5 * (a.amplitude + b.amplitude)).abs();
             let bends = accuracy * m.amplitude.abs().max(scale);
-            // A phase matters as much as its motion, so it does not count for a vanishing amplitude.
+            // A phase has no meaning where the amplitude vanishes, so it is not compared there.
             let phases = match (a.phase, m.phase, b.phase) {
                 (Some(a), Some(m), Some(b)) => 0.5 * (turn(a, m) + turn(b, m)).abs(),
                 _ => 0.0,

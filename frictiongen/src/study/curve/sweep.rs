@@ -63,7 +63,7 @@ impl Refine<'_> {
         pieces::curve(asked, nodes.into_iter(), left.is_some())
     }
 
-    /// Returns the nodes at the places alone. They give the scale of each amplitude.
+    /// Returns the nodes at the places alone. Their amplitudes give the scale of each motion.
     fn coarse(&self, places: &[Place]) -> Vec<Node> {
         let mut carried = None;
         let nodes = places.iter().map(|place| {
@@ -83,7 +83,7 @@ impl Refine<'_> {
         });
         let (answer, carried, work) = match found {
             Ok((point, carried, work)) => (Ok(point), Some(carried), work),
-            // Where there is no response, the state of the last point carries on.
+            // Without a response at r, the next point starts from the state of the last point.
             Err(error) => (Err(error), start.cloned(), work(self.system, r, Err(error))),
         };
         Step {
@@ -97,7 +97,7 @@ impl Refine<'_> {
         }
     }
 
-    /// Continues from the last step to r, in steps as small as the curve bends.
+    /// Continues the sweep from the last step to r, in steps that are small where the curve bends.
     ///
     /// A step that ends in another state is halved until the jump is located, so that a large step alone never causes a
     /// jump. `left` is the remaining work. Without remaining work each step goes directly to the next place.
@@ -145,7 +145,7 @@ impl Refine<'_> {
         }
     }
 
-    /// Returns the reason for a cut between two neighbours, if there is one.
+    /// Returns the reason for a cut between two neighbouring nodes, if there is one.
     fn cut(&self, last: &Node, next: &Node, pole: bool) -> Option<End> {
         match (&last.answer, &next.answer) {
             _ if pole => Some(End::Pole),

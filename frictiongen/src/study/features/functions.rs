@@ -226,7 +226,7 @@ impl<T: Number> Numbers<T> {
 
 impl Numbers<Interval> {
     /// Returns the distance y − p over an interval of y, and the singular functions of the pole's modes times this
-    /// distance. `None` if the interval is too wide for an enclosure.
+    /// distance. `None` if the interval is too wide for finite bounds.
     pub fn near(&self, y: Interval, pole: &Pole) -> Option<Near<Interval>> {
         let two_over_pi = Interval::rounded(std::f64::consts::FRAC_2_PI);
         let half_pi = Interval::rounded(std::f64::consts::FRAC_PI_2);

@@ -2,9 +2,9 @@
 //! mistaken for a zero.
 //!
 //! The search covers intervals of y = 1/r. It discards an interval if the enclosure of the function excludes 0. An
-//! interval without a pole has at most one zero if the enclosure of the slope excludes 0. The signs at both bounds
-//! then decide. With one pole p, the search encloses the function times y − p, which is finite. An undecided interval
-//! is cut in two. Every zero therefore lies in an interval that was kept.
+//! interval without a pole has at most one zero if the enclosure of the slope excludes 0. The signs at both bounds then
+//! show whether it has one. With one pole p, the search encloses the function times y − p, which is finite. An
+//! undecided interval is cut in two. Every zero therefore lies in an interval that was kept.
 
 use super::functions::{Numbers, Pole, Target};
 use frictiongen_kernel::number::dd::Dd;
@@ -14,6 +14,7 @@ use frictiongen_model::modal::Modal;
 
 /// Largest number of poles in a range. The search keeps at most twenty times as many intervals.
 pub(super) const MOST_POLES: usize = 20_000;
+/// Largest number of intervals that the search keeps.
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
 /// Relative distance between a zero and a pole of the function below which the two cancel. The search then finds
 /// neither.
@@ -23,8 +24,8 @@ const CANCELLED: f64 = 1e-13;
 const TOUCH: f64 = 1e-9;
 /// Relative distance within which zeros at which the function touches 0 count as one zero.
 const ONE_TOUCH: f64 = 1e-6;
-/// Share of an interval's width at which the interval is cut. The middle is often a special point of a symmetric
-/// scene.
+/// Fraction of an interval's width at which the interval is cut. It is not ½, because the middle is often a special
+/// point of a symmetric scene.
 const CUT: f64 = 0.487_3;
 /// Relative width to which a bracket is halved before Newton's method takes over.
 const NEAR: f64 = 1e-6;
@@ -330,7 +331,7 @@ impl Search<'_, '_> {
         if rises != 0 {
             let at = |y: f64| self.function.over(Interval::point(y)).sign();
             match (at(low), at(high)) {
-                // The zero agrees with the bound to rounding.
+                // The zero equals this bound of the interval to rounding.
                 (0, _) => self.zeros.push(self.function.polished(low)),
                 (_, 0) => self.zeros.push(self.function.polished(high)),
                 (first, last) if first != last => {

@@ -51,7 +51,7 @@ impl Certainty {
     pub const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
 }
 
-/// The reason why a search for features fails.
+/// The reason why the features cannot be found.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FeatureError {
@@ -133,7 +133,9 @@ pub struct LimitsAtEnd {
 /// Lower bound of the default range, as a factor on the lowest resonance. The range does not begin below `FAR_BELOW`
 /// times the highest resonance, and ends at `ABOVE` times the highest resonance.
 const BELOW: f64 = 0.55;
+/// Upper bound of the default range, as a factor on the highest resonance.
 const ABOVE: f64 = 1.5;
+/// Smallest lower bound of the default range, as a factor on the highest resonance.
 const FAR_BELOW: f64 = 0.02;
 
 impl System {

@@ -57,7 +57,7 @@ pub struct Crossing {
 /// Number of samples over each range in which the contact slides all the time with both frictions. The equal steps of
 /// the whole range are added to the samples.
 const SAMPLES: usize = 128;
-/// Step of a finite difference near a peak, relative to r.
+/// Step of a finite difference next to a peak, relative to r.
 const BESIDE: f64 = 1e-6;
 /// Tolerance of the test for a smooth peak. Near a smooth peak the slope is proportional to the distance from the
 /// peak.

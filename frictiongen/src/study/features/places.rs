@@ -5,6 +5,7 @@ use super::Certainty;
 /// Number of steps of a search for two hidden sign changes between samples. Each step keeps 0.62 of an interval. Three
 /// samples of one sign may hide two changes if the middle sample is nearest to 0.
 const STEPS: usize = 60;
+/// Larger of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// Returns sample points between `from` and `to`: evenly spaced over r and over 1/r, and close together near each of

@@ -110,7 +110,7 @@ impl Features<'_> {
         let fastest = modal.resonances.last().map_or(0.0, |last| last.to_f64());
         let closed = if modal.is_damped() { to } else { 0.5 * fastest };
         let mut bounds = Vec::new();
-        // From the frequency ratio `closed` on, β_lim is equal to β_lim without search.
+        // Above the frequency ratio `closed`, β_lim equals β_lim without search.
         let function = Function::new(modal, None, Target::Continuous(exact(beta)));
         let mut edges = vec![from];
         let mut marks = Vec::new();

@@ -15,20 +15,20 @@ use frictiongen_model::sensitivity::Quantity;
 /// The derivative of a number X with respect to one parameter p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterSlope {
-    /// The parameter p with respect to which the derivative is taken.
+    /// The parameter p.
     pub parameter: Parameter,
-    /// The value of the parameter p, in its own unit.
+    /// The value of p, in its own unit.
     pub value: f64,
-    /// The derivative dX/dp of the number X with respect to this parameter p.
+    /// The derivative dX/dp.
     pub derivative: f64,
 }
 
 /// A number X with its derivatives dX/dp, one for each parameter p with respect to which X has a derivative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensed {
-    /// The number X whose derivatives `slopes` contains.
+    /// The number X itself.
     pub value: f64,
-    /// The derivatives dX/dp of this number X, one for each parameter p.
+    /// The derivatives dX/dp of X, one for each parameter p.
     pub slopes: Vec<ParameterSlope>,
 }
 

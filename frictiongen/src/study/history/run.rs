@@ -99,7 +99,8 @@ struct Follower<'a, 'o> {
 }
 
 impl Follower<'_, '_> {
-    /// Advances from event to event to the fraction `part` of a cycle. Fails if this takes too many events.
+    /// Advances the run, event by event, to the fraction `part` of the cycle with number `cycle`. Fails if the run
+    /// takes too many events.
     fn pass(
         &mut self,
         cycle: u64,

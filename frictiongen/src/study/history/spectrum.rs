@@ -6,12 +6,13 @@ use crate::study::units::polar;
 use crate::{Complex, Of};
 use rustfft::FftPlanner;
 
-/// A motion as a sum of components, x̄ = Re Σ X e^{inτ}. They are harmonics, or orders n between harmonics.
+/// A motion as a sum of components, x̄ = Re Σ X e^{inτ}. An order n is an integer for a harmonic, and a fraction
+/// between two harmonics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
     /// The contact or mass that moves.
     pub of: Of,
-    /// The components in ascending order, from the mean on.
+    /// The components in ascending order of n. The first is the mean, n = 0.
     pub lines: Vec<SpectralLine>,
 }
 

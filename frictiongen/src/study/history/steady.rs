@@ -97,7 +97,7 @@ fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
         })
         .collect();
     let sliding = |tau: f64| {
-        // The number of half cycles since the maximum.
+        // `half` is the number of half cycles since the contact's maximum.
         let half = ((tau - lag) / PI).floor();
         if half.rem_euclid(2.0) < 1.0 {
             (Contact::Backward, -beta)

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 /// A point of a boundary: at r, the pattern of the contact changes at β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boundary {
-    /// Frequency ratio r.
+    /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
     /// Friction ratio β, the middle of the interval that contains the boundary.
     pub beta: f64,
@@ -89,9 +89,10 @@ impl System {
     }
 }
 
-/// Number of times that both halves are evaluated although the two ends of the interval have the same pattern.
+/// Number of times that the search continues in both halves although the two ends of the interval have the same
+/// pattern.
 const LOOKS: u32 = 2;
-/// Largest number of third patterns between two neighbours at which both halves are followed.
+/// Largest number of third patterns, between two neighbouring β, at which the search continues in both halves.
 const MOST_BRANCHES: u32 = 6;
 /// Distance from a limit at which the pattern is evaluated, as a share of the step that the limits leave.
 const BESIDE: f64 = 1.0 / 64.0;
@@ -99,12 +100,12 @@ const BESIDE: f64 = 1.0 / 64.0;
 /// A friction ratio β with the pattern of the contact.
 type Known = (f64, Result<Pattern, Error>);
 
-/// The search for the boundaries between two neighbouring β.
+/// The search for boundaries between two neighbouring β of a map.
 struct Trace<'s> {
     at: &'s SystemAt<'s>,
     r: f64,
     precision: f64,
-    /// Number of times that both halves may still be followed.
+    /// Number of times that the search may still continue in both halves.
     branches: u32,
     found: Vec<Boundary>,
 }

@@ -3,9 +3,10 @@
 use crate::study::system::System;
 use crate::{Limits, OutOfDomain};
 
-/// Number of intervals of the first grid.
+/// Number of intervals of the first grid of frequencies.
 const PLACES: usize = 400;
-/// Largest number of odd sub-harmonics of a resonance that become points. An undamped β_lim vanishes there.
+/// Largest number of odd sub-harmonics of a resonance that become points. Without damping β_lim is 0 at these
+/// sub-harmonics.
 const MOST_SUBHARMONICS: usize = 25;
 /// An interval below this relative width is not halved.
 const NARROW: f64 = 1e-9;
@@ -71,7 +72,7 @@ impl System {
             accuracy < (m - 0.5 * (a + b)).abs()
         };
         let straight = !strays(|limits| limits.continuous) && !strays(|limits| limits.sliding);
-        // A kink may escape one test, as the middle may be on the line by chance.
+        // One test may miss a kink, because the middle may be on the straight line by chance.
         let done = straight && was_straight;
         if !done {
             self.between(left, middle, accuracy, straight, points)?;

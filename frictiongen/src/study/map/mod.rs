@@ -14,9 +14,9 @@ use rayon::prelude::*;
 /// The grid and the motions of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapRequest {
-    /// The frequency ratios r.
+    /// Frequency ratios r of the columns, in the order of the request.
     pub r: Vec<f64>,
-    /// The friction ratios β.
+    /// Friction ratios β of the points, in the order of the request.
     pub beta: Vec<f64>,
     /// The motions whose amplitudes each point contains.
     pub of: Vec<Of>,
@@ -25,7 +25,7 @@ pub struct MapRequest {
 /// The pattern of the contact's motion: regime, stops, reversals and period.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pattern {
-    /// Regime of the response.
+    /// Regime of the response: continuous, stick-slip or stuck.
     pub regime: Regime,
     /// Number of stops of the contact in a period.
     pub stops: usize,
@@ -49,7 +49,7 @@ pub struct MapPoint {
     /// True if motion from rest ends in this state. False means that motion from rest does not settle and this is
     /// another state.
     pub from_rest: bool,
-    /// The offset of the contact's motion, over P/k₁, for base motion over Y.
+    /// The requested amplitudes, in the order of the request. The unit is P/k₁, for base motion Y.
     pub offset: f64,
     /// The requested amplitudes, in the order of the request, over P/k₁, for base motion over Y.
     pub amplitudes: Vec<f64>,
@@ -60,7 +60,7 @@ pub struct MapPoint {
 /// The responses of a map at one frequency ratio.
 #[derive(Clone, Debug)]
 pub struct MapColumn {
-    /// Frequency ratio r.
+    /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
     /// Both limits at r.
     pub limits: Limits<f64>,
@@ -71,7 +71,7 @@ pub struct MapColumn {
 /// The responses over frequency and friction.
 #[derive(Clone, Debug)]
 pub struct Map {
-    /// The friction ratios β.
+    /// Friction ratios β of the points, in the order of the request.
     pub beta: Vec<f64>,
     /// The computed columns, in the order of the request. Columns are missing only if the map was cancelled.
     pub columns: Vec<MapColumn>,
@@ -191,8 +191,8 @@ impl System {
             }
             Ok(column)
         };
-        // The cost of columns varies widely, and neighbours cost alike. Columns that are dealt out one at a time keep
-        // all cores busy.
+        // The cost of a column varies widely, and neighbouring columns have similar costs. The columns are handed out
+        // one at a time, so that all cores stay busy.
         let columns = request.r.par_iter().with_max_len(1).map(column);
         let columns: Vec<Option<MapColumn>> = columns.collect::<Result<_, OutOfDomain>>()?;
         Ok(Map {

@@ -167,8 +167,8 @@ mod tests {
     use crate::Of;
     use crate::study::System;
 
-    /// The contact does not touch the second mode, and nothing damps the second mode. With stops there is no steady
-    /// state, and the counter of missing results increases.
+    /// Checks that missing results are counted. Neither the contact nor damping acts on the second mode, so with stops
+    /// there is no steady state.
     #[test]
     fn what_has_no_answer_is_counted() {
         let text = "struct Chain { masses: { a: 1, b: 1, c: 1 }, contact: b - wall, excitation: a,

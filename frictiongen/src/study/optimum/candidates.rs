@@ -85,8 +85,8 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
             let falls = below.slope < 0.0;
             // Where the steady state changes to another one, the slope at one point says nothing about the next point.
             let least = SHARE * below.value.min(above.value);
-            // If the tangents do not meet in the interval, the amplitude is not convex, and its tangents give no
-            // bound.
+            // If the tangents do not meet in the interval, the amplitude is not convex over friction. Its tangents then
+            // give no bound.
             let low = meeting(below, above).map_or(least, |(_, value)| value.max(least));
             (falls && low <= WORTH * best).then(|| (low, (below.clone(), above.clone())))
         })
@@ -99,8 +99,8 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
         .collect()
 }
 
-/// Returns friction ratios of the scan, each with both neighbours, that are no worse than their neighbours and may be
-/// the best.
+/// Returns friction ratios of the scan, each with both neighbours, whose amplitude is at most that of the neighbours
+/// and may be the smallest.
 pub(super) fn valleys(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned, Scanned)> {
     let triples = scan.windows(3).filter_map(|triple| match triple {
         [below, at, above] => {

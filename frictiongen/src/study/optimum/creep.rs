@@ -84,7 +84,8 @@ pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option
             break;
         }
         let falls = here.slope < 0.0 || !here.value.is_finite();
-        // The partner is the peak that grows when the highest peak falls. The minimum is where both heights are equal.
+        // The partner is the peak that grows when the highest peak falls. At the minimum both peaks have the same
+        // height.
         let other = if falls { &above } else { &below };
         let partner = other.peaks.first().and_then(|known| {
             let distance = |peak: &&Peak| (peak.r - known.r).abs();

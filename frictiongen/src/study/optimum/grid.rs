@@ -16,12 +16,12 @@ const MOST_INTERVALS: f64 = 1500.0;
 const WORTH: f64 = 0.98;
 /// Largest number of peaks that one search adds.
 const MOST: usize = 3;
-/// Number of points of the grid on each side of a peak that further looks evaluate, because the peak moves with
+/// Number of grid points on each side of a peak that later first evaluations include, because the peak moves with
 /// friction.
 const SIDE: i32 = 4;
 
 impl Band<'_> {
-    /// Adds the frequency ratio of a peak and its neighbours on the grid to all further first looks.
+    /// Adds the frequency ratio of a peak and its neighbours on the grid to all later first evaluations of the band.
     pub(super) fn learn_around(&self, r: f64) {
         let [from, to] = self.ends();
         for index in -SIDE..=SIDE {
@@ -29,8 +29,8 @@ impl Band<'_> {
         }
     }
 
-    /// Adds the largest local maxima of the grid to the peaks of a look. The look stays incomplete if the work ends
-    /// before the grid does.
+    /// Adds the largest local maxima on the grid to the peaks of an evaluation. The evaluation stays incomplete if the
+    /// work ends before the grid does.
     pub(super) fn add_grid(&self, look: &mut Look, friction: Friction) {
         let [from, to] = self.ends();
         let width = (to / from).ln();

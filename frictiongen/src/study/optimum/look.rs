@@ -8,12 +8,12 @@ use super::amplitude::Friction;
 use super::peaks::{PLACE, Peak};
 use super::places::Place;
 
-/// A ratio of two friction ratios, and the factor by which the amplitude is expected to change at most within that
-/// ratio.
+/// A ratio of two friction ratios, and a factor. While friction changes by at most this ratio, the amplitude is
+/// expected to change by at most this factor.
 const FIRST: [f64; 2] = [1.5, 2.0];
 /// Ratio and factor as in `FIRST`, for an evaluation of the whole band.
 const WHOLE: [f64; 2] = [1.1, 4.0];
-/// Factor for the expected amplitude where the amplitude is known only at a more distant friction ratio.
+/// Factor by which the expected amplitude is larger if the amplitude is known only at a more distant friction ratio.
 const UNKNOWN: f64 = 5.0;
 
 /// The precision with which the amplitude over a band is evaluated.

@@ -333,7 +333,7 @@ impl<'s> Band<'s> {
             .to_vec();
         let mut tops: Vec<Top> = Vec::new();
         for seed in seeds.iter().filter(|seed| !self.is_edge(**seed)) {
-            // Climbs until the amplitude is lower on both sides.
+            // Moves uphill until the amplitude is lower on both sides.
             let (mut middle, mut width) = (*seed, NEIGHBOUR * seed);
             let mut own = value(middle);
             let mut ends = [middle, middle];

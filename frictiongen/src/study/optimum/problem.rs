@@ -73,7 +73,8 @@ impl<'s> Problem<'s> {
         Band::new(self.system, self.of, self.ends)
     }
 
-    /// Returns the friction with the smallest largest amplitude, found over all friction within a bound on work.
+    /// Returns the friction at which the largest amplitude is smallest. The search covers all friction within a bound
+    /// on work.
     pub(super) fn least(band: &Band<'_>, work: usize) -> Result<Least, OptimumError> {
         search::least(band, work).ok_or_else(|| {
             if band.amplitude.is_spent() {

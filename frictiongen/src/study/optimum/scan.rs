@@ -11,9 +11,10 @@ const SCAN: usize = 40;
 /// Number of additional friction ratios in geometric steps. The first one is `LEAST` times the median of β*_lim over
 /// the band.
 const GEOMETRIC: usize = 24;
+/// Smallest of these friction ratios, relative to the median of β*_lim over the band.
 const LEAST: f64 = 0.02;
-/// Multiples of the friction from which a stuck state exists over the whole band, for friction ratios beyond it. With
-/// μ > 1 a motion from rest may slide although a stuck state exists.
+/// Friction ratios of the scan beyond the friction from which a stuck state exists over the whole band, as multiples of
+/// it. With μ > 1 a motion from rest may still slide there.
 const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
 /// Relative step in β of a finite difference for a peak that moves with friction.
 const DIFFERENCE: f64 = 1e-6;
@@ -145,8 +146,8 @@ pub(super) fn add(band: &Band<'_>, scan: &mut Vec<Scanned>, betas: impl Iterator
     scan.dedup_by(|a, b| a.beta == b.beta);
 }
 
-/// Adds friction ratios where a minimum may be hidden between neighbours of the scan. The amplitude falls from one of
-/// two neighbours, and the second is higher although the amplitude falls there too. The mirrored case counts as well.
+/// Adds friction ratios between neighbours of the scan that may hide a minimum. A minimum is hidden if the amplitude
+/// falls at both neighbours although the second one is higher. The same is true in the opposite direction.
 pub(super) fn closer(band: &Band<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..CLOSER {
         let best = best(scan);

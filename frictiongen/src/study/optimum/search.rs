@@ -25,6 +25,7 @@ const AGAIN: usize = 4;
 const CHECKS: usize = 6;
 /// Largest number of golden-section steps, down to the relative width `NARROW` of a bracket.
 const SECTIONS: usize = 40;
+/// Relative width of a bracket of friction at which golden sections end.
 const NARROW: f64 = 1e-7;
 /// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
@@ -33,9 +34,10 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 const STATIONARY: f64 = 1e-4;
 /// Bound on the work of one of the many searches of a tuned optimum. It amounts to a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
-/// The final check may use, in addition, the work bound of the search divided by this number.
+/// The work bound of the search, divided by this number, is the additional work that the final check may use.
 const OF_A_CHECK: usize = 6;
-/// Amplitudes up to this multiple of the best bound the intervals that show how flat the optimum is.
+/// The scan is verified up to this multiple of the best amplitude. It exceeds every amplitude for which a tolerance of
+/// friction is computed.
 const HIGHEST_TOLERANCE: f64 = 1.12;
 
 /// The kind of a minimum of the largest amplitude over friction.
@@ -73,7 +75,8 @@ pub(super) struct Least {
     pub free_to: f64,
 }
 
-/// Searches all friction for the smallest largest amplitude. `None` if no friction bounds the amplitude.
+/// Finds the friction at which the largest amplitude over the band is smallest. `None` if no friction bounds the
+/// amplitude.
 pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     band.amplitude.allow(work);
     let [free_to, locked_from] = band.limits();
@@ -84,8 +87,8 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     }
     let mut candidates = of_scan(&scan);
     let top = best(&scan);
-    // No amplitude is below 0. Just below the friction that stops the contact, amplitudes of motions too small to
-    // settle approach 0.
+    // An amplitude of 0 cannot be improved. Just below the friction that stops the contact, amplitudes of motions too
+    // small to settle approach 0.
     if 0.0 < top {
         let mut top = top;
         for (below, above) in between(&scan, top) {
@@ -131,8 +134,8 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     })
 }
 
-/// Searches between two nearby friction ratios for the smallest largest amplitude. `None` unless the amplitude falls
-/// from the first and rises to the second.
+/// Finds the friction, between two nearby friction ratios, at which the largest amplitude is smallest. `None` unless
+/// the amplitude falls from the first and rises to the second.
 pub(super) fn near(band: &Band<'_>, ends: [f64; 2]) -> Option<Least> {
     band.amplitude.allow(WORK_OF_ONE);
     let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));

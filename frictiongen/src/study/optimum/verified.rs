@@ -49,8 +49,8 @@ pub(super) fn verified(band: &Band<'_>, mut open: Vec<Candidate>) -> Option<Cand
     Some(refined(band, best))
 }
 
-/// Evaluates the points of the scan up to a level again, at the peaks that the grids found too. This raises amplitudes
-/// that were lower bounds.
+/// Evaluates points of the scan whose amplitude is at most `level` again, with the peaks that the grids found. The
+/// amplitudes of these points were lower bounds.
 pub(super) fn raise(band: &Band<'_>, scan: &mut [Scanned], level: f64) {
     for seen in scan
         .iter_mut()

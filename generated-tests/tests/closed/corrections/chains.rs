@@ -1,4 +1,4 @@
-//! Chapters 5 and 6, contact with a fixed wall, and appendix A.
+//! Tests of chapters 5 and 6 for a contact with a fixed wall, and of appendix A.
 
 use super::page::states;
 use super::plain::{Contact, Scene, u_g, unit};
@@ -6,7 +6,7 @@ use super::{close, judged};
 use nalgebra::{Matrix2, Vector2};
 use std::f64::consts::PI;
 
-/// The printed modal coordinate does not have the velocity from which it starts.
+/// Checks that the printed modal coordinate (5.28) does not have the velocity from which it starts.
 #[test]
 fn eq_5_28() {
     let (big_r, psi_j, psi_l, beta, phi) = (0.7_f64, 0.8, 1.1, 0.3, 0.4_f64);
@@ -24,9 +24,9 @@ fn eq_5_28() {
     let right = |tau: f64| eta(tau, psi_j * square * u * beta);
     let h = 1e-4;
     let slope = |eta: &dyn Fn(f64) -> f64| (eta(h) - eta(-h)) / (2.0 * h);
-    // The error of a central difference is h².
+    // A central difference with step h has an error of h².
     judged(slope(&printed), slope(&right), start_velocity, 1e-6);
-    // The largest residual of η″ + η/R² = ψ_jβ + ψ_l cos(τ + φ).
+    // `residual` returns the largest residual of η″ + η/R² = ψ_jβ + ψ_l cos(τ + φ).
     let residual = |eta: &dyn Fn(f64) -> f64| {
         [0.3_f64, 1.2, 2.5]
             .map(|tau| {
@@ -41,7 +41,7 @@ fn eq_5_28() {
     states("eq_5_28", &numbers);
 }
 
-/// The printed S_j is only an upper bound on S.
+/// Checks that the printed S_j is only an upper bound on S.
 #[test]
 fn eq_5_55_and_5_56() {
     let (scene, r) = (unit(3, Contact::Wall(1)), 0.35);
@@ -63,10 +63,10 @@ fn eq_5_55_and_5_56() {
     let limit = |s: f64| v.abs() / u.hypot(s);
     let (printed, right) = (limit(sum_of_maxima), limit(of_the_sum));
     let truth = plain.velocity_limit(0.4);
-    // The grid has 200 instants for the truth, and 4000 for S.
+    // The true value comes from a grid of 200 instants, and S from 4000 instants.
     judged(printed, right, truth, 1e-4);
     close(scene.limit(r), right, 1e-5);
-    // Between the two limits the motion satisfies the equations and does not stop.
+    // Between both limits, the motion satisfies the equations of motion and does not stop.
     let beta = 0.18;
     let x = plain.motion(beta);
     let phi = plain.amplitude_phase(beta).1;
@@ -78,14 +78,14 @@ fn eq_5_55_and_5_56() {
     states("eq_5_55_and_5_56", &numbers);
 }
 
-/// β_∞ of a chain follows from the force at its reversal.
+/// Checks that β_∞ of a chain follows from the force at the reversal of its motion.
 #[test]
 fn eq_6_6() {
     let mu: f64 = 2.0;
     let scene = unit(2, Contact::Wall(0)).stiction(mu);
     let printed = 1.0 / (mu + PI * PI / 4.0).sqrt();
     let right = 1.0 / (mu * mu + PI * PI / 4.0).sqrt();
-    // The limit approaches its value with an error of the order 1/r².
+    // For large r the limit approaches its value with an error of the order 1/r².
     let r = 200.0;
     let truth = scene.at(r).break_away_limit(0.6);
     judged(printed, right, truth, 2.0 / (r * r));
@@ -93,7 +93,7 @@ fn eq_6_6() {
     states("eq_6_6", &[(printed, 4), (right, 4)]);
 }
 
-/// At invariant points U₁ = 0.
+/// Checks that U₁ = 0 at invariant points.
 #[test]
 fn section_6_3_2() {
     let scene = unit(2, Contact::Wall(0));
@@ -108,20 +108,20 @@ fn section_6_3_2() {
     }
     println!("{compared} values compared, none skipped");
     assert_eq!(compared, 2 * 3);
-    // At 1.123 the response still depends on β, through the square of U.
+    // At r = 1.123 the response still depends on β, through the square of U.
     let share = |r: f64| {
         let amplitude = |beta| scene.at(r).amplitude_phase(beta).0;
         1.0 - amplitude(0.6) / amplitude(0.0)
     };
     judged(share(1.123), share(exact[1]), 0.0, 1e-14);
-    // 0.559 is right to its digits, and 1.123 is not.
+    // The printed ratio 0.559 is right to its digits, and 1.123 is not.
     close(exact[0], 0.559, 5e-4);
     assert!((exact[1] - 1.123).abs() > 4e-3);
     let numbers = [(0.559, 3), (1.123, 3), (exact[0], 4), (exact[1], 4)];
     states("section_6_3_2", &numbers);
 }
 
-/// Amplitude and stiffness ratio of the two-storey rig follow from its frequencies.
+/// Checks that amplitude and stiffness ratio of the two-storey rig follow from its frequencies.
 #[test]
 fn eq_a_11_and_a_20() {
     let (m1, m2, k1, k2) = (3.27_f64, 3.25, 1190.0, 1323.0);
@@ -141,7 +141,7 @@ fn eq_a_11_and_a_20() {
             .product());
     let printed = product / antiresonance * fraction;
     let right = (product / antiresonance).powi(2) * fraction;
-    // The truth is the solution of (A.1) itself for Y = 1.
+    // The true value is the solution of (A.1) itself for Y = 1.
     let dynamic = Matrix2::new(
         k1 + k2 - omega * omega * m1,
         -k2,

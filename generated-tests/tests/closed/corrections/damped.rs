@@ -1,4 +1,4 @@
-//! Chapter 7: motion with modal damping.
+//! Tests of chapter 7: motion with modal damping.
 
 use super::integration::{Steady, run};
 use super::page::states;
@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 
 const BETA: f64 = 0.15;
 
-/// Integrates two equal masses until the transient has died out, with the contact on m₂, the force on m₁ and ζ = 0.1.
-/// After 60 periods e^−29 of the transient is left.
+/// Integrates two equal masses until the transient has decayed, with the contact on m₂, the force on m₁ and ζ = 0.1.
+/// After 60 periods a fraction e^−29 of the transient remains.
 fn steady() -> (Plain, Steady) {
     let plain = unit(2, Contact::Wall(1)).damped(0.1).at(0.8);
     let steady = run(&plain, BETA, 60);
@@ -17,10 +17,10 @@ fn steady() -> (Plain, Steady) {
     (plain, steady)
 }
 
-/// Error of the integration: some 1e-11 of Runge-Kutta, and the rest of the transient.
+/// Bound on the error of the integration: some 1e-11 of Runge-Kutta, and the rest of the transient.
 const INTEGRATION: f64 = 1e-9;
 
-/// Displacements after a maximum of the contact's motion.
+/// Checks the displacements after a maximum of the contact's motion.
 #[test]
 fn eq_7_22_7_23_7_28_and_b_15() {
     let (plain, steady) = steady();
@@ -55,7 +55,7 @@ fn eq_7_22_7_23_7_28_and_b_15() {
     println!("{compared} displacements compared, none skipped");
     assert_eq!(compared, 5 * 2);
     assert!(largest > 0.1);
-    // The project gives the same values as the right form.
+    // The project computes the same values as the right form.
     let system = unit(2, Contact::Wall(1)).damped(0.1).system();
     let motion = system.at(0.8).unwrap().motion(BETA).unwrap();
     let project = motion.mass("m1").unwrap().displacement(1.3);
@@ -64,7 +64,7 @@ fn eq_7_22_7_23_7_28_and_b_15() {
     states("eq_7_22_7_23_7_28_and_b_15", &[(largest, 3)]);
 }
 
-/// The displacement of m₁ at τ = 0.
+/// Checks the displacement of m₁ at τ = 0.
 #[test]
 fn eq_7_31() {
     let (plain, steady) = steady();
@@ -78,7 +78,7 @@ fn eq_7_31() {
     states("eq_7_31", &[(printed, 4), (right, 4)]);
 }
 
-/// √(x̄² + x̄′²) of m₁ at τ = 0.
+/// Checks √(x̄² + x̄′²) of m₁ at τ = 0.
 #[test]
 fn eq_7_33() {
     let (plain, steady) = steady();
@@ -110,7 +110,7 @@ fn constraint(big_r: f64, zeta: f64, tau: f64) -> f64 {
     ((1.0 + g) * big_r * q + u * big_r * big_r * (tau.cos() - fast)) / tau.sin()
 }
 
-/// The sum of the modes' maxima, with damping, is not the maximum of the sum.
+/// Checks that with damping the sum of the modes' maxima is not the maximum of the sum.
 #[test]
 fn eq_7_37() {
     let (scene, r) = (unit(3, Contact::Wall(1)).damped(0.01), 0.35);
@@ -130,13 +130,13 @@ fn eq_7_37() {
     let of_the_sum = largest(&|tau| (0..3).map(|i| mode(i, tau)).sum());
     let limit = |s: f64| plain.v_contact().norm() / plain.w.dot(&plain.u()).hypot(s);
     let (printed, right) = (limit(sum_of_maxima), limit(of_the_sum));
-    // The grid has 200 instants for the truth, and 4000 for S.
+    // The true value comes from a grid of 200 instants, and S from 4000 instants.
     judged(printed, right, plain.velocity_limit(0.4), 1e-4);
     close(scene.limit(r), right, 1e-5);
     states("eq_7_37", &[(printed, 3), (right, 3)]);
 }
 
-/// The velocity constraint at one instant.
+/// Checks the velocity constraint at one instant.
 #[test]
 fn eq_7_38() {
     let (r, zeta, tau): (f64, f64, f64) = (0.35, 0.1, 1.0);
@@ -146,8 +146,8 @@ fn eq_7_38() {
     let bracket = (-zeta * tau / r).exp() * (sin + zeta / root * cos);
     let printed = ((1.0 + g) * r * q - u * r * r * bracket) / tau.sin();
     let right = constraint(r, zeta, tau);
-    // z̄′ = −(Z + βG) sin τ + βU cos τ + β d/dτ[…]. One mode has b = 1, so s_d is r² times the term that is compared
-    // with Z + βG.
+    // The velocity is z̄′ = −(Z + βG) sin τ + βU cos τ + β d/dτ[…]. With one mode b = 1, so s_d is r² times the term
+    // that is compared with Z + βG.
     let h = |tau: f64| {
         let (d, q) = d_q(r, zeta, tau);
         1.0 - (1.0 + g) * d - u * r * q
@@ -155,9 +155,9 @@ fn eq_7_38() {
     let step = 1e-4;
     let slope = (h(tau + step) - h(tau - step)) / (2.0 * step);
     let truth = r * r * (slope + u * tau.cos()) / tau.sin();
-    // The error of a central difference is step²/r³.
+    // A central difference has an error of step²/r³.
     judged(printed, right, truth, 1e-6);
-    // The limit follows from the constraint. Here the velocity constraint decides it.
+    // In this scene the velocity constraint decides the limit, so the limit follows from it.
     let scene = unit(1, Contact::Wall(0)).damped(0.001);
     let plain = scene.at(r);
     let instants = (1..4000).map(|i| PI * f64::from(i) / 4000.0);
@@ -171,7 +171,7 @@ fn eq_7_38() {
     states("eq_7_38", &[(printed, 3), (right, 3)]);
 }
 
-/// s_d for τ → 0.
+/// Checks s_d in the limit τ → 0.
 #[test]
 fn eq_7_50() {
     let (r, zeta): (f64, f64) = (0.4, 0.1);
@@ -184,7 +184,7 @@ fn eq_7_50() {
         ((1.0 + g) * shrunk * tau + sign * u * r * r * bracket) / tau
     };
     let (printed, right) = (form(-1.0), form(1.0));
-    // The form neglects terms of the order τ.
+    // The printed form neglects terms of the order τ.
     judged(printed, right, constraint(r, zeta, tau), 1e-4);
     judged(printed, 1.0 + g + 2.0 * zeta * r * u, right, 1e-5);
     states("eq_7_50", &[(printed, 3), (right, 3)]);

@@ -1,16 +1,16 @@
-//! Plain time integration of the governing equations.
+//! Integrates the governing equations in time by a plain method.
 
 use super::plain::Plain;
 use nalgebra::DVector;
 use std::f64::consts::{PI, TAU};
 
-/// Number of steps in a half period. The error of Runge-Kutta is then some 1e-11 for frequencies of order 1.
+/// Number of steps in a half period. The relative error of Runge-Kutta is then some 1e-11 for frequencies of order 1.
 const STEPS: usize = 400;
 
-/// Displacements and velocities.
+/// Displacements and velocities of all masses.
 type State = (DVector<f64>, DVector<f64>);
 
-/// The motion after the transient has died out.
+/// The motion after the transient has decayed.
 #[derive(Clone, Debug)]
 pub struct Steady {
     plain: Plain,
@@ -46,18 +46,18 @@ fn step(plain: &Plain, t: f64, y: &State, h: f64, friction: Option<f64>) -> Stat
     )
 }
 
-/// Runs from rest for some periods. Friction keeps the contact stuck wherever it can.
+/// Integrates from rest for some periods. Friction keeps the contact stuck wherever it can.
 pub fn run(plain: &Plain, beta: f64, periods: usize) -> Steady {
     run_from(plain, beta, periods, DVector::zeros(plain.n()))
 }
 
-/// Runs from displacements without velocity, at a maximum of the excitation.
+/// Integrates from displacements without velocity, starting at a maximum of the excitation.
 pub fn run_from(plain: &Plain, beta: f64, periods: usize, start: DVector<f64>) -> Steady {
     let velocity = DVector::zeros(plain.n());
     integrate(plain, beta, periods, 0.0, (start, velocity), None)
 }
 
-/// Runs from the continuous motion at its maximum.
+/// Integrates from the continuous motion, starting at its maximum.
 pub fn run_on(plain: &Plain, beta: f64, periods: usize) -> Steady {
     let (x, phi) = (plain.motion(beta), plain.amplitude_phase(beta).1);
     let h = 1e-4;

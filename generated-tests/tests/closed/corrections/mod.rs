@@ -1,4 +1,4 @@
-//! Forms of the printed thesis that are wrong, with one test for each row of `docs/corrections.md`.
+//! Tests that some printed forms of the thesis are wrong, one test for each row of `docs/corrections.md`.
 //!
 //! Each test writes the printed form out and shows that it violates the governing equations. It then shows that the
 //! right form satisfies them. `plain` and `integration` solve the equations for this comparison, and share no formula
@@ -14,7 +14,8 @@ mod resonance;
 mod single;
 mod stuck;
 
-/// Asserts that the right form is at most `tolerance` from the truth, and that the printed form is much farther away.
+/// Asserts that the right form is at most `tolerance` from the true value, and that the printed form is much farther
+/// away.
 #[track_caller]
 fn judged(printed: f64, right: f64, truth: f64, tolerance: f64) {
     assert!(

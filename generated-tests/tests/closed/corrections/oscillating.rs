@@ -1,4 +1,4 @@
-//! Sections 5.6 and 6.5: sliding contacts between two oscillating bodies.
+//! Tests of sections 5.6 and 6.5: sliding contacts between two oscillating bodies.
 
 use super::page::states;
 use super::plain::{Contact, Plain, Scene, bisect, unit};
@@ -6,7 +6,7 @@ use super::{close, judged};
 use nalgebra::Complex;
 use std::f64::consts::PI;
 
-/// Two masses that rub on each other, γ = κ = 0.5, force on m₁.
+/// Returns the scene of two masses that rub on each other, γ = κ = 0.5, force on m₁.
 fn between() -> Scene {
     Scene {
         gamma: vec![1.0, 0.5],
@@ -15,7 +15,7 @@ fn between() -> Scene {
     }
 }
 
-/// The load in the contact at its reversal.
+/// Checks the load in the contact at its reversal.
 #[test]
 fn eq_5_78() {
     let (r, beta, gamma_ab) = (1.5, 0.1, 0.5);
@@ -30,7 +30,7 @@ fn eq_5_78() {
     let right = (z / v_contact
         * (stiffness(1, &|k| v[k]) - gamma_ab * (stiffness(0, &|k| v[k]) - 1.0)))
         .abs();
-    // The truth is (5.77) itself at τ = 0, with the displacements of the motion.
+    // The true value is (5.77) itself at τ = 0, with the displacements of the motion.
     let x = plain.motion(beta);
     assert!(plain.defect(beta, phi, &x) < 1e-7);
     let truth =
@@ -42,30 +42,30 @@ fn eq_5_78() {
     states("eq_5_78", &[(printed, 4), (right, 4)]);
 }
 
-/// β_lim follows from the force at the reversal.
+/// Checks that β_lim follows from the force at the reversal.
 #[test]
 fn eq_5_79_and_5_80() {
     let (r, mu) = (1.5, 1.3);
     let scene = between().stiction(mu);
     let plain = scene.at(r);
     let (v, u) = (plain.v_contact().re, plain.w.dot(&plain.u()));
-    // 1/γ_A + 1/γ_B = 3. With this μ the break-away term exceeds S.
+    // Here 1/γ_A + 1/γ_B = 3. With this μ the break-away term exceeds S.
     let root = u.hypot(3.0 * mu / (r * r));
     let (printed, right) = (v * v / root, v.abs() / root);
     let truth = plain.break_away_limit(0.6);
-    // Its velocities are central differences with a step of 1e-4.
+    // The velocities of the true motion are central differences with a step of 1e-4.
     judged(printed, right, truth, 1e-7);
     assert!(truth < plain.velocity_limit(0.6));
     close(scene.limit(r), right, 1e-12);
     states("eq_5_79_and_5_80", &[(printed, 4), (right, 4)]);
 }
 
-/// The condition for a stop, and the dependence of both limits on r.
+/// Checks the condition for a stop, and the dependence of both limits on r.
 #[test]
 fn section_6_5_2() {
     let scene = unit(2, Contact::Base(0));
-    // A stop needs z̄′ = 0. In a motion just below its limit the contact reverses far from z̄ = 0, and passes z̄ = 0 at
-    // full speed.
+    // A stop needs z̄′ = 0. Just below its limit, the contact reverses far from z̄ = 0, and passes z̄ = 0 at full
+    // speed.
     let r = 1.1;
     let plain = scene.at(r);
     let beta = 0.99 * scene.limit(r);
@@ -128,7 +128,7 @@ fn fundamental(plain: &Plain, beta: f64) -> f64 {
     (sum * (2.0 / PI) * (PI / f64::from(n) / 3.0)).norm()
 }
 
-/// m₂ acts as an absorber at the frequency where m₁ has no fundamental for any friction.
+/// Checks that m₂ acts as an absorber at the frequency where m₁ has no fundamental component for any friction.
 #[test]
 fn section_6_5_3() {
     let scene = Scene {

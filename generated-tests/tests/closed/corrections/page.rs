@@ -1,4 +1,4 @@
-//! The page `docs/corrections.md` and the tests agree.
+//! Tests that the page `docs/corrections.md` and the tests of this folder agree.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ const SOURCES: [&str; 6] = [
     include_str!("resonance.rs"),
 ];
 
-/// The corrections: place in the thesis, and name of the test.
+/// The corrections. Each has its position in the thesis and the name of its test.
 const ROWS: [(&str, &str); 32] = [
     ("2.31, 6.8", "eq_2_31_and_6_8"),
     ("2.4, 2.9", "eq_2_4_and_2_9"),
@@ -51,7 +51,7 @@ const ROWS: [(&str, &str); 32] = [
     ("B.7", "eq_b_7"),
 ];
 
-/// Returns the page's row of a test.
+/// Returns the row of the page that belongs to a test.
 fn row(test: &str) -> &'static str {
     let name = format!("`{test}`");
     let mut rows = PAGE.lines().filter(|line| line.contains(&name));
@@ -62,7 +62,7 @@ fn row(test: &str) -> &'static str {
     row
 }
 
-/// Asserts that the page has these numbers, each to its number of decimals, in the row of this test.
+/// Asserts that the page has these numbers in the row of this test. Each number comes with its number of decimals.
 #[track_caller]
 pub fn states(test: &str, numbers: &[(f64, usize)]) {
     let row = row(test);
@@ -76,7 +76,7 @@ pub fn states(test: &str, numbers: &[(f64, usize)]) {
     }
 }
 
-/// Returns the names of the functions under `#[test]`.
+/// Returns the names of the functions with `#[test]`.
 fn tests(source: &str) -> impl Iterator<Item = &str> {
     let after = source.split("#[test]\nfn ").skip(1);
     after.filter_map(|text| text.split_once('(').map(|(name, _)| name))
@@ -92,7 +92,7 @@ fn every_row_has_its_test_and_every_test_its_row() {
         let first = row(test).split('|').nth(1).expect("a row of a table");
         assert_eq!(first.trim(), place);
     }
-    // Every row of the page is in the list.
+    // The list must contain every row of the page.
     let rows = PAGE.lines().filter(|line| line.starts_with("| "));
     let rows = rows.filter(|line| !line.starts_with("| where"));
     assert_eq!(rows.count(), ROWS.len());

@@ -1,8 +1,8 @@
-//! The governing equations, solved in plain ways, as the measure of the printed forms.
+//! Solves the governing equations in plain ways, as the standard for the printed forms.
 //!
 //! The matrices follow directly from the scene's numbers, and linear solves give V and H. u and g are the thesis's own
 //! (7.11), (7.12). Differences give the residual of the equation of motion, and the classical Runge-Kutta method
-//! integrates it. The project's code only reads the scene.
+//! integrates it. Of the project's code only the reader of scenes is used.
 
 use frictiongen::study::System;
 use nalgebra::{Complex, DMatrix, DVector, SymmetricEigen};
@@ -68,7 +68,7 @@ impl Scene {
         Self { mu, ..self }
     }
 
-    /// Returns the same scene as a system of the project.
+    /// Returns the same scene as a run-time system of the project.
     pub fn system(&self) -> System {
         let name = |i: usize| format!("m{}", i + 1);
         let masses: Vec<String> = (0..self.gamma.len())
@@ -101,7 +101,7 @@ impl Scene {
         text.parse().expect("a valid scene")
     }
 
-    /// Returns β_lim from the project.
+    /// Returns β_lim as the project computes it.
     pub fn limit(&self, r: f64) -> f64 {
         self.system()
             .at(r)
@@ -109,12 +109,12 @@ impl Scene {
             .continuous_limit()
     }
 
-    /// Returns β*_lim from the project.
+    /// Returns β*_lim as the project computes it.
     pub fn sliding_limit(&self, r: f64) -> f64 {
         self.system().at(r).expect("in the domain").sliding_limit()
     }
 
-    /// Returns the equations at the frequency ratio r.
+    /// Returns the equations of motion at the frequency ratio r.
     pub fn at(&self, r: f64) -> Plain {
         let n = self.gamma.len();
         let mut k = DMatrix::<f64>::zeros(n, n);
@@ -133,7 +133,7 @@ impl Scene {
             Contact::Between(a, b) => (unit(b) - unit(a), false),
         };
         let gamma = DVector::from_vec(self.gamma.clone());
-        // K̄φ = λΓφ becomes the symmetric problem of Γ^−½K̄Γ^−½.
+        // The problem K̄φ = λΓφ becomes the symmetric eigenproblem of Γ^−½K̄Γ^−½.
         let root = gamma.map(|gamma| 1.0 / gamma.sqrt());
         let scaled = DMatrix::from_fn(n, n, |i, j| k[(i, j)] * root[i] * root[j]);
         let eigen = SymmetricEigen::new(scaled);
@@ -160,7 +160,7 @@ impl Scene {
     }
 }
 
-/// The equations r²Γx̄″ + C̄x̄′ + K̄x̄ + wβ sgn z̄′ = p cos τ_e, and their modes.
+/// The equations of motion r²Γx̄″ + C̄x̄′ + K̄x̄ + wβ sgn z̄′ = p cos τ_e, with their modes.
 #[derive(Clone, Debug)]
 pub struct Plain {
     pub r: f64,
@@ -176,7 +176,7 @@ pub struct Plain {
     pub phi: DMatrix<f64>,
 }
 
-/// Returns u and g of a mode, in the printed form of (7.11), (7.12).
+/// Returns u and g of a mode, in the form that (7.11) and (7.12) print.
 pub fn u_g(big_r: f64, zeta: f64) -> (f64, f64) {
     let root = (1.0 - zeta * zeta).sqrt();
     let (theta, decay) = (PI * root / big_r, zeta * PI / big_r);
@@ -200,7 +200,7 @@ impl Plain {
         self.gamma.len()
     }
 
-    /// Returns the complex amplitudes of the linear response to this load, by a linear solve.
+    /// Returns the complex amplitudes of all masses under this load, by a linear solve.
     fn response(&self, load: &DVector<f64>) -> DVector<Complex<f64>> {
         let n = self.n();
         let dynamic = DMatrix::from_fn(n, n, |i, j| {
@@ -215,27 +215,27 @@ impl Plain {
         dynamic.lu().solve(&load).expect("off a resonance")
     }
 
-    /// Returns V_k of every mass.
+    /// Returns V_k of every mass, the response to the excitation.
     pub fn v(&self) -> DVector<Complex<f64>> {
         self.response(&self.p)
     }
 
-    /// Returns H_k of every mass.
+    /// Returns H_k of every mass, the response to a harmonic force in the contact.
     pub fn h(&self) -> DVector<Complex<f64>> {
         self.response(&self.w)
     }
 
-    /// Returns wᵀx of complex amplitudes.
+    /// Returns wᵀx, the relative motion in the contact, for complex amplitudes x of the masses.
     pub fn on_contact(&self, x: &DVector<Complex<f64>>) -> Complex<f64> {
         self.w.iter().zip(x.iter()).map(|(w, x)| *x * *w).sum()
     }
 
-    /// Returns V of the relative motion.
+    /// Returns V of the relative motion in the contact.
     pub fn v_contact(&self) -> Complex<f64> {
         self.on_contact(&self.v()) - self.s
     }
 
-    /// Returns R_i of a mode.
+    /// Returns R_i = r/√λ_i of a mode.
     pub fn big_r(&self, mode: usize) -> f64 {
         self.r / self.lambda[mode].sqrt()
     }
@@ -255,7 +255,7 @@ impl Plain {
         sum
     }
 
-    /// Returns U_k of every mass.
+    /// Returns U_k of every mass, the response to a square wave of friction.
     pub fn u(&self) -> DVector<f64> {
         self.by_modes(|big_r| u_g(big_r, self.zeta).0)
     }
@@ -265,7 +265,7 @@ impl Plain {
         self.by_modes(|big_r| u_g(big_r, self.zeta).1)
     }
 
-    /// Returns Z and φ at β.
+    /// Returns amplitude Z and phase φ (rad) of the contact at β.
     pub fn amplitude_phase(&self, beta: f64) -> (f64, f64) {
         let (u, g) = (self.w.dot(&self.u()), self.w.dot(&self.g()));
         let v = self.v_contact();
@@ -273,7 +273,8 @@ impl Plain {
         (root - beta * g, (-beta * u).atan2(root) - v.arg())
     }
 
-    /// Returns x̄_k at τ in the formal continuous motion. [`Plain::defect`] shows whether it satisfies the equations.
+    /// Returns the displacement x̄_k of a mass at τ in the formal continuous motion. [`Plain::defect`] shows whether it
+    /// satisfies the equations of motion.
     pub fn motion(&self, beta: f64) -> impl Fn(usize, f64) -> f64 {
         let (v, phi) = (self.v(), self.amplitude_phase(beta).1);
         let plain = self.clone();
@@ -287,9 +288,9 @@ impl Plain {
         }
     }
 
-    /// Returns the largest β for which z̄′ < 0 between the reversals, on a grid of instants.
+    /// Returns the largest β for which z̄′ < 0 at all instants of a grid between the reversals.
     ///
-    /// It misses extremes between two instants, and within 1e-4 of a reversal.
+    /// The grid misses extremes between two instants, and extremes within 1e-4 rad of a reversal.
     pub fn velocity_limit(&self, high: f64) -> f64 {
         let h = 1e-5;
         let slides = |beta: f64| {
@@ -298,7 +299,7 @@ impl Plain {
                 let all = (0..self.n()).map(|k| self.w[k] * x(k, tau));
                 all.sum::<f64>() - self.s * (tau + phi).cos()
             };
-            // Near the reversals the constraint can be larger than a coarse grid shows.
+            // Near the reversals the constraint can exceed its values on a coarse grid.
             let grid = (1..200).map(|i| PI * f64::from(i) / 200.0);
             let ends = [1e-4, 3e-4, 1e-3, 3e-3, 8e-3];
             let instants = grid.chain(ends).chain(ends.map(|end| PI - end));
@@ -313,7 +314,7 @@ impl Plain {
         bisect(breaks, 0.0, high)
     }
 
-    /// Returns the force that would keep the contact stuck at the reversal τ = 0 of its continuous motion.
+    /// Returns the force, over P, that would keep the contact stuck at the reversal τ = 0 of its continuous motion.
     pub fn force_at_reversal(&self, beta: f64) -> f64 {
         let (x, phi) = (self.motion(beta), self.amplitude_phase(beta).1);
         let h = 1e-4;
@@ -322,9 +323,9 @@ impl Plain {
         self.holding_force(phi, &start, &velocity)
     }
 
-    /// Returns the complex amplitudes with the contact stuck, and the force in the contact.
+    /// Returns the complex amplitudes of the masses with the contact stuck, and the force in the contact.
     pub fn stuck(&self) -> (DVector<Complex<f64>>, Complex<f64>) {
-        // The constraint wᵀx = s borders Γ, C̄, K̄, and the contact force is one more unknown.
+        // The constraint wᵀx = s is added to Γ, C̄, K̄ as a row, and the contact force as one more unknown.
         let n = self.n();
         let bordered = DMatrix::from_fn(n + 1, n + 1, |i, j| match (i == n, j == n) {
             (true, true) => Complex::new(0.0, 0.0),
@@ -379,7 +380,7 @@ impl Plain {
         worst
     }
 
-    /// Returns the contact force that keeps z̄′ constant, from z̄″ = 0, at the excitation's angle t.
+    /// Returns the contact force that keeps z̄′ constant, from z̄″ = 0, at the angle t of the excitation.
     pub fn holding_force(&self, t: f64, x: &DVector<f64>, v: &DVector<f64>) -> f64 {
         let load = &self.p * t.cos() - &self.c * v - &self.k * x;
         let weights = self.w.component_div(&self.gamma);

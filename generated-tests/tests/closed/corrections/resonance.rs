@@ -1,4 +1,4 @@
-//! Chapter 7 at resonance and with a stuck contact, complex amplitudes, and appendix B.
+//! Tests of chapter 7 at resonance and with a stuck contact, of complex amplitudes, and of appendix B.
 
 use super::integration::{run, run_on};
 use super::page::states;
@@ -7,7 +7,7 @@ use super::{close, judged};
 use nalgebra::Complex;
 use std::f64::consts::PI;
 
-/// The monoharmonic amplitude of m₁ at the first resonance.
+/// Checks the monoharmonic amplitude of m₁ at the first resonance.
 #[test]
 fn eq_7_58() {
     let (beta, zeta): (f64, f64) = (0.3, 0.02);
@@ -35,7 +35,7 @@ fn eq_7_58() {
     states("eq_7_58", &[(printed, 4), (right, 4), (truth, 4)]);
 }
 
-/// The friction ratio from which the contact stops at r = 1.
+/// Checks the friction ratio from which the contact stops at r = 1.
 #[test]
 fn eq_7_62() {
     let zeta: f64 = 0.1;
@@ -45,7 +45,7 @@ fn eq_7_62() {
         let scene = unit(1, Contact::Wall(0)).damped(zeta).stiction(mu);
         close(scene.limit(1.0), right, 5e-5);
         // The integration starts from the motion itself, because at μ = 2 a contact at rest would stay at rest. It runs
-        // one per cent below and above the limit. The printed value is far above.
+        // at friction 1 % below and 1 % above the limit. The printed value is far above the limit.
         let plain = scene.at(1.0);
         let stops = |beta: f64| run_on(&plain, beta, 40).stops > 0;
         assert!(!stops(0.99 * right) && stops(1.01 * right));
@@ -60,7 +60,7 @@ fn eq_7_62() {
     states("eq_7_62", &[(printed, 4), (0.6720, 4), (0.5924, 4)]);
 }
 
-/// The force in the stuck contact of m₂ of three masses, with damping.
+/// Checks the force in the stuck contact of m₂ of three masses, with damping.
 #[test]
 fn section_7_4_3() {
     let (scene, r) = (unit(3, Contact::Wall(1)).damped(0.1), 1.2_f64);
@@ -69,7 +69,7 @@ fn section_7_4_3() {
     let lone = Complex::new(plain.k[(0, 0)] - r * r, plain.c[(0, 0)]);
     let printed = 1.0 / lone.norm();
     let right = (plain.v_contact() / plain.on_contact(&plain.h())).norm();
-    // The truth has the constraint as one more equation.
+    // The true value solves the equations with the constraint as one more equation.
     judged(printed, right, plain.stuck().1.norm(), 1e-12);
     close(scene.sliding_limit(r), right, 1e-12);
     // Without damping both forms agree.
@@ -78,7 +78,7 @@ fn section_7_4_3() {
     states("section_7_4_3", &[(printed, 3), (right, 3)]);
 }
 
-/// A complex response function times a real cosine.
+/// Checks the product of a complex response function and a real cosine.
 #[test]
 fn eq_7_7_and_others() {
     let (r, zeta, beta): (f64, f64, f64) = (0.8, 0.1, 0.2);
@@ -99,7 +99,7 @@ fn eq_7_7_and_others() {
     };
     // The differences have a step of 1e-4.
     judged(residual(&printed), residual(&right), 0.0, 1e-6);
-    // (7.13), (7.14), and (7.9), (7.10) with one mode give cos φ and sin φ from the integrated amplitude.
+    // The forms (7.13), (7.14) and, with one mode, (7.9), (7.10) give cos φ and sin φ from the integrated amplitude.
     let plain = unit(1, Contact::Wall(0)).damped(zeta).at(r);
     let steady = run(&plain, beta, 40);
     let (u, g) = u_g(r, zeta);
@@ -113,20 +113,20 @@ fn eq_7_7_and_others() {
     judged(sine.re, right_sine, shifted.sin(), 1e-9);
     // The real parts are not those of φ itself either.
     assert!((cosine.re - steady.phi.cos()).abs() > 1e-2);
-    // The amplitude from the real part, compared with the exact one.
+    // The amplitude from the real part alone is compared with the exact amplitude.
     let from_real = (v.re.powi(2) - (beta * u).powi(2)).sqrt() - beta * g;
     judged(from_real, plain.amplitude_phase(beta).0, amplitude, 1e-9);
     states("eq_7_7_and_others", &[(from_real, 3), (amplitude, 3)]);
 }
 
-/// The velocity that belongs to the displacement (B.6).
+/// Checks the velocity that belongs to the displacement (B.6).
 #[test]
 fn eq_b_7() {
     let (big_r, zeta, tau) = (0.7_f64, 0.1_f64, 0.9_f64);
     let (psi_j, forced, beta, phi) = (0.8, 1.3, 0.3, 0.4_f64);
     let (start, start_velocity) = (0.9, -0.2);
     let square = big_r * big_r;
-    // `forced` is ψ_liR_i²v_di, taken as real.
+    // The variable `forced` is ψ_liR_i²v_di, taken as real.
     let eta = |tau: f64| {
         let (d, q) = d_q(big_r, zeta, tau);
         d * start
@@ -146,7 +146,7 @@ fn eq_b_7() {
     };
     let h = 1e-4;
     let truth = (eta(tau + h) - eta(tau - h)) / (2.0 * h);
-    // The error of a central difference is h²/R³.
+    // A central difference has an error of h²/R³.
     judged(form(-1.0), form(1.0), truth, 1e-7);
     states("eq_b_7", &[(form(-1.0), 3), (form(1.0), 3)]);
 }

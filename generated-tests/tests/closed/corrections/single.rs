@@ -1,4 +1,4 @@
-//! Chapters 2 to 4: one mass.
+//! Tests of chapters 2 to 4: one mass.
 
 use super::integration::run;
 use super::page::states;
@@ -10,8 +10,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const WALL: Contact = Contact::Wall(0);
 const BASE: Contact = Contact::Base(0);
 
-/// β_∞ follows from the free mass, which is the limit of the chain at high frequency: r²x̄″ = cos(τ + φ) + β between
-/// the reversals.
+/// Checks that β_∞ follows from the free mass, r²x̄″ = cos(τ + φ) + β between the reversals. It is the limit of the
+/// chain at high frequency.
 #[test]
 fn eq_2_31_and_6_8() {
     let mu: f64 = 2.0;
@@ -28,13 +28,13 @@ fn eq_2_31_and_6_8() {
     let truth = bisect(breaks_away, 0.0, 0.6);
     let printed = 2.0 / (4.0 * mu + PI * PI).sqrt();
     let right = 2.0 / (4.0 * mu * mu + PI * PI).sqrt();
-    // The error of the midpoint sum is 1/steps².
+    // A midpoint sum has an error of 1/steps².
     judged(printed, right, truth, 1e-7);
     close(unit(1, WALL).stiction(mu).limit(1e6), right, 1e-10);
     states("eq_2_31_and_6_8", &[(printed, 4), (right, 4)]);
 }
 
-/// The friction coefficient is μ_s at rest, and μ_d at high speed.
+/// Checks that the friction coefficient is μ_s at rest, and μ_d at high speed.
 #[test]
 fn eq_2_4_and_2_9() {
     let (dynamic, at_rest) = (0.3, 0.5);
@@ -42,12 +42,12 @@ fn eq_2_4_and_2_9() {
     let right = |v: f64| dynamic + (at_rest - dynamic) * (-v).exp();
     judged(printed(0.0), right(0.0), at_rest, 1e-15);
     close(right(40.0), dynamic, 1e-15);
-    // By Stribeck's law the coefficient falls with the speed, but the printed one rises.
+    // By Stribeck's law the coefficient falls with speed, but the printed coefficient rises.
     assert!(right(1.0) < right(0.5) && printed(1.0) > printed(0.5));
     states("eq_2_4_and_2_9", &[(printed(0.0), 1), (at_rest, 1)]);
 }
 
-/// The velocity constraint on β for one mass on the base.
+/// Checks the velocity constraint on β for one mass on the base.
 #[test]
 fn eq_3_15() {
     let r: f64 = 0.4;
@@ -64,7 +64,7 @@ fn eq_3_15() {
         };
         bisect(holds, 0.0, 0.07)
     };
-    // The truth comes from differences of the motion itself, at instants that are ten times as far apart.
+    // The true value comes from differences of the motion itself, at instants that are ten times as far apart.
     let truth = unit(1, BASE).at(r).velocity_limit(0.07);
     judged(limit(&printed), limit(&right), truth, 1e-5);
     close(unit(1, BASE).limit(r), limit(&right), 1e-6);
@@ -72,7 +72,7 @@ fn eq_3_15() {
     states("eq_3_15", &numbers);
 }
 
-/// At r = 1/2 asymmetric motions exist far above the printed bound.
+/// Checks that at r = 1/2 asymmetric motions exist far above the printed bound.
 #[test]
 fn eq_3_33_and_3_34() {
     // With any offset δ, V cos τ ± β(1 − cos 2τ) + δ cos 2τ solves r²x̄″ + x̄ + β sgn x̄′ = cos τ.
@@ -89,7 +89,7 @@ fn eq_3_33_and_3_34() {
         let (before, here, after) = (x(tau - h, sign), x(tau, sign), x(tau + h, sign));
         let second = (before - 2.0 * here + after) / (h * h);
         let residual = r * r * second + here + sign * beta - tau.cos();
-        // The error of the second difference is h².
+        // A second difference has an error of h².
         assert!(residual.abs() < 1e-5, "{residual} at {tau}");
         assert!(sign * (after - before) > 0.0, "it stops at {tau}");
         compared += 2;
@@ -106,7 +106,7 @@ fn eq_3_33_and_3_34() {
         let (r, scale) = (1.0 / n, n.powi(-2));
         let (printed, right) = (1.0 / (4.0 * n * n - 1.0), 1.0 / (n * n - 1.0));
         let limit = unit(1, WALL).at(r).velocity_limit(0.5);
-        // The steepest instant lies at the end of the half period, where the grid misses 1e-4.
+        // The steepest instant lies at the end of the half period, where the grid causes an error of 1e-4.
         judged(printed, right, limit, 1e-4 * right);
         let limit = unit(1, BASE).at(r).velocity_limit(0.2);
         judged(printed * scale, right * scale, limit, 1e-4 * right * scale);
@@ -125,7 +125,7 @@ fn eq_3_33_and_3_34() {
     states("eq_3_33_and_3_34", &numbers);
 }
 
-/// Returns the fundamental of the absolute motion, by a plain sum over instants.
+/// Returns the fundamental component of the absolute motion, by a plain sum over instants.
 fn fundamental(contact: Contact, r: f64, beta: f64) -> f64 {
     let plain = unit(1, contact).at(r);
     let x = plain.motion(beta);
@@ -146,7 +146,7 @@ fn fundamental(contact: Contact, r: f64, beta: f64) -> f64 {
     (sum * (PI / f64::from(n) / 3.0) * (2.0 / PI)).norm()
 }
 
-/// The β at which the contact stops at the inversion, r = 1.5063.
+/// Checks the β at which the contact stops at the inversion, r = 1.5063.
 #[test]
 fn section_3_6_2() {
     let (r, printed, right) = (1.506310, 1.55, 1.465);
@@ -154,13 +154,13 @@ fn section_3_6_2() {
     let truth = plain.velocity_limit(2.0).min(plain.break_away_limit(2.0));
     judged(printed, right, truth, 5e-4);
     close(unit(1, BASE).limit(r), truth, 1e-6);
-    // 1.55 is the limit at a ratio clearly above the inversion.
+    // The printed 1.55 is the limit at a ratio clearly above the inversion.
     let reached = bisect(|r| unit(1, BASE).limit(r) < printed, 1.4, 1.7);
     assert!(reached > 1.52, "{reached}");
     states("section_3_6_2", &[(printed, 2), (right, 3), (reached, 3)]);
 }
 
-/// The fundamentals of all β meet in one point.
+/// Checks that the fundamental components for all β meet in one point.
 #[test]
 fn section_4_4_2() {
     let growth = |contact, r| fundamental(contact, r, 1.4) - fundamental(contact, r, 0.1);
@@ -178,11 +178,11 @@ fn section_4_4_2() {
     }
     // At the printed ratio the fundamentals differ.
     assert!(spread(1.504).abs() > 1e-3, "{}", spread(1.504));
-    // The point of the fixed wall is the other root of U = −(2/π)V.
+    // The point for the fixed wall is the other root of U = −(2/π)V.
     let wall = |r: f64| fundamental(WALL, r, 0.3) - fundamental(WALL, r, 0.1);
     judged(0.604, 0.605258, bisect(|r| wall(r) > 0.0, 0.55, 0.65), 5e-7);
     for r in [0.605258, 1.506310] {
-        // V belongs to the relative motion, which is V₁ − 1 = r²V₁ on the base.
+        // V belongs to the relative motion. On the base it is V₁ − 1 = r²V₁.
         let share = if r > 1.0 { r * r } else { 1.0 };
         let (u, v) = (u_g(r, 0.0).0, share / (1.0 - r * r));
         close(u, -2.0 / PI * v, 2e-5);
@@ -194,13 +194,13 @@ fn section_4_4_2() {
     states("section_4_4_2", &numbers);
 }
 
-/// A response that is late has a positive phase.
+/// Checks that a response that lags has a positive phase.
 #[test]
 fn eq_4_5() {
     let (r, beta) = (0.8, 0.2);
     let scene = unit(1, WALL).damped(0.1);
     let steady = run(&scene.at(r), beta, 40);
-    // The largest displacement lags behind the largest force by this angle.
+    // The largest displacement lags behind the largest force by this angle, in rad.
     let late = steady.phi;
     assert!(late > 0.3, "{late}");
     let n = 40;
@@ -210,9 +210,9 @@ fn eq_4_5() {
             Complex::from_polar(steady.at(tau).0[0], -tau - steady.phi)
         })
         .sum();
-    // fft{y} of cos τ_e has the phase 0.
+    // The transform of cos τ_e has the phase 0.
     let (printed, right) = (spectrum.arg() - 0.0, 0.0 - spectrum.arg());
-    // The other harmonics make a difference of 0.046 between the lags of the fundamental and of the maximum.
+    // The other harmonics make a difference of 0.046 rad between the lags of the fundamental and of the maximum.
     judged(printed, right, late, 0.05);
     let system = scene.system();
     let motion = system.at(r).unwrap().motion(beta).unwrap();

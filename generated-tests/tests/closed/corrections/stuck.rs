@@ -1,4 +1,4 @@
-//! Section 6.5: contacts that stick.
+//! Tests of section 6.5: contacts that stick.
 
 use super::integration::run_from;
 use super::page::states;
@@ -7,7 +7,7 @@ use super::{close, judged};
 use frictiongen::Regime;
 use nalgebra::{DMatrix, DVector};
 
-/// Two masses that rub on each other, γ = κ = 0.5, force on m₁.
+/// Returns the scene of two masses that rub on each other, γ = κ = 0.5, force on m₁.
 fn between() -> Scene {
     Scene {
         gamma: vec![1.0, 0.5],
@@ -20,8 +20,8 @@ fn regime(scene: &Scene, r: f64, beta: f64) -> Regime {
     scene.system().at(r).unwrap().regime(beta).unwrap()
 }
 
-/// With static friction above kinetic the contact of one mass slides for ever from z̄ = 4. At the same β ≥ β*_lim it
-/// sticks if it starts from the stuck state.
+/// Checks a contact of one mass with static friction above kinetic friction. From z̄ = 4 the contact slides for ever.
+/// At the same β ≥ β*_lim it sticks if it starts from the stuck state.
 #[test]
 fn sections_3_4_3_and_3_6() {
     let (scene, r, beta) = (unit(1, Contact::Base(0)).stiction(2.0), 1.1, 0.65);
@@ -37,7 +37,8 @@ fn sections_3_4_3_and_3_6() {
     assert!(printed_sticks && right_slides);
     let amplitude = steady.at(0.0).0[0] - steady.phi.cos();
     close(amplitude, plain.amplitude_phase(beta).0, 1e-8);
-    // The stuck state exists too. With the base's displacement and velocity the contact never slides.
+    // The stuck state exists too. If the mass starts with the base's displacement and velocity, the contact never
+    // slides.
     let held = run_from(&plain, beta, 40, x.map(|x| x.re));
     assert_eq!(held.at(0.0).0[0] - 1.0, 0.0);
     // The project reports both states.
@@ -55,10 +56,10 @@ fn sections_3_4_3_and_3_6() {
     states("sections_3_4_3_and_3_6", &numbers);
 }
 
-/// The force in the stuck contact, compared with the available static friction.
+/// Checks the force in the stuck contact against the available static friction.
 #[test]
 fn eq_6_21_and_6_30() {
-    // This is (6.21), with γ_AB = 0.5 and l = A.
+    // The printed form is (6.21), with γ_AB = 0.5 and l = A.
     let (scene, r, beta, gamma_ab) = (between(), 1.0, 1.2, 0.5);
     let plain = scene.at(r);
     let (x, force) = plain.stuck();
@@ -88,7 +89,7 @@ fn eq_6_21_and_6_30() {
     );
 }
 
-/// The motion of the centroid of two masses that stick together.
+/// Checks the motion of the centroid of two masses that stick together.
 #[test]
 fn eq_6_24() {
     let scene = Scene {
@@ -123,7 +124,7 @@ fn eq_6_24() {
     states("eq_6_24", &[(printed, 3)]);
 }
 
-/// A β below the bound means sliding.
+/// Checks the direction of an inequality: a β below the bound means sliding.
 #[test]
 fn eq_6_27() {
     let (scene, r, gamma_ab) = (between().stiction(1.2), 1.0, 0.5);
@@ -136,7 +137,7 @@ fn eq_6_27() {
     let mut compared = 0;
     for (beta, sticks) in [(0.9 * bound, false), (1.1 * bound, true)] {
         let printed_sticks = beta < bound;
-        // Static friction can reach μβ.
+        // Static friction can reach μβ, so the contact sticks up to this force.
         let truth = force.norm() <= plain.mu * beta;
         assert!(truth == sticks && printed_sticks != truth);
         assert_eq!(regime(&scene, r, beta) == Regime::Stuck, truth);
@@ -147,7 +148,7 @@ fn eq_6_27() {
     states("eq_6_27", &[(bound, 4)]);
 }
 
-/// The loads on the masses next to a mass that moves with the base.
+/// Checks the loads on the masses next to a mass that moves with the base.
 #[test]
 fn eq_6_32() {
     let r = 0.3;
@@ -175,7 +176,7 @@ fn eq_6_32() {
             });
             let load = DVector::from_fn(2, |a, _| load(a + 1, rest[a]));
             let x = dynamic.lu().solve(&load).unwrap();
-            // The error is the largest of all masses, against the full equations.
+            // The compared error is the largest of all masses, against the full equations.
             let error = |a: usize| (x[a] - truth[rest[a] - 1]).abs();
             error(0).max(error(1))
         };

@@ -1,4 +1,4 @@
-//! Condition of an answer: Σ|x ∂f/∂x| over its inputs, by dual numbers.
+//! Computes the condition of an answer, Σ|x ∂f/∂x| over its inputs x, by dual numbers.
 //!
 //! To first order, inputs that are k roundings off change an exact answer by k ε Σ|x ∂f/∂x|. The inputs are r and β,
 //! and one of two sets. The modal data are the inputs of the closed forms. Masses, springs, damping and μ are the
@@ -15,7 +15,7 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use generated_tests::data::Data;
 
-/// A question to a scene.
+/// The result of a scene whose condition is wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asked {
     ContinuousLimit,
@@ -68,7 +68,7 @@ impl Question {
     }
 }
 
-/// Returns f and ∂f/∂q for a quantity q.
+/// Returns f and ∂f/∂q, for a quantity q of the scene.
 pub fn along<S: Float>(system: &System<S>, question: Question, quantity: Quantity) -> Sensitive {
     let modal = system.modal().along(system.scene(), quantity);
     let data = data(&modal.expect("a quantity of the scene"), |value| value);
@@ -85,7 +85,7 @@ pub fn along_place<S: Float>(system: &System<S>, question: Question) -> (Dd, Dd,
     (over_r.value, over_r.slope, over_beta.slope)
 }
 
-/// Returns |r ∂f/∂r| + |β ∂f/∂β| + |f| + Σ|x ∂f/∂x|. For an angle a half turn replaces |f|. The sum runs over the
+/// Returns |r ∂f/∂r| + |β ∂f/∂β| + |f| + Σ|x ∂f/∂x|. For an angle, half a turn replaces |f|. The sum is over the
 /// quantities x, each of which is given with its value.
 fn over<S: Float>(system: &System<S>, question: Question, quantities: &[(Quantity, Dd)]) -> f64 {
     let (value, over_r, over_beta) = along_place(system, question);
@@ -102,7 +102,7 @@ fn over<S: Float>(system: &System<S>, question: Question, quantities: &[(Quantit
         .to_f64()
 }
 
-/// Returns the condition with respect to the modal data, which bounds the accuracy of the closed forms.
+/// Returns the condition with respect to the modal data. It bounds the accuracy of the closed forms.
 pub fn modal_condition<S: Float>(system: &System<S>, question: Question) -> f64 {
     let modal = system.modal();
     let mut quantities = vec![(Quantity::Stiction, modal.stiction)];
@@ -121,7 +121,7 @@ pub fn modal_condition<S: Float>(system: &System<S>, question: Question) -> f64 
     over(system, question, &quantities)
 }
 
-/// Returns the condition with respect to the description.
+/// Returns the condition with respect to the numbers of the description.
 pub fn scene_condition<S: Float>(system: &System<S>, question: Question) -> f64 {
     let scene = system.scene();
     let mut quantities = vec![(Quantity::Stiction, Dd::from(scene.stiction))];

@@ -1,4 +1,4 @@
-//! Answers have no step across ζ = 0, ζ = 1, the zeros and poles of u, and a vanishing residue.
+//! Tests that answers have no step across ζ = 0, ζ = 1, the zeros and poles of u, and a vanishing residue.
 //!
 //! The bound on a difference has two terms. One is twice the derivative times the distance, with the larger of the
 //! derivatives at both points. The other is 2 × `ROUNDINGS` roundings of the answer's condition, half for each point.
@@ -45,13 +45,13 @@ fn apart(a: f64, b: f64, asked: Asked) -> f64 {
     }
 }
 
-/// Number of compared steps, of omitted ones, and the largest difference over its bound.
+/// Number of compared steps, number of omitted steps, and the largest difference divided by its bound.
 #[derive(Default)]
 struct Steps {
     count: usize,
-    /// Number of omitted scenes that have too many masses.
+    /// Number of scenes that were omitted because they have too many masses.
     large: usize,
-    /// Number of omitted frequency ratios that are a resonance.
+    /// Number of frequency ratios that were omitted because they are a resonance.
     resonant: usize,
     worst: f64,
 }
@@ -74,7 +74,7 @@ impl Steps {
     }
 }
 
-/// Returns the scenes of few masses. Larger ones would take too long, because each step needs a condition in
+/// Returns the scenes of few masses. Larger scenes would take too long, because each step needs a condition in
 /// double-double.
 fn small(most: usize, steps: &mut Steps) -> Vec<&'static (&'static str, &'static str)> {
     let masses = |text: &str| system::<f64>(text).modal().loads.len();
@@ -91,7 +91,7 @@ fn damped(text: &str, zeta: f64) -> System {
     System::try_from(scene).expect("a valid scene")
 }
 
-/// Returns Σ_i |∂f/∂ζ_i|.
+/// Returns Σ_i |∂f/∂ζ_i| over the modes i.
 fn damping_slope(system: &System, question: Question) -> f64 {
     let modes = 0..system.modal().resonances.len();
     modes
@@ -109,7 +109,7 @@ fn beta_of(system: &System, r: f64) -> f64 {
     0.3 * at.continuous_limit().min(at.sliding_limit())
 }
 
-/// Returns frequency ratios between resonances, and within 1e-3 of them.
+/// Returns frequency ratios between resonances, and some within 1e-3 of resonances.
 fn between(system: &System, steps: &mut Steps) -> Vec<f64> {
     let mut ratios = vec![0.57, 1.31];
     for pole in system.resonances() {
@@ -155,7 +155,7 @@ fn across(zetas: &[f64], centre: f64, title: &str, counts: (usize, usize, usize)
     steps.report(title, counts);
 }
 
-/// The difference is O(ζ Σ|∂f/∂ζ|). At 1e-18 and below it is rounding alone.
+/// Checks answers for ζ → 0. The difference is O(ζ Σ|∂f/∂ζ|). For ζ of 1e-18 and less it is rounding alone.
 #[test]
 fn vanishing_damping() {
     across(&[1e-300, 1e-18, 1e-12, 1e-9], 0.0, "zeta = 0", (1780, 3, 1));
@@ -176,10 +176,10 @@ fn critical_damping() {
     across(&zetas, 1.0, "zeta = 1", (3560, 3, 1));
 }
 
-/// Odd and even subharmonics of undamped scenes, without search.
+/// Checks odd and even subharmonics of undamped scenes, for limits without search.
 ///
 /// At an odd subharmonic β_lim falls to 0, because U has a pole. At an even one the u of a mode is 0. The test leaves
-/// the search out. There S is small compared with U, and its condition in double-double takes minutes.
+/// out the search for S. There S is small compared with U, and its condition in double-double takes minutes.
 #[test]
 fn sub_harmonics() {
     let mut steps = Steps::default();
@@ -200,7 +200,7 @@ fn sub_harmonics() {
                                 }
                             };
                             let (there, here) = (ask(r), ask(on));
-                            // On the subharmonic itself the derivative has a jump, so it is taken next to it.
+                            // On the subharmonic itself the derivative jumps, so it is taken next to the subharmonic.
                             let question = Question::at(r, 0.0, asked);
                             let slope = along_place(&system, question).1.abs().to_f64();
                             let condition = modal_condition(&system, question);
@@ -229,8 +229,8 @@ fn moved(system: &System, quantity: Quantity, by: f64) -> System {
     System::try_from(scene).expect("a valid scene")
 }
 
-/// A mode with a node at the contact has a residue of 0 in the contact's sums. The residue differs from 0 after a mass
-/// or a spring has changed by a rounding.
+/// Checks a mode with a node at the contact. Its residue in the contact's sums is 0, but differs from 0 after a mass or
+/// a spring has changed by a rounding.
 #[test]
 fn a_node_at_the_contact() {
     let scenes = [

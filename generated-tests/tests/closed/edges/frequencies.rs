@@ -1,10 +1,10 @@
-//! Natural frequencies of widely spread scenes, compared with 40-digit references.
+//! Tests natural frequencies of widely spread scenes, compared with 40-digit references.
 
 use frictiongen::study::System;
 use frictiongen_kernel::Float;
 use serde_json::Value;
 
-/// Tolerance relative to each frequency, however many decades it lies below the largest.
+/// Tolerance relative to each frequency, also for frequencies many decades below the largest.
 const TOLERANCE: f64 = 1e-14;
 
 pub fn references() -> Vec<Value> {

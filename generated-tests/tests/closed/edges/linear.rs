@@ -1,4 +1,4 @@
-//! At β = 0 the motion is the plain linear response.
+//! Tests that at β = 0 the motion is the plain linear response.
 //!
 //! The reference is the sum of modal receptances x̄_k = Σ φ_k φᵀp/(λ − r² + 2iζr√λ), computed independently in complex
 //! double-double numbers. For the contact it is wᵀx̄ − s.
@@ -17,7 +17,7 @@ struct Response {
     re: Dd,
     im: Dd,
     condition: f64,
-    /// Sensitivity of the steepest driven mode. Beyond 1/ε r lies on the pole of that mode, to rounding.
+    /// Sensitivity of the steepest driven mode to r. If it exceeds 1/ε, r lies within a rounding of that mode's pole.
     steepest: f64,
 }
 
@@ -43,7 +43,7 @@ fn response(modal: &Modal, r: Dd, direction: impl Fn(usize) -> Dd, relative: boo
         let zeta = modal.damping_ratios[mode];
         let (a, b) = ((root - r) * (root + r), (zeta + zeta) * r * root);
         let square = a * a + b * b;
-        // Relative to a moving base, v − 1 = (r² − 2iζr√λ)/(λ − r² + 2iζr√λ).
+        // Relative to a moving base, v − 1 replaces v: v − 1 = (r² − 2iζr√λ)/(λ − r² + 2iζr√λ).
         let (re, im) = if relative {
             let (c, d) = (r * r, -b);
             ((c * a + d * b) / square, (d * a - c * b) / square)
@@ -54,7 +54,7 @@ fn response(modal: &Modal, r: Dd, direction: impl Fn(usize) -> Dd, relative: boo
         if relative {
             weight = weight / (root * root);
         }
-        // The sensitivity of 1/(λ − r² + 2iζr√λ) to r and to √λ, each.
+        // `steep` is the sensitivity of 1/(λ − r² + 2iζr√λ) to r, and also to √λ.
         let steep = (root * root + r * r + b).to_f64() / square.sqrt().to_f64();
         add(weight * re, weight * im, 1.0 + 2.0 * steep);
     }
@@ -70,13 +70,13 @@ fn angle(difference: f64) -> f64 {
     difference.min(turn - difference)
 }
 
-/// Numbers of compared and omitted answers, with reasons, and the largest error over its bound.
+/// Numbers of compared and omitted answers, with reasons, and the largest error divided by its bound.
 #[derive(Debug, Default)]
 struct Seen {
     compared: usize,
     /// Number of answers within the rounding of a pole, which are bounded only from below.
     on_poles: usize,
-    /// Number of frequencies without a motion: undamped resonances, and β_lim = 0.
+    /// Number of frequencies without a motion. They are undamped resonances, or have β_lim = 0.
     without: usize,
     worst: f64,
 }
@@ -119,7 +119,8 @@ fn compare<S: Rounded>(name: &str, system: &System<S>, seen: &mut Seen) {
                 "{name}, r = {r:?}: {what} {amplitude:?} for {}, bound {bound:e}",
                 want.to_f64()
             );
-            // The lag is −arg. A change of the sum by the bound turns it by the quotient of both.
+            // The lag is −arg of the sum. If the sum has an error of `bound`, the lag has an error of the bound divided
+            // by the sum's modulus.
             let lag = Scalar::atan2(-of.im, of.re);
             let error = angle(phase.to_f64() - lag.to_f64());
             let bound = BAR * epsilon * (of.condition / want.to_f64() + 4.0);

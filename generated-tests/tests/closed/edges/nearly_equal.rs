@@ -1,7 +1,8 @@
-//! Nearly equal modes: the answers depend weakly on the scene, and strongly on λ and the residues.
+//! Tests scenes with nearly equal modes. Their answers depend weakly on the scene's numbers, but strongly on λ and the
+//! residues.
 //!
-//! The tests measure a forward error in two ways, both in roundings of 2^-52 of the inputs. The condition with respect
-//! to the description is what a user can expect. The modal data is rounded once, and is the input of the closed forms.
+//! The tests measure a forward error in two ways, both in roundings of 2^-52 of the inputs. A user can expect the
+//! condition with respect to the description. The modal data is rounded once, and is the input of the closed forms.
 
 use crate::edges::condition::{Asked, Question, modal_condition, scene_condition};
 use crate::edges::frequencies::{list, number, references};
@@ -12,10 +13,11 @@ use std::collections::BTreeMap;
 
 /// Tolerance for |error| / (2^-52 × Σ|x ∂f/∂x|), with the sum over the description.
 const BAR: f64 = 64.0;
-/// Tolerance with the sum over the modal data: half a rounding of each number, and the rounding of the sums.
+/// Tolerance for |error| / (2^-52 × Σ|x ∂f/∂x|), with the sum over the modal data. It covers half a rounding of each
+/// number, and the rounding of the sums.
 const OF_THE_DATA: f64 = 4.0;
 
-/// An error in roundings, by each condition, and the scene and point where it occurs.
+/// An error in roundings of the inputs, by each of both conditions, with the scene and point where it occurs.
 struct Error {
     asked: Asked,
     by_scene: f64,
@@ -151,7 +153,7 @@ fn report(title: &str, errors: &[Error]) -> (f64, f64) {
         );
     }
     let largest = |of: fn(&Error) -> f64| {
-        // `max` would skip a NaN.
+        // `f64::max` would skip a NaN.
         errors
             .iter()
             .map(of)
@@ -160,7 +162,7 @@ fn report(title: &str, errors: &[Error]) -> (f64, f64) {
     (largest(|e| e.by_scene), largest(|e| e.by_modal_data))
 }
 
-/// The closed forms lose nothing beyond the rounding of their data.
+/// Checks that the closed forms lose nothing beyond the rounding of the modal data.
 #[test]
 fn by_the_modal_data() {
     let (_, worst) = report("reference", &of_the_references());
@@ -171,7 +173,8 @@ fn by_the_modal_data() {
     }
 }
 
-/// The error should stay within the condition of the description itself, but it does not.
+/// Measures the error by the condition of the description itself. The error should stay within that condition, but it
+/// does not.
 #[test]
 #[ignore = "missed: modal data rounded one by one lose the scene's digits as the modes' distance falls"]
 fn by_the_scene() {

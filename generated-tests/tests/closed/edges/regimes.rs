@@ -1,4 +1,5 @@
-//! The reported regime and the motion at β one rounding below, at, and above each limit.
+//! Tests the reported regime and the motion at friction ratios β one rounding below, at, and one rounding above each
+//! limit.
 //!
 //! Physics and documentation have the same rule. The contact is stuck from β*_lim on, β*_lim included, also where
 //! β*_lim is below β_lim. The motion is continuous below β_lim, and stick-slip from β_lim on, β_lim included. A
@@ -16,7 +17,7 @@ use generated_tests::shown;
 /// Tolerance in roundings of each input, as for every other answer.
 const BAR: f64 = 64.0;
 
-/// Returns the undamped resonances that the load drives.
+/// Returns the undamped resonances that the load drives, as frequency ratios.
 fn unbounded<S: Rounded>(system: &System<S>) -> Vec<S> {
     let modal = system.modal();
     let driven = |i: &usize| modal.damping_ratios[*i].is_zero() && !modal.loads[*i].is_zero();
@@ -31,8 +32,8 @@ fn show<T>(got: &Result<T, NotContinuous>) -> String {
     }
 }
 
-/// Number of asked friction ratios, number of skipped ones, and the answers that break the rule. A value is skipped if
-/// it is no friction ratio: below 0, near a limit of 0, or infinite.
+/// Number of tested friction ratios, number of skipped ones, and the answers that break the rule. A value is skipped if
+/// it is not a valid friction ratio: below 0 (near a limit of 0), or infinite.
 #[derive(Debug, Default)]
 struct Told {
     asked: usize,
@@ -104,7 +105,7 @@ where
             }
             if let Ok(motion) = motion {
                 let amplitude = motion.ask(Of::Contact, |contact| contact.amplitude());
-                // Rounding may leave slightly less than 0 only where the limit itself is 0.
+                // Rounding may give a limit slightly below 0 only where the limit itself is 0.
                 if !amplitude.is_some_and(|z| zero <= z && z.is_finite()) {
                     all.failures
                         .push(format!("{name}, r = {r:?}, beta = {beta:?}: {amplitude:?}"));
@@ -115,7 +116,7 @@ where
     all
 }
 
-/// Prints the sums, and asserts the number of asked and skipped friction ratios.
+/// Prints the sums, and asserts the number of tested and skipped friction ratios.
 fn report(title: &str, results: Vec<Told>, counts: (usize, usize)) {
     let asked: usize = results.iter().map(|result| result.asked).sum();
     let skipped: usize = results.iter().map(|result| result.skipped).sum();
@@ -129,7 +130,7 @@ fn report(title: &str, results: Vec<Told>, counts: (usize, usize)) {
     assert_eq!((asked, skipped), counts, "{title}");
 }
 
-/// Returns the grid of frequency ratios, and r = 0.
+/// Returns the grid of frequency ratios, with r = 0 in addition.
 fn with_rest<S: Rounded>(resonances: &[S]) -> Vec<S> {
     let mut ratios = ratios(resonances);
     ratios.push(S::constant(0.0));
@@ -180,7 +181,7 @@ fn emitted() {
     );
 }
 
-/// At r = ∞ the limits for r → ∞ decide, not the sums at the largest r that is evaluated.
+/// Checks that at r = ∞ the limits for r → ∞ decide, not the sums at the largest r that is evaluated.
 #[test]
 fn at_infinity() {
     let infinity = || vec![f64::INFINITY];
@@ -191,7 +192,7 @@ fn at_infinity() {
     report("r = ∞", results.collect(), (117, 33));
 }
 
-/// The closed form passes a limit without a step. Neighbouring β on both sides of the limit give nearly the same
+/// Checks that the closed form has no step at a limit. Neighbouring β on both sides of the limit give nearly the same
 /// amplitude.
 ///
 /// The bound is the change by a rounding of β and by `BAR` roundings of each input. Near a pole or subharmonic the
@@ -207,7 +208,7 @@ fn amplitudes<S: Rounded>(counts: (usize, usize, usize)) {
         let rounded = data(modal, |value| S::constant(value.hi) + S::constant(value.lo));
         let exact = data(modal, |value| value);
         let all = ratios(system.resonances());
-        // Every ninth ratio is used, because nine is prime to the period of the grid.
+        // Only every ninth ratio is used. Nine is prime to the period of the grid.
         for r in all.into_iter().step_by(9) {
             let at = system.at(r).expect("in the domain");
             let limits = [at.continuous_limit(), at.sliding_limit()];
@@ -220,7 +221,7 @@ fn amplitudes<S: Rounded>(counts: (usize, usize, usize)) {
                 let betas = [low, limit.down(), limit, limit.up()];
                 let values =
                     betas.map(|beta| answer(&rounded, r, beta, Asked::ContactAmplitude).to_f64());
-                // The public interface answers with the same number.
+                // The public interface must return the same number.
                 if let Ok(motion) = at.motion(betas[1]) {
                     assert_eq!(motion.contact().amplitude().to_f64(), values[1], "{name}");
                     public += 1;
@@ -271,8 +272,8 @@ fn amplitude_on_both_sides_in_single_precision() {
     amplitudes::<f32>((1110, 0, 572));
 }
 
-/// A rounding of β changes the contact's amplitude by |∂Z/∂β| times that rounding, and by the amplitude's own rounding.
-/// This is far below the rounding of a limit.
+/// Checks that a rounding of β changes the contact's amplitude by |∂Z/∂β| times that rounding, plus the amplitude's own
+/// rounding. This change is far below the rounding of a limit.
 #[test]
 fn a_rounding_of_beta() {
     let (mut worst, mut compared) = (0.0_f64, 0);
@@ -291,7 +292,8 @@ fn a_rounding_of_beta() {
                 let question = Question::at(r, beta, Asked::ContactAmplitude);
                 let (value, _, slope) = along_place(&system, question);
                 let one = slope.abs().to_f64() * (beta.next_up() - beta);
-                // V, U, their two sums, the root and the products have sixteen roundings, half a unit each.
+                // Sixteen roundings of half a unit each occur: in V, in U, in their two sums, in the root and in the
+                // products.
                 let own = 8.0 * f64::EPSILON * modal_condition(&system, question);
                 worst = worst.max((step - one) / own);
                 assert!(step <= one + own, "{name}, r = {r}: {step:e}, {value}");

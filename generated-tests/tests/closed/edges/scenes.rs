@@ -1,4 +1,4 @@
-//! The scenes, the frequency ratios, and the neighbours of a scalar.
+//! Defines scenes, frequency ratios, and neighbouring numbers of a scalar, for tests of accuracy at extremes.
 
 use frictiongen::study::System;
 use frictiongen_kernel::Float;
@@ -87,7 +87,7 @@ pub const SCENES: &[(&str, &str)] = &[
     ),
 ];
 
-/// Reads a scene in some precision.
+/// Reads a scene as a system in the precision `S`.
 pub fn system<S: Float>(text: &str) -> System<S> {
     text.parse().expect("a valid scene")
 }
@@ -116,9 +116,9 @@ impl Rounded for f32 {
     }
 }
 
-/// Returns the ratios √λ/n, n = 1 … 9, which are resonances and odd and even subharmonics. Each comes with both
-/// neighbours, and with relative distances down to the scalar's rounding. Some ratios lie between them, and some far
-/// away.
+/// Returns the ratios √λ/n, n = 1 … 9, which are resonances and odd and even subharmonics. Each ratio comes with its
+/// two neighbouring numbers, and with points at relative distances down to the scalar's rounding. The list also has
+/// some ratios between resonances, and some far away.
 pub fn ratios<S: Rounded>(resonances: &[S]) -> Vec<S> {
     let mut ratios: Vec<S> = [1e-3, 0.17, 0.83, 1.37, 40.0].map(S::constant).into();
     for pole in resonances {

@@ -1,5 +1,5 @@
-//! A scene's own bound on the evaluations of a search. No search exceeds it, few come near it, and at usual frequencies
-//! no search stops without a result.
+//! Tests a scene's own bound on the evaluations of a search. No search exceeds it, few searches come near it, and at
+//! usual frequencies no search ends without a result.
 
 use crate::search::random::random_scene;
 use frictiongen::study::System;
@@ -10,10 +10,10 @@ use fuzzing::Random;
 /// Number of half turns of the fastest mode in a half period below which every search must finish.
 const USUAL: f64 = 1e5;
 
-/// Numbers of evaluations in the searches of one kind.
+/// Numbers of evaluations in the searches of one kind (limit or amplitude).
 #[derive(Default)]
 struct Counts {
-    /// Evaluations of all searches that are needed at all.
+    /// Number of evaluations of each search that was needed.
     all: Vec<u32>,
     /// Number of searches without a result, only beyond [`USUAL`].
     given_up: u32,
@@ -46,8 +46,9 @@ impl Counts {
     }
 }
 
-/// Returns a frequency ratio at which searches are long: slow sweeps, resonances, subharmonics and their neighbourhood,
-/// or far above the modes. There the motion of a mass is a small remainder of large terms.
+/// Returns a frequency ratio at which searches are long. Such ratios are slow sweeps, resonances, subharmonics and
+/// their neighbourhood, and ratios far above the modes. Far above, the motion of a mass is a small remainder of large
+/// terms.
 fn frequency(random: &mut Random, resonances: &[f64], kind: usize) -> f64 {
     let one = resonances[random.below(resonances.len())];
     let beside = 1.0 + random.signed() * random.log_uniform(1e-15, 1e-2);
@@ -75,7 +76,7 @@ fn run(scenes: usize, masses: usize) -> [Counts; 2] {
             let at = system.at(r).unwrap();
             let most = at.most_evaluations();
             assert!(most.limit.max(most.amplitude) <= MAX_EVALUATIONS);
-            // The bound at r is valid for every larger r.
+            // The bound at r is also valid for every larger r.
             let more = system.at(r * random.log_uniform(1.0, 10.0)).unwrap();
             let more = more.most_evaluations();
             assert!(more.limit <= most.limit && more.amplitude <= most.amplitude);
@@ -136,7 +137,7 @@ fn no_search_exceeds_its_scenes_bound() {
 fn no_search_exceeds_its_scenes_bound_at_length() {
     agreed(&mut run(10_000, 16));
     agreed(&mut run(10_000, 4));
-    // With many masses more of them are far from load and contact, so their quantiles are larger.
+    // With more masses, more masses are far from load and contact, so the quantiles are larger.
     let [limit, amplitude] = run(300, 64);
     assert!(limit.nearest < 0.5 && amplitude.nearest < 0.5);
 }
@@ -152,11 +153,11 @@ friction_system! {
     }
 }
 
-/// An emitted scene in single precision has one bound for a whole range.
+/// Checks that an emitted scene in single precision states one bound for a whole range of r.
 #[test]
 fn an_emitted_scene_says_it_for_its_range() {
     let most = Frame::at(0.05).unwrap().most_evaluations();
-    // The fastest mode has √λ_max(1 + 2·1.4)/0.05 half turns, and 16 half turns need one evaluation.
+    // The fastest mode makes √λ_max(1 + 2·1.4)/0.05 half turns, and 16 half turns need one evaluation.
     let fastest = Frame::RESONANCES[2] * (1.0 + 2.0 * 1.4) / 0.05;
     let more = (fastest / 16.0) as u32;
     assert!(more > 5, "{more}");
@@ -182,7 +183,7 @@ fn an_emitted_scene_says_it_for_its_range() {
     assert!(worst[0] <= most.limit && worst[1] <= most.amplitude);
 }
 
-/// The bound at both limits of the range, and where the frequency is invalid.
+/// Checks the bound at both limits of the range of r, and for an invalid r.
 #[test]
 fn a_bound_at_the_ends() {
     let ends = |r: f32| Frame::at(r).unwrap().most_evaluations();

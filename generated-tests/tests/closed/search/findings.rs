@@ -1,4 +1,4 @@
-//! Both searches, compared with brute force scene by scene.
+//! Compares both searches with brute force, scene by scene.
 
 use crate::search::led::Led;
 use crate::search::plain::{Plain, largest};
@@ -16,7 +16,7 @@ pub struct Findings {
     pub searched: usize,
     pub ill: usize,
     pub masses: usize,
-    /// Number of compared phases, and of those whose maximum has an equal one.
+    /// Number of compared phases, and number of phases whose maximum has an equal one elsewhere.
     pub phases: usize,
     pub ties: usize,
     /// Number of scenes on an undamped resonance.
@@ -27,7 +27,7 @@ pub struct Findings {
     pub worst_beta: f64,
     pub worst_amplitude: f64,
     pub worst_fall: f64,
-    /// Results of amplitude searches that start from the results of others.
+    /// Results of amplitude searches that start from the results of other searches.
     pub led: Led,
 }
 
@@ -48,10 +48,10 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
     let plain = Plain::new(&system, r, 0.0, false);
     let limit = plain.limit(&system, least);
     findings.searched += usize::from(limit.searched);
-    // The rounding is a few hundred units of the modal data and of the sums, times the condition.
+    // The rounding is a few hundred units of the modal data and of the sums, times the condition number.
     let rounding = 500.0 * f64::EPSILON * limit.condition;
     findings.ill += usize::from(rounding > 1e-9);
-    // A β_lim that is too large means a missed maximum of the constraint, so this side is stricter.
+    // A β_lim that is too large means a missed maximum of the constraint, so the tolerance on this side is smaller.
     let error = found / limit.beta - 1.0;
     let tolerance = rounding.max(if error > 0.0 { 1e-10 } else { 1e-9 });
     if rounding <= 1e-9 {
@@ -116,7 +116,7 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
             peak.evaluations,
             format!("m{k}, beta = {beta:?}, r = {r:?}\n    {text}"),
         ));
-        // Near a resonance large terms cancel. Their loss is no error of the search.
+        // Near a resonance large terms cancel. The lost digits are no error of the search.
         let rounding = 500.0 * f64::EPSILON * terms / amplitude;
         let error = amplitude / brute - 1.0;
         let tolerance = rounding.max(if error < 0.0 { 1e-10 } else { 1e-9 });
@@ -130,7 +130,7 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
                 peak.evaluations
             ));
         }
-        // The phase is judged by the plain motion at that instant and by its sign.
+        // The phase is checked by the value and the sign of the plain motion at that instant.
         let answer = mass.phase();
         let apart = |tau: f64, value: f64| {
             let turned = if value < 0.0 { PI } else { 0.0 };
@@ -146,7 +146,7 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
         };
         let there = sign * displacement(place * PI);
         let fall = 1.0 - there / brute;
-        // An instant that is off by the root of a rounding lowers the value by a rounding.
+        // If the instant is wrong by the square root of a rounding, the value is lower by a rounding.
         let allowed = 1e-11_f64.max(rounding);
         if rounding <= 1e-9 {
             findings.worst_fall = findings.worst_fall.max(fall);

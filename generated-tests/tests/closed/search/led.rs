@@ -1,16 +1,17 @@
-//! Led searches: searches that start from the results of other points of a sweep. They find the same maximum, from
+//! Tests led searches, which start from the results of other points of a sweep. They find the same maximum, from
 //! neighbours near and far.
 
 use frictiongen::Neighbour;
 use frictiongen::study::System;
 
-/// Effort and differences of led searches.
+/// Number of evaluations and differences of amplitude of led searches.
 #[derive(Debug, Default)]
 pub struct Led {
     /// Number of searches.
     pub searches: usize,
-    /// Number of evaluations without and with the results of other points, near and far.
+    /// Number of evaluations of searches without the results of other points.
     pub alone: u32,
+    /// Number of evaluations of searches that start from the results of other points.
     pub led: u32,
     /// Largest difference of the amplitudes, in roundings of the motion's terms.
     pub worst: f64,
@@ -47,7 +48,7 @@ impl Led {
         self.worst = self.worst.max(roundings);
     }
 
-    /// Asserts that the amplitudes differ at most by the rounding of the terms at two different instants.
+    /// Asserts that the amplitudes differ by at most the rounding of the terms at two different instants.
     pub fn agreed(&self) {
         println!("{self:?}");
         assert!(self.searches > 1000);

@@ -1,4 +1,4 @@
-//! The two guaranteed searches (velocity constraint, largest displacement), compared with brute force on random scenes.
+//! Compares the two guaranteed searches (velocity constraint, largest displacement) with brute force on random scenes.
 //!
 //! The functions come from the printed formulas and from modal data alone. A fine grid with a golden-section refinement
 //! finds their maxima. This is slow, but so plain that it cannot have the errors of a search with bounds.
@@ -25,15 +25,15 @@ fn run(seed: u64, scenes: usize, least: usize, most: usize, listed: usize) -> Fi
     findings
 }
 
-/// S falls from its limit at τ → 0. At tiny τ only rounding is left of the quotient, which must not count as a higher
-/// peak. The expected β_lim to 20 digits is from 40-digit arithmetic.
+/// Checks that rounding at small τ does not count as a peak. S falls from its limit at τ → 0. At tiny τ only rounding
+/// is left of the quotient. The expected β_lim to 20 digits is from 40-digit arithmetic.
 #[test]
 fn rounding_at_the_start_is_no_peak() {
     let pair = "struct Pair { masses: { a: 1, b: 2 }, springs: { base - a: 1, a - b: 1 },
                 contact: a - b, excitation: a, damping: modal(0.2) }";
     let system: System = pair.parse().unwrap();
     let limit = system.at(0.059).unwrap().continuous_limit();
-    // V is a difference of numbers that are 10³ times as large.
+    // V is a difference of numbers that are 10³ times as large as V.
     let error = limit / 2.152_674_283_808_898_4e-5 - 1.0;
     assert!(error.abs() < 1e-11, "{limit}: off by {error:e}");
     // Over a sweep the search is compared with the plain function. Where modes decay fast, the constraint falls all the
@@ -76,7 +76,7 @@ fn agreed(findings: &mut Findings, scenes: usize) {
     assert!(findings.masses >= scenes);
     assert_eq!(findings.masses, findings.phases);
     assert_eq!(findings.masses, findings.amplitude_counts.len());
-    // No random r is bit for bit on an undamped resonance.
+    // No random r equals an undamped resonance bit for bit.
     assert_eq!(findings.unbounded, 0);
     assert!(
         findings.ill * 20 < scenes,
@@ -95,7 +95,7 @@ fn no_maximum_is_missed() {
         (6, 25, 44),
     );
     within("amplitude", &mut findings.amplitude_counts, (11, 30, 44));
-    // If the start of the half period always decided, the test would check nothing.
+    // If the start of the half period always decided the limit, the test would check no search.
     assert!(findings.searched > 60, "{}", findings.searched);
     findings.led.agreed();
 }

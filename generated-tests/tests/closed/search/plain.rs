@@ -1,4 +1,4 @@
-//! The searched functions from the printed formulas, and their maxima by brute force.
+//! Evaluates the searched functions by the printed formulas, and finds their maxima by brute force.
 
 use frictiongen::study::System;
 use std::f64::consts::PI;
@@ -6,17 +6,19 @@ use std::f64::consts::PI;
 /// Functions of a damped mode, as printed in sections 3 and 4 of the physics page. Beyond ζ = 1, q is imaginary.
 #[derive(Clone, Debug)]
 pub struct Mode {
-    /// The ratio 1/R.
+    /// The ratio 1/R = √λ/r of the mode.
     pub x: f64,
     pub zeta: f64,
     pub u: f64,
     pub g: f64,
-    /// c = (φᵀw)².
+    /// The constant c = (φᵀw)² of the mode.
     pub c: f64,
-    /// The projections φᵀp and φᵀw, λ, and φ of every mass.
+    /// The load φᵀp on the mode.
     pub p: f64,
+    /// The relative displacement φᵀw of the contact in the mode.
     pub w: f64,
     pub lambda: f64,
+    /// The component φ of every mass in the mode.
     pub phi: Vec<f64>,
     /// Real and imaginary part of v = 1/(1 − R² + 2iζR).
     pub v: (f64, f64),
@@ -45,7 +47,7 @@ impl Mode {
         let ratio = 1.0 / x;
         let (u, g);
         if zeta == 0.0 {
-            // tan(π/2R) is computed after whole turns are removed, which is exact.
+            // Whole turns are removed before tan(π/2R) is computed, which is exact.
             u = (0.5 * PI * (x % 2.0)).tan() / ratio;
             g = 0.0;
         } else {
@@ -76,7 +78,7 @@ impl Mode {
     pub fn constraint(&self, tau: f64) -> f64 {
         let (ratio, y) = (1.0 / self.x, tau * self.x);
         if self.zeta == 0.0 {
-            // As a product, cos τ − cos y is accurate near τ = 0 as well.
+            // As a product, cos τ − cos y is accurate also near τ = 0.
             let forced_slope = 2.0 * (0.5 * (y + tau)).sin() * (0.5 * (y - tau)).sin();
             return ratio * y.sin() + self.u * ratio * ratio * forced_slope;
         }
@@ -95,7 +97,7 @@ impl Mode {
     }
 }
 
-/// A scene at one frequency ratio, from its modal data.
+/// A scene at one frequency ratio, described by its modal data.
 pub struct Plain {
     pub modes: Vec<Mode>,
     pub r: f64,
@@ -104,10 +106,10 @@ pub struct Plain {
     pub mu: f64,
 }
 
-/// Result of the brute-force search.
+/// Result of the brute-force search for β_lim.
 pub struct Limit {
     pub beta: f64,
-    /// True if the search mattered, which means that S is above the break-away term.
+    /// True if the search mattered, because S is above the break-away term.
     pub searched: bool,
     /// Relative change of β for relative changes of the resonances, and the relative loss in V.
     pub condition: f64,
@@ -150,7 +152,7 @@ impl Plain {
         sum / (self.r * self.r * tau.sin())
     }
 
-    /// Returns V, U, G in the direction of the contact, and the size of V's terms.
+    /// Returns V, U and G of the contact, and the size of the largest terms in V.
     pub fn contact(&self) -> ((f64, f64), f64, f64, f64) {
         let (mut v, mut u, mut g, mut size) = ((-self.of_base, 0.0), 0.0, 0.0, self.of_base);
         for mode in &self.modes {
@@ -163,7 +165,7 @@ impl Plain {
         (v, u, g, size)
     }
 
-    /// Returns H_c.
+    /// Returns H_c of the contact.
     pub fn reversal(&self) -> f64 {
         let sum: f64 = self
             .modes
@@ -173,7 +175,7 @@ impl Plain {
         sum / (self.r * self.r)
     }
 
-    /// Returns the number of points that resolves every mode, with 24 points to a turn.
+    /// Returns the number of grid points that resolves every mode, with 24 points to a turn of the fastest mode.
     pub fn points(&self, least: usize) -> usize {
         let fastest = self
             .modes
@@ -189,16 +191,16 @@ impl Plain {
         v.0.hypot(v.1) / u.hypot(demand)
     }
 
-    /// Returns β_lim with S from a grid of at least `least` points.
+    /// Returns β_lim, with S from a grid of at least `least` points.
     pub fn limit(&self, system: &System, least: usize) -> Limit {
         let (tau, searched_s) = largest(|tau| self.constraint(tau), self.points(least));
         let mass = self.inverse_mass / (self.r * self.r);
-        // The limit of S at τ → 0 belongs to S.
+        // The limit of S at τ → 0 is one of the values of S.
         let s = searched_s.max(mass + self.reversal());
         let beta = self.beta_with(s);
         let at_start = searched_s < mass + self.reversal();
         let (v, _, _, size) = self.contact();
-        // The condition is measured by the change of β for shifted resonances, at the same τ because it is a maximum.
+        // The condition is the change of β for shifted resonances, at the same τ because τ is at a maximum.
         let mut condition = size / v.0.hypot(v.1);
         let step = 1e-9;
         for alternate in [false, true] {
@@ -240,15 +242,15 @@ pub fn largest(f: impl Fn(f64) -> f64, points: usize) -> (f64, f64) {
             f64::NEG_INFINITY
         };
         let after = values.get(i + 1).copied().unwrap_or(f64::NEG_INFINITY);
-        // With 24 points to a turn a grid maximum lies within 1 % of its peak's height above the trough. 5 % of the
-        // largest value is a wide margin.
+        // With 24 points to a turn, a grid maximum is below its peak by at most 1 % of the height from trough to peak.
+        // A margin of 5 % of the largest value is wide.
         if values[i] < before || values[i] < after || values[i] < most - 0.05 * most.abs() {
             continue;
         }
         let mut low = ((i as f64 - 1.0) * step).max(0.0005 * step);
         let mut high = ((i as f64 + 1.0) * step).min(PI - 0.0005 * step);
         let golden = 0.5 * (5f64.sqrt() - 1.0);
-        // The search ends at 1e-8 of the bracket. At a maximum the value is then exact to rounding.
+        // The search ends at 1e-8 of the bracket. At a maximum the value then is exact to rounding.
         for _ in 0..40 {
             let width = golden * (high - low);
             if f(high - width) < f(low + width) {

@@ -1,9 +1,9 @@
-//! Random scenes, the same on every machine.
+//! Generates random scenes, which are the same on every machine.
 
 use fuzzing::Random;
 use std::fmt::Write as _;
 
-/// Returns a random description of at most `most` masses. Masses and springs spread over a decade.
+/// Returns a random description of at most `most` masses. Masses and stiffnesses spread over a decade.
 pub fn random_scene(random: &mut Random, most: usize) -> String {
     let n = 1 + random.below(most);
     let mut text = String::from("struct Random { masses: { ");
@@ -19,7 +19,7 @@ pub fn random_scene(random: &mut Random, most: usize) -> String {
     }
     for _ in 0..random.below(3) {
         let (a, b) = (random.below(n), random.below(n));
-        // Neighbours of the chain are already joined, and a pair may be named only once.
+        // Neighbours in the chain are already joined, and a pair may be joined only once.
         if a + 1 < b && !springs.contains(&(format!("m{a}"), b)) {
             springs.push((format!("m{a}"), b));
         }

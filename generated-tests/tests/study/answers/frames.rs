@@ -1,4 +1,5 @@
-//! Random frames of one to six masses with μ from 1 to 2, and with all kinds of contact, damping and excitation.
+//! Generates random frames of one to six masses with μ from 1 to 2, and with all kinds of contact, damping and
+//! excitation.
 
 use frictiongen::study::{
     System,
@@ -32,8 +33,8 @@ impl Frame {
     }
 }
 
-/// Returns frame `index` of those with `masses` masses. Contact, damping and excitation alternate, everything else is
-/// random.
+/// Returns the frame with number `index` among those with `masses` masses. Contact, damping and excitation alternate
+/// with the number. All other values are random.
 pub fn frame(masses: usize, index: usize) -> Frame {
     let mut random = Random((masses * 100_003 + index * 7919 + 17) as u64);
     for _ in 0..8 {
@@ -93,7 +94,8 @@ pub fn frame(masses: usize, index: usize) -> Frame {
         .unwrap_or_else(|error| panic!("{text}: {error}"));
     let resonances = system.resonances();
     let mut mass = random.below(masses);
-    // For a mass that rubs on a wall the optimum is trivial: the contact sticks. Another mass is taken.
+    // For a mass that rubs on a wall the optimum is trivial, because the contact sticks. The amplitude of another mass
+    // is optimised.
     if contact == format!("m{mass} - wall") {
         mass = (mass + 1) % masses;
     }

@@ -1,24 +1,28 @@
-//! The smallest largest amplitude by a map over frequency and friction, refined near the best friction. Of the
-//! optimiser's code it uses only the response itself.
+//! Finds the smallest largest amplitude by a map over frequency and friction, refined near the best friction. Of the
+//! optimiser's code the map uses only the response itself.
 
 use super::frames::Frame;
 use frictiongen::{Error, NoOrbit, NotContinuous, Of};
 
-/// Number of steps of an even grid over the band.
+/// Number of steps of an even grid over the band of frequencies.
 const EVEN: usize = 90;
 /// Relative distances from each resonance at which frequencies are added.
 const BESIDE: [f64; 13] = [
     -0.04, -0.02, -0.008, -0.003, -0.001, -0.0003, 0.0, 0.0003, 0.001, 0.003, 0.008, 0.02, 0.04,
 ];
-/// Numbers of friction ratios in the first round and in each later one, and number of later rounds.
+/// Number of friction ratios in the first round.
 const FRICTIONS: usize = 28;
+/// Number of friction ratios in each later round.
 const FINER: usize = 8;
+/// Number of later rounds.
 const ROUNDS: usize = 3;
-/// Number of frequencies on each side of a local maximum, and number of refinements.
+/// Number of frequencies that a refinement adds on each side of a local maximum.
 const CELLS: usize = 5;
+/// Number of refinements of a local maximum.
 const CUTS: usize = 4;
 
-/// Returns the amplitude: infinite on a resonance that nothing bounds, 0 where there is no result.
+/// Returns the amplitude in units of P/k₁, for base motion of Y. It is infinite on a resonance that nothing bounds, and
+/// 0 where there is no result.
 pub fn amplitude(frame: &Frame, r: f64, beta: f64) -> f64 {
     let at = frame.system.at(r).expect("in the domain");
     match at.response(beta) {
@@ -35,7 +39,7 @@ pub fn amplitude(frame: &Frame, r: f64, beta: f64) -> f64 {
     }
 }
 
-/// Returns the frequencies of the map.
+/// Returns the frequency ratios of the map.
 pub fn frequencies(frame: &Frame) -> Vec<f64> {
     let [from, to] = frame.band;
     let even = (0..=EVEN).map(|i| from + (to - from) * i as f64 / EVEN as f64);
@@ -47,8 +51,8 @@ pub fn frequencies(frame: &Frame) -> Vec<f64> {
     all
 }
 
-/// Returns the largest amplitude at a friction ratio by samples. Every cell that may contain it is refined. The search
-/// stops once the amplitude exceeds `enough`.
+/// Returns the largest amplitude at a friction ratio by samples. Every interval of frequencies that may contain it is
+/// refined. The search stops as soon as the amplitude exceeds `enough`.
 pub fn largest(frame: &Frame, places: &[f64], beta: f64, enough: f64) -> f64 {
     let mut values = vec![0.0; places.len()];
     let mut most = 0.0_f64;
@@ -104,7 +108,7 @@ pub fn least(frame: &Frame) -> (f64, f64) {
     ];
     let (mut best, mut least) = (0.0, largest(frame, &places, 0.0, f64::INFINITY));
     let mut tried = vec![0.0];
-    // The values closest to the middle come first.
+    // The friction ratios closest to the middle are evaluated first.
     let mut wanted: Vec<f64> = (0..=FRICTIONS)
         .map(|i| low * (high / low).powf(i as f64 / FRICTIONS as f64))
         .collect();

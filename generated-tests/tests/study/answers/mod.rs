@@ -19,27 +19,30 @@ use frictiongen::study::{
 };
 use std::time::Instant;
 
-/// Largest relative excess of a converged search over the best of a map. A map of some hundred thousand samples finds a
-/// narrow valley that a scan of some 70 friction ratios may miss.
+/// Largest excess of a converged search over the best amplitude of a map, as a fraction. A map of some hundred thousand
+/// samples may find a narrow valley that a scan of some 70 friction ratios misses.
 const ABOVE: f64 = 0.02;
 
-/// Largest relative excess if the bound on work ended the search, which then returns the best so far.
+/// Largest excess, as a fraction, if the bound on work ended the search. The search then returns the best friction so
+/// far.
 const ABOVE_IF_SPENT: f64 = 0.1;
 
-/// Bound on the work of a search in the regular tests, which takes a few seconds without optimisation.
+/// Bound on the work of a search in the regular tests, in units of about 10 µs. Without optimisation the search takes a
+/// few seconds.
 const WORK: usize = 150_000;
 
 /// Result for one frame.
 struct Outcome {
     seconds: f64,
-    /// Ratio of the amplitude to the best of a map, minus 1.
+    /// Ratio of the found amplitude to the best amplitude of a map, minus 1.
     above: f64,
     /// Ratio of the sampled amplitude at the returned friction to the returned amplitude, minus 1.
     higher: f64,
     end: OptimumEnd,
 }
 
-/// Searches the optimum of a frame with a bound on its work, `None` for the default bound, and compares it with a map.
+/// Searches the optimum of a frame with a bound on its work, and compares it with a map. `None` means the default
+/// bound.
 fn outcome(frame: &Frame, work: Option<usize>) -> Option<Outcome> {
     let start = Instant::now();
     let found = match work {
@@ -87,7 +90,7 @@ fn outcome(frame: &Frame, work: Option<usize>) -> Option<Outcome> {
     Some(outcome)
 }
 
-/// Tests a few frames in every run.
+/// Checks a few frames in every run of the tests.
 #[test]
 fn optima_of_some_frames() {
     let mut compared = 0;
@@ -108,19 +111,19 @@ fn optima_of_some_frames() {
     assert!(compared >= 3, "{compared}");
 }
 
-/// If the contact sticks, the mass next to the base does not move, and neither do the others. The load then drives no
-/// resonance of the stuck chain, although nothing damps it.
+/// Checks a resonance of the stuck chain that the load does not drive. If the contact sticks, the mass next to the base
+/// does not move, and neither do the others. Nothing damps this resonance.
 #[test]
 fn a_resonance_that_nothing_drives_bounds_nothing() {
     let frame = frame(6, 0);
     let found = frame.system.optimum(&frame.request()).expect("an optimum");
     assert_eq!((found.amplitude, found.kind), (0.0, OptimumKind::Stuck));
-    // Only the spring to the base loads the contact, with k₁Y.
+    // Only the spring to the base loads the contact, with the force k₁Y.
     let stuck = 1.0 / frame.system.scene().stiction;
     assert!((found.beta / stuck - 1.0).abs() < 1e-3, "{}", found.beta);
 }
 
-/// A frame of two masses whose optimum is hard to find. A map finds 13.8 mm near 75 N.
+/// Checks a frame of two masses whose optimum is hard to find. A map finds 13.8 mm near 75 N.
 #[test]
 fn a_frame_on_which_the_search_gave_up() {
     let text = "struct Two { masses: { a: 12, b: 5 }, springs: { wall - a: 3.2e4, a - b: 1.1e4 }, contact: a - b,
@@ -141,17 +144,17 @@ fn a_frame_on_which_the_search_gave_up() {
         1e3 * scale.length() * found.amplitude,
     );
     println!("{force} N, {millimetres} mm, {:?}", found.end);
-    // The default work finds 14.25 mm at 68.5 N; a curve has 14.2 mm there, and more at 65 and at 70 N. The work of this
-    // test ends within 3 % of it.
+    // With the default work the search finds 14.25 mm at 68.5 N. A curve has 14.2 mm there, and more at 65 N and at 70
+    // N. With the work of this test the result is within 3 % of 14.25 mm.
     assert!(millimetres < 1.03 * 14.25, "{force} N: {millimetres} mm");
     let [from, to] = found.bracket;
     assert!(from <= found.beta && found.beta <= to);
 }
 
-/// Tests 200 frames of one to six masses. It prints every frame, the slowest one, and the number of frames more than 2
-/// % above the map.
-/// Motion from rest reaches a stick-slip state between 2.13 and 2.146 Hz, and has 5.69 mm at 2.143 Hz and 2146 N. A search
-/// that passes over this range takes 2146 N for the best friction, with 5.08 mm.
+/// Checks 200 frames of one to six masses. The test prints every frame, the slowest frame, and the number of frames
+/// more than 2 % above the map. In one of the frames motion from rest reaches a stick-slip state between 2.13 Hz and
+/// 2.146 Hz, and has 5.69 mm at 2.143 Hz and 2146 N. A search that misses this range takes 2146 N for the best
+/// friction, with 5.08 mm.
 #[test]
 fn a_narrow_range_of_stick_slip_counts() {
     let tower: System = "struct Tower {
@@ -190,7 +193,7 @@ fn a_narrow_range_of_stick_slip_counts() {
 fn optima_of_two_hundred_frames() {
     let (mut slowest, mut above, mut spent) = ((0.0, String::new()), 0, 0);
     let mut compared = 0_usize;
-    // The environment selects some of the frames, for example FRAMES=120..200.
+    // The environment variable FRAMES selects some of the frames, for example FRAMES=120..200.
     let part = std::env::var("FRAMES").unwrap_or_else(|_| "0..200".to_owned());
     let ends: Vec<usize> = part
         .split("..")
@@ -219,7 +222,8 @@ fn optima_of_two_hundred_frames() {
     assert!(above * 20 < compared, "{above} of {compared}");
 }
 
-/// Curves of frames of five masses at three friction ratios. Nearly all take at most 5 s on one core.
+/// Checks the time for curves of frames of five masses at three friction ratios. Nearly all take at most 5 s on one
+/// core.
 #[test]
 #[ignore = "36 curves: a minute or two"]
 fn curves_of_five_masses() {
@@ -254,13 +258,14 @@ fn curves_of_five_masses() {
         "{above} above 5 s; slowest {:.2} s: {}",
         slowest.0, slowest.1
     );
-    // The slowest chain is one whose contact hardly moves its slowest mode. At 340 of its frequencies the motion does
-    // not settle.
+    // In the slowest chain the contact hardly moves the slowest mode. The motion does not settle at 340 of its
+    // frequencies.
     assert!(slowest.0 < 10.0 && above * 10 < 36, "{above} above 5 s");
 }
 
-/// A response is reported as from rest only if motion from rest has a steady state. Without damping and with μ > 1 it
-/// may not settle. The closed form or the stuck state then replaces it, and the response says so.
+/// Checks that a response is reported as from rest only if motion from rest has a steady state. Without damping and
+/// with μ > 1 that motion may not settle. The closed form or the stuck state then replaces it, and the response reports
+/// this.
 #[test]
 fn another_state_is_not_called_one_from_rest() {
     let (mut from_rest, mut others) = (0, [0; 3]);
@@ -297,7 +302,8 @@ fn another_state_is_not_called_one_from_rest() {
     );
 }
 
-/// A curve whose refinement may do no work says so. With enough work it reaches the requested accuracy.
+/// Checks that a curve reports if a bound on work stopped its refinement. With enough work it reaches the requested
+/// accuracy.
 #[test]
 fn a_bound_on_the_work_of_a_curve_is_told() {
     let system = frame(2, 4).system;

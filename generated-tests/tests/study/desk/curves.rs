@@ -1,4 +1,4 @@
-//! Tests of curves, between their points and at their cuts, against dense sampling.
+//! Tests curves against dense sampling, between their points and at their cuts.
 
 use crate::desk::{SCENES, system};
 use frictiongen::study::{
@@ -8,8 +8,8 @@ use frictiongen::study::{
 use frictiongen::{Of, Regime};
 use std::f64::consts::TAU;
 
-/// Returns the friction ratios of a scene. With five masses a curve whose motions do not settle takes long, so only the
-/// last friction ratio is returned. `CURVES=all` in the environment returns all.
+/// Returns the friction ratios at which a scene is tested. With five masses a curve whose motions do not settle takes
+/// long, so only the last friction ratio is returned. `CURVES=all` in the environment returns all.
 fn frictions<'a>(name: &str, all: &'a [f64]) -> &'a [f64] {
     let short = name.starts_with("five") && std::env::var_os("CURVES").is_none();
     if short { &all[all.len() - 1..] } else { all }
@@ -20,10 +20,10 @@ fn turn(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// Between neighbouring points a straight line is close to the response, at frequencies that the refinement did not
-/// use. Refinement compares at the middle of an interval. Elsewhere, and where a curve bends more on one side, a few
-/// times its tolerance is allowed. If several steady states exist, motions from rest at neighbouring frequencies may
-/// end in different ones. With five masses and μ > 1 some points therefore stray from the line.
+/// Checks that a straight line between neighbouring points is close to the response, at frequencies that the refinement
+/// did not use. Refinement compares at the middle of an interval. Elsewhere, and where a curve bends more on one side,
+/// a few times its tolerance is allowed. If several steady states exist, motions from rest at neighbouring frequencies
+/// may end in different ones. With five masses and μ > 1 some points therefore deviate from the line.
 #[test]
 fn lines_between_points_pass_the_response() {
     let (mut checked, mut beyond, mut turned, mut far) = (0_u32, 0_u32, 0_u32, 0_u32);
@@ -56,12 +56,12 @@ fn lines_between_points_pass_the_response() {
                         let line = low + 0.37 * (high - low);
                         let exact = response.swing(*of).unwrap().amplitude;
                         if piece.regime == Regime::Stuck && !(unique && damped) {
-                            // With μ > 1 the offset jumps by a slip from frequency to frequency. Without damping slips
-                            // continue as long as the motion is followed.
+                            // With μ > 1 the offset changes by a slip of the contact from one frequency to the next.
+                            // Without damping, slips continue as long as the motion is followed.
                             continue;
                         }
                         let stray = (line - exact).abs() / exact.max(1e-2);
-                        // With μ > 1 motion from rest ends in one state or another, so a jump may lie between two
+                        // With μ > 1 motion from rest may end in one of several states, so a jump may lie between two
                         // points.
                         let alone = piece.regime != Regime::StickSlip
                             || (unique && !name.starts_with("five"));
@@ -71,9 +71,9 @@ fn lines_between_points_pass_the_response() {
                         );
                         checked += 1;
                         beyond += u32::from(unique && 4.0 * request.accuracy < stray);
-                        // The phase of a small amplitude is not compared. With stops the largest displacement may pass
-                        // from one instant to another at once, whatever the amplitude does. The curve finds that
-                        // frequency.
+                        // The phase of a small amplitude is not compared. With stops, the largest displacement may move
+                        // from one instant to another at a single frequency, although the amplitude changes smoothly.
+                        // The curve finds that frequency.
                         if exact < 0.05 || !alone || b.r - a.r < 1e-5 * r {
                             continue;
                         }
@@ -108,12 +108,13 @@ fn lines_between_points_pass_the_response() {
     assert!(turned > 500 && far * 200 < turned, "{far} of {turned}");
 }
 
-/// Where the regime changes, a limit equals β to rounding, and the curve misses no change of a dense scan.
+/// Checks that a limit equals β to rounding where the regime changes, and that the curve misses no change of a dense
+/// scan.
 #[test]
 fn regimes_change_at_limits_and_nowhere_else() {
     for (name, text) in SCENES {
         let system = system(text);
-        // With μ > 1 motion from rest decides the regime. The limits only tell which states exist.
+        // With μ > 1 motion from rest decides the regime. The limits only determine which states exist.
         let unique = system.scene().stiction == 1.0;
         let (from, to) = (0.3, 2.4);
         let mut request = CurveRequest::new(from, to, &[Of::Mass(0)]);
@@ -163,7 +164,8 @@ fn regimes_change_at_limits_and_nowhere_else() {
     }
 }
 
-/// The response of two masses near r = 0.615 is steep but continuous: it falls by a third within 2e-4 (figure 6.6).
+/// Checks that a steep response is not taken for a jump. The response of two masses near r = 0.615 is continuous,
+/// although it falls by a third within Δr = 2e-4 (figure 6.6).
 #[test]
 fn what_is_steep_is_not_a_jump() {
     let system = system(
@@ -190,7 +192,7 @@ fn what_is_steep_is_not_a_jump() {
     );
 }
 
-/// At an undamped resonance with too little friction a curve is cut. With enough friction it continues.
+/// Checks that a curve is cut at an undamped resonance with too little friction, and continues with enough friction.
 #[test]
 fn poles_are_cut() {
     let system = system(SCENES[0].1);
@@ -211,7 +213,7 @@ fn poles_are_cut() {
                 .count(),
         )
     };
-    // The threshold of the friction ratio is π/4.
+    // At this resonance the threshold of the friction ratio is π/4.
     assert_eq!(poles(0.7), (1, 1));
     assert_eq!(poles(0.8), (0, 0));
     let largest = |beta: f64| {

@@ -1,4 +1,4 @@
-//! Tests of maps: their points, their boundaries, and the content of a cancelled map.
+//! Tests the points of maps, their boundaries, and the content of a cancelled map.
 
 use crate::desk::{SCENES, system};
 use frictiongen::study::map::{MapRequest, Pattern};
@@ -13,7 +13,7 @@ fn request() -> MapRequest {
     }
 }
 
-/// Points that are computed in parallel equal those computed one by one, in the same order.
+/// Checks that points computed in parallel equal points computed one by one, in the same order.
 #[test]
 fn points_are_responses() {
     for (name, text) in SCENES {
@@ -50,7 +50,7 @@ fn points_are_responses() {
     }
 }
 
-/// A motion that does not settle has no period.
+/// Checks that a motion that does not settle has no period.
 #[test]
 fn what_does_not_settle() {
     let system = system(
@@ -71,7 +71,7 @@ fn what_does_not_settle() {
     );
 }
 
-/// On each side of a traced boundary the contact moves as the boundary says. The limits of the regimes are exact.
+/// Checks that the contact moves as a boundary states on each of its sides. The limits of the regimes are exact.
 #[test]
 fn boundaries_have_their_two_sides() {
     let (mut inner, mut exact) = (0, 0);
@@ -95,7 +95,8 @@ fn boundaries_have_their_two_sides() {
                 "{what}: {}",
                 boundary.width
             );
-            // A motion that repeats only after many cycles is sensitive. Within a rounding of β its pattern may differ.
+            // A motion that repeats only after many cycles is sensitive to rounding. Its pattern may change within a
+            // rounding of β.
             let scatters = |pattern: &Result<Pattern, _>| {
                 pattern.as_ref().is_ok_and(|pattern| pattern.period != 1)
             };
@@ -120,8 +121,8 @@ fn boundaries_have_their_two_sides() {
     assert!(exact > 100 && inner > 30, "{exact} limits, {inner} traced");
 }
 
-/// If several boundaries lie between two friction ratios of a map, the map finds them in order. The reference is a map
-/// with sixteen times as many friction ratios. Regions narrower than a quarter of a step may be missed.
+/// Checks that a map finds several boundaries between two of its friction ratios, in order. The reference is a map with
+/// sixteen times as many friction ratios. The search may miss regions narrower than a quarter of a step.
 #[test]
 fn several_boundaries_between_two_frictions() {
     const FINER: usize = 16;
@@ -157,7 +158,7 @@ fn several_boundaries_between_two_frictions() {
                 .iter()
                 .filter(|one| one.r == column.r && ends[0] < one.beta && one.beta <= ends[1])
                 .collect();
-            // Each boundary leads to the next one, from one friction ratio to the other.
+            // Each boundary must lead to the next one, from one friction ratio to the other.
             let outer = [step * FINER, (step + 1) * FINER].map(kind);
             let mut last = outer[0];
             for one in &here {
@@ -169,7 +170,7 @@ fn several_boundaries_between_two_frictions() {
                 last = one.above;
             }
             assert_eq!(last, outer[1], "r = {}, {ends:?}", column.r);
-            // No region that is at least a quarter of a step wide is missed.
+            // The search must not miss a region that is at least a quarter of a step wide.
             let inner = step * FINER..(step + 1) * FINER;
             let mut start = inner.start;
             for place in inner {
@@ -199,7 +200,7 @@ fn several_boundaries_between_two_frictions() {
     assert!(compared > 60 && several > 10 && alike > 0);
 }
 
-/// A cancelled map keeps whole columns, in their order.
+/// Checks that a cancelled map keeps whole columns, in their order.
 #[test]
 fn a_cancelled_map_keeps_whole_columns() {
     let system = system(SCENES[0].1);
@@ -271,7 +272,8 @@ fn bad_requests() {
     }
 }
 
-/// Between their points the lines of limits are close to the limits. They reach 0 at the odd subharmonics (3.17).
+/// Checks that the lines of limits are close to the limits between their points. They reach 0 at the odd subharmonics
+/// (3.17).
 #[test]
 fn limit_lines_pass_the_limits() {
     let share = |beta: f64| 1.0 - 1.0 / (1.0 + beta);
@@ -303,8 +305,7 @@ fn limit_lines_pass_the_limits() {
     );
 }
 
-/// If the kinetic friction depends on the speed, no column has a result. The map returns an error instead of no
-/// columns.
+/// Checks that the map returns an error, instead of no columns, if the kinetic friction depends on the speed.
 #[test]
 fn a_law_that_falls_with_speed_is_refused() {
     let system = system(
@@ -315,7 +316,7 @@ fn a_law_that_falls_with_speed_is_refused() {
     assert_eq!(error, OutOfDomain::Unsupported(Unsupported::FrictionLaw));
 }
 
-/// A mass index that does not exist is reported as a missing mass, not as an invalid number.
+/// Checks that a mass index that does not exist is reported as a missing mass, not as an invalid number.
 #[test]
 fn a_mass_that_is_not_there() {
     let request = MapRequest {
@@ -331,7 +332,7 @@ fn a_mass_that_is_not_there() {
     );
 }
 
-/// Every requested frequency has its column, including the smallest and the largest numbers.
+/// Checks that every requested frequency has its column, including the smallest and the largest numbers.
 #[test]
 fn no_column_is_lost() {
     for (name, text) in SCENES {

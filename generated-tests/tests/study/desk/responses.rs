@@ -1,4 +1,4 @@
-//! Tests of energy, rates and forces of a response, against the work of the load and against its own displacements.
+//! Tests energy, rates and forces of a response, against the work of the load and against its own displacements.
 
 use crate::desk::{SCENES, system};
 use frictiongen::study::response::{Size, SystemResponse};
@@ -6,7 +6,7 @@ use frictiongen::study::scene::{Damping, Excitation, Node};
 use frictiongen::{Of, System};
 use std::f64::consts::{PI, TAU};
 
-/// Points (r, β) at which responses are tested, away from every resonance of the chains.
+/// Points (r, β) at which responses are tested. No point is near a resonance of the chains.
 const PLACES: [(f64, f64); 8] = [
     (0.31, 0.05),
     (0.31, 0.4),
@@ -18,14 +18,14 @@ const PLACES: [(f64, f64); 8] = [
     (2.1, 0.15),
 ];
 
-/// Returns the work of the load in a cycle over P²/k₁, from the fundamental components.
+/// Returns the work of the load in a cycle, over P²/k₁ or k₁Y², from the fundamental components.
 fn input_work(system: &System, response: &SystemResponse<'_>) -> f64 {
     let scene = system.scene();
     let imaginary = |mass: usize| response.harmonic(Of::Mass(mass), 1).unwrap().im;
     match scene.excitation {
         // The work is ∮ cos τ dx̄ with x̄ = Re X e^{iτ}.
         Excitation::Force(mass) => -PI * imaginary(mass),
-        // The base acts through its springs: ∮ Σκ(ȳ − x̄) dȳ, ȳ = cos τ.
+        // The base acts through its springs. The work is ∮ Σκ(ȳ − x̄) dȳ with ȳ = cos τ.
         Excitation::Base => {
             let first = scene.springs[0].stiffness;
             let springs = scene.springs.iter().map(|spring| {
@@ -40,8 +40,8 @@ fn input_work(system: &System, response: &SystemResponse<'_>) -> f64 {
     }
 }
 
-/// Without damping, friction dissipates the work of the load. Both works are sums of order 1 over a cycle, and that of
-/// the load is a harmonic by quadrature. The tolerance is 1e-10 times the larger of the works and 1.
+/// Checks that without damping friction dissipates the work of the load. Both works are sums of order 1 over a cycle,
+/// and that of the load is a harmonic by quadrature. The tolerance is 1e-10 times the larger of the works and 1.
 #[test]
 fn friction_takes_out_what_the_load_puts_in() {
     let (mut checked, mut stops) = (0, 0);
@@ -75,7 +75,7 @@ fn friction_takes_out_what_the_load_puts_in() {
     );
 }
 
-/// The work of a motion that repeats after three cycles is that of one cycle.
+/// Checks that the friction work of a motion that repeats after three cycles is the work of one cycle.
 #[test]
 fn friction_takes_out_as_much_of_each_of_three_cycles() {
     let system = system(
@@ -84,13 +84,14 @@ fn friction_takes_out_as_much_of_each_of_three_cycles() {
     let response = system.at(0.352).unwrap().response(0.1563).unwrap();
     assert_eq!(response.period(), 3);
     let (taken, given) = (response.friction_work(), input_work(&system, &response));
-    // The tolerance is that of a harmonic by quadrature, as above.
+    // The work of the load comes from a harmonic by quadrature, as above, so the tolerance is the same.
     assert!((taken - given).abs() < 1e-10, "{taken} of {given}");
     assert!(given > 0.1, "{given}");
 }
 
-/// Velocities and accelerations are the derivatives of the displacements at 4000 instants of a period. Difference
-/// quotients over a step h are within h² of the derivatives. A jump of an acceleration is left out.
+/// Checks that velocities and accelerations are the derivatives of the displacements at 4000 instants of a period.
+/// Difference quotients over a step h are within h² of the derivatives. Instants next to a jump of an acceleration are
+/// left out.
 #[test]
 fn rates_are_those_of_the_displacements() {
     let mut checked = 0;
@@ -148,7 +149,7 @@ fn rates_are_those_of_the_displacements() {
     assert!(checked > 80, "{checked}");
 }
 
-/// The response returns the largest friction force of a late cycle of motion from rest.
+/// Checks that the response returns the largest friction force of a late cycle of motion from rest.
 #[test]
 fn contact_forces_are_those_of_a_run() {
     for (name, text) in SCENES {
@@ -161,13 +162,13 @@ fn contact_forces_are_those_of_a_run() {
             if system.scene().damping == Damping::None
                 && !matches!(response, SystemResponse::StickSlip(_))
             {
-                // In these scenes the transient does not decay.
+                // Scenes whose transient does not decay are skipped.
                 continue;
             }
             let mut run = system.simulation(r, beta).unwrap();
             let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
             while run.cycles() < 800 {
-                // Long steps until the last cycle.
+                // The run takes long steps until the last cycle.
                 run.advance(if run.cycles() < 799 { 3.0 } else { 0.005 })
                     .unwrap();
                 if run.cycles() == 799 {
@@ -176,7 +177,7 @@ fn contact_forces_are_those_of_a_run() {
             }
             let largest = high.max(-low);
             let told = response.contact_force();
-            // A step of 0.005 may miss the maximum of a sticking force, by an error of second order.
+            // With a step of 0.005 in τ, the maximum of a sticking force may be missed by an error of second order.
             assert!(
                 largest <= told * (1.0 + 1e-6),
                 "{name}, r = {r}, β = {beta}: {largest} for {told}"

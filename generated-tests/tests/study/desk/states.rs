@@ -1,4 +1,4 @@
-//! Tests of coexisting steady states, at run time and emitted.
+//! Tests coexisting steady states, at run time and emitted.
 
 use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{System, friction_system};
@@ -21,13 +21,13 @@ fn block(stiction: f64) -> System {
     format!("{BLOCK}{stiction} }}").parse().expect("a scene")
 }
 
-/// Returns all states. A filter could hide a state that is returned twice.
+/// Returns all states that the system finds, also a state that is returned twice.
 fn states(system: &System, r: f64, beta: f64) -> Vec<SystemOrbit<'_>> {
     let at = system.at(r).expect("in the domain");
     at.states(beta).expect("in the domain").collect()
 }
 
-/// Returns Den Hartog's amplitude over Y: z̄₀² = V² − β²U² with the load r²Y.
+/// Returns Den Hartog's amplitude over Y for a load of r²Y, from z̄₀² = V² − β²U².
 fn closed_form(r: f64, beta: f64) -> f64 {
     let angle = std::f64::consts::PI / r;
     let (v, u) = (1.0 / (1.0 - r * r), angle.sin() / (r * (1.0 + angle.cos())));
@@ -35,7 +35,7 @@ fn closed_form(r: f64, beta: f64) -> f64 {
     load * (v * v - (beta / load * u).powi(2)).sqrt()
 }
 
-/// Between the two limits 0.605 and 0.881, the closed form and the stuck state coexist.
+/// Checks that the closed form and the stuck state coexist between the limits 0.605 and 0.881.
 #[test]
 fn the_closed_form_beside_the_stuck_state() {
     let (r, beta) = (1.1, 0.65);
@@ -74,7 +74,7 @@ fn the_closed_form_beside_the_stuck_state() {
     }
 }
 
-/// With μ = 1 there is one state, or one continuum.
+/// Checks that with μ = 1 there is one state, or one continuum of states.
 #[test]
 fn one_state_without_excess_of_static_friction() {
     let system = block(1.0);
@@ -83,7 +83,8 @@ fn one_state_without_excess_of_static_friction() {
     }
 }
 
-/// A stick-slip motion coexists with a stuck state. Each is compared with a simulation from its own start.
+/// Checks a stick-slip motion that coexists with a stuck state. Each state is compared with a simulation from its own
+/// initial state.
 #[test]
 fn stick_slip_beside_the_stuck_state() {
     let system = block(2.0);

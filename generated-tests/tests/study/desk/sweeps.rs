@@ -1,5 +1,5 @@
-//! Tests of sweeps up and down: the frequency at which a state ends, against the closed forms of one undamped mass on a
-//! moving base.
+//! Tests the frequency at which a state ends in sweeps up and down. The reference is the closed form of one undamped
+//! mass on a moving base.
 
 use frictiongen::study::curve::{Curve, CurveRequest, CurveStart, End, Piece};
 use frictiongen::{Of, Regime, System};
@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 const MU: f64 = 2.0;
 const BLOCK: &str = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
     contact: block - base, excitation: base, stiction: 2 }";
-/// Tolerance in r. A jump is located to 1e-7.
+/// Tolerance of the frequency ratio r of a jump, which is located to 1e-7.
 const PLACE: f64 = 2e-7;
 
 /// Returns (V, U) of Den Hartog's solution for the relative motion, whose load is r²Y.
@@ -24,15 +24,15 @@ fn amplitude(r: f64, beta: f64) -> f64 {
     load * (v * v - (beta / load * u).powi(2)).sqrt()
 }
 
-/// Returns the friction ratio from which the contact stops when it reverses. The force that keeps it there is r²z̄₀ =
-/// μβ.
+/// Returns the friction ratio from which on the contact stops when it reverses. The force that keeps the contact stuck
+/// is r²z̄₀ = μβ.
 fn continuous_limit(r: f64) -> f64 {
     let (v, u) = solution(r);
     let load = r * r;
     load * v.abs() / (u * u + (MU / load).powi(2)).sqrt()
 }
 
-/// Returns the frequency ratio at which that limit is β, between two that enclose it.
+/// Returns the frequency ratio between `low` and `high` at which that limit equals β.
 fn ends_at(beta: f64, mut low: f64, mut high: f64) -> f64 {
     assert!(continuous_limit(low) < beta && beta < continuous_limit(high));
     for _ in 0..60 {
@@ -77,8 +77,8 @@ fn told(curve: &Curve) -> String {
     pieces.collect::<Vec<_>>().join("\n")
 }
 
-/// In a sweep up the block sticks up to r² = μβ, minus the spring force of its offset. In a sweep down it slides as
-/// long as the closed form exists. Between the two frequencies both states exist.
+/// Checks a block on a moving base. In a sweep up it sticks up to r² = μβ minus the spring force of its offset. In a
+/// sweep down it slides as long as the closed form exists. Between the two frequencies both states exist.
 #[test]
 fn a_stuck_and_a_sliding_block() {
     let system: System = BLOCK.parse().expect("a scene");
@@ -93,7 +93,7 @@ fn a_stuck_and_a_sliding_block() {
         let held = stuck[stuck.len() - 1];
         let last = &held.points[held.points.len() - 1];
         assert!(matches!(held.end, End::Jump | End::Boundary));
-        // The balance is μβ = r² + |offset|, all over k₁Y.
+        // The balance of forces is μβ = r² + |offset|, all over k₁Y.
         let departure = (MU * beta - last.offset.abs()).sqrt();
         assert!(
             (last.r / departure - 1.0).abs() < PLACE,
@@ -126,8 +126,8 @@ fn a_stuck_and_a_sliding_block() {
     }
 }
 
-/// The physical state continues from frequency to frequency. A sweep of a chain with one steady state gives the curve
-/// from rest.
+/// Checks that a sweep of a chain with one steady state gives the curve from rest. The physical state continues from
+/// frequency to frequency.
 #[test]
 fn one_state_however_it_is_reached() {
     let system: System =
@@ -151,7 +151,7 @@ fn one_state_however_it_is_reached() {
                 .swing(Of::Mass(0))
                 .expect("a mass");
             let found = point.movements[1].swing.amplitude;
-            // Both end Newton's method at a relative step of about 1e-12. Steep responses lose some digits.
+            // Both searches end Newton's method at a relative step of about 1e-12. Steep responses lose some digits.
             assert!(
                 (found / expected.amplitude - 1.0).abs() < 1e-8,
                 "r = {}: {found} for {}",
@@ -164,8 +164,8 @@ fn one_state_however_it_is_reached() {
     assert!(compared > 300, "{compared}");
 }
 
-/// With less friction than its threshold the resonance is a pole of the amplitude. A sweep in either direction ends at
-/// it on one side, and continues on the other.
+/// Checks a sweep across a pole. With less friction than its threshold the resonance is a pole of the amplitude. A
+/// sweep in either direction ends at the pole on one side, and continues on the other.
 #[test]
 fn a_sweep_across_a_pole() {
     let system: System = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },

@@ -1,4 +1,4 @@
-//! Tests of zeros next to a pole, and of common zeros of two functions.
+//! Tests zeros next to a pole, and common zeros of two functions.
 
 use crate::features::scenes::unit;
 use frictiongen::study::{
@@ -7,8 +7,8 @@ use frictiongen::study::{
 };
 use frictiongen::{Of, Regime};
 
-/// Two weakly coupled oscillators. In the receptance of the first, the second causes a zero at its own frequency, and a
-/// pole at a distance of ε²/2·0.69·1.69. Both are found down to a relative distance of 1e-13.
+/// Checks two weakly coupled oscillators. In the receptance of the first, the second causes a zero at its own
+/// frequency, and a pole at a distance of ε²/2·0.69·1.69. Both are found down to a relative distance of 1e-13.
 #[test]
 fn a_zero_beside_a_pole() {
     for (coupling, apart) in [(1e-3_f64, 4e-7), (1.5e-6, 9.6e-13)] {
@@ -29,9 +29,10 @@ fn a_zero_beside_a_pole() {
     }
 }
 
-/// Load and contact act on the same mass. Where the other mass acts as an absorber, the motion and the receptance of
-/// the contact vanish together. More friction enlarges the fundamental on one side of that frequency only. The bound of
-/// the range is reported as a frequency at which the contact does not move.
+/// Checks a frequency at which the contact does not move. Load and contact act on the same mass. Where the other mass
+/// acts as an absorber, the motion and the receptance of the contact vanish together. More friction enlarges the
+/// fundamental on one side of that frequency only. The bound of the range is reported as a frequency at which the
+/// contact does not move.
 #[test]
 fn where_the_contact_is_still() {
     let system = unit(2, "m1 - wall", "m1");

@@ -1,4 +1,4 @@
-//! Tests of those numbers of F01 to F32 that are features. The expected numbers are from the governing equations in
+//! Tests the numbers of F01 to F32 that are features. The expected numbers are computed from the governing equations in
 //! extended precision.
 
 use crate::features::scenes::{base, chain, unit, wall};
@@ -11,7 +11,7 @@ use std::f64::consts::{FRAC_PI_4, PI, SQRT_2};
 
 const M1: Of = Of::Mass(0);
 const M2: Of = Of::Mass(1);
-/// Tolerance of numbers that are given to six digits.
+/// Tolerance of numbers that the reference gives to six digits.
 const DIGITS: f64 = 1e-6;
 /// Tolerance of a closed form after a few roundings.
 const ROUNDING: f64 = 1e-14;
@@ -61,7 +61,7 @@ fn f01_f02_one_mass() {
     }
 }
 
-/// With β*_lim = r²/μ the contact slides at β from √(μβ) on.
+/// Checks that with β*_lim = r²/μ the contact slides at β from r = √(μβ) on.
 #[test]
 fn f04_sliding_from() {
     for mu in [1.0, 1.2, 2.0] {
@@ -83,7 +83,7 @@ fn f07_moving_base() {
     assert_eq!(last.condition, Condition::Balance);
 }
 
-/// The exact amplitudes of two friction ratios cross between 1.4 and 1.55.
+/// Checks that the exact amplitudes of two friction ratios cross between r = 1.4 and 1.55.
 #[test]
 fn f08_exact_amplitudes() {
     let system = base(1.0);
@@ -104,7 +104,7 @@ fn f08_exact_amplitudes() {
     close(last, 1.5423, 5e-5);
 }
 
-/// At β = 1, μ = 1.5 the regime changes from stuck directly to continuous at √1.5.
+/// Checks that at β = 1, μ = 1.5 the regime changes from stuck directly to continuous at r = √1.5.
 #[test]
 fn f10_without_stick_slip() {
     let system = base(1.5);
@@ -119,8 +119,8 @@ fn f10_without_stick_slip() {
     close(ranges[1].to, 1.5_f64.sqrt(), ROUNDING);
     assert!(matches!(ranges[1].end, RegimeEnd::Sliding(_)));
     assert!(matches!(ranges[0].end, RegimeEnd::Continuous(_)));
-    // With μ = 1 a stick-slip range lies between them. At the resonance β*_lim equals β, because V − βH has no pole
-    // there.
+    // With μ = 1 a stick-slip range lies between stuck and continuous motion. At the resonance β*_lim equals β, because
+    // V − βH has no pole there.
     let system = base(1.0);
     let features = system.features(None).unwrap();
     let (ranges, _) = features.regimes(1.0, [0.6, 1.4]).unwrap();
@@ -132,7 +132,8 @@ fn f10_without_stick_slip() {
     close(ranges[0].to, 1.0, ROUNDING);
 }
 
-/// The inversion extends from the pole of U at 1/3 to the r at which U = −(2/π)V.
+/// Checks the range in which friction enlarges the fundamental. It extends from the pole of U at r = 1/3 to the r at
+/// which U = −(2/π)V.
 #[test]
 fn f13_inversion_of_the_fundamental() {
     let system = wall("");
@@ -162,7 +163,7 @@ fn f14_f15_f16_three_masses() {
     }
     assert!(features.quasi_static_start(0.5).unwrap().is_none());
     close(features.limits_at_rest().sliding.value, 0.5, ROUNDING);
-    // The stuck chain is one mass between two springs, and m₃, which vibrates by itself.
+    // The stuck chain consists of one mass between two springs, and of m₃, which vibrates by itself.
     let held: Vec<f64> = features
         .held_resonances()
         .iter()
@@ -192,7 +193,7 @@ fn f17_f18_contact_below() {
     let found = features
         .inversions(M2, Measured::Amplitude, [0.5, 4.0])
         .unwrap();
-    // At r = 1 the contact does not move, and it slides at no friction.
+    // At r = 1 the contact does not move without friction, so it slides at no friction.
     let ends: Vec<f64> = found
         .iter()
         .flat_map(|found| [found.from, found.to])
@@ -295,7 +296,7 @@ fn f29_peaks() {
     }
 }
 
-/// At ω₀ mass m₁ does not move without friction. At ω_z0 it moves with the base.
+/// Checks that at ω₀ mass m₁ does not move without friction, and that at ω_z0 it moves with the base.
 #[test]
 fn f30_f32_rig() {
     let (gamma, kappa) = (0.9772, 1.1119);

@@ -1,4 +1,4 @@
-//! Tests of the features of scenes: numbers that the thesis prints, and random scenes against dense samples.
+//! Tests the features of scenes, against numbers that the thesis prints and against dense samples of random scenes.
 #![allow(
     clippy::unwrap_used,
     clippy::indexing_slicing,

@@ -1,4 +1,4 @@
-//! Scenes by name, and random scenes.
+//! Defines scenes by name, and random scenes.
 
 use frictiongen::System;
 use fuzzing::Random;
@@ -82,7 +82,7 @@ pub fn random(random: &mut Random, most: usize, damped: bool) -> System {
     chain(&masses, &springs, &contact, &excitation, &rest)
 }
 
-/// Describes a scene for a message.
+/// Returns the description of a scene for the message of a failed test.
 pub fn shown(system: &System) -> String {
     format!("{:?}", system.scene())
 }

@@ -1,4 +1,4 @@
-//! Tests of derivatives of features, against differences of the features of changed scenes.
+//! Tests derivatives of features, against differences between features of changed scenes.
 
 use frictiongen::study::{
     System,
@@ -19,7 +19,8 @@ const DAMPED: &str = "struct Chain {
 
 /// Friction force in N.
 const FRICTION: f64 = 0.3;
-/// Relative step of a difference quotient. The neglected third derivative is about 1e-8, the rounding 1e-10.
+/// Relative step of a difference quotient. The neglected third derivative causes an error of about 1e-8, and rounding
+/// an error of 1e-10.
 const STEP: f64 = 1e-4;
 
 /// Returns all features as numbers with their derivatives.
@@ -142,7 +143,7 @@ fn against_differences(text: &str, load: Load) -> usize {
             parameters.push((slope.parameter, slope.value));
         }
     }
-    // The parameters are two masses, two or three springs, stiction, friction, load, and damping.
+    // The parameters are two masses, two or three springs, μ, friction, load, and damping.
     assert!(7 <= parameters.len(), "{parameters:?}");
     let mut seen = 0;
     for (parameter, value) in parameters {
@@ -183,7 +184,7 @@ fn damped_by_differences() {
     assert!(against_differences(DAMPED, Load::Force(1.9)) > 100);
 }
 
-/// Peaks with a width of a thousandth in r.
+/// Checks peaks whose width in r is a thousandth, by differences.
 #[test]
 fn sharp_peaks_by_differences() {
     let text = DAMPED.replace("rayleigh(0.02, 0.03)", "rayleigh(0.001, 0.001)");
@@ -204,8 +205,7 @@ fn sharp_peaks_by_differences() {
     }
 }
 
-/// Frequencies do not change if all masses and springs change by the same factor. If the forces change too, nothing but
-/// the forces changes.
+/// Checks that the frequencies of invariant points do not change if all masses and springs change by the same factor.
 #[test]
 fn scaled() {
     let system: System = CHAIN.parse().unwrap();

@@ -11,7 +11,7 @@ macro_rules! scenes {
             pub struct $name { $($body)* scalar: $scalar, provide: [limits, orbit, simulation], }
         })*
 
-        /// Checks of the scenes.
+        /// Checks of emitted scenes, one function for each scene.
         const CHECKS: &[fn(&Asked, &Seen) -> Result<(), String>] = &[$(|asked, seen| {
             let r = <$scalar as Scalar>::constant(asked.r);
             let Ok(at) = $name::at(r) else {

@@ -1,4 +1,4 @@
-//! Emitted functions for arbitrary bits of r, β, τ and n.
+//! Tests emitted functions for arbitrary bits of r, β, τ and n.
 
 use crate::fuzz::{long, none};
 use frictiongen::kernel::Float;
@@ -11,7 +11,7 @@ use generated_tests::scenes::{Visitor, visit};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// Scenes with further kinds of damping, on every contact. The scenes of the reference have light and heavy damping.
+/// Scenes with further kinds of damping, on every contact. The reference's own scenes have light and heavy damping.
 mod beside {
     macro_rules! both {
         ($($double:ident $single:ident { $($body:tt)* })*) => {
@@ -51,13 +51,13 @@ mod beside {
     }
 }
 
-/// Arguments of a query to a scene.
+/// Arguments with which the functions of a scene are called.
 #[derive(Debug)]
 pub struct Asked {
     scene: usize,
     pub r: f64,
     beta: f64,
-    /// Limit of which `beta` is a multiple: `true` for the continuous limit, `false` for the sliding limit.
+    /// True if `beta` is a multiple of the continuous limit, false if it is a multiple of the sliding limit.
     of_limit: Option<bool>,
     pub tau: f64,
     mass: usize,
@@ -65,7 +65,7 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// Returns β, once the limits are known.
+    /// Returns β. The limits must be known, because β may be a multiple of one of them.
     pub fn beta<S: Float>(&self, continuous: S, sliding: S) -> S {
         match self.of_limit {
             Some(true) => continuous * S::constant(self.beta),
@@ -75,7 +75,7 @@ impl Asked {
     }
 }
 
-/// Counts of what was checked, and of what was not checked with the reason.
+/// Number of checks of each kind, and number of omitted checks with the reason.
 #[derive(Default)]
 pub struct Seen(RefCell<BTreeMap<&'static str, u64>>);
 
@@ -97,7 +97,7 @@ impl Seen {
         });
     }
 
-    /// Prints the counts. Each needed item must occur at least once in the given number of inputs.
+    /// Prints the counts. Each item of `needed` must occur at least once in the given number of inputs.
     pub fn report(&self, count: u64, needed: &[(&str, u64)]) {
         let seen = self.0.borrow();
         println!("of {count} inputs: {seen:?}");
@@ -258,7 +258,7 @@ fn moves<S: Float>(
     Ok(())
 }
 
-/// Draws a query to a scene. `number` draws numbers near landmarks.
+/// Returns random arguments for the functions of a scene. `number` returns numbers near landmarks.
 pub fn question(
     random: &mut Random,
     scene: usize,

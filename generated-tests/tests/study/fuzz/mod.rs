@@ -1,5 +1,6 @@
-//! Fuzzing with texts and numbers that are mutated from the corpus in `fuzzing/corpus`. A text gives a scene or located
-//! errors, and a number gives a number. The tests here take some seconds. The long form is `scripts/fuzz`.
+//! Fuzzing with texts and numbers that are mutated from the corpus in `fuzzing/corpus`. A text must give a scene or
+//! errors with positions. A number must give a number, not NaN or a panic. The tests here take some seconds. The long
+//! form is `scripts/fuzz`.
 
 mod emitted;
 mod found;
@@ -8,23 +9,25 @@ mod moving;
 mod systems;
 mod text;
 
-/// Number of inputs of the long form for each target: COUNT of the environment, by default a million.
+/// Returns the number of inputs of the long form for each target. The environment variable COUNT sets it, and the
+/// default is a million.
 fn long() -> u64 {
     let count = std::env::var("COUNT").ok();
     count.map_or(1_000_000, |count| count.parse().expect("COUNT is a number"))
 }
 
-/// Returns `true` for one of `often` numbers.
+/// Returns true for one in `often` numbers.
 fn once_in(often: u64, number: u64) -> bool {
     number.is_multiple_of(often)
 }
 
-/// Fails if there are findings.
+/// Fails if the run has findings.
 fn none(target: &str, outcome: &fuzzing::Outcome) {
     let fuzzing::Outcome { count, findings } = outcome;
     assert!(findings.is_empty(), "{target}:\n{}", findings.join("\n"));
     println!("{target}: {count} inputs, nothing found");
-    // The bound covers all tests of this file together. The tables of the largest accepted scene take some MiB.
+    // The bound on memory covers all tests of this file together. The tables of the largest accepted scene take some
+    // MiB.
     if let Some(most) = fuzzing::most_memory() {
         println!("{target}: at most {} MiB held", most >> 20);
         assert!(most < 1 << 30, "{most} bytes were held");

@@ -1,4 +1,4 @@
-//! Queries to a simulation, and to a steady state with stops.
+//! Calls the functions of a simulation, and of a steady state with stops, and checks that their results are numbers.
 
 use crate::fuzz::functions::{is_number, promise};
 use frictiongen::kernel::Float;

@@ -1,5 +1,5 @@
-//! Run-time systems of random scenes: the queries of emitted scenes, simulations, steady states with stops, and
-//! derivatives.
+//! Tests run-time systems of random scenes by the calls of emitted scenes, by simulations, by steady states with stops,
+//! and by derivatives.
 
 use crate::fuzz::functions::{Asked, Seen, answered, is_number, promise, question};
 use crate::fuzz::{long, moving, none, once_in};
@@ -8,17 +8,17 @@ use frictiongen::study::sensitivity::Sensitive;
 use frictiongen::{FrictionSystem, System};
 use fuzzing::{Random, bits};
 
-/// A scene with its queries.
+/// A scene with the arguments of its calls.
 #[derive(Debug)]
 struct Question {
     text: String,
     single: bool,
     asked: Vec<Asked>,
-    /// `true` if the expensive queries are made too: simulation, steady state, derivatives.
+    /// True if expensive calls are made too: simulation, steady state, derivatives.
     dear: bool,
 }
 
-/// Number of queries for each scene. Several are made, because building a scene costs more than a query.
+/// Number of calls for each scene. Several are made, because building a scene costs more than a call.
 const QUESTIONS: usize = 16;
 
 /// Returns a valid scene of up to four masses, whose numbers cover several decades.
@@ -66,7 +66,7 @@ fn scene(random: &mut Random) -> String {
 }
 
 fn holds<S: Plain>(question: &Question, seen: &Seen) -> Result<(), String> {
-    // Some random scenes are invalid, because two springs may join the same pair.
+    // Some random scenes are invalid, because two springs join the same pair of nodes.
     let Ok(system) = question.text.parse::<System<S>>() else {
         seen.note("no: scene refused");
         return Ok(());
@@ -111,7 +111,7 @@ fn dear<S: Plain>(system: &System<S>, asked: &Asked, seen: &Seen) -> Result<(), 
     if let Ok(orbit) = orbit {
         moving::orbit(&orbit, masses, S::constant(asked.tau), asked.order % 12)?;
     }
-    // Derivatives exist where the functions are smooth, not on their edges. Nowhere may they panic.
+    // Derivatives exist where the functions are smooth, but not on their edges. They must not panic anywhere.
     let slopes = system.sensitivities(|varied| {
         let at = varied.at(Sensitive::fixed(asked.r.into()))?;
         Ok::<_, frictiongen::OutOfDomain>(at.continuous_limit() + at.sliding_limit())

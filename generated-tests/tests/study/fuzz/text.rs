@@ -1,11 +1,11 @@
-//! Scene texts for both readers: the run-time parser, and the function that the macro calls.
+//! Tests texts of scenes with both readers: the run-time parser, and the function that the macro calls.
 
 use crate::fuzz::{long, none};
 use frictiongen::System;
 use fuzzing::Mutator;
 use proc_macro2::TokenStream;
 
-/// Words of the scene language, and some that are not.
+/// Words of the scene language, and some words that are not part of it.
 const WORDS: &[&str] = &[
     "struct",
     "pub",

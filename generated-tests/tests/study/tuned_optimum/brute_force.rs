@@ -1,4 +1,4 @@
-//! The largest amplitude of a band by samples only, and its minimum by golden section search.
+//! Finds the largest amplitude of a band by samples only, and its minimum by golden section search.
 
 use crate::tuned_optimum::case::Case;
 use frictiongen::study::System;
@@ -39,7 +39,7 @@ impl<'c> Tried<'c> {
         })
     }
 
-    /// Returns the largest amplitude over the band by samples only.
+    /// Returns the largest amplitude over the band, in m, by samples only. `force` is the friction force in N.
     pub fn largest(&mut self, force: f64) -> f64 {
         const GRID: usize = 240;
         let [from, to] = self.case.band;
@@ -76,7 +76,8 @@ impl<'c> Tried<'c> {
         best
     }
 
-    /// Returns the smallest of the largest amplitudes over forces near a given one: a grid, then golden section search.
+    /// Returns the smallest of the largest amplitudes over friction forces near a given one, by a grid and then golden
+    /// section search.
     pub fn least(&mut self, about: f64) -> (f64, f64) {
         let window = if 0.0 < about {
             [0.8 * about, 1.25 * about]

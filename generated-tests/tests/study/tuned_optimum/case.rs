@@ -1,4 +1,4 @@
-//! Chains, and the number of each that is varied.
+//! Defines chains, each with the number that is varied.
 
 use frictiongen::study::{
     System,
@@ -8,9 +8,9 @@ use frictiongen::study::{
 
 /// A chain with the number that is varied.
 pub struct Case {
-    /// Description, with `#` for the number.
+    /// Description of the chain, with `#` in place of the number.
     pub text: &'static str,
-    /// First mass and first spring, `None` for the one that is varied.
+    /// First mass and first spring. `None` stands for the one that is varied.
     pub first: [Option<f64>; 2],
     pub base: bool,
     pub of: &'static str,
@@ -21,7 +21,7 @@ pub struct Case {
     pub load: f64,
 }
 
-/// A mass that rubs on the main mass. Nothing else damps the resonances.
+/// An absorber mass that rubs on the main mass. Nothing else damps the resonances.
 pub const ABSORBER: Case = Case {
     text: "struct Absorber { masses: { a: 1.0, b: 0.1 },
         springs: { base - a: 1.0, a - b: # }, contact: a - b, excitation: a }",
@@ -33,7 +33,7 @@ pub const ABSORBER: Case = Case {
     band: [0.5, 1.6],
     load: 1.0,
 };
-/// The absorber with the first spring varied, to which all groups refer.
+/// The absorber with the first spring varied, to which all non-dimensional groups refer.
 pub const FIRST_SPRING: Case = Case {
     text: "struct Absorber { masses: { a: 1.0, b: 0.1 },
         springs: { base - a: #, a - b: 0.085 }, contact: a - b, excitation: a }",
@@ -95,7 +95,7 @@ impl Case {
         }
     }
 
-    /// Returns friction in N and amplitude in m.
+    /// Returns the best friction in N and its amplitude in m.
     pub fn physical(&self, described: f64, tuned: &TunedOptimum) -> [f64; 2] {
         let scale = self
             .system(described)

@@ -1,5 +1,5 @@
-//! Tests of the friction and one number of the description that together minimise the largest amplitude over a band.
-//! The reference is a map by brute force, with a new description for each value and groups computed by hand.
+//! Tests the friction and one number of the description that together minimise the largest amplitude over a band. The
+//! reference is a map by brute force, with a new description for each value and groups computed by hand.
 //!
 //! `case` has the chains, `brute_force` the maps and the golden sections.
 //!
@@ -40,7 +40,7 @@ fn two_masses_as_by_brute_force() {
         let mut count = 0;
         // The value that was found is not a point of the grid.
         let interval = [0.971, 1.032].map(|share| share * tuned.value);
-        // The abscissa of a flat minimum is known to the square root of the rounding only.
+        // The position of a flat minimum is known only to the square root of the rounding.
         let near = if sharp { 1e-10 } else { 1e-6 };
         let (value, least) = golden(interval, 6, near, |value| {
             let mut tried = Tried::new(case, value);
@@ -69,7 +69,7 @@ fn two_masses_as_by_brute_force() {
     }
 }
 
-/// Compares the sharp case with its receptances: at both bounds of the band the undamped main mass moves equally far.
+/// Compares the sharp case with its receptances. At both bounds of the band the undamped main mass moves equally far.
 #[test]
 #[ignore = "many optima: a minute without optimisation"]
 fn sharp_as_by_receptances() {
@@ -100,7 +100,7 @@ fn sharp_as_by_receptances() {
     assert!(off(tuned.optimum.amplitude, least) < 1e-9);
 }
 
-/// One mass. With a softer spring to its base it moves less, so the best value is the bound of the interval. The
+/// Checks one mass. With a softer spring to its base it moves less, so the best value is the bound of the interval. The
 /// friction there is that of a map. Nowhere on a map of the whole interval is the amplitude smaller.
 #[test]
 fn one_mass_as_by_a_coarse_map() {
@@ -141,8 +141,8 @@ fn one_mass([values, forces]: [u32; 2]) {
     println!("nowhere less among {count} responses");
 }
 
-/// The scan contains the result of `optimum` for each value, in the units of the described scene. The described value
-/// of the varied number does not matter.
+/// Checks that the scan contains the result of `optimum` for each value, in the units of the described scene. The
+/// described value of the varied number does not matter.
 #[test]
 #[ignore = "many optima: half a minute without optimisation"]
 fn whatever_is_described() {
@@ -164,7 +164,7 @@ fn whatever_is_described() {
         load: None,
     };
     let there = system.optimum(&request).expect("an optimum");
-    // The unit of β is P, and that of amplitudes P/k₁.
+    // The unit of β is P, and the unit of amplitudes is P/k₁.
     assert!(off(there.beta, point.beta) < 1e-7, "{there:?} {point:?}");
     let amplitude = there.amplitude * 0.9 / point.value;
     assert!(
@@ -173,7 +173,7 @@ fn whatever_is_described() {
     );
 }
 
-/// Each senseless request gives its own error.
+/// Checks that each senseless request gives its own error.
 #[test]
 fn what_makes_no_sense() {
     let system = ABSORBER.system(0.085);

@@ -1,4 +1,4 @@
-//! Tests each number of a description that may be varied. A new value changes that number and nothing else.
+//! Tests that a new value of a number in the description changes that number and nothing else.
 
 use frictiongen::study::{System, optimum::Tunable, sensitivity::Quantity};
 
@@ -78,7 +78,7 @@ fn another_value_changes_one_number() {
     assert_eq!(tried, 33);
 }
 
-/// A number that the description does not contain is refused.
+/// Checks that a number that the description does not contain is refused.
 #[test]
 fn a_number_that_is_not_there() {
     let ratio = Tunable::Quantity(Quantity::DampingRatio(0));

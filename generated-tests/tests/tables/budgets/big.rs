@@ -1,5 +1,5 @@
-//! Numbers of some 190 digits, by which double-double is measured. They consist of whole numbers, and functions are
-//! series.
+//! Numbers of some 190 digits, with which double-double is compared. They consist of integers, and their functions are
+//! Taylor series.
 //!
 //! This module shares nothing with the kernel. The significand has [`BITS`] bits, each operation is cut off there, and
 //! elementary functions are their Taylor series. Formulas are evaluated as they are printed. Their cancellation costs
@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 
 const BITS: u64 = 640;
 
-/// A number significand · 2^exponent.
+/// A number: `significand` times 2 to the power of `exponent`.
 #[derive(Clone, Debug)]
 pub struct Big {
     significand: BigInt,
@@ -32,7 +32,7 @@ impl Big {
         Self::new(BigInt::from(n), 0)
     }
 
-    /// Returns exactly this number, which must be finite.
+    /// Returns the big number that equals `x`, which must be finite.
     pub fn of(x: f64) -> Self {
         assert!(x.is_finite(), "{x} has no value");
         let bits = x.abs().to_bits();
@@ -66,12 +66,12 @@ impl Big {
         }
     }
 
-    /// Returns the exponent of the leading bit.
+    /// Returns the exponent of two of the leading bit.
     pub fn order(&self) -> i64 {
         self.significand.bits() as i64 - 1 + self.exponent
     }
 
-    /// Returns the number times 2^power.
+    /// Returns the number times 2 to the power of `power`.
     pub fn shifted(mut self, power: i64) -> Self {
         self.exponent += power;
         self
@@ -95,7 +95,7 @@ impl Big {
         leading * 2.0_f64.powi(half) * 2.0_f64.powi(rest)
     }
 
-    /// Returns the nearest whole number.
+    /// Returns the nearest integer.
     fn rounded(&self) -> BigInt {
         let half = Self::new(BigInt::from(1), -1);
         let sum = self.clone() + half;
@@ -107,7 +107,7 @@ impl Big {
         }
     }
 
-    /// Returns the largest whole number that is not larger.
+    /// Returns the largest integer that is not larger than the number.
     pub fn floor(&self) -> Self {
         if self.exponent >= 0 {
             return self.clone();
@@ -234,7 +234,7 @@ impl Add for Big {
             (self, other)
         };
         let distance = (high.exponent - low.exponent) as u64;
-        // A number below every kept bit of the other one does not count.
+        // If one number is below every kept bit of the other, it does not change the sum.
         if high.order() - low.order() > 2 * BITS as i64 {
             return high;
         }
@@ -277,7 +277,7 @@ impl Div for Big {
 mod tests {
     use super::Big;
 
-    /// Asserts that |a − b| is below 2^−600 of b.
+    /// Asserts that |a − b| is below 2^−600 times |b|.
     fn agree(a: Big, b: Big) {
         let off = a - b.clone();
         assert!(
@@ -305,13 +305,13 @@ mod tests {
             let root = (big.clone() * big.clone()).sqrt();
             agree(root, big.abs());
         }
-        // The first digits of π and e, as sums of two `f64`.
+        // The expected π and e are sums of two `f64`, for their first digits.
         let off = Big::pi() - Big::of(std::f64::consts::PI) - Big::of(1.2246467991473532e-16);
         assert!(off.order() < -105);
         let off =
             Big::integer(1).exp() - Big::of(std::f64::consts::E) - Big::of(1.4456468917292502e-16);
         assert!(off.order() < -105);
-        // sin πh of a small argument, compared with its first terms.
+        // For a small argument sin πh equals the first terms of its series.
         let x = Big::pi() * Big::of(1e-120);
         agree(
             Big::of(1e-120).sin_cos_pi().0,

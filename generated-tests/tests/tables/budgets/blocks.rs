@@ -1,4 +1,4 @@
-//! Small complex operations, and the last steps of the limits. Emitted code consists of them.
+//! Measures small complex operations and the last steps of the limits, of which emitted code consists.
 
 use crate::budgets::big::Big;
 use crate::budgets::elementary::formulas;
@@ -6,7 +6,7 @@ use crate::budgets::measure::{Formula, Real, Results, Unit};
 use frictiongen_kernel::contact::sums::{Chain, ContactAt};
 use frictiongen_kernel::number::complex::{self, Complex};
 
-/// A second complex number from the arguments: (c, −b/2).
+/// Returns a second complex number from the arguments: (c, −b/2).
 fn second<T: Real>(b: T, c: T) -> Complex<T> {
     Complex::new(c, -b * T::constant(0.5))
 }
@@ -29,7 +29,7 @@ fn hypotenuse(re: Big, im: Big) -> Big {
     }
 }
 
-/// Computes the operations without damping, where the imaginary half is neither read nor written.
+/// Computes the operations without damping, which must neither read nor write the imaginary half.
 fn undamped<T: Real>(a: T, b: T) -> [T; 4] {
     let z = Complex::new(a, T::constant(f64::NAN));
     let w = Complex::new(b, T::constant(f64::NAN));
@@ -41,7 +41,7 @@ fn undamped<T: Real>(a: T, b: T) -> [T; 4] {
     ]
 }
 
-/// A chain whose limits read μ and m* only.
+/// Returns a chain of which the limits read only μ and m*.
 fn chain<T: Real>(stiction: T, inverse_mass: T) -> Chain<T> {
     Chain {
         damped: true,
@@ -51,7 +51,7 @@ fn chain<T: Real>(stiction: T, inverse_mass: T) -> Chain<T> {
     }
 }
 
-/// A contact with V = v + iv/4 and H = h − ih/2, with only the fields that the limits read.
+/// Returns a contact with V = v + iv/4 and H = h − ih/2, in which only the fields that the limits read are set.
 fn contact<T: Real>(v: T, u: T, h: T) -> ContactAt<T> {
     let c = T::constant;
     ContactAt {
@@ -86,7 +86,7 @@ formulas! {
     UndampedComplex Place: |a, b, c| undamped(a, b), {
         (!a.is_zero()).then(|| vec![a.clone() * b, Big::integer(1) / a.clone(), a.abs(), Big::integer(0)])
     };
-    /// r²E(m* + H_c r²) for m* = a, and with μ = c.
+    /// Constraint term r²E(m* + H_c r²) for m* = a, and with μ = c.
     Constraints Place: |a, b, c| {
         let (chain, contact) = (chain(c, a), contact(a, b, c));
         [chain.start_constraint(&contact), chain.break_away(&contact)]
@@ -94,13 +94,13 @@ formulas! {
         let inverse_mass = a.shifted(-1);
         Some(vec![b.abs() + inverse_mass.clone(), b.abs() + c * inverse_mass])
     };
-    /// β_lim from V, U and the constraint c.
+    /// Limit β_lim from V, U and the constraint c.
     ContinuousLimit Place: |a, b, c| [chain(c, a).continuous_limit(&contact(a, b, c), c)], {
         let square = b.clone() * b + c.clone() * c;
         let v = hypotenuse(a.clone(), a.shifted(-2));
         (!square.is_zero()).then(|| vec![v / square.sqrt()])
     };
-    /// β*_lim from V, H and μ = c.
+    /// Limit β*_lim from V, H and μ = c.
     SlidingLimit Place: |a, b, c| [chain(c, a).sliding_limit(&contact(a, b, b))], {
         let (v, h) = (hypotenuse(a.clone(), a.shifted(-2)), hypotenuse(b.clone(), b.shifted(-1)));
         (!h.is_zero() && !c.is_zero()).then(|| vec![v / (c * h)])

@@ -1,4 +1,4 @@
-//! Measured cases: each function of the kernel with each scalar.
+//! Lists the measured cases: each function of the kernel with each scalar.
 
 use crate::budgets::blocks::*;
 use crate::budgets::draw::{self, Domain, Source, arguments};
@@ -10,7 +10,7 @@ use frictiongen_kernel::number::dd::Dd;
 pub struct Case {
     /// Name of the function in the table.
     pub function: &'static str,
-    /// Names of the results, one row each. A single unnamed result is "".
+    /// Names of the results, each with a row of the table. A single unnamed result is "".
     pub fields: &'static [&'static str],
     /// Public functions of the kernel that the case measures, with the paths of `crate::budgets::public`.
     pub covers: &'static [&'static str],
@@ -19,12 +19,12 @@ pub struct Case {
     pub domain: Domain,
     pub draw: fn(&Domain, &mut Source) -> Arguments,
     pub error: fn(&Arguments) -> Results<f64>,
-    /// `true` for one argument of `f32`, for which [`Domain::counted`] is evaluated in full.
+    /// True for functions of one `f32` argument, for which all of [`Domain::counted`] is evaluated.
     pub countable: bool,
 }
 
 impl Case {
-    /// Returns the numbers of the counted domain, by their bits.
+    /// Returns all numbers of the counted domain, one after another in their bits.
     pub fn counted(&self) -> impl Iterator<Item = Arguments> + use<> {
         let (from, to, negative) = self.domain.counted;
         let through = if self.countable {
@@ -51,7 +51,7 @@ struct Shape {
     countable: bool,
 }
 
-/// Creates a case with the unit of `F`.
+/// Returns a case whose errors are in the unit of `F`.
 fn case<F: Formula, T: Real>(shape: &Shape, error: fn(&Arguments) -> Results<f64>) -> Case {
     Case {
         function: shape.function,
@@ -66,7 +66,7 @@ fn case<F: Formula, T: Real>(shape: &Shape, error: fn(&Arguments) -> Results<f64
     }
 }
 
-/// Creates three cases: `f32` measured by `f64`, `f64` by double-double, double-double by big numbers.
+/// Returns three cases: `f32` compared with `f64`, `f64` with double-double, double-double with big numbers.
 fn three<F: Formula>(shape: &Shape) -> Vec<Case> {
     vec![
         case::<F, f32>(shape, against::<F, f32, f64>),

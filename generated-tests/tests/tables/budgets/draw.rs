@@ -1,4 +1,4 @@
-//! Random arguments: uniform in their bits, and dense next to zeros, poles and branch points.
+//! Draws random arguments. They are uniform in their bits, and dense next to zeros, poles and branch points.
 
 mod modes;
 
@@ -24,19 +24,19 @@ impl Source {
         self.between(low, high).exp2() * self.between(1.0, 1.0 + 1e-9)
     }
 
-    /// Returns a number as [`size`](Self::size) does, with a random sign.
+    /// Returns a number like [`size`](Self::size), with a random sign.
     fn spread(&mut self, low: f64, high: f64) -> f64 {
         let size = self.size(low, high);
         if self.next() & 1 == 0 { size } else { -size }
     }
 
-    /// Returns a number next to a place, on either side, at a distance between 2^−`close` and 1/4.
+    /// Returns a number next to `place`, on either side, at a distance between 2^−`close` and 1/4.
     fn beside(&mut self, place: f64, close: f64) -> f64 {
         place + self.spread(-close, -2.0)
     }
 }
 
-/// Range of the exponents of a scalar, and its number of bits.
+/// Range of a scalar's exponents, and its number of bits.
 #[derive(Clone, Copy)]
 pub struct Span {
     low: f64,
@@ -44,17 +44,18 @@ pub struct Span {
     bits: f64,
 }
 
-/// Domain of a function: its text in the table, and the way to draw arguments from it.
+/// Domain of a function: its text in the table, and the function that draws arguments from it.
 #[derive(Clone, Copy)]
 pub struct Domain {
     pub text: &'static str,
     pub draw: fn(&mut Source, Span) -> [f64; 3],
-    /// Returns `true` if the domain contains arguments that were rounded or counted.
+    /// Function that returns true if the domain contains the arguments. It is called for arguments that were rounded or
+    /// counted.
     pub holds: fn([f64; 3]) -> bool,
     /// `true` if a double-double may have a low part.
     pub tails: bool,
     /// Range of `f32` arguments that are all evaluated: from, to, and `true` if the negative numbers are evaluated too.
-    /// Beyond the range the results change by powers of two only, or not at all. Exceptions are stated.
+    /// Beyond the range the results change by powers of two only, or not at all. The code states exceptions.
     pub counted: (f32, f32, bool),
 }
 
@@ -80,7 +81,7 @@ pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
             high: 1023.0,
             bits: 53.0,
         },
-        // The low parts, and products of them, must not be subnormal.
+        // The low parts of double-doubles, and products of them, must not be subnormal.
         _ => Span {
             low: -400.0,
             high: 400.0,
@@ -96,7 +97,7 @@ pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
         if !(domain.holds)(drawn) {
             continue;
         }
-        // Half of the double-doubles have a low part. Whole numbers have none, because they are special places.
+        // Half of the double-doubles have a low part. Whole numbers have none, because they are special positions.
         let tail = T::FORMAT.0 == 105 && domain.tails && source.next() & 1 == 0;
         return drawn.map(|x| {
             let lost = if tail && x.fract() != 0.0 {
@@ -220,7 +221,7 @@ pub const DECAYS: Domain = Domain {
     counted: (power(-14), power(10), false),
 };
 
-/// Numbers z with z² in the normal range.
+/// Numbers z whose square z² is a normal number.
 pub const SINC: Domain = Domain {
     text: "all z with a normal z², crowded beside 0, ±3/4 and the integers",
     draw: |s, span| {
@@ -264,7 +265,7 @@ pub const DOUBLES: Domain = Domain {
     ..PAIRS
 };
 
-/// Numbers for one or two complex arguments, with squares in the normal range.
+/// Numbers for one or two complex arguments, whose squares are normal numbers.
 pub const COMPLEX: Domain = Domain {
     text: "moduli with squares in the normal range",
     draw: |s, span| {
@@ -287,7 +288,7 @@ pub const COMPLEX: Domain = Domain {
     counted: (0.0, 0.0, false),
 };
 
-/// Complex numbers of any size with normal reciprocals.
+/// Complex numbers of any size whose reciprocals are normal numbers.
 pub const LARGE_COMPLEX: Domain = Domain {
     text: "moduli of any size with a normal reciprocal",
     draw: |s, span| {

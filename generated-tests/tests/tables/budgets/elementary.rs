@@ -1,4 +1,4 @@
-//! Elementary functions of the kernel, with their definitions.
+//! Measures elementary functions of the kernel against their definitions.
 
 use crate::budgets::big::Big;
 use crate::budgets::measure::{Formula, Real, Results, Unit};
@@ -47,7 +47,7 @@ fn sin_cos<T: Real>(h: T) -> [T; 2] {
     }
 }
 
-/// Returns `true` if the module's function has the result of the scalar's method.
+/// Returns true if the function of the kernel's module has the same result as the scalar's method.
 fn module_agrees<T: Real>(h: T, sin: T) -> bool {
     let (h, sin) = (h.to_f64(), sin.to_f64());
     match T::FORMAT.0 {
@@ -83,8 +83,8 @@ fn angle(y: Big, x: Big) -> Option<Vec<Big>> {
 formulas! {
     SinCosPi Place: |h, b, c| sin_cos(h), { let (s, c) = h.sin_cos_pi(); Some(vec![s, c]) };
     SinCosPiMinus Place: |h, d, c| <[T; 2]>::from(h.sin_cos_pi_minus(d)), {
-        // For numbers of very different sizes the difference has more digits than a big number, so the addition
-        // theorems are used.
+        // If two numbers have very different sizes, their difference has more digits than a big number can hold. The
+        // addition theorems are used instead.
         if h.is_zero() || d.is_zero() || (h.order() - d.order()).abs() < 300 {
             let (sin, cos) = (h - d).sin_cos_pi();
             return Some(vec![sin, cos]);
@@ -117,13 +117,13 @@ formulas! {
     Subtract Place: |x, y, c| [x - y], Some(vec![x - y]);
     Multiply Place: |x, y, c| [x * y], Some(vec![x * y]);
     Divide Place: |x, y, c| [x / y], Some(vec![quotient(x, y)?]);
-    /// The sum of two `f64` is exact.
+    /// Sum of two `f64`, which is exact.
     DdSum Place: |x, y, c| [T::of(Dd::sum(x.to_f64(), y.to_f64()))], Some(vec![x + y]);
-    /// The product of two `f64` is exact.
+    /// Product of two `f64`, which is exact.
     DdProduct Place: |x, y, c| [T::of(Dd::product(x.to_f64(), y.to_f64()))], Some(vec![x * y]);
     Margin Norm: |beta, continuous, sliding| {
         let one = T::constant(1.0);
-        // The 1 that is subtracted counts as part of the size.
+        // The 1 that is subtracted counts as part of the result's size.
         [frictiongen_kernel::contact::regime::margin(beta, continuous, sliding), one]
     }, {
         let limit = if (continuous.clone() - sliding.clone()).is_negative() { continuous } else { sliding };

@@ -1,20 +1,20 @@
-//! Units of error, and the error of a function in these units.
+//! Defines the units of error, and measures the error of a function in these units.
 
 use crate::budgets::big::Big;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// Arguments of a function, each exactly a number of its scalar.
+/// Arguments of a function. Each is exactly a number of its scalar.
 pub type Arguments = [Dd; 3];
-/// Results of a function, followed by zeros.
+/// Results of a function. Unused elements are zero.
 pub type Results<T> = [T; 5];
 
 /// A scalar under test.
 pub trait Real: Float {
     /// Number of bits of the significand, and exponent of the smallest normal number.
     const FORMAT: (i32, i64);
-    /// Name in the table.
+    /// Name of the scalar in the table.
     const NAME: &'static str;
     fn of(x: Dd) -> Self;
     fn widened(self) -> Dd;
@@ -35,8 +35,8 @@ impl Real for f32 {
     const FORMAT: (i32, i64) = (24, -126);
     const NAME: &'static str = "f32";
     fn of(x: Dd) -> Self {
-        // Rounding by way of `f64` could round a number twice. The arguments are exact, so they are not affected. The
-        // constants of a mode are off by at most 2^−30 of a unit more.
+        // Rounding first to `f64` could round a number twice. The arguments are exact, so they are not affected. The
+        // constants of a mode get an additional error of at most 2^−30 of a unit.
         x.to_f64() as f32
     }
     fn widened(self) -> Dd {
@@ -56,7 +56,8 @@ impl Real for f64 {
 }
 
 impl Real for Dd {
-    // The unit is 2^−104 of the leading power of two. The low part must not be subnormal.
+    // The unit of a double-double is 2^−104 times the largest power of two that is not above the number. The low part
+    // must not be subnormal.
     const FORMAT: (i32, i64) = (105, -916);
     const NAME: &'static str = "Dd";
     fn of(x: Dd) -> Self {
@@ -70,7 +71,7 @@ impl Real for Dd {
     }
 }
 
-/// Dual numbers, which only tell how strongly a result depends on an argument.
+/// Dual numbers serve only to measure how strongly a result depends on an argument.
 impl<S: Real> Real for Dual<S> {
     const FORMAT: (i32, i64) = S::FORMAT;
     const NAME: &'static str = "dual";
@@ -90,12 +91,12 @@ impl<S: Real> Real for Dual<S> {
 pub enum Unit {
     /// Units in the last place of the exact result.
     Place,
-    /// |error of all results together|/(ε·|all results|), with ε = 2^−23, 2^−52 or 2^−104.
+    /// Error of all results together over ε times the size of all results, with ε = 2^−23, 2^−52 or 2^−104.
     Norm,
-    /// Error over ε·(|f| + Σ|a·∂f/∂a|), summed over the arguments a. At 1, a change of one ε in the result and in every
-    /// argument explains the error.
+    /// Error over ε·(|f| + Σ|a·∂f/∂a|), summed over the arguments a. An error of 1 is explained by a change of one ε in
+    /// the result and in every argument.
     Mixed,
-    /// As [`Mixed`](Self::Mixed), but the error is also compared with a larger term to which the result is added.
+    /// Unit as [`Mixed`](Self::Mixed), but the error is also compared with a larger term to which the result is added.
     Size,
 }
 
@@ -110,7 +111,7 @@ impl Unit {
     }
 }
 
-/// A function of the kernel with any scalar, and the printed formula in big numbers.
+/// A function of the kernel with any scalar, and its printed formula in big numbers.
 pub trait Formula {
     const UNIT: Unit = Unit::Place;
     fn at<T: Real>(a: [T; 3]) -> Results<T>;
@@ -135,12 +136,12 @@ pub fn plus(a: Results<f64>, b: Results<f64>) -> Results<f64> {
 fn unit<T: Real>(value: f64) -> f64 {
     let (bits, least) = T::FORMAT;
     let exponent = i64::from((value.abs().to_bits() >> 52) as u32) - 1023;
-    // A power of two as a product of two factors, neither of which is below the range of `f64`.
+    // The power of two is a product of two factors, neither of which underflows in `f64`.
     let power = exponent.max(least) as i32 - bits + 1;
     2.0_f64.powi(power / 2) * 2.0_f64.powi(power - power / 2)
 }
 
-/// Returns `off` = got − want over the unit. `want` comes from a better scalar.
+/// Returns the error `off` = got − want in units in the last place. `want` comes from a more accurate scalar.
 fn places<T: Real>(got: Dd, want: Dd, off: f64) -> f64 {
     if got.hi.is_nan() || want.hi.is_nan() {
         return if got.hi.is_nan() && want.hi.is_nan() {
@@ -153,7 +154,7 @@ fn places<T: Real>(got: Dd, want: Dd, off: f64) -> f64 {
         return 0.0;
     }
     if !got.hi.is_finite() || !want.hi.is_finite() {
-        // Past the largest number both have overflowed.
+        // Beyond the largest number both results have overflowed.
         let largest = if T::FORMAT.0 == 24 {
             f64::from(f32::MAX)
         } else {

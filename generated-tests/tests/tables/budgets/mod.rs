@@ -1,4 +1,4 @@
-//! Worst error of every numeric function of the kernel, and the error that is allowed.
+//! Measures the worst error of every numeric function of the kernel, and compares it with the error that is allowed.
 //!
 //! `table.csv` has the budgets and the worst errors with their arguments. `docs/accuracy.md` shows them. `f32` is
 //! measured by `f64`, `f64` by double-double, and double-double by big numbers ([`big`]). Big numbers share nothing
@@ -31,7 +31,8 @@ use measure::Arguments;
 use std::sync::Mutex;
 use table::Row;
 
-/// Largest error of the reference, in units of the measured scalar: ten units of `f64` in one of `f32`.
+/// Largest error of the reference, in units of the measured scalar. An error of ten units of `f64` is 1e-7 units of
+/// `f32` or less.
 const REFERENCE: f64 = 1e-7;
 
 fn asked_to_write() -> bool {
@@ -75,7 +76,7 @@ fn every_function_stays_within_its_budget() {
                 "{what}: {error} exceeds {} at {place:?}",
                 row.budget
             );
-            // The worst arguments of the table must not exceed the budget now either.
+            // The worst arguments of the table must not exceed the budget in this version of the code either.
             let again = (case.error)(&row.place)[i];
             assert!(
                 again <= row.budget + REFERENCE,
@@ -106,7 +107,8 @@ fn every_row_is_measured() {
     }
 }
 
-/// Tests values that ulps do not measure: signs of zero, infinities, NaN, and the bounds of the range.
+/// Tests values for which units in the last place mean nothing: signs of zero, infinities, NaN, and the bounds of the
+/// range.
 fn ends_of_the_range<T: measure::Real>(least: f64, largest: f64) {
     use frictiongen_kernel::number::special::{exp_m1_minus, versine_pi};
     let c = T::constant;
@@ -124,7 +126,7 @@ fn ends_of_the_range<T: measure::Real>(least: f64, largest: f64) {
         ];
         assert!(functions.iter().all(|f| of(*f, zero) == 0.0));
         assert_eq!([of(T::exp, zero), of(T::cos_pi, zero)], [1.0, 1.0]);
-        // The sign of a zero must not decide between π and −π.
+        // Between π and −π the sign of a zero must not decide.
         assert!(c(zero).atan2(c(-1.0)).to_f64() > 3.0);
     }
     let functions: [fn(T) -> T; 8] = [
@@ -163,7 +165,7 @@ fn ends_of_the_range<T: measure::Real>(least: f64, largest: f64) {
         ],
         [1.0, 1.0]
     );
-    // π times the smallest number is rounded, and its squares and cubes are 0.
+    // π times the smallest number is rounded, and the squares and cubes of that number are 0.
     assert_eq!(
         [of(T::sin_pi, least), of(T::exp_m1, least)],
         [3.0 * least, least]
@@ -184,7 +186,7 @@ fn ends_of_every_range() {
 fn the_measure_sees_an_error() {
     use frictiongen_kernel::number::dd::Dd;
     use measure::{Formula, Real, Results, against, against_big};
-    /// 1 + x with a result that is two units off in `f64`.
+    /// The function 1 + x with an error of two units in `f64`, which the measurement must detect.
     struct Wrong;
     impl Formula for Wrong {
         fn at<T: Real>([x, ..]: [T; 3]) -> Results<T> {
@@ -206,7 +208,8 @@ fn the_measure_sees_an_error() {
     assert!(against_big::<Wrong>(&quarter)[0] > 1e30);
 }
 
-/// Number of random points in the long form. A mode's functions are drawn for each kind of mode, ten million together.
+/// Returns the number of random points in the long form. Points of a mode's functions are drawn for each kind of mode,
+/// ten million together.
 fn points(case: &Case) -> usize {
     match case.scalar {
         "Dd" => 10_000,

@@ -1,5 +1,5 @@
-//! Response of a mode and its motion in time, each also as the thesis prints it (section 7.2, appendix B). In big
-//! numbers the printed forms lose nothing.
+//! Measures the response of a mode and its motion in time. The reference is the form that the thesis prints (section
+//! 7.2, appendix B). In big numbers the printed forms lose no digits.
 
 use crate::budgets::big::Big;
 use crate::budgets::measure::{Arguments, Formula, Real, Results, Unit, plus};
@@ -67,7 +67,7 @@ fn turning(zeta: &Big, turns: &Big) -> (Big, Big) {
     (decay.clone() * cos, decay * sin / q)
 }
 
-/// Returns x² − 1 and 2ζx, then u R², g and g + 2ζRu (7.11, 7.12), each times |x² − 1| + 2ζx.
+/// Returns five numbers: x² − 1, 2ζx, and the products of u R², g and g + 2ζRu (7.11, 7.12) with |x² − 1| + 2ζx.
 fn printed_response(x: &Big, zeta: &Big) -> Option<Vec<Big>> {
     let two_loss = zeta.clone().shifted(1) * x.clone();
     let re = x.clone() * x.clone() - one();
@@ -81,7 +81,7 @@ fn printed_response(x: &Big, zeta: &Big) -> Option<Vec<Big>> {
     } else {
         let e = (-(Big::pi() * zeta.clone() * x.clone())).exp();
         let (cos, sin_over_q) = turning(zeta, x);
-        // `turning` already contains the factor e.
+        // The result of `turning` already contains the factor e^{−a}.
         let d = one() + e.clone() * e.clone() + cos.shifted(1);
         let u = x.clone() * sin_over_q.clone().shifted(1) / d.clone();
         let g = (one() - e.clone() * e - zeta.clone().shifted(1) * sin_over_q) / d;
@@ -121,8 +121,9 @@ impl Formula for Response {
     }
 }
 
-/// As [`Response`], for modes that keep little of their motion over a half period. u and 1 − g then vanish compared
-/// with the inverse effective mass of the contact, to which they are added. `size` allows for it.
+/// Results of [`Mode::response`] for modes that keep little of their motion over a half period. u and 1 − g then vanish
+/// compared with the inverse effective mass of the contact, to which they are added. The `size` of the error allows for
+/// this.
 pub struct DecayedResponse;
 impl Formula for DecayedResponse {
     const UNIT: Unit = Unit::Size;
@@ -138,7 +139,8 @@ impl Formula for DecayedResponse {
     }
 }
 
-/// As [`Response`], but without damping: the denominator of v, and u. Their errors are counted in ulps.
+/// Results of [`Mode::response`] without damping: the denominator of v, and u. Their errors are in units in the last
+/// place.
 pub struct PlainResponse;
 impl Formula for PlainResponse {
     fn at<T: Real>([x, zeta, _]: [T; 3]) -> Results<T> {
@@ -182,9 +184,9 @@ fn fields<T>(basis: Basis<T>) -> Results<T> {
     ]
 }
 
-/// Sizes of the results in time. The differences sin τ − p and cos τ − p′ are multiplied by damping functions that grow
-/// as 1/(|x − 1| + ζ) near the resonance. There a change of x explains none of their error. The first is compared with
-/// sin τ, the second with itself, and with 1 beyond τ = π/2.
+/// Returns the sizes of the results in time. The differences sin τ − p and cos τ − p′ are multiplied by damping
+/// functions that grow as 1/(|x − 1| + ζ) near the resonance. There a change of x explains none of their error. The
+/// first is compared with sin τ, the second with itself, and with 1 beyond τ = π/2.
 fn in_time_scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
     let [x, zeta, t] = a.map(Dd::to_f64);
     let (distance, [by_x, by_zeta, by_t]) = ((x - 1.0).abs(), moved);
@@ -200,8 +202,8 @@ fn in_time_scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) 
     scales
 }
 
-/// Effect of second order: 1 − d touches 0 after each whole turn. It is (xτε)²/2 over x², and as much for each other
-/// argument.
+/// Returns the effect of second order. 1 − d touches 0 after each whole turn. The effect is (xτε)²/2 over x², and as
+/// much for each other argument.
 fn in_time_curved(a: &Arguments) -> Results<f64> {
     let tau = a[2].to_f64() * std::f64::consts::PI;
     [0.0, 0.0, 0.0, 0.0, 2.0 * tau * tau]
@@ -225,8 +227,8 @@ impl Formula for InTime {
     }
 }
 
-/// As [`InTime`], after most of the motion has decayed. p and the other results are then compared with their initial
-/// sizes.
+/// Results of [`Damped::basis`] after most of the motion has decayed. p and the other results are then compared with
+/// their initial sizes.
 pub struct DecayedInTime;
 impl Formula for DecayedInTime {
     const UNIT: Unit = Unit::Size;

@@ -14,7 +14,7 @@ const HEAD: &str = include_str!("page_head.md");
 const TAIL: &str = include_str!("page_costs.md");
 const SCALARS: [&str; 3] = ["f32", "f64", "Dd"];
 
-/// Formats an error with two decimals, rounded up.
+/// Returns an error as text with two decimals, rounded up.
 fn shown(error: f64) -> String {
     let up = (error * 100.0 - 1e-5).ceil().max(0.0) / 100.0;
     format!("{up:.2}")

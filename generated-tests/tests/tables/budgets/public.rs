@@ -1,4 +1,4 @@
-//! Tests that every public function of the kernel has a row, by reading the sources.
+//! Tests that every public function of the kernel has a row in the table, by reading the sources.
 
 use crate::budgets::cases;
 use proc_macro2::{TokenStream, TokenTree};
@@ -8,7 +8,7 @@ use syn::{ImplItem, Item, TraitItem, Type, Visibility};
 
 const KERNEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../frictiongen-kernel/src");
 
-/// Functions that compute no numbers of their own, with the reason.
+/// Functions that compute no numbers of their own. Each list has the reason.
 const NO_NUMBERS: [(&str, &[&str]); 4] = [
     (
         "hands on, picks or compares numbers as they are",
@@ -106,7 +106,8 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
     ),
 ];
 
-/// Functions of whole scenes, whose error depends as much on the scene, with the tests that measure them.
+/// Functions of whole scenes, whose error depends as much on the scene as on the function. Each list names the tests
+/// that measure them.
 const WHOLE_SCENES: [(&str, &[&str]); 4] = [
     (
         "sums over modes and what is made of them: closed_form, backward",
@@ -282,7 +283,7 @@ fn every_public_function_has_a_row() {
         Path::new(KERNEL),
         &mut found,
     );
-    // Counts the lists that name each function.
+    // `named` counts the lists that contain each function.
     let mut named: BTreeMap<&str, usize> = BTreeMap::new();
     let measured: BTreeSet<&str> = cases::all()
         .iter()

@@ -1,4 +1,4 @@
-//! The budgets as data: reads and writes `table.csv`.
+//! Reads and writes the budgets in `table.csv`.
 
 use crate::budgets::cases::Case;
 use crate::budgets::measure::Arguments;
@@ -20,7 +20,7 @@ pub struct Row {
     pub unit: String,
     /// Largest error that the tests allow.
     pub budget: f64,
-    /// Largest error that was met. `place` has its arguments.
+    /// Largest error that was measured. `place` has its arguments.
     pub worst: f64,
     pub place: Arguments,
     pub domain: String,
@@ -99,7 +99,7 @@ pub fn write(rows: &[Row]) {
     std::fs::write(PATH, text).expect("the table is written");
 }
 
-/// Returns the rows of a case in the order of its results, or `None` if one is missing or has another unit or domain.
+/// Returns the rows of a case in the order of its results. `None` if one is missing, or has another unit or domain.
 pub fn rows_of(table: &[Row], case: &Case) -> Option<Vec<Row>> {
     case.fields
         .iter()
@@ -117,7 +117,7 @@ pub fn rows_of(table: &[Row], case: &Case) -> Option<Vec<Row>> {
         .collect()
 }
 
-/// Proposes a budget for a new row: the next of a few round numbers that leaves a margin of a tenth. Later it is
+/// Returns a budget for a new row: the next of a few round numbers that leaves a margin of a tenth. Later the budget is
 /// changed by hand only.
 pub fn first_budget(worst: f64) -> f64 {
     const STEPS: [f64; 15] = [

@@ -1,8 +1,8 @@
-//! Tests that every result of a table is within its accuracy.
+//! Tests that every result of a table is within its declared accuracy.
 //!
 //! The reference is the exact system in double precision, which is itself uncertain by some roundings of r. Near a zero
-//! of a limit that is more than the accuracy. A result may therefore deviate further in two ways: by the change of the
-//! exact result over 16 roundings of r, and by the rounding of a large sum, which matters near zeros of V.
+//! of a limit this uncertainty exceeds the accuracy. A result may therefore deviate further in two ways: by the change
+//! of the exact result over 16 roundings of r, and by the rounding of a large sum, which matters near zeros of V.
 
 use super::exact::{Exact, turn};
 use super::random;
@@ -13,7 +13,7 @@ use frictiongen::study::table::{FRICTION_SHARES, TableError};
 use frictiongen_kernel::Float;
 use fuzzing::Random;
 
-/// Number of roundings of r. A scene may be refused if they change β_lim by more than the accuracy.
+/// Number of roundings of r. A scene may be refused if this change of r changes β_lim by more than the accuracy.
 const UNKNOWN: f64 = 64.0;
 /// Accuracy below which a scene of ten masses may also be refused. The motion of its last mass is what remains of far
 /// larger terms that cancel.
@@ -28,16 +28,16 @@ pub fn points(default: usize) -> usize {
         .unwrap_or(default)
 }
 
-/// Worst results of a run at one accuracy.
+/// Worst results of a test at one accuracy.
 struct Tally {
     accuracy: f64,
     points: usize,
     compared: usize,
-    /// Number of scenes whose β*_lim has no product form.
+    /// Number of scenes in which β*_lim has no product form.
     by_sums: usize,
     /// Number of points near a zero at which the exact result is too uncertain.
     skipped: usize,
-    /// Largest errors over the accuracy: β_lim, β*_lim, amplitude, phase.
+    /// Largest errors divided by the accuracy, of β_lim, β*_lim, amplitude and phase.
     worst: [f64; 4],
     failures: Vec<String>,
     /// Scenes for which no table could be built.
@@ -58,7 +58,7 @@ impl Tally {
         }
     }
 
-    /// Builds the table of a scene, or returns `None` if no table reaches the accuracy.
+    /// Builds the table of a scene. Returns `None` if no table reaches the accuracy.
     fn table<'a, S: Float>(
         &mut self,
         name: &str,
@@ -76,8 +76,8 @@ impl Tally {
                 let unmet = format!(
                     "{name} at {accuracy:e}: r = {at}, {reached:?}, a rounding of r moves β_lim by {known:.1e}"
                 );
-                // If an undamped mode hardly moves the contact, a subharmonic is only 10⁻⁹ of r wide. No table can
-                // follow what some roundings of r decide.
+                // If an undamped mode hardly moves the contact, the influence of a subharmonic is only 10⁻⁹ of r wide.
+                // No table can follow a function that some roundings of r change.
                 let unknown = accuracy < UNKNOWN * known;
                 assert!(unknown || accuracy < FINE, "{unmet}");
                 self.unmet.push(unmet);
@@ -87,7 +87,8 @@ impl Tally {
         }
     }
 
-    /// Judges one result by its relative error. An error above the accuracy is reduced by the noise of the reference.
+    /// Records one result by its relative error. If the error is above the accuracy, the noise of the reference is
+    /// subtracted.
     fn answer(&mut self, which: usize, error: f64, noise: impl FnOnce() -> f64, place: &Place<'_>) {
         self.compared += 1;
         let mut error = error / self.accuracy;
@@ -161,7 +162,7 @@ fn moved_by_a_rounding(exact: &System<f64>, at: f64) -> f64 {
     moves.fold(0.0, f64::max)
 }
 
-/// Point at which tables are compared. `share` is β over the smaller limit.
+/// A point at which tables are compared. `share` is β over the smaller limit.
 #[derive(Debug)]
 struct Place<'a> {
     #[expect(dead_code, reason = "printed")]
@@ -170,7 +171,8 @@ struct Place<'a> {
     share: f64,
 }
 
-/// Compares the tables of a scene, one for each tally, at the same points, because the exact results cost most.
+/// Compares the tables of a scene, one for each tally. All are compared at the same points, because the exact results
+/// take most of the time.
 fn check<S: Float>(name: &str, text: &str, points: usize, tallies: &mut [Tally]) {
     let exact: System<f64> = text.parse().expect("a scene");
     let system: System<S> = text.parse().expect("a scene");
@@ -181,7 +183,7 @@ fn check<S: Float>(name: &str, text: &str, points: usize, tallies: &mut [Tally])
     let mut random = Random(name.len() as u64 * 7919 + points as u64);
     let ratios = (0..points).map(|_| random.between(RANGE.start, RANGE.end));
     let mut ratios: Vec<f64> = ratios.collect();
-    // Bounds, zeros, kinks, resonances and their neighbours.
+    // The points are bounds, zeros, kinks and resonances, each with neighbours.
     let pieces = tables.iter().flatten().flat_map(|table| {
         let pieces = &table.tables().pieces;
         pieces.iter().map(|piece| piece.from.to_f64())
@@ -325,7 +327,7 @@ fn of_random_scenes_whole() {
     random_scenes(&[1e-2, 1e-3, 1e-4, 1e-6, 1e-9], 100, 100_000);
 }
 
-/// A mode that the contact drives and the load does not is a pole of H alone, at which β*_lim vanishes.
+/// Checks a mode that the contact drives and the load does not. It is a pole of H alone, at which β*_lim vanishes.
 #[test]
 fn of_a_mode_that_the_load_does_not_drive() {
     for damping in ["none", "modal(0.03)"] {
@@ -343,7 +345,8 @@ fn of_a_mode_that_the_load_does_not_drive() {
     }
 }
 
-/// One of several modes may be undamped. β_lim vanishes at its subharmonics, however the other modes are damped.
+/// Checks a chain in which one of several modes is undamped. β_lim vanishes at the subharmonics of that mode, whatever
+/// the damping of the other modes.
 #[test]
 fn of_one_undamped_mode_among_damped_ones() {
     let text = "struct Mixed { masses: { a: 1, b: 2, c: 1 },

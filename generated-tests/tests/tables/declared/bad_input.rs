@@ -1,5 +1,4 @@
-//! Tests that a request that cannot be met is reported at the token that makes it. The other messages are in
-//! `docs/messages.md`.
+//! Tests that a request that cannot be met is reported at its token. `docs/messages.md` has the other messages.
 
 use super::scenes::scene;
 use frictiongen_codegen::{Limits, parse_text};

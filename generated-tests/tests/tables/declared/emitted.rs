@@ -103,7 +103,7 @@ scene! { NEVER_STUCK: struct NeverStuck {
     range: { r: 0.4..0.8, beta: 0..0.4 },
 } }
 
-/// Frequency ratios over a range, including its bounds.
+/// Returns frequency ratios over a range, including its bounds.
 fn ratios(low: f64, high: f64) -> impl Iterator<Item = f64> {
     (0..=1000).map(move |k| low + (high - low) * f64::from(k) / 1000.0)
 }
@@ -159,7 +159,8 @@ fn of_the_run_time_system() {
     assert_eq!(compared, 3003);
 }
 
-/// Code for regimes that the declared friction ratios cannot reach is left out, and no result changes by it.
+/// Checks that code for regimes that the declared friction ratios cannot reach is left out, and that no result changes
+/// by this.
 #[test]
 fn out_of_reach() {
     let domain = Sliding.domain();
@@ -210,13 +211,13 @@ fn out_of_reach() {
         }
     }
     assert!(seen[0] > 300 && seen[1] > 300, "{seen:?}");
-    // Nothing is left out without declared friction ratios, or if exact formulas serve β beyond them.
+    // No code is left out if no friction ratios are declared, or if exact formulas are used for β beyond them.
     for domain in [Damped.domain(), ExactBeyond.domain()] {
         assert!(!domain.always_continuous && !domain.never_stuck);
     }
 }
 
-/// Quantities without a table come from the exact formulas, to the bit.
+/// Checks that quantities without a table come from the exact formulas, to the bit.
 #[test]
 fn the_rest_is_exact() {
     let text = DAMPED.split("accuracy").next().unwrap().to_owned() + "}";
@@ -263,7 +264,7 @@ fn the_rest_is_exact() {
     }
 }
 
-/// The error for a friction ratio that the tables do not contain.
+/// Returns the error for a friction ratio that the tables do not contain.
 fn friction_error(beta: f64) -> OutOfDomain {
     match Given::of(beta) {
         Given::Positive | Given::Zero => OutOfDomain::OutsideTables(Ratio::Friction),
@@ -318,7 +319,7 @@ fn beyond_the_range() {
     assert!(ExactBeyond::at(1.0).unwrap().is_within());
 }
 
-/// Regimes are right, except within the accuracy of a limit.
+/// Checks that regimes are right, except within the accuracy of a limit.
 #[test]
 fn regimes() {
     let text = DAMPED.split("accuracy").next().unwrap().to_owned() + "}";
@@ -354,7 +355,7 @@ fn regimes() {
     assert_eq!(Damped::at(1.0).unwrap().regime(1e6), Ok(Regime::Stuck));
 }
 
-/// Above 0.98 of β_lim the error grows as 1/(1 − (β/β_lim)²), as `docs/tables.md` states.
+/// Checks that above 0.98 of β_lim the error grows as 1/(1 − (β/β_lim)²), as `docs/tables.md` states.
 #[test]
 fn close_to_the_limit() {
     let system: System = (DAMPED.split("accuracy").next().unwrap().to_owned() + "}")
@@ -382,7 +383,7 @@ fn close_to_the_limit() {
     assert!(worst < 1.0 && compared > 2000);
 }
 
-/// With `side: safe` no result is wrong on the unsafe side.
+/// Checks that with `side: safe` no result is wrong on the unsafe side.
 #[test]
 fn the_safe_side() {
     let exact: System = (SAFE.split("accuracy").next().unwrap().to_owned() + "}")
@@ -399,7 +400,7 @@ fn the_safe_side() {
     println!("β_lim below the exact one by {least:.1e} to {most:.1e}");
 }
 
-/// With `budget` the finest table that fits is used, and the doc comment says so.
+/// Checks that with `budget` the most accurate table that fits is used, and that the doc comment states its accuracy.
 #[test]
 fn a_budget() {
     let system: System = (BYTES.split("provide").next().unwrap().to_owned() + "}")
@@ -424,7 +425,7 @@ fn a_budget() {
     assert!(worst <= tables.request.accuracy);
 }
 
-/// The same sweep, map or fit accepts scenes with tables.
+/// Checks that the same generic sweep, map or fit accepts scenes with tables.
 #[test]
 fn through_the_traits() {
     fn narrowest<F: FrictionSystem<Scalar = f64>>(system: &F) -> f64 {

@@ -104,7 +104,7 @@ fn apart(a: Complex<f64>, b: Complex<f64>) -> f64 {
     (a.re - b.re).hypot(a.im - b.im)
 }
 
-/// Frequency ratios over a range, including its bounds.
+/// Returns frequency ratios over a range, including its bounds.
 fn ratios(low: f64, high: f64) -> impl Iterator<Item = f64> {
     (0..=1000).map(move |k| low + (high - low) * f64::from(k) / 1000.0)
 }
@@ -127,7 +127,7 @@ macro_rules! within {
             for (answer, expected) in pairs {
                 let size = expected.re.hypot(expected.im);
                 let off = apart(wide(answer), expected);
-                // A mass that does not move has only rounding errors.
+                // A mass that does not move has only rounding errors, so its modulus counts as at least 1e-9.
                 worst = worst.max(off / size.max(1e-9));
             }
         }
@@ -154,7 +154,7 @@ fn within_the_accuracy() {
     within!(FewBytes, FEW_BYTES, f64, 0.3..2.0, 1e-9, [a, b, c, d]);
 }
 
-/// Asserts that the products equal those of the run-time system bit for bit.
+/// Asserts that the emitted products equal those of the run-time system bit for bit.
 macro_rules! as_at_run_time {
     ($scene:ident, $text:ident, $scalar:ident, $range:expr, $accuracy:expr) => {{
         let (range, system) = ($range, $text.parse::<System<$scalar>>().unwrap());
@@ -173,7 +173,7 @@ macro_rules! as_at_run_time {
                 assert_eq!(emitted.mass_at(mass), compiled.mass_at(mass));
                 assert_eq!(emitted.mass_at(mass).is_none(), mass == masses);
             }
-            // Sweeps and maps call through this trait.
+            // Generic sweeps and maps call the responses through this trait.
             let through = StuckAt::stuck_mass(&tables.at(r).unwrap(), 0).unwrap();
             assert_eq!(through, emitted.mass_at(0));
         }
@@ -194,8 +194,8 @@ fn of_the_run_time_system() {
     as_at_run_time!(Single, SINGLE, f32, 0.2..2.5, 1e-5);
 }
 
-/// If the upper mass sticks, the lower one is on springs of 1 and 3. Its resonance is r = 2, where the response is
-/// infinite.
+/// Checks the response on a pole. If the upper mass sticks, the lower one is on springs of 1 and 3. The response is
+/// infinite at its resonance r = 2.
 #[test]
 fn on_a_pole() {
     let resonance = OnTwo::at(2.0).unwrap().stuck();
@@ -204,7 +204,7 @@ fn on_a_pole() {
     let tables = tabled.compile(0.3..2.5, 1e-6).unwrap();
     let resonance = tables.at(2.0).unwrap().stuck();
     assert_eq!(resonance.map(drop), Err(StuckResonance));
-    // The exact sums also report the resonance, or leave a value of the order of 1/rounding.
+    // At the resonance the exact sums return an error, or a value of the order of 1/rounding.
     if let Ok(stuck) = exact(ON_TWO).at(2.0).unwrap().stuck() {
         assert!(stuck.mass("lower").unwrap().re.abs() > 1e14);
     }
@@ -247,7 +247,7 @@ fn beyond_the_range() {
     assert_eq!(Five::at(f64::NAN).map(drop), none);
 }
 
-/// If the products do not fit, the exact formulas are used, to the bit.
+/// Checks that the exact formulas are used, to the bit, if the products do not fit.
 #[test]
 fn without_products() {
     for r in ratios(0.3, 2.0) {
@@ -258,7 +258,7 @@ fn without_products() {
             assert_eq!(stuck.mass(mass), exact.mass(mass));
         }
     }
-    // In other scenes the products are used, which the different rounding shows.
+    // In other scenes the products are used. Their rounding differs from that of the exact formulas.
     let differs = |r: &f64| {
         let stuck = Five::at(*r).unwrap().stuck().unwrap();
         stuck.a() != stuck.exact().mass(0)

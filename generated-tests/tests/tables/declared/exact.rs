@@ -1,4 +1,4 @@
-//! Exact results at one frequency ratio in double precision, and their uncertainty by rounding.
+//! Computes exact results at one frequency ratio in double precision, and their uncertainty by rounding.
 
 use frictiongen::System;
 use frictiongen::study::SystemAt;
@@ -9,10 +9,10 @@ use std::f64::consts::PI;
 /// Relative distance from a resonance below which a rounding of the resonance changes an amplitude by more than the
 /// accuracy.
 const BESIDE: f64 = 1e-13;
-/// Number of roundings of r that count as noise.
+/// Number of roundings of r whose effect counts as noise.
 const ROUNDINGS: f64 = 16.0;
 
-/// Both limits, and a motion at a fraction (`share`) of the smaller one.
+/// Both limits, and a motion at the fraction `share` of the smaller limit.
 pub struct Exact<'a> {
     system: &'a System<f64>,
     r: f64,
@@ -26,16 +26,16 @@ pub struct Exact<'a> {
 /// Motion of the contact at a friction ratio below both limits.
 pub struct Motion {
     pub beta: f64,
-    /// Amplitude and phase, or `None` if double precision finds no continuous motion.
+    /// Amplitude and phase. `None` if double precision finds no continuous motion.
     pub answer: Option<[f64; 2]>,
 }
 
-/// Allowed differences of the results: the effect of some roundings of r, and the rounding of sums.
+/// Allowed differences of the results. They are the effect of some roundings of r, and the rounding of sums.
 #[derive(Default)]
 pub struct Noise {
     pub limits: [f64; 2],
     pub motion: [f64; 2],
-    /// `true` if β_lim is known to a tenth. Closer to its zeros there is no motion to compare.
+    /// True if β_lim is known to a tenth of its value. Closer to its zeros there is no motion to compare.
     pub known: bool,
 }
 
@@ -45,7 +45,7 @@ pub fn turn(angle: f64) -> f64 {
 }
 
 impl<'a> Exact<'a> {
-    /// Computes the results, or returns `None` if r is so close to a zero that its rounding is more than 10⁻⁴ of the
+    /// Computes the results. Returns `None` if r is so close to a zero that its rounding is more than 10⁻⁴ of the
     /// distance.
     pub fn at<S: Float>(system: &'a System<f64>, r: f64, share: f64) -> Option<Self> {
         let near = |sigma: &f64| {
@@ -60,7 +60,7 @@ impl<'a> Exact<'a> {
         let limits = at.limits();
         let limits = [limits.continuous, limits.sliding];
         let limit = limits[0].min(limits[1]);
-        // Next to a zero of a limit, within rounding, there is no motion to compare.
+        // Within rounding of a zero of a limit there is no motion to compare.
         let beside = |sigma: &f64| (r / sigma - 1.0).abs() < BESIDE.max(S::EPSILON);
         let asked = limit > 1e-9 && !system.resonances().iter().any(beside);
         let motion = asked.then(|| {
@@ -79,7 +79,7 @@ impl<'a> Exact<'a> {
         })
     }
 
-    /// Computes the noise when it is first needed, because it costs another search.
+    /// Returns the noise, which is computed when it is first needed, because it takes another search.
     pub fn noise(&self) -> &Noise {
         self.noise.get_or_init(|| {
             let moved = self.system.at(self.r * (1.0 + ROUNDINGS * f64::EPSILON));

@@ -1,5 +1,5 @@
-//! A chain with its contact stuck, solved from its equations of motion in double-double. They are set up from masses
-//! and springs, and use the modes only for the damping.
+//! Solves a chain with its contact stuck from its equations of motion in double-double. The equations follow from
+//! masses and springs, and use the modes only for the damping.
 
 use frictiongen::System;
 use frictiongen::study::scene::{Excitation, Node, Scene};
@@ -62,7 +62,7 @@ impl HeldChain {
             }
             _ => panic!("a contact without a mass"),
         }
-        // C = Σ 2ζσ Γφ(Γφ)ᵀ.
+        // The damping matrix is C = Σ 2ζσ Γφ(Γφ)ᵀ.
         let modal = system.modal();
         let mut damping = vec![vec![zero; count]; count];
         for (mode, shape) in modal.shapes.iter().enumerate() {
@@ -89,7 +89,7 @@ impl HeldChain {
         let r = Dd::from(r);
         let count = self.masses.len();
         let real = complex::real::<Dd>;
-        // The matrix [K − r²Γ + irC, w; wᵀ, 0], with its right-hand side as the last column.
+        // `rows` is the matrix [K − r²Γ + irC, w; wᵀ, 0], with its right-hand side as the last column.
         let mut rows: Vec<Vec<Complex<Dd>>> = Vec::new();
         for row in 0..count {
             let mut own: Vec<Complex<Dd>> = (0..count)

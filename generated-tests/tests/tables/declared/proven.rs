@@ -1,4 +1,4 @@
-//! Tests what is proven about β_lim, at points that neither the builder nor the proof used.
+//! Tests the proven bounds on β_lim, at points that neither the builder nor the proof used.
 
 use super::random;
 use super::scenes::{scene, scenes};
@@ -11,11 +11,11 @@ use fuzzing::Random;
 use std::time::Instant;
 
 const RANGE: (f64, f64) = (0.2, 2.5);
-/// Relative error of a sum in double precision by itself.
+/// Relative error by rounding of a sum in double precision.
 const ROUNDING: f64 = 1e-9;
 
 /// Builds and proves a table, and checks that no random r outside the open intervals exceeds the bound. Returns the
-/// open fraction of the range, or `None` without a table.
+/// fraction of the range without a proof, or `None` without a table.
 fn held(name: &str, text: &str, accuracy: f64, points: usize, random: &mut Random) -> Option<f64> {
     let system: System = text.parse().expect("a scene");
     let request = Request {
@@ -69,7 +69,7 @@ fn held(name: &str, text: &str, accuracy: f64, points: usize, random: &mut Rando
     Some(open)
 }
 
-/// Largest fraction of the range that may remain open for an undamped chain.
+/// Largest fraction of the range of an undamped chain that may remain without a proof.
 const OPEN: f64 = 0.004;
 
 fn chains(accuracy: f64, points: usize) {
@@ -83,8 +83,8 @@ fn chains(accuracy: f64, points: usize) {
     assert_eq!(seen, 44);
 }
 
-/// Chains are proven: over the whole range with damping, and without it except near zeros and near one or two
-/// resonances.
+/// Checks that damped chains are proven over the whole range. Undamped chains are proven except near zeros and near one
+/// or two resonances.
 #[test]
 fn of_all_chains() {
     chains(1e-3, 500);
@@ -96,7 +96,7 @@ fn of_all_chains_whole() {
     chains(1e-4, 20_000);
 }
 
-/// Whatever is proven about random scenes is true.
+/// Checks that the proven bounds on random scenes are true.
 #[test]
 fn of_random_scenes() {
     let mut scenes = Random(20_261_123);
@@ -116,8 +116,8 @@ fn of_random_scenes() {
     assert!(open / f64::from(tables) < 0.25, "{open} of {tables}");
 }
 
-/// Prints the open fraction of the range and the work, as minimum and maximum over the chains of a kind. β*_lim is
-/// always proven completely.
+/// Prints the fraction of the range without a proof and the work, as minimum and maximum over the chains of a kind.
+/// β*_lim is always proven over the whole range.
 fn measured<S: Float>(accuracies: &[f64]) -> usize {
     let scalar = if S::EPSILON > 1e-10 { "f32" } else { "f64" };
     let mut seen = 0;
@@ -174,7 +174,7 @@ fn how_much() {
     assert_eq!((f64s, f32s), (3 * 44, 3 * 44));
 }
 
-/// If the scene requests a proof, the macro proves as much as a command does, for the same numbers.
+/// Checks that the macro proves as much as a command does, for the same numbers, if the scene requests a proof.
 #[test]
 fn where_the_scene_asks() {
     let read = |text: &str| parse_text(text, &Limits::MACRO).expect("a scene");
@@ -209,8 +209,8 @@ fn where_the_scene_asks() {
     }
 }
 
-/// Without a request the macro proves chains of one to five masses, and damped chains of ten, as much as a command
-/// does.
+/// Checks that without a request the macro proves chains of one to five masses, and damped chains of ten, as far as a
+/// command does.
 #[test]
 fn unasked() {
     let mut seen = 0;
@@ -239,7 +239,7 @@ fn unasked() {
     assert_eq!(seen, 4 + 6 + 6 + 3);
 }
 
-/// Without the feature `proof` a macro checks the same numbers, and refuses `proof: whole` at its value.
+/// Checks that without the feature `proof` a macro checks the same numbers, and refuses `proof: whole` at its value.
 #[test]
 fn without_the_feature() {
     let limits = Limits {
@@ -271,7 +271,7 @@ fn without_the_feature() {
     assert!(told.starts_with(&format!("{line}:8:")), "{told}");
 }
 
-/// With a byte budget in place of an accuracy, no table is used that could only be checked.
+/// Checks a byte budget in place of an accuracy. No table that could only be checked, but not proven, is used.
 #[test]
 fn within_a_budget() {
     let text = scene("Wall", 1, "modal(0.02)", "1", "f64");
@@ -288,7 +288,7 @@ fn within_a_budget() {
     assert_eq!(with("proof: whole"), (1e-6, Evidence::Proven));
 }
 
-/// Returns the proofs of β_lim and of the motion, and the numbers of a table.
+/// Returns the proofs of β_lim and of the motion, and the numbers of a table as text.
 fn known(tables: &SceneTables) -> ([Proof; 2], String) {
     fn of<S: Float>(tables: &Tables<S>) -> ([Proof; 2], String) {
         (

@@ -1,4 +1,4 @@
-//! Random scenes of 1 to 16 masses: chains and graphs, undamped to overdamped.
+//! Generates random scenes of 1 to 16 masses. They are chains and graphs, undamped to overdamped.
 
 use fuzzing::Random;
 use std::fmt::Write as _;

@@ -1,4 +1,5 @@
-//! Chains of 1, 2, 5 and 10 equal masses and springs with every contact, undamped and damped, μ = 1 and 1.2.
+//! Defines chains of 1, 2, 5 and 10 equal masses and springs with every contact, undamped and damped, with μ = 1 and
+//! 1.2.
 
 use std::fmt::Write as _;
 
@@ -21,9 +22,9 @@ pub fn scenes(scalar: &str) -> Vec<(String, String)> {
     scenes
 }
 
-/// Returns the description of a scene. `Wall`: the last mass rubs on a wall, and the first one is driven. `Base`: the
-/// base moves, and the first mass rubs on it. `Pair`: the first two masses rub on each other, and the last one is
-/// driven.
+/// Returns the description of a scene. For `Wall` the last mass rubs on a wall, and the first one is driven. For `Base`
+/// the base moves, and the first mass rubs on it. For `Pair` the first two masses rub on each other, and the last one
+/// is driven.
 pub fn scene(kind: &str, count: usize, damping: &str, stiction: &str, scalar: &str) -> String {
     let mut text = format!("struct {kind}{count} {{ masses: {{ ");
     for mass in 0..count {

@@ -1,4 +1,4 @@
-//! Tests which limit is the smaller one (section 10 of `docs/derivation.md`). With μ = 1 it is β_lim, which alone then
+//! Tests which limit is the smaller one (section 10 of `docs/derivation.md`). With μ = 1 it is β_lim, so β_lim alone
 //! decides if a continuous motion exists.
 
 use super::random;
@@ -10,7 +10,7 @@ use fuzzing::Random;
 const ROUNDINGS: f64 = 1e-9;
 
 /// Compares the limits over r from 0.02 to 20. `seen` counts the comparisons, and those in which β*_lim is smaller by a
-/// percent, whose r are returned.
+/// per cent. The r of the latter are returned.
 fn compared(text: &str, random: &mut Random, seen: &mut [usize; 2]) -> Vec<f64> {
     let system: System = text.parse().unwrap();
     let mut turned = Vec::new();
@@ -32,7 +32,7 @@ fn compared(text: &str, random: &mut Random, seen: &mut [usize; 2]) -> Vec<f64> 
     turned
 }
 
-/// With μ = 1 the contact cannot stick where it can slide all the time.
+/// Checks that with μ = 1 the contact cannot stick where it can slide all the time.
 #[test]
 fn beta_lim_without_stiction() {
     let mut random = Random(31);
@@ -52,8 +52,8 @@ fn beta_lim_without_stiction() {
     assert!(seen[0] > 60 * 150 && seen[1] == 0, "{seen:?}");
 }
 
-/// With larger μ a closed form and a stuck state may both exist, near a resonance from μ = 4/π on, as with the exact
-/// formulas.
+/// Checks that with larger μ both a closed form and a stuck state may exist. This happens near a resonance from μ = 4/π
+/// on, as with the exact formulas.
 #[test]
 fn both_where_both_are_possible() {
     let mut random = Random(32);

@@ -23,10 +23,10 @@ const ROUNDINGS: f64 = 16.0;
 /// of the distance.
 const BESIDE: f64 = 1e-14;
 
-/// Rounding that elimination leaves for a mass that does not move, over the largest response.
+/// Rounding error that elimination leaves for a mass that does not move, divided by the largest response.
 const STILL: f64 = 1e-14;
 
-/// Worst results of a run.
+/// Worst results of a test.
 #[derive(Default)]
 struct Tally {
     compared: usize,
@@ -67,7 +67,8 @@ fn apart(a: Complex<Dd>, b: Complex<Dd>) -> f64 {
     size(Complex::new(a.re - b.re, a.im - b.im))
 }
 
-/// Compares all responses of a scene at one r: `expected` is exact there, `moved` some roundings of r away.
+/// Compares all responses of a scene at one r. `expected` is exact at r, and `moved` is exact some roundings away from
+/// r.
 fn compare<S: Float>(
     name: &str,
     forms: &[&HeldForm<S>],
@@ -78,7 +79,7 @@ fn compare<S: Float>(
     tally: &mut Tally,
 ) {
     let r = own.to_f64();
-    // On a pole nothing can be compared.
+    // On a pole the response is infinite, so nothing can be compared.
     if !expected.iter().all(|own| size(*own).is_finite()) {
         tally.skipped += 1;
         return;
@@ -165,7 +166,7 @@ fn told(what: &str, tally: &Tally) {
     assert!(tally.skipped * 100 < tally.compared);
 }
 
-/// Every chain reaches the finest accuracy that its scalar allows.
+/// Checks that every chain reaches the most accurate table that its scalar allows.
 fn chains<S: Float>(scalar: &str, points: usize, finest: f64) {
     let mut tally = Tally::default();
     for (name, text) in scenes(scalar) {
@@ -189,7 +190,8 @@ fn of_chains_in_single_precision() {
     chains::<f32>("f32", 60, 2e-6);
 }
 
-/// Run with `cargo test -p generated-tests --test tables stuck_of_chains -- --ignored --nocapture`
+/// Checks all chains at many more points. Run it with `cargo test -p generated-tests --test tables stuck_of_chains --
+/// --ignored --nocapture`.
 #[test]
 #[ignore = "a hundred thousand points a scene, half an hour"]
 fn stuck_of_chains_whole() {
@@ -197,7 +199,7 @@ fn stuck_of_chains_whole() {
     chains::<f32>("f32", 100_000, 2e-6);
 }
 
-/// At many points every chain is within 1e-4 of the exact system.
+/// Checks at many points that every chain is within 1e-4 of the exact system.
 fn beside_the_system<S: Float>(scalar: &str, points: usize) {
     let mut tally = Tally::default();
     let wide = |own: Complex<f64>| Complex::new(Dd::from(own.re), Dd::from(own.im));
@@ -234,7 +236,8 @@ fn beside_the_exact_system() {
     beside_the_system::<f32>("f32", points(10_000));
 }
 
-/// Run with `cargo test -p generated-tests --test tables stuck_beside -- --ignored --nocapture`
+/// Compares all chains with the exact system at many more points. Run it with `cargo test -p generated-tests --test
+/// tables stuck_beside -- --ignored --nocapture`.
 #[test]
 #[ignore = "a million points a scene, half an hour"]
 fn stuck_beside_the_system_whole() {
@@ -242,8 +245,8 @@ fn stuck_beside_the_system_whole() {
     beside_the_system::<f32>("f32", points(1_000_000));
 }
 
-/// Responses of random scenes, including graphs and overdamped modes, are within the accuracy if their products keep
-/// it.
+/// Checks random scenes, including graphs and overdamped modes. Their responses are within the accuracy if the products
+/// keep it.
 fn random_scenes<S: Float>(scalar: &str, count: usize, points: usize, accuracy: f64, most: usize) {
     let mut random = Random(20_261_123);
     let (mut tally, mut left) = (Tally::default(), 0);
@@ -278,7 +281,8 @@ fn of_random_scenes() {
     random_scenes::<f32>("f32", 40, 30, 1e-4, 1);
 }
 
-/// Run with `cargo test -p generated-tests --test tables stuck_of_random -- --ignored --nocapture`
+/// Checks more random scenes. Run it with `cargo test -p generated-tests --test tables stuck_of_random -- --ignored
+/// --nocapture`.
 #[test]
 #[ignore = "a hundred scenes, minutes"]
 fn stuck_of_random_scenes_whole() {

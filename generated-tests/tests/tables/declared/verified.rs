@@ -1,4 +1,4 @@
-//! Tests that a wrong table is detected. One coefficient is off by ten times the accuracy.
+//! Tests that the check detects a wrong table, in which one coefficient differs by ten times the accuracy.
 
 use super::scenes::scene;
 use frictiongen::System;
@@ -34,7 +34,7 @@ fn a_wrong_coefficient() {
                     .abs()
                     .max((next - piece.origin).abs())
                     .max((piece.from - piece.origin).abs());
-                // Indices of β_lim, and of |V| if the table contains it.
+                // The changed functions are β_lim, and |V| if the table contains it.
                 for function in [0, 4].into_iter().filter(|place| *place < functions) {
                     let size = tables.pieces[place].value(function, middle).abs();
                     for power in 0..tables.terms {

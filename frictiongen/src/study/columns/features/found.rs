@@ -1,4 +1,4 @@
-//! Computes all features.
+//! Computes all features of a system's response: resonances, limits, invariant points, ranges and peaks.
 
 use crate::study::columns::column::Row;
 use crate::study::columns::setting::Part;
@@ -7,19 +7,19 @@ use crate::study::features::{
     Inversion, LimitsAtEnd, Measured, RegimeRange, Resonance, ResonantPeak, Sensed, SlidingRange,
 };
 
-/// A feature of a motion.
+/// A feature that belongs to the motion of the contact or of a mass.
 pub(super) struct Named<T> {
-    /// Name of the motion.
+    /// Name of the contact or mass.
     pub(super) of: String,
-    /// The feature.
+    /// The feature itself.
     pub(super) it: T,
 }
 
-/// A feature at a friction.
+/// A feature at one friction ratio.
 pub(super) struct At<T> {
-    /// Friction ratio β.
+    /// Friction ratio β = F/P, for base motion F/(k₁Y).
     pub(super) beta: f64,
-    /// The feature.
+    /// The feature itself.
     pub(super) it: T,
 }
 
@@ -29,7 +29,7 @@ pub struct FeatureLists {
     pub(super) resonances: Vec<Mode>,
     /// Resonances of the chain with its contact stuck.
     pub(super) held: Vec<HeldResonance>,
-    /// Limits for r → 0 and r → ∞.
+    /// Limits of friction for r → 0 and r → ∞.
     pub(super) ends: Vec<EndRow>,
     /// Frequencies at which a motion vanishes without friction.
     pub(super) antiresonances: Vec<Named<Antiresonance>>,
@@ -39,13 +39,14 @@ pub struct FeatureLists {
     pub(super) inversions: Vec<Named<(Measured, Inversion)>>,
     /// Motion of each mass for r → 0; `None` where the contact is stuck.
     pub(super) starts: Vec<At<Named<Option<Sensed>>>>,
-    /// Ranges in which the contact slides.
+    /// Ranges of frequency in which the contact slides.
     pub(super) sliding: Vec<At<SlidingRange>>,
-    /// Regimes along frequency.
+    /// Ranges of frequency with one regime each.
     pub(super) regimes: Vec<At<(Certainty, RegimeRange)>>,
-    /// Peaks at the resonances.
+    /// Largest amplitudes near the resonances.
     pub(super) peaks: Vec<At<Named<ResonantPeak>>>,
-    /// Frequencies at which two neighbouring frictions give the same amplitude.
+    /// Frequencies at which two neighbouring friction ratios give the same amplitude. The first number is the other
+    /// ratio.
     pub(super) crossings: Vec<At<Named<(f64, Crossing)>>>,
 }
 
@@ -55,7 +56,7 @@ impl<T> Row for At<T> {}
 
 impl Row for HeldResonance {}
 
-/// A resonance with the number of its mode, counted from 1.
+/// A resonance of the chain, with the number of its mode, counted from 1.
 pub(super) struct Mode {
     pub(super) number: usize,
     pub(super) it: Resonance,
@@ -63,7 +64,7 @@ pub(super) struct Mode {
 
 impl Row for Mode {}
 
-/// The limits at an end of the frequency axis.
+/// The limits of friction for r → 0 or for r → ∞.
 pub(super) struct EndRow {
     pub(super) r: f64,
     pub(super) limits: LimitsAtEnd,

@@ -108,7 +108,7 @@ impl Row for FeatureLine {}
 /// The frictions and the range of the features.
 #[derive(Clone, Copy, Debug)]
 pub struct FeaturesAsked<'a> {
-    /// Range of r.
+    /// Range of the frequency ratio r.
     pub range: [f64; 2],
     /// Friction ratios β.
     pub frictions: &'a [f64],

@@ -1,4 +1,4 @@
-//! Columns of the lists of features.
+//! Columns of the lists of features, one list for each kind of feature.
 
 use super::found::{At, EndRow, FeatureLists, Mode, Named};
 use super::sheet::Sheet;
@@ -12,12 +12,12 @@ use crate::study::{
     words,
 };
 
-/// Receiver of the lists of features, whose rows have different types.
+/// Receiver of the lists of features. It is a trait because the rows of the lists have different types.
 pub trait FeatureVisitor {
-    /// Error of the receiver.
+    /// Error that ends the visit.
     type Error;
 
-    /// Takes a list: its name, its columns and its rows.
+    /// Receives one list: its name, its columns and its rows.
     ///
     /// # Errors
     /// Any error of the receiver ends the visit.
@@ -30,10 +30,10 @@ pub trait FeatureVisitor {
 }
 
 impl FeatureLists {
-    /// Hands every list to a receiver.
+    /// Passes every list of features to a receiver.
     ///
     /// # Errors
-    /// The first error of the receiver.
+    /// The first error that the receiver returns.
     pub fn visit<V: FeatureVisitor>(
         &self,
         setting: &Setting<'_>,

@@ -1,4 +1,4 @@
-//! Columns that several lists of features have.
+//! Adds the columns that several lists of features have in common.
 
 use crate::study::columns::builder::Columns;
 use crate::study::columns::column::{Head, Row};
@@ -6,14 +6,14 @@ use crate::study::columns::measure::Dimension;
 use crate::study::columns::setting::Setting;
 use crate::study::features::Sensed;
 
-/// The columns of a list of features. Under a load features have their units already.
+/// The columns of a list of features. Under a load the features are already in Hz, N and m.
 pub(super) struct Sheet<'a, R> {
     setting: Setting<'a>,
     pub(super) columns: Columns<'a, R>,
 }
 
 impl<'a, R: Row + 'a> Sheet<'a, R> {
-    /// Starts without columns.
+    /// Returns a list without columns.
     pub(super) fn new(setting: &Setting<'a>) -> Self {
         Self {
             setting: *setting,
@@ -21,23 +21,23 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
         }
     }
 
-    /// Adds the name of the motion that has the feature.
+    /// Adds a column with the name of the contact or mass whose motion has the feature.
     pub(super) fn of(&mut self, of: impl Fn(&R) -> &String + 'a) {
         self.columns.word("of", "", move |row| Some(of(row)));
     }
 
-    /// Adds forces, which have their unit under a load.
+    /// Adds a column of forces, in N under a load and otherwise as friction ratios.
     pub(super) fn force(&mut self, name: &'static str, of: impl Fn(&R) -> Option<f64> + 'a) {
         self.columns.converted(Head::of(name, Dimension::Force), of);
     }
 
-    /// Adds lengths, which have their unit under a load.
+    /// Adds a column of lengths, in m under a load and otherwise over P/k₁ or Y.
     pub(super) fn length(&mut self, name: &'static str, of: impl Fn(&R) -> Option<f64> + 'a) {
         self.columns
             .converted(Head::of(name, Dimension::Length), of);
     }
 
-    /// Adds the requested friction ratio, and under a load the force.
+    /// Adds a column of the requested friction ratio, and under a load a column of the force in N.
     pub(super) fn friction(&mut self, beta: impl Fn(&R) -> f64 + Copy + 'a) {
         if self.setting.measure.scale().is_some() {
             let head = Head::of("friction", Dimension::Force);
@@ -46,13 +46,13 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
         self.columns.number("beta", move |row| Some(beta(row)));
     }
 
-    /// Adds the friction with which another is compared.
+    /// Adds a column of the other friction, with which the requested friction is compared.
     pub(super) fn other_friction(&mut self, beta: impl Fn(&R) -> f64 + 'a) {
         let head = Head::of("other_beta", Dimension::Force).under_load("other_friction");
         self.columns.number(head, move |row| Some(beta(row)));
     }
 
-    /// Adds frequencies. Their names begin with `before`.
+    /// Adds columns of frequencies. Their names begin with `before`.
     pub(super) fn places(
         &mut self,
         before: &'static str,
@@ -67,7 +67,7 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
         self.columns.number(Head::new(format!("{before}r")), of);
     }
 
-    /// Sets the derivatives of the last frequencies: under a load those of the Hz, else of r.
+    /// Sets the derivatives of the frequency that was added last. Under a load they belong to the Hz, otherwise to r.
     pub(super) fn places_move(&mut self, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         let before = usize::from(self.setting.measure.load().is_some());
         self.columns.moves_before(before, of);

@@ -1,4 +1,4 @@
-//! Columns of the lines of features.
+//! Columns of the table of features, which has one line for each feature.
 
 use super::lines::{FeatureLine, FeaturesAsked, lines};
 use crate::study::columns::builder::Columns;
@@ -13,7 +13,7 @@ use crate::study::{
 /// The table of the features of a scene.
 #[derive(Clone, Copy)]
 pub struct FeatureTable<'a> {
-    /// System, units and parts.
+    /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
 }
 
@@ -45,7 +45,7 @@ impl<'a> FeatureTable<'a> {
         parameter.symbol(self.setting.system.scene(), &point)
     }
 
-    /// Returns the columns. Words are as wide as those of the rows.
+    /// Returns the columns. Columns of words are as wide as the longest word in `rows`.
     #[must_use]
     pub fn columns(&self, rows: &[FeatureLine]) -> Vec<Column<'a, FeatureLine>> {
         let (table, measure) = (*self, &self.setting.measure);
@@ -96,7 +96,7 @@ impl<'a> FeatureTable<'a> {
         columns.done()
     }
 
-    /// Adds the columns of a frequency: name and heading of the Hz, name and heading of r.
+    /// Adds the columns of a frequency, in Hz and as ratio r. Each has a name and a heading.
     fn place(
         &self,
         columns: &mut Columns<'a, FeatureLine>,

@@ -7,45 +7,45 @@ use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
 use crate::study::columns::measure::Dimension;
 use crate::study::optimum::{Optimum, Tunable, TunedOptimum, TunedPoint};
 
-/// A row: one value of the answer.
+/// A row: one value of the answer, with its label and its key.
 #[derive(Clone, Debug)]
 pub struct OptimumLine {
     /// Name of the list to which the value belongs. `None` for a value of the answer itself.
     pub list: Option<&'static str>,
-    /// Number of the entry in its list, counted from 1.
+    /// Number of the entry in its list, counted from 1. `None` for a value of the answer itself.
     pub row: Option<usize>,
     /// Key of the value, unique in its entry.
     pub key: String,
     /// Name of the value, for people.
     pub label: String,
-    /// The value.
+    /// The value, as a cell of a table.
     pub value: Cell<'static>,
     /// Unit of the value, empty for a ratio.
     pub unit: &'static str,
-    /// Unit of the change to which a relative change belongs.
+    /// Unit of the parameter change to which a relative change belongs.
     pub per: Option<&'static str>,
-    /// Excess over the best amplitude, as a fraction, to which a tolerance belongs.
+    /// Excess over the best amplitude, as a fraction, for which a tolerance of friction is given.
     pub excess: Option<f64>,
 }
 
 impl Row for OptimumLine {}
 
-/// The number of the description that was chosen together with friction.
+/// The number of the description that was optimised together with the friction.
 #[derive(Clone, Debug)]
 pub struct Tuned<'a> {
-    /// The number that was chosen.
+    /// The number that was optimised.
     pub of: Tunable,
-    /// The answer of the search.
+    /// The result of the search.
     pub found: &'a TunedOptimum,
 }
 
-/// Lines of one entry.
+/// Collects the lines of one entry of a list.
 struct Entry<'l> {
     lines: &'l mut Vec<OptimumLine>,
     list: Option<&'static str>,
     row: Option<usize>,
     excess: Option<f64>,
-    /// Text that replaces `{}` in the headings.
+    /// Text that replaces `{}` in the labels.
     name: &'l str,
 }
 
@@ -63,7 +63,7 @@ impl Entry<'_> {
         });
     }
 
-    /// Adds a line for each column that says something about the row.
+    /// Adds a line for each column that has something to report about the row.
     fn lines<R>(&mut self, columns: &[Column<'_, R>], row: &R) {
         for column in columns.iter().filter(|column| column.says(row)) {
             let title = column.title.first().map_or("", String::as_str);
@@ -74,7 +74,7 @@ impl Entry<'_> {
 }
 
 impl<'a> OptimumTable<'a> {
-    /// Returns the answer as lines.
+    /// Returns the answer as lines: the best friction, its peaks, tolerances and sensitivities.
     #[must_use]
     pub fn lines(&self, optimum: &Optimum, tuned: Option<&Tuned<'_>>) -> Vec<OptimumLine> {
         let mut lines = Vec::new();
@@ -105,7 +105,7 @@ impl<'a> OptimumTable<'a> {
         lines
     }
 
-    /// Adds the number that was chosen.
+    /// Adds a line for the number that was optimised.
     fn tuned(&self, tuned: &Tuned<'_>, lines: &mut Vec<OptimumLine>) {
         let mut entry = Entry {
             lines,
@@ -156,7 +156,7 @@ impl<'a> OptimumTable<'a> {
 
     fn tolerance_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
         let mut columns = self.tolerance_columns();
-        // The excess stands in the label.
+        // The label contains the excess.
         let titles = ["{}: friction from", "{}: friction to"];
         for (column, title) in columns.iter_mut().skip(1).zip(titles) {
             column.title = vec![title.to_owned()];

@@ -1,4 +1,4 @@
-//! Rows and columns of steady states.
+//! Rows and columns of the table of steady states.
 
 use super::Motion;
 use crate::study::columns::builder::Columns;
@@ -12,9 +12,9 @@ use crate::{Complex, NoOrbit, Of, OutOfDomain};
 /// A row: the steady state at one frequency and one friction.
 #[derive(Clone, Debug)]
 pub struct OrbitRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// The friction.
+    /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: Friction,
     /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
@@ -27,19 +27,19 @@ pub struct OrbitRow {
 /// A steady state, or the last cycles of a motion that does not settle.
 #[derive(Clone, Debug)]
 struct Steady {
-    /// Data of the periodic motion, if the motion repeats.
+    /// Cycles, symmetry, stops and reversals of the motion. `None` if the motion does not repeat.
     period: Option<Period>,
     from_rest: bool,
     marginal: bool,
     offset: f64,
     stuck_fraction: f64,
-    /// Stops of the contact: start and length in τ.
+    /// Stops of the contact. Each has a start and a length, as phase τ = ωt.
     sticking: Vec<[f64; 2]>,
     multipliers: Vec<Complex<f64>>,
     motions: Vec<Motion>,
 }
 
-/// Data of a periodic motion.
+/// Numbers that describe one period of a periodic motion.
 #[derive(Clone, Copy, Debug)]
 struct Period {
     cycles: usize,
@@ -51,9 +51,9 @@ struct Period {
 /// The table of steady states over frequency and friction.
 #[derive(Clone, Copy)]
 pub struct OrbitTable<'a> {
-    /// System, units and parts.
+    /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
-    /// The orders of the harmonics.
+    /// Orders n of the harmonics that the answers contain.
     pub orders: &'a [u32],
 }
 
@@ -83,13 +83,13 @@ impl Moving for OrbitRow {
 }
 
 impl Steady {
-    /// Returns the length of the longest stop of the contact, in τ, if it stops.
+    /// Returns the length of the contact's longest stop, as phase τ = ωt. `None` without a stop.
     fn longest_stop(&self) -> Option<f64> {
         let lengths = self.sticking.iter().map(|[_, length]| *length);
         lengths.reduce(f64::max)
     }
 
-    /// Returns the largest modulus of a Floquet multiplier, if there are any.
+    /// Returns the largest modulus of the Floquet multipliers. `None` if there are no multipliers.
     fn largest_multiplier(&self) -> Option<f64> {
         let moduli = self
             .multipliers
@@ -110,7 +110,7 @@ impl OrbitRow {
         self.steady.as_ref()?.period
     }
 
-    /// Converts an angle of the excitation to seconds.
+    /// Converts an angle τ = ωt of the excitation, in rad, to seconds.
     fn seconds(&self, angle: f64) -> f64 {
         angle / self.frequency.omega
     }
@@ -150,7 +150,7 @@ impl<'a> OrbitTable<'a> {
         }
     }
 
-    /// Computes the row of every steady state that can be found.
+    /// Computes one row for every steady state that is found.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction that no answer has.
@@ -214,7 +214,7 @@ impl<'a> OrbitTable<'a> {
         }
     }
 
-    /// Returns the columns.
+    /// Returns the columns of the table.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, OrbitRow>> {
         let mut columns = Columns::new(&self.setting.measure);
@@ -259,7 +259,7 @@ impl<'a> OrbitTable<'a> {
         columns.done()
     }
 
-    /// Adds the lists of multipliers and stops.
+    /// Adds the columns of Floquet multipliers and of stops.
     fn lists(&self, columns: &mut Columns<'a, OrbitRow>, in_seconds: bool) {
         columns.show(Shown::Objects);
         columns.list("multipliers", Kind::Complex, |row| {

@@ -1,4 +1,4 @@
-//! Rows and columns of responses.
+//! Rows and columns of the table of responses.
 
 use super::{Motion, is_stuck};
 use crate::study::columns::builder::Columns;
@@ -12,9 +12,9 @@ use crate::{Limits, OutOfDomain};
 /// A row: the response at one frequency and one friction.
 #[derive(Clone, Debug)]
 pub struct ResponseRow {
-    /// The frequency.
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// The friction.
+    /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: Friction,
     /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
@@ -22,7 +22,8 @@ pub struct ResponseRow {
     pub margin: f64,
     /// Method that computed the motion, or the reason why there is none.
     pub answer: &'static str,
-    /// Offset, marginal, from rest: of a response.
+    /// Three properties of the response: the contact's offset, whether it is marginal, and whether motion from rest
+    /// ends in it.
     known: Option<(f64, bool, bool)>,
     motions: Vec<Motion>,
 }
@@ -30,11 +31,12 @@ pub struct ResponseRow {
 /// The table of responses over frequency and friction.
 #[derive(Clone, Copy)]
 pub struct ResponseTable<'a> {
-    /// System, units and parts.
+    /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
-    /// The orders of the harmonics.
+    /// Orders n of the harmonics that the answers contain.
     pub orders: &'a [u32],
-    /// True for all motions of a stuck response. False leaves out the contact, which is at rest, and all harmonics.
+    /// True if a stuck response shows all motions. If false, the contact, which is at rest, and all harmonics are left
+    /// out.
     pub stuck: bool,
 }
 
@@ -127,7 +129,7 @@ impl<'a> ResponseTable<'a> {
         })
     }
 
-    /// Returns the columns.
+    /// Returns the columns of the table, from left to right.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, ResponseRow>> {
         let mut columns = Columns::new(&self.setting.measure);

@@ -1,5 +1,4 @@
-//! Finds the value of one number of the description at which the smallest largest amplitude, over all friction, is
-//! smallest.
+//! Finds the value of one number of the description with which the best friction gives the smallest amplitude.
 
 use super::answer::{TunedOptimum, TunedPoint, Tuning};
 use super::tried::{Groups, Search, Tried, near};
@@ -209,7 +208,7 @@ fn rises(tried: &Tried) -> bool {
     0.0 < tried.slope
 }
 
-/// Returns the value of the number at which the tangents of two scanned values meet, and the amplitude there.
+/// Returns the value of the number at which the tangents of two scanned values meet, and the amplitude at that value.
 fn meeting(below: &Tried, above: &Tried) -> Option<(f64, f64)> {
     let rise = below.slope - above.slope;
     let sum =

@@ -31,7 +31,7 @@ pub fn sign_changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     found
 }
 
-/// Asserts that every wanted frequency was found.
+/// Asserts that every frequency in `wanted` was found.
 fn compare(found: &[f64], wanted: &[f64], what: &str) -> usize {
     for want in wanted {
         assert!(
@@ -42,7 +42,7 @@ fn compare(found: &[f64], wanted: &[f64], what: &str) -> usize {
     wanted.len()
 }
 
-/// Number of zeros that were compared, and number of further zeros that are too close to each other for the samples.
+/// Number of zeros that were compared, and number of zeros that are too close to each other for the samples.
 #[derive(Default)]
 pub struct Count {
     pub compared: usize,
@@ -61,7 +61,8 @@ impl Count {
     ) {
         self.compared += compare(found, wanted, what);
         for place in found {
-            // The sign changes at a zero. Samples at this distance do not show it if another zero or a pole is near.
+            // At a zero the function changes its sign. Samples at this distance do not show the change if another zero
+            // or a pole is near.
             let beside = 1e-7;
             let crosses = |f: &dyn Fn(f64) -> f64| {
                 f(place * (1.0 - beside)) * f(place * (1.0 + beside)) < 0.0

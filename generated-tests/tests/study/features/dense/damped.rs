@@ -1,4 +1,5 @@
-//! Tests of damped chains, whose regimes and crossings are found by sampling. Nothing longer than a step is missed.
+//! Tests the regimes and crossings of damped chains, which are found by sampling. No range longer than a step may be
+//! missed.
 
 use super::dense;
 use crate::features::scenes::{random, shown};
@@ -6,7 +7,7 @@ use frictiongen::study::{System, features::Certainty};
 use frictiongen::{LimitsAt, Of, Regime};
 use fuzzing::Random;
 
-/// Factor by which the samples of the test are closer than the steps.
+/// Number of samples of the test for each step of the search.
 const CLOSER: usize = 8;
 const DENSE: usize = CLOSER * Certainty::STEPS as usize;
 /// Relative distance below which two frequencies count as one.
@@ -31,7 +32,7 @@ fn regimes_of_damped_chains() {
         assert_eq!(certainty, Certainty::Sampled { steps });
         let mut found = ranges.iter();
         let mut own = found.next().unwrap();
-        // Counts consecutive samples in one regime, and those of them whose regime differs from the list.
+        // The loop counts consecutive samples in one regime, and samples whose regime differs from the list.
         let (mut last, mut row, mut wrong) = (None, 0, 0);
         for r in dense(range, DENSE) {
             let limits = system.at(r).unwrap().limits();
@@ -92,7 +93,7 @@ fn crossings_of_damped_chains() {
         let gain = |r: f64| {
             let [less, more] = betas.map(|beta| amplitude(r, beta));
             let (less, more) = (less?, more?);
-            // A difference within rounding has no sign.
+            // A difference within rounding counts as 0, because its sign is random.
             let gain = more - less;
             (1e-11 * less < gain.abs()).then_some(gain)
         };

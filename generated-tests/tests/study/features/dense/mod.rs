@@ -1,4 +1,4 @@
-//! Tests of random scenes against dense samples.
+//! Tests features of random scenes against dense samples.
 
 mod count;
 mod damped;
@@ -7,10 +7,10 @@ mod regimes;
 mod sums;
 mod zeros;
 
-/// Number of samples over a range.
+/// Number of samples over a range of r.
 const DENSE: usize = 4_000;
 
-/// Frequencies evenly spaced in 1/r, as subharmonics are.
+/// Returns frequency ratios that are evenly spaced in 1/r, as subharmonics are.
 fn dense([from, to]: [f64; 2], count: usize) -> Vec<f64> {
     let share = |i: usize| i as f64 / count as f64;
     (0..=count)

@@ -1,8 +1,9 @@
-//! The functions of frequency as plain sums over modes, for comparison.
+//! Computes the functions of frequency as plain sums over modes, for comparison.
 
 use frictiongen::study::System;
 
-/// Plain sums over modes, from frequencies and mode shapes only: V, H, U of the contact, then of mass k.
+/// Plain sums over modes, from frequencies and mode shapes only. They are V, H, U of the contact, and V, H, U of mass
+/// k.
 pub struct Sums {
     pub v: f64,
     pub h: f64,

@@ -1,4 +1,4 @@
-//! Tests of antiresonances and invariant points: no zero is missed, and none is invented.
+//! Tests antiresonances and invariant points. The search must miss no zero, and must return no wrong one.
 
 use super::count::{Count, sign_changes};
 use super::sums::Modes;
@@ -58,7 +58,7 @@ fn undamped_functions() {
                     Box::new(|r| {
                         let sums = at(r);
                         if system.modal().rubbing() == Some(mass) {
-                            // Here U_k = U, and the condition U_k = 0 covers this factor.
+                            // Here U_k = U, so the condition U_k = 0 already covers this factor.
                             sums.v - 2.0 * sums.own_v
                         } else {
                             sums.v * sums.own_u - 2.0 * sums.own_v * sums.u
@@ -81,7 +81,7 @@ fn undamped_functions() {
             for function in &functions {
                 wanted.extend(sign_changes(&places, function));
             }
-            // Where the contact does not move without friction, no motion could be invariant.
+            // Where the contact does not move without friction, there is no motion that could be invariant.
             wanted.retain(|r| system.at(*r).unwrap().continuous_limit() > 1e-10);
             let found: Vec<f64> = points.iter().map(|point| point.r).collect();
             count.add(

@@ -6,7 +6,8 @@ use frictiongen_codegen::standalone::rust_source;
 use frictiongen_kernel::Float;
 use std::process::Command;
 
-/// Program that compares the functions. The root agrees in every bit, the angle to two roundings of a radian.
+/// Program that compares the functions. The square root agrees in every bit, and the angle to two roundings of a
+/// radian.
 const MAIN: &str = r#"
 mod tables;
 use std::hint::black_box;
@@ -19,7 +20,7 @@ fn main() {
     let (mut subnormal, mut worst) = (0, 0.0);
     let special = [0.0, 1.0, 2.0, 4.0, 0.25, REAL::MIN_POSITIVE, REAL::MAX, REAL::EPSILON, REAL::INFINITY, REAL::from_bits(1)];
     for k in 0..200_000 {
-        // Any positive number; every fourth is subnormal.
+        // Every positive number may occur. Every fourth one is subnormal.
         let bits = (random() ^ (random() << 13)) as BITS & (BITS::MAX >> 1);
         let any = REAL::from_bits(if k % 4 == 0 { bits & ((1 << FRACTION) - 1) } else { bits });
         let x = *special.get(k).unwrap_or(&any);

@@ -37,7 +37,7 @@ fn run(command: &mut Command) -> String {
     String::from_utf8(output.stdout).expect("text")
 }
 
-/// Compiles C99, and fails on any warning.
+/// Compiles C99, and fails if the compiler warns.
 #[track_caller]
 fn cc(folder: &Path, arguments: &[&str]) {
     let flags = "-std=c99 -O2 -ffp-contract=off -Wall -Wextra -Werror -Wpedantic";
@@ -48,7 +48,7 @@ fn cc(folder: &Path, arguments: &[&str]) {
         .args(arguments));
 }
 
-/// Compiles Rust, and fails on any warning.
+/// Compiles Rust, and fails if the compiler warns.
 #[track_caller]
 fn rustc(folder: &Path, arguments: &[&str]) {
     let mut command = Command::new("rustc");
@@ -58,7 +58,7 @@ fn rustc(folder: &Path, arguments: &[&str]) {
         .args(arguments));
 }
 
-/// Frequency ratios of the programs.
+/// Returns the frequency ratios at which the programs are compared.
 fn ratios<S: Float>() -> impl Iterator<Item = S> {
     let (low, high) = (S::constant(0.2), S::constant(2.5));
     let points = S::constant(f64::from(POINTS));

@@ -11,14 +11,14 @@ use std::process::Command;
 /// Friction ratios over each limit: far from it, within its accuracy on both sides, and on it.
 const SHARES: [f64; 6] = [0.5, 0.98, 0.99999, 1.0, 1.00001, 1.5];
 
-/// Results at one r: r and both limits, and for each friction ratio the return code, amplitude and phase.
+/// Results at one r: r itself, both limits, and for each friction ratio the return code, amplitude and phase.
 struct Point {
     head: [f64; 3],
     answers: Vec<(i32, f64, f64)>,
 }
 
-/// Returns the library's results at the points of the programs, and how often the code is 0, 1, 2, and 0 in a bistable
-/// regime.
+/// Returns the library's results at the points of the programs. Also returns how often the code is 0, 1, 2, and 0 in a
+/// bistable regime.
 fn expected<S: Float>(compiled: &CompiledSystem<'_, S>) -> (Vec<Point>, [usize; 4]) {
     let mut seen = [0; 4];
     let point = |r: S| {
@@ -138,7 +138,7 @@ fn main() {
 }
 "#;
 
-/// Compares a scene, and returns how often the library's code is 0, 1, 2, and 0 in a bistable regime.
+/// Compares a scene. Returns how often the library's code is 0, 1, 2, and 0 in a bistable regime.
 fn check<S: Float>(kind: &str, count: usize, damping: &str, stiction: &str) -> [usize; 4] {
     let single = S::EPSILON > 1e-10;
     let (scalar, real) = if single {
@@ -192,7 +192,7 @@ fn check<S: Float>(kind: &str, count: usize, damping: &str, stiction: &str) -> [
         );
     };
     same("C", "program");
-    // The same text compiles without its header.
+    // The same text must compile without its header.
     let alone = c_source(scene, tables, &name, None).expect("a form of its own");
     write("alone.c", &alone);
     cc(&folder, &["-c", "alone.c"]);
@@ -204,7 +204,7 @@ fn check<S: Float>(kind: &str, count: usize, damping: &str, stiction: &str) -> [
     write("main.rs", &main.replace("TABLES", "mod tables;"));
     rustc(&folder, &["main.rs", "-o", "program_rs"]);
     same("Rust", "program_rs");
-    // A library without std uses the file's own square root and arc tangent.
+    // If the library has no std, it uses the file's own square root and arc tangent.
     write(
         "lib.rs",
         "#![no_std]\n#![forbid(unsafe_code)]\npub mod tables;\n",

@@ -1,4 +1,4 @@
-//! Tests that the emitted files refuse what the macro refuses, and with the same names.
+//! Tests that the emitted files refuse the same scenes as the macro, and with the same names.
 
 use super::{cc, folder, run, rustc};
 use frictiongen::study::table::Tables;
@@ -110,7 +110,7 @@ fn as_the_macro_refuses() {
     let (few, _) = tables(FEW);
     let few: System = System::try_from(few).expect("a scene");
     let mut ratios = vec![0.19, 0.2, 0.3, 0.7, 1.0, 1.0_f64.next_up(), 1.7, 2.5, 2.6];
-    // The resonances of both scenes, as exact numbers.
+    // The points include the resonances of both scenes, as exact numbers.
     ratios.extend(few.resonances());
     let pairs = |r: f64| betas.map(|beta| (r, beta));
     let places: Vec<(f64, f64)> = ratios.iter().flat_map(|r| pairs(*r)).collect();
@@ -149,7 +149,7 @@ fn as_the_macro_refuses() {
     }
 }
 
-/// The load is named: on a base that moves by Y it is k₁Y.
+/// Checks that the file names the load. On a base that moves by Y it is k₁Y.
 #[test]
 fn the_load_is_named() {
     for (text, beta, other) in [(UNDAMPED, "F/P", "F/(k1 Y)"), (FEW, "F/(k1 Y)", "F/P")] {

@@ -1,4 +1,4 @@
-//! Tests stuck responses of the emitted files, bit for bit.
+//! Tests the stuck responses of the emitted files, bit for bit.
 
 use super::{POINTS, cc, folder, ratios, run, rustc};
 use frictiongen::System;
@@ -52,7 +52,7 @@ fn main() {
 }
 "#;
 
-/// Checks the stuck responses of a scene. `resonant` tells if they have a resonance at r = 2.
+/// Checks the stuck responses of a scene. `resonant` is true if they have a resonance at r = 2.
 fn check_stuck<S: Float>(name: &str, text: &str, resonant: bool) {
     let single = S::EPSILON > 1e-10;
     let (scalar, real) = if single {
@@ -139,7 +139,7 @@ fn stuck_responses() {
         &format!("{two}, damping: modal[0.02, 1.5]"),
         false,
     );
-    // Names of masses that lints reject, and a name that is a function of the files.
+    // The scene has names of masses that lints reject, and a name that is a function of the files.
     let rubbing = "masses: { Lower: 1, times: 2, a__b: 1 }, springs: { base - Lower: 1, Lower - times: 1, times - a__b: 2 }, contact: Lower - times, excitation: a__b";
     check_stuck::<f64>("rubbing", rubbing, false);
     check_stuck::<f64>(
@@ -152,8 +152,8 @@ fn stuck_responses() {
         &format!("{rubbing}, damping: modal(0.03)"),
         false,
     );
-    // Every response has its own poles. The first mass has none, the others have those of the chain above the contact,
-    // and the force has all of them.
+    // Every response has its own poles. The first mass has none, the other masses have those of the chain above the
+    // contact, and the force has all poles.
     let moving = "masses: { a: 1, b: 2, c: 1 }, springs: { base - a: 1, a - b: 1, b - c: 1 }, contact: b - base, excitation: base";
     check_stuck::<f64>("moving", moving, false);
     check_stuck::<f64>(
