@@ -3,6 +3,7 @@
 
 mod at;
 mod builder;
+mod combined;
 #[doc(hidden)]
 pub mod columns;
 pub mod compiled;
@@ -19,6 +20,7 @@ mod large;
 #[cfg(feature = "desk")]
 pub mod map;
 mod motion;
+mod naming;
 pub mod optimum;
 pub mod orbit;
 mod parameter;
@@ -37,6 +39,7 @@ mod work;
 pub use at::SystemAt;
 pub use builder::Builder;
 pub use error::{InvalidScene, StudyError, UnknownMass};
+pub use naming::UnknownMotion;
 /// The parts of a description: masses, springs, contact, excitation and damping.
 pub use frictiongen_model::scene;
 /// Tables of the response with a declared accuracy.

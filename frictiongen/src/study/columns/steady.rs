@@ -89,7 +89,7 @@ impl Motion {
     fn leave_out_stuck(&mut self, of: Of) {
         match of {
             Of::Contact => *self = Self::default(),
-            Of::Mass(_) => self.harmonics.clear(),
+            _ => self.harmonics.clear(),
         }
     }
 
