@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use frictiongen::study::UnknownMass;
-pub use frictiongen::study::columns::{CONTACT, Part};
+pub use frictiongen::study::columns::Part;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
@@ -81,7 +81,7 @@ pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
     Ok(masses)
 }
 
-/// Returns the named parts, each once. Without names it returns the contact and all masses.
+/// Returns the named motions, each once. Without names it returns the contact and all masses.
 pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
     if names.is_empty() {
         let masses = known(system).map(Part::from);
@@ -94,9 +94,12 @@ pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
                 "--of `{name}`: it is given twice"
             )));
         }
-        parts.push(match name.as_str() {
-            CONTACT => Part::contact(),
-            name => mass(system, "--of", name)?.into(),
+        let of = system
+            .motion_named(name)
+            .map_err(|error| Failure::new(format_args!("--of: {error}")))?;
+        parts.push(Part {
+            of,
+            name: name.clone(),
         });
     }
     Ok(parts)

@@ -29,6 +29,14 @@ pub enum Of {
     Shear,
 }
 
+impl Of {
+    /// Returns true if this is a force: that of a spring, or the base shear.
+    #[must_use]
+    pub fn is_force(self) -> bool {
+        matches!(self, Self::Spring(_) | Self::Shear)
+    }
+}
+
 /// The continuous motion of the contact or of a mass, with displacements in the non-dimensional form x̄.
 pub trait Steady {
     /// The scalar type of the scene.

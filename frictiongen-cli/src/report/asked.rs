@@ -233,6 +233,7 @@ fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<P
     let counts = |part: &Part| match part.of {
         Of::Contact => true,
         Of::Mass(index) => kept.contains(&index),
+        _ => false,
     };
     Ok(all.into_iter().filter(counts).collect())
 }

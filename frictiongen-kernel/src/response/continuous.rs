@@ -4,8 +4,8 @@ use super::at::At;
 use super::scene::Scene;
 use crate::combination::Combination;
 use crate::errors::NotContinuous;
-use crate::response::coefficients::{Friction, Fundamental};
 use crate::number::scalar::Scalar;
+use crate::response::coefficients::{Friction, Fundamental};
 use crate::response::motion::Motion;
 
 /// Motion type of a scene, for the relative motion of its contact or for the motion of one mass.

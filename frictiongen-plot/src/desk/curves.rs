@@ -2,9 +2,9 @@
 
 use super::scales::Scales;
 use crate::{Axis, Colour, Figure, Key, Label, Line, Marker, Markers, Panel, Point, Stroke};
-use frictiongen::Regime;
 use frictiongen::study::curve::{Curve, CurvePoint, End, Piece};
 use frictiongen::study::units::polar;
+use frictiongen::{Of, Regime};
 
 /// The quantity of a motion that a curve shows: amplitude, phase, or one harmonic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -306,11 +306,12 @@ fn exceeded(points: &[Point], share: f64) -> f64 {
 pub fn curve_figure(
     title: impl Into<Label>,
     drawn: &[Drawn<'_>],
-    parts: &[Label],
+    parts: &[(Of, Label)],
     scales: &Scales,
 ) -> Figure {
     let mut panels = Vec::new();
-    for (index, part) in parts.iter().enumerate() {
+    for (index, (of, part)) in parts.iter().enumerate() {
+        let scales = &scales.showing(*of);
         panels.push(panel(
             part.clone(),
             drawn,

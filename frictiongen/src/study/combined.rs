@@ -98,7 +98,12 @@ impl Terms {
     }
 
     /// Returns Σ c_k φ_k for every mode, from the components of all masses.
-    fn shape<S: Scalar>(&self, shapes: &[S], modes: usize, coefficient: impl Fn(Dd) -> S) -> Vec<S> {
+    fn shape<S: Scalar>(
+        &self,
+        shapes: &[S],
+        modes: usize,
+        coefficient: impl Fn(Dd) -> S,
+    ) -> Vec<S> {
         let mut sum = vec![S::constant(0.0); modes];
         for (mass, factor) in &self.masses {
             let components = shapes.chunks_exact(modes.max(1)).nth(*mass);
@@ -131,7 +136,10 @@ impl<S: Float> System<S> {
         match of {
             // The contact's motion is that of the later mass relative to the earlier one.
             Of::Relative(of, to)
-                if to < of && [of, to].iter().all(|index| sides.contains(&Node::Mass(*index))) =>
+                if to < of
+                    && [of, to]
+                        .iter()
+                        .all(|index| sides.contains(&Node::Mass(*index))) =>
             {
                 Of::Contact
             }

@@ -3,9 +3,9 @@
 
 mod at;
 mod builder;
-mod combined;
 #[doc(hidden)]
 pub mod columns;
+mod combined;
 pub mod compiled;
 mod compiled_stuck;
 #[cfg(feature = "desk")]
@@ -39,9 +39,9 @@ mod work;
 pub use at::SystemAt;
 pub use builder::Builder;
 pub use error::{InvalidScene, StudyError, UnknownMass};
-pub use naming::UnknownMotion;
 /// The parts of a description: masses, springs, contact, excitation and damping.
 pub use frictiongen_model::scene;
+pub use naming::UnknownMotion;
 /// Tables of the response with a declared accuracy.
 pub mod table {
     pub use frictiongen_model::table::{

@@ -25,7 +25,10 @@ pub(crate) fn no_such_motion(f: &mut std::fmt::Formatter<'_>, of: Of) -> std::fm
             write!(f, "the scene has no mass with the index {index}")
         }
         Of::Relative(a, b) if a == b => write!(f, "a mass does not move relative to itself"),
-        Of::Relative(a, b) => write!(f, "the scene has no two masses with the indices {a} and {b}"),
+        Of::Relative(a, b) => write!(
+            f,
+            "the scene has no two masses with the indices {a} and {b}"
+        ),
         Of::Spring(index) => write!(f, "the scene has no spring with the index {index}"),
         Of::Contact | Of::Shear => write!(f, "the scene has no such motion"),
     }

@@ -12,7 +12,7 @@ use crate::study::{
 /// Name of the contact, which no mass can have.
 pub const CONTACT: &str = "contact";
 
-/// A moving part: the contact or a mass.
+/// A moving part: the contact, a mass, or a combination of masses and base.
 #[derive(Clone, Debug)]
 pub struct Part {
     /// The motion of the part.
@@ -22,6 +22,16 @@ pub struct Part {
 }
 
 impl Part {
+    /// Returns the dimension of the part's amplitude: a length, or a force for a spring and for the base shear.
+    #[must_use]
+    pub fn dimension(&self) -> Dimension {
+        if self.of.is_force() {
+            Dimension::Force
+        } else {
+            Dimension::Length
+        }
+    }
+
     /// Returns the contact.
     #[must_use]
     pub fn contact() -> Self {

@@ -83,10 +83,7 @@ fn instants(history: &History) -> impl Iterator<Item = f64> + use<> {
 fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
     let friction = motion.friction();
     let (lag, beta) = (friction.phase, friction.beta);
-    let motions: Vec<_> = of
-        .iter()
-        .filter_map(|of| motion.motion_of(*of))
-        .collect();
+    let motions: Vec<_> = of.iter().filter_map(|of| motion.motion_of(*of)).collect();
     let sliding = |tau: f64| {
         // The number of half cycles since the maximum.
         let half = ((tau - lag) / PI).floor();
@@ -166,10 +163,8 @@ fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
 /// Adds the samples of a contact that never slides.
 fn held(history: &mut History, held: &SystemHeld<'_>, of: &[Of]) {
     let (force, constant) = (held.contact_force(), held.constant_force());
-    let amplitudes: Vec<(Complex<f64>, f64)> = of
-        .iter()
-        .filter_map(|of| held.motion_of(*of))
-        .collect();
+    let amplitudes: Vec<(Complex<f64>, f64)> =
+        of.iter().filter_map(|of| held.motion_of(*of)).collect();
     for tau in instants(history) {
         let (sine, cosine) = tau.sin_cos();
         let moments = amplitudes.iter().map(|(amplitude, offset)| {

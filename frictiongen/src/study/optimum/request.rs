@@ -2,8 +2,8 @@
 
 use crate::Of;
 use crate::study::error::{InvalidScene, UnknownMass};
-use crate::study::words;
 use crate::study::units::{Load, LoadError};
+use crate::study::words;
 
 /// A band of frequencies, in frequency ratios or in Hz.
 #[derive(Clone, Copy, Debug, PartialEq)]
