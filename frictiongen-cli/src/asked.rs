@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use frictiongen::study::UnknownMass;
 pub use frictiongen::study::columns::Part;
+use frictiongen::study::response::Size;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
@@ -22,6 +23,7 @@ impl From<Mass> for Part {
     fn from(mass: Mass) -> Self {
         Self {
             of: Of::Mass(mass.index),
+            size: Size::Displacement,
             name: mass.name,
         }
     }
@@ -94,13 +96,8 @@ pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
                 "--of `{name}`: it is given twice"
             )));
         }
-        let of = system
-            .motion_named(name)
-            .map_err(|error| Failure::new(format_args!("--of: {error}")))?;
-        parts.push(Part {
-            of,
-            name: name.clone(),
-        });
+        let part = Part::named(system, name);
+        parts.push(part.map_err(|error| Failure::new(format_args!("--of: {error}")))?);
     }
     Ok(parts)
 }
@@ -121,6 +118,17 @@ fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
         let known = known.collect();
         Failure::new(format_args!("{option}: {}", UnknownMass { name, known }))
     })
+}
+
+/// Fails if the velocity or the acceleration of a motion is requested, where only displacements and forces are known.
+pub fn without_rates(parts: &[Part]) -> Result<(), Failure> {
+    match parts.iter().find(|part| part.has_rate()) {
+        Some(part) => Err(Failure::new(format_args!(
+            "--of `{}`: this command has displacements and forces only; `curve`, `response` and `orbit` have velocities and accelerations",
+            part.name
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// Returns the one requested part.

@@ -22,6 +22,7 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
     let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let part = asked::part(&system, &arguments.of)?;
+    asked::without_rates(std::slice::from_ref(&part))?;
     frequencies.check(&system)?;
     let measure = measure::of(&arguments.point.load, &system)?;
     let frequencies = frequencies.under(&measure);

@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::picture;
 use frictiongen::Of;
 use frictiongen::study::curve::CurveStart;
+use frictiongen::study::response::Size;
 use frictiongen_plot::desk::{Drawn, curve_figure};
 use frictiongen_plot::{Colour, Label};
 use std::io::Write;
@@ -25,8 +26,8 @@ pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(),
         })
         .collect();
     let parts = report.parts.iter();
-    let parts: Vec<(Of, Label)> = parts
-        .map(|part| (part.of, picture::part_name(part)))
+    let parts: Vec<(Of, Size, Label)> = parts
+        .map(|part| (part.of, part.size, picture::part_name(part)))
         .collect();
     let title = Label::verbatim(&report.system.scene().name);
     picture::write(

@@ -23,6 +23,8 @@ pub struct CurveReport {
     pub measure: Measure,
     /// The motions to write.
     pub parts: Vec<Part>,
+    /// True for velocities and accelerations of every motion.
+    pub rates: bool,
     /// The request that made the curves.
     pub request: CurveRequest,
     /// The curves, one for each friction and start.
@@ -44,7 +46,7 @@ impl CurveReport {
                 parts: &self.parts,
             },
             starts: self.swept,
-            rates: self.request.rates,
+            rates: self.rates,
             orders: &self.request.harmonics,
         }
     }

@@ -1,7 +1,7 @@
 //! Units of the axes of a figure: non-dimensional groups or physical units.
 
 use crate::Label;
-use frictiongen::study::{scene::Excitation, units::LoadScale};
+use frictiongen::study::{response::Size, scene::Excitation, units::LoadScale};
 use frictiongen::{Of, System};
 
 /// Units in which a figure shows frequencies, frictions, displacements and times.
@@ -12,6 +12,8 @@ pub struct Scales {
     /// Units of force and displacement under the load. `None` if the figure shows non-dimensional groups.
     load: Option<LoadScale>,
     base_motion: bool,
+    /// Angular frequency that belongs to r = 1, rad/s.
+    reference: f64,
     /// True if amplitudes are forces.
     force: bool,
     /// Angular frequency ω in rad/s. `None` if the figure shows τ = ωt instead of seconds.
@@ -27,6 +29,7 @@ impl Scales {
             load: None,
             omega: None,
             force: false,
+            reference: system.angular_frequency(1.0),
             base_motion: system.scene().excitation == Excitation::Base,
         }
     }
@@ -200,6 +203,33 @@ impl Scales {
         }
         self.load
             .map_or(ratio, |load| load.displacement(ratio) * 1e3)
+    }
+
+    /// Converts the largest velocity or acceleration at the frequency ratio r to the unit of its axis.
+    #[must_use]
+    pub fn rate_at(&self, size: Size, r: f64, value: f64) -> f64 {
+        let Some(load) = self.load else {
+            return value;
+        };
+        let omega = r * self.reference;
+        let displacement = load.displacement(value);
+        match size {
+            Size::Displacement => displacement * 1e3,
+            Size::Velocity => displacement * omega * 1e3,
+            Size::Acceleration => displacement * omega * omega,
+        }
+    }
+
+    /// Returns the label of an axis of largest displacements, velocities or accelerations.
+    #[must_use]
+    pub fn size_label(&self, size: Size) -> Label {
+        match (size, self.load) {
+            (Size::Displacement, _) => self.length_label(),
+            (Size::Velocity, Some(_)) => "velocity amplitude (mm/s)".into(),
+            (Size::Velocity, None) => "amplitude of d*x̄*/d*τ*".into(),
+            (Size::Acceleration, Some(_)) => "acceleration amplitude (m/s²)".into(),
+            (Size::Acceleration, None) => "amplitude of d²*x̄*/d*τ*²".into(),
+        }
     }
 
     /// Returns the label of an amplitude axis.

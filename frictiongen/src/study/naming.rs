@@ -1,6 +1,7 @@
 //! Names of motions: `roof`, `roof-base`, `roof-first`, `spring(first-roof)`, `shear`, `contact`.
 
 use super::error::UnknownMass;
+use super::response::Size;
 use super::system::System;
 use crate::Of;
 use frictiongen_kernel::Float;
@@ -22,6 +23,10 @@ pub enum UnknownMotion {
     NoShear,
     /// The function in front of the brackets is unknown.
     Function(String),
+    /// A force has neither a velocity nor an acceleration.
+    Rate(String),
+    /// Only a contact slips.
+    Slip(String),
     /// The closing bracket is missing, or text follows it.
     Brackets(String),
 }
@@ -48,8 +53,13 @@ impl std::fmt::Display for UnknownMotion {
             ),
             Self::Function(name) => write!(
                 f,
-                "there is no quantity `{name}(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)` or `shear`"
+                "there is no quantity `{name}(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)` or `accel(…)`"
             ),
+            Self::Rate(name) => write!(
+                f,
+                "`{name}` is a force, which has neither a velocity nor an acceleration"
+            ),
+            Self::Slip(name) => write!(f, "`{name}` is no contact; write `slip(contact)`"),
             Self::Brackets(text) => {
                 write!(f, "`{text}`: write one closing bracket, at the end")
             }
@@ -139,6 +149,56 @@ impl<S: Float> System<S> {
             return Err(UnknownMotion::Itself(of.to_owned()));
         }
         Ok(Of::Relative(mass, reference))
+    }
+
+    /// Returns the motion with this name, and the size that the name asks for: `vel(roof)` is the velocity and
+    /// `accel(roof)` the acceleration of the motion `roof`, and `slip(contact)` is the displacement in the contact. Any
+    /// other name asks for a displacement or a force.
+    ///
+    /// ```
+    /// use frictiongen::study::response::Size;
+    /// use frictiongen::{Of, System};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let frame: System = "struct Frame {
+    ///     masses: { first: 2000, roof: 2000 },
+    ///     springs: { base - first: 1.5e6, first - roof: 1.5e6 },
+    ///     contact: base - first,
+    ///     excitation: base,
+    ///     damping: modal(0.01),
+    /// }"
+    /// .parse()?;
+    /// assert_eq!(frame.quantity_named("accel(roof)")?, (Of::Mass(1), Size::Acceleration));
+    /// assert_eq!(frame.quantity_named("vel(roof-base)")?, (Of::FromBase(1), Size::Velocity));
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// Same errors as [`motion_named`](Self::motion_named), and [`UnknownMotion::Rate`] for the velocity of a force.
+    pub fn quantity_named(&self, name: &str) -> Result<(Of, Size), UnknownMotion> {
+        let name = name.trim();
+        let functions = [
+            ("slip(", Size::Displacement),
+            ("vel(", Size::Velocity),
+            ("accel(", Size::Acceleration),
+        ];
+        for (function, size) in functions {
+            let Some(inside) = name.strip_prefix(function) else {
+                continue;
+            };
+            let inside = inside.strip_suffix(')');
+            let inside = inside.ok_or_else(|| UnknownMotion::Brackets(name.to_owned()))?;
+            let of = self.motion_named(inside)?;
+            if of.is_force() {
+                return Err(UnknownMotion::Rate(inside.trim().to_owned()));
+            }
+            if size == Size::Displacement && of != Of::Contact {
+                return Err(UnknownMotion::Slip(inside.trim().to_owned()));
+            }
+            return Ok((of, size));
+        }
+        Ok((self.motion_named(name)?, Size::Displacement))
     }
 
     /// Returns the name of a motion, as [`motion_named`](Self::motion_named) reads it. Names of masses and springs that

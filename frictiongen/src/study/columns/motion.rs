@@ -5,7 +5,7 @@ use super::column::{Head, Row, Shown};
 use super::measure::Dimension;
 use super::setting::Part;
 use crate::Complex;
-use crate::study::response::Swing;
+use crate::study::response::{Size, Swing};
 use crate::study::units::polar;
 
 /// The motion of a part, in groups. Missing quantities are `None`.
@@ -52,6 +52,18 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
         let size = named.dimension();
         let length = columns.measure().title(size);
         columns.begin_part(&named.name);
+        if named.size != Size::Displacement {
+            // The largest velocity or acceleration has neither a phase nor harmonics.
+            let of = named.size;
+            columns.number(Head::of("amplitude", size), move |row: &R| {
+                let (velocity, acceleration) = row.motion(part)?.rates?;
+                Some(match of {
+                    Size::Velocity => velocity,
+                    _ => acceleration,
+                })
+            });
+            continue;
+        }
         columns.number(Head::of("amplitude", size), move |row: &R| {
             Some(row.motion(part)?.swing?.amplitude)
         });

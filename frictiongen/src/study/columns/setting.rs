@@ -5,7 +5,8 @@ use super::column::{Axis, Column, Head, Row};
 use super::measure::{Dimension, Measure};
 use crate::Of;
 use crate::study::{
-    System,
+    System, UnknownMotion,
+    response::Size,
     units::{self, LoadScale},
 };
 
@@ -17,18 +18,37 @@ pub const CONTACT: &str = "contact";
 pub struct Part {
     /// The motion of the part.
     pub of: Of,
+    /// The requested size of the motion: its displacement, velocity or acceleration.
+    pub size: Size,
     /// Name of the part.
     pub name: String,
 }
 
 impl Part {
+    /// Returns the part with this name, as [`System::quantity_named`] reads it.
+    ///
+    /// # Errors
+    /// Same errors as [`System::quantity_named`].
+    pub fn named(system: &System, name: &str) -> Result<Self, UnknownMotion> {
+        let (of, size) = system.quantity_named(name)?;
+        let name = name.trim().to_owned();
+        Ok(Self { of, size, name })
+    }
+
+    /// Returns true if the velocity or the acceleration is requested.
+    #[must_use]
+    pub fn has_rate(&self) -> bool {
+        self.size != Size::Displacement
+    }
+
     /// Returns the dimension of the part's amplitude: a length, or a force for a spring and for the base shear.
     #[must_use]
     pub fn dimension(&self) -> Dimension {
-        if self.of.is_force() {
-            Dimension::Force
-        } else {
-            Dimension::Length
+        match self.size {
+            Size::Displacement if self.of.is_force() => Dimension::Force,
+            Size::Displacement => Dimension::Length,
+            Size::Velocity => Dimension::Velocity,
+            Size::Acceleration => Dimension::Acceleration,
         }
     }
 
@@ -37,6 +57,7 @@ impl Part {
     pub fn contact() -> Self {
         Self {
             of: Of::Contact,
+            size: Size::Displacement,
             name: CONTACT.to_owned(),
         }
     }
