@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use frictiongen::study::UnknownMass;
-pub use frictiongen::study::columns::{CONTACT, Part};
+pub use frictiongen::study::columns::Part;
+use frictiongen::study::response::Size;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
@@ -22,6 +23,7 @@ impl From<Mass> for Part {
     fn from(mass: Mass) -> Self {
         Self {
             of: Of::Mass(mass.index),
+            size: Size::Displacement,
             name: mass.name,
         }
     }
@@ -82,7 +84,7 @@ pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
     Ok(masses)
 }
 
-/// Returns the contact or masses with these names, each once. Without names it returns the contact and all masses.
+/// Returns the named motions, each once. Without names it returns the contact and all masses.
 pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
     if names.is_empty() {
         let masses = known(system).map(Part::from);
@@ -95,10 +97,8 @@ pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
                 "--of `{name}`: it is given twice"
             )));
         }
-        parts.push(match name.as_str() {
-            CONTACT => Part::contact(),
-            name => mass(system, "--of", name)?.into(),
-        });
+        let part = Part::named(system, name);
+        parts.push(part.map_err(|error| Failure::new(format_args!("--of: {error}")))?);
     }
     Ok(parts)
 }
@@ -121,7 +121,18 @@ fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
     })
 }
 
-/// Returns the contact or mass with this name.
+/// Fails if the velocity or the acceleration of a motion is requested, where only displacements and forces are known.
+pub fn without_rates(parts: &[Part]) -> Result<(), Failure> {
+    match parts.iter().find(|part| part.has_rate()) {
+        Some(part) => Err(Failure::new(format_args!(
+            "--of `{}`: this command has displacements and forces only; `curve`, `response` and `orbit` have velocities and accelerations",
+            part.name
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// Returns the one requested part.
 pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
     let mut parts = parts(system, &[name.to_owned()])?;
     parts

@@ -10,6 +10,7 @@ use crate::grids::Grids;
 use crate::measure;
 use crate::output::{self, Table, Visitor};
 use crate::summary::Summary;
+use frictiongen::study::StudyError;
 use frictiongen::study::columns::{Column, SensitivityRow, SensitivityTable};
 use frictiongen::{Of, System};
 use frictiongen_codegen::Limits;
@@ -22,6 +23,10 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
     let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let part = asked::part(&system, &arguments.of)?;
+    asked::without_rates(std::slice::from_ref(&part))?;
+    if part.of.is_force() {
+        return Err(Failure::new(StudyError::ForceHasNoDerivative));
+    }
     frequencies.check(&system)?;
     let measure = measure::of(&arguments.point.load, &system)?;
     let frequencies = frequencies.under(&measure);

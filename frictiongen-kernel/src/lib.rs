@@ -5,6 +5,7 @@
 //! [`stepper`] and [`orbit`] use these modules, and not one another. [`errors`] has the error types of all modules.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
+pub mod combination;
 pub mod contact;
 #[doc(hidden)]
 pub mod emitted;

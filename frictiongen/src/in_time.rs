@@ -158,6 +158,7 @@ where
         let motion = match of {
             Of::Contact => self.contact(),
             Of::Mass(index) => self.mass_at(index)?,
+            _ => return None,
         };
         Some(question(&motion))
     }

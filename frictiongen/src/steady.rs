@@ -7,7 +7,10 @@ use frictiongen_kernel::oscillator::decay::Decay;
 use frictiongen_kernel::response::motion::{Largest, Motion};
 use frictiongen_kernel::table::{SteadyContact, TabledMotion};
 
-/// Selects the motion that a query is about: the contact's or a mass's.
+/// Selects the motion that a query is about: that of the contact, of a mass, or of a combination of masses and base.
+///
+/// Emitted solvers answer for the contact and for masses. A run-time `System` also answers for the combinations. The
+/// largest value of a force is in units of P, for base motion of k₁Y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Of {
@@ -15,6 +18,23 @@ pub enum Of {
     Contact,
     /// The displacement of a mass, by its index in the description.
     Mass(usize),
+    /// The displacement of the first mass relative to the second, by their indices.
+    Relative(usize, usize),
+    /// The displacement of a mass relative to the base, by its index. The base moves only if it is excited.
+    FromBase(usize),
+    /// The force in a spring, by its index in the description. It is positive if the second end of the spring moves
+    /// away from the first.
+    Spring(usize),
+    /// The base shear: the sum of the forces in all springs between a mass and the base.
+    Shear,
+}
+
+impl Of {
+    /// Returns true if this is a force: that of a spring, or the base shear.
+    #[must_use]
+    pub fn is_force(self) -> bool {
+        matches!(self, Self::Spring(_) | Self::Shear)
+    }
 }
 
 /// The continuous motion of the contact or of a mass, with displacements in the non-dimensional form x̄.

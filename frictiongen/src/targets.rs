@@ -106,6 +106,7 @@ macro_rules! in_parts {
                 match of {
                     Of::Contact => Some(question(&self.contact())),
                     Of::Mass(index) => Some(question(&self.mass_at(index)?)),
+                    _ => None,
                 }
             }
         }

@@ -96,8 +96,8 @@ impl Recording {
             };
             match system.motion_named(&name) {
                 Ok(Of::Mass(_)) => {}
-                Ok(Of::Contact) => {
-                    return Err(domain("on: a force acts on a mass, not on the contact"));
+                Ok(_) => {
+                    return Err(domain("on: a force acts on a mass"));
                 }
                 Err(error) => return Err(domain(format_args!("on: {error}"))),
             }

@@ -39,8 +39,8 @@ pub fn at_limit(system: &System, range: (f64, f64), of: Of, reading: Reading) ->
             continue;
         };
         let value = match reading {
-            Reading::Amplitude | Reading::Harmonic(_) => amplitude,
-            Reading::Phase | Reading::HarmonicPhase(_) => {
+            reading if !reading.is_phase() => amplitude,
+            _ => {
                 let near = lag - ((lag - last.unwrap_or(FRAC_PI_2)) / TAU).round() * TAU;
                 if last.is_some_and(|last| TURN < (near - last).abs()) {
                     pieces.push(Vec::new());
@@ -61,7 +61,7 @@ fn read(system: &System, r: f64, limit: f64, of: Of, reading: Reading) -> Option
     // The friction is just below β_lim, because at β_lim itself the motion is no longer continuous.
     let response = system.at(r).ok()?.response(limit * (1.0 - 1e-13)).ok()?;
     match reading {
-        Reading::Amplitude | Reading::Phase => {
+        Reading::Amplitude | Reading::Phase | Reading::Rate(_) => {
             let swing = response.swing(of)?;
             Some((swing.amplitude, swing.phase?))
         }

@@ -219,8 +219,8 @@ impl<'a> Responses<'a> {
         }
         let polar = *simulated(self.system, (r, curve.beta), &[of], reading)?.first()?;
         Some(match reading {
-            Reading::Amplitude | Reading::Harmonic(_) => (r, polar.amplitude),
-            Reading::Phase | Reading::HarmonicPhase(_) => {
+            reading if !reading.is_phase() => (r, polar.amplitude),
+            _ => {
                 let lag = polar.lag - ((polar.lag - FRAC_PI_2) / TAU).round() * TAU;
                 (r, lag.to_degrees())
             }

@@ -42,10 +42,7 @@ pub fn from_rest(
             passed += segment.length;
         }
         for (motion, of) in motions.iter_mut().zip(of) {
-            motion.push(match of {
-                Of::Contact => run.relative().0,
-                Of::Mass(index) => run.run().mass(*index).displacement(),
-            });
+            motion.push(run.motion_of(*of)?.0);
         }
     }
     Some(motions)
@@ -64,7 +61,7 @@ pub fn simulated(
         .collect();
     let motions = from_rest(system, at, of, &angles)?;
     let read = |motion: Vec<f64>| match reading {
-        Reading::Amplitude | Reading::Phase => largest(&angles, &motion),
+        Reading::Amplitude | Reading::Phase | Reading::Rate(_) => largest(&angles, &motion),
         Reading::Harmonic(_) | Reading::HarmonicPhase(_) => fundamental(&angles, &motion),
     };
     Some(motions.into_iter().map(read).collect())

@@ -33,8 +33,8 @@ pub fn stuck(system: &System, (from, to): (f64, f64), of: Of, reading: Reading) 
         }
         last = Some(near);
         let value = match reading {
-            Reading::Amplitude | Reading::Harmonic(_) => amplitude,
-            Reading::Phase | Reading::HarmonicPhase(_) => near.to_degrees(),
+            reading if !reading.is_phase() => amplitude,
+            _ => near.to_degrees(),
         };
         if let Some(piece) = pieces.last_mut() {
             piece.push((r, value));

@@ -97,18 +97,10 @@ pub fn cycle(
 }
 
 fn displacement(response: &SystemResponse<'_>, of: Of, tau: f64) -> Option<f64> {
-    match (response, of) {
-        (SystemResponse::Continuous(motion), Of::Contact) => {
-            Some(motion.contact().displacement(tau))
-        }
-        (SystemResponse::Continuous(motion), Of::Mass(index)) => {
-            Some(motion.mass_at(index)?.displacement(tau))
-        }
-        (SystemResponse::StickSlip(orbit), Of::Contact) => Some(orbit.contact().displacement(tau)),
-        (SystemResponse::StickSlip(orbit), Of::Mass(index)) => {
-            Some(orbit.mass_at(index)?.displacement(tau))
-        }
-        (SystemResponse::Stuck(_), _) => None,
+    match response {
+        SystemResponse::Continuous(motion) => Some(motion.motion_of(of)?.displacement(tau)),
+        SystemResponse::StickSlip(orbit) => orbit.ask_of(of, |motion| motion.displacement(tau)),
+        SystemResponse::Stuck(_) => None,
     }
 }
 

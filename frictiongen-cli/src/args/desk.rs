@@ -23,7 +23,8 @@ pub struct CurveArguments {
     /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print only this mass, or `contact`; may be given more than once [default: all]
+    /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`, `vel(roof)`,
+    /// `accel(roof)`; may be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Largest distance of the curve from straight lines between its points, relative to the curve [default: 5e-4]
@@ -64,7 +65,8 @@ pub struct MapArguments {
     /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print only the amplitude of this mass, or of `contact`; may be given more than once [default: all]
+    /// Print only the amplitude of this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`; may
+    /// be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Print the boundaries between regions, to this many significant digits, instead of the points
@@ -102,7 +104,8 @@ pub struct TimeArguments {
     /// Print one period of the steady state instead of a run
     #[arg(long, conflicts_with_all = ["cycles", "skip", "from"])]
     pub steady: bool,
-    /// Print only this mass, or `contact`; may be given more than once [default: contact and every mass]
+    /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`; may be given more
+    /// than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Print the events of the contact instead of samples
@@ -125,7 +128,7 @@ pub struct SensitivityArguments {
     /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Mass whose derivatives are printed, or `contact`
+    /// Motion whose derivatives are printed: a mass, `contact`, `roof-base`, `roof-first`
     #[arg(long, value_name = "NAME")]
     pub of: String,
     /// The format.
@@ -145,7 +148,7 @@ pub struct OptimumArguments {
     /// The load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Mass whose amplitude is kept small, or `contact`
+    /// Motion whose amplitude is kept small: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`
     #[arg(long, value_name = "NAME")]
     pub of: String,
     /// Choose one number of the description too, between a and b: `k base - lower=a:b`
@@ -190,7 +193,8 @@ pub struct FeaturesArguments {
     /// The load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Print only this mass, or `contact`; may be given more than once [default: all]
+    /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`, `vel(roof)`,
+    /// `accel(roof)`; may be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png

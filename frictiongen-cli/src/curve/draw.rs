@@ -4,7 +4,9 @@ use super::report::CurveReport;
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::picture;
+use frictiongen::Of;
 use frictiongen::study::curve::CurveStart;
+use frictiongen::study::response::Size;
 use frictiongen_plot::desk::{Drawn, curve_figure};
 use frictiongen_plot::{Colour, Label};
 use std::io::Write;
@@ -23,7 +25,10 @@ pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(),
             colour: Colour::Series(index),
         })
         .collect();
-    let parts: Vec<Label> = report.parts.iter().map(picture::part_name).collect();
+    let parts = report.parts.iter();
+    let parts: Vec<(Of, Size, Label)> = parts
+        .map(|part| (part.of, part.size, picture::part_name(part)))
+        .collect();
     let title = Label::verbatim(&report.system.scene().name);
     picture::write(
         curve_figure(title, &drawn, &parts, &scales),

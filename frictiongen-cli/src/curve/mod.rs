@@ -5,7 +5,7 @@ mod draw;
 mod report;
 
 use crate::args::{CurveArguments, StartFrom};
-use crate::asked;
+use crate::asked::{self, Part};
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
 use crate::destination::Form;
@@ -49,7 +49,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     let mut request = CurveRequest {
         widest: band.widest,
         harmonics: orders,
-        rates: arguments.rates,
+        rates: arguments.rates || parts.iter().any(Part::has_rate),
         turned: measure.turns_contact(),
         ..CurveRequest::new(band.from, band.to, &of)
     };
@@ -74,6 +74,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         frictions,
         measure,
         parts,
+        rates: arguments.rates,
         request,
         curves,
         swept,

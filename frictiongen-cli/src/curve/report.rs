@@ -23,7 +23,9 @@ pub struct CurveReport {
     pub measure: Measure,
     /// The contact and masses whose motions are written.
     pub parts: Vec<Part>,
-    /// The request from which the curves were computed.
+    /// True for velocities and accelerations of every motion.
+    pub rates: bool,
+    /// The request that made the curves.
     pub request: CurveRequest,
     /// The curves, one for each friction and start.
     pub curves: Vec<(Friction, Curve)>,
@@ -44,7 +46,7 @@ impl CurveReport {
                 parts: &self.parts,
             },
             starts: self.swept,
-            rates: self.request.rates,
+            rates: self.rates,
             orders: &self.request.harmonics,
         }
     }

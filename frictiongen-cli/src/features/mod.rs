@@ -66,6 +66,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
         ));
     }
     let mut parts = asked::parts(&system, &arguments.of)?;
+    asked::without_rates(&parts)?;
     if arguments.of.is_empty() && !system.modal().on_moving_base {
         // A mass that rubs on a support at rest moves as the contact does. Its motion is therefore listed only once.
         let rubbing = system.modal().rubbing().map(Of::Mass);

@@ -52,6 +52,10 @@ pub fn draw(
         (desk::Shade::Amplitude(_), Some(part)) => format!("{name}: {}", part.name),
         _ => name.clone(),
     };
+    let scales = match grids.parts.first() {
+        Some(part) => scales.showing(part.of),
+        None => scales,
+    };
     let figure = map_figure(
         Label::verbatim(&title),
         map,

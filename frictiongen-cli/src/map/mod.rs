@@ -47,6 +47,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;
     let parts = asked::parts(&system, &arguments.of)?;
+    asked::without_rates(&parts)?;
     let measure = measure::of(&arguments.point.load, &system)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;

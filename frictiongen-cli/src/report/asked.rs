@@ -67,7 +67,16 @@ impl Asked {
         let parts = if arguments.of.is_empty() {
             shown(&system, &band, &mut chosen)?
         } else {
-            asked::parts(&system, &arguments.of)?
+            let parts = asked::parts(&system, &arguments.of)?;
+            let plain =
+                |part: &&Part| matches!(part.of, Of::Contact | Of::Mass(_)) && !part.has_rate();
+            if let Some(part) = parts.iter().find(|part| !plain(part)) {
+                return Err(Failure::new(format_args!(
+                    "--of `{}`: the report shows the contact and masses; `curve` shows relative motions and forces",
+                    part.name
+                )));
+            }
+            parts
         };
         let frictions = match arguments.frictions() {
             None => None,
@@ -233,6 +242,7 @@ fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<P
     let counts = |part: &Part| match part.of {
         Of::Contact => true,
         Of::Mass(index) => kept.contains(&index),
+        _ => false,
     };
     Ok(all.into_iter().filter(counts).collect())
 }

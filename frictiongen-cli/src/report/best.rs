@@ -50,7 +50,7 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let farthest = asked.farthest_if_stuck();
     let rank = |part: &Part| match part.of {
         Of::Mass(mass) => farthest.iter().position(|other| *other == mass),
-        Of::Contact => None,
+        _ => None,
     };
     let most = if masses <= ALL_MOTIONS {
         MOST_MOTIONS

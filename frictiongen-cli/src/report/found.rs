@@ -20,7 +20,6 @@ pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
     if beta == STUCK {
         let stuck = at.stuck()?;
         let swing = match of {
-            Of::Contact => rest,
             Of::Mass(index) => stuck.mass_at(index).map_or(rest, |harmonic| {
                 let (amplitude, phase) = units::polar(harmonic);
                 Swing {
@@ -28,6 +27,8 @@ pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
                     phase: (0.0 < amplitude).then_some(phase),
                 }
             }),
+            // The page has no other motions than those of the contact and of masses.
+            _ => rest,
         };
         return Ok((Regime::Stuck, swing));
     }

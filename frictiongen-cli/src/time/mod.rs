@@ -9,7 +9,7 @@ mod samples;
 mod spectrum;
 
 use crate::args::TimeArguments;
-use crate::asked::parts;
+use crate::asked::{parts, without_rates};
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
 use crate::destination::Form;
@@ -48,6 +48,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     };
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let parts = parts(&system, &arguments.of)?;
+    without_rates(&parts)?;
     frequencies.check(&system)?;
     let measure = measure::of(&arguments.point.load, &system)?;
     if system.scene().friction != FrictionLaw::Coulomb && measure.load().is_none() {

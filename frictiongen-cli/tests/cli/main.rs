@@ -15,6 +15,7 @@ mod limits;
 mod map;
 mod optimum;
 mod orbit;
+mod quantities;
 mod recorded;
 #[cfg(feature = "report")]
 mod report;

@@ -39,6 +39,7 @@ pub use start::Start;
 pub use states::States;
 pub use types::{MAX_CYCLES, MAX_SEGMENTS, MAX_STEPS, Orbit};
 
+use crate::combination::Combination;
 use crate::motion::{Contact, Part};
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
@@ -274,8 +275,21 @@ where
         if dynamics.moves_as_contact(index) {
             self.contact()
         } else {
-            OrbitMotion::of_mass(self, dynamics.shape(index))
+            let combination = Combination {
+                shape: dynamics.shape(index),
+                base: S::constant(0.0),
+            };
+            OrbitMotion::of_combination(self, combination)
         }
+    }
+
+    /// Returns the motion of a linear combination of masses and base.  Its shape has the components in the modes of the data in
+    /// time.
+    pub fn combination<'o>(
+        &'o self,
+        combination: Combination<'o, S>,
+    ) -> OrbitMotion<'o, 'a, S, P, V, C> {
+        OrbitMotion::of_combination(self, combination)
     }
 
     /// Returns the motion of a mass, by its index in the description, or `None` if there is no such mass.

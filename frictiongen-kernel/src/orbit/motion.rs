@@ -4,6 +4,7 @@ use super::gauss::{PANEL, SIXTEEN};
 use super::rates;
 use super::segments::Segments;
 use super::types::{Orbit, SegmentStart};
+use crate::combination::Combination;
 use crate::motion::{Contact, Part, Sum, lift, rotated};
 use crate::number::complex::{self, Complex};
 use crate::number::phase::{within_cycle, wrapped};
@@ -19,16 +20,16 @@ const SAME_LAG: f64 = 1e-9;
 #[derive(Debug)]
 pub struct OrbitMotion<'o, 'a, S, P, V, C> {
     orbit: &'o Orbit<'a, S, P, V, C>,
-    /// Components of the mass in the mode shapes, or `None` for the contact.
-    shape: Option<&'a [S]>,
+    /// The combination of masses and base that moves, or `None` for the contact.
+    combination: Option<Combination<'o, S>>,
 }
 
-impl<S, P, V, C> Clone for OrbitMotion<'_, '_, S, P, V, C> {
+impl<S: Copy, P, V, C> Clone for OrbitMotion<'_, '_, S, P, V, C> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<S, P, V, C> Copy for OrbitMotion<'_, '_, S, P, V, C> {}
+impl<S: Copy, P, V, C> Copy for OrbitMotion<'_, '_, S, P, V, C> {}
 
 /// Upper bound on the panels into which the quadrature of a harmonic divides a segment.
 const MOST_PANELS: f64 = (1_u32 << 14) as f64;
@@ -47,13 +48,19 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
 {
     pub(super) fn of_contact(orbit: &'o Orbit<'a, S, P, V, C>) -> Self {
-        Self { orbit, shape: None }
-    }
-
-    pub(super) fn of_mass(orbit: &'o Orbit<'a, S, P, V, C>, shape: &'a [S]) -> Self {
         Self {
             orbit,
-            shape: Some(shape),
+            combination: None,
+        }
+    }
+
+    pub(super) fn of_combination(
+        orbit: &'o Orbit<'a, S, P, V, C>,
+        combination: Combination<'o, S>,
+    ) -> Self {
+        Self {
+            orbit,
+            combination: Some(combination),
         }
     }
 
@@ -196,7 +203,7 @@ where
 
     /// Returns true if this is the relative motion in the contact.
     pub(super) fn is_contact(&self) -> bool {
-        self.shape.is_none()
+        self.combination.is_none()
     }
 
     /// Notes the relative motion at all events, because the motion is largest where its velocity is zero.  The end of a
@@ -260,18 +267,16 @@ where
         let (modes, stuck_modes) = setting.split(parts);
         let driven = setting.dynamics.in_contact();
         let mut constant = zero;
-        let mut fundamental = complex::real(zero);
+        let base = self.combination.map(|combination| combination.base);
+        let mut fundamental = complex::real(base.unwrap_or(-setting.base));
         let component = |index: usize| -> S {
             let contact = || setting.dynamics.modes.get(index).map(|mode| mode.contact);
-            let component = match self.shape {
-                Some(shape) => shape.get(index).copied(),
+            let component = match self.combination {
+                Some(combination) => combination.shape.get(index).copied(),
                 None => contact(),
             };
             component.unwrap_or(zero)
         };
-        if self.shape.is_none() {
-            fundamental = complex::real(-setting.base);
-        }
         let sticks = contact_state.contact == Contact::Stuck;
         if sticks {
             let (_, offset) = setting.start_sticking(modes, stuck_modes, contact_state, reach);

@@ -2,7 +2,9 @@
 
 use super::at::At;
 use super::scene::Scene;
+use crate::combination::Combination;
 use crate::errors::NotContinuous;
+use crate::number::scalar::Scalar;
 use crate::response::coefficients::{Friction, Fundamental};
 use crate::response::motion::Motion;
 
@@ -38,18 +40,31 @@ pub trait ProvidesMotion: Scene {
         friction: &Friction<Self::Scalar>,
         mass: usize,
     ) -> Option<MotionOf<Self>> {
-        let numbers = at.scene.numbers();
-        let (shape, chain) = (at.scene.shape(mass)?, numbers.chain);
-        let (contact, modes) = (&at.contact, at.modes.as_ref());
-        let fundamental =
-            chain.fundamental(shape, numbers.modes, modes, contact, friction, at.inverse_r);
-        let mut waves = at.scene.idle();
-        let modes = numbers.modes.iter().zip(modes).zip(shape);
-        for (wave, ((mode, functions), component)) in waves.as_mut().iter_mut().zip(modes) {
-            *wave = chain.mass_wave(mode, *component, functions, contact, friction, at.inverse_r);
-        }
+        let shape = at.scene.shape(mass)?;
+        let (fundamental, waves) = fundamental_and_waves(at, friction, shape);
         Some(Motion::of_mass(*friction, fundamental, waves))
     }
+}
+
+/// Returns the fundamental component of a motion, and the term of each mode. `shape` has the component of the motion in
+/// each mode shape.
+#[inline]
+fn fundamental_and_waves<T: Scene>(
+    at: &At<T>,
+    friction: &Friction<T::Scalar>,
+    shape: &[T::Scalar],
+) -> (Fundamental<T::Scalar>, T::Waves) {
+    let numbers = at.scene.numbers();
+    let chain = numbers.chain;
+    let (contact, modes) = (&at.contact, at.modes.as_ref());
+    let fundamental =
+        chain.fundamental(shape, numbers.modes, modes, contact, friction, at.inverse_r);
+    let mut waves = at.scene.idle();
+    let modes = numbers.modes.iter().zip(modes).zip(shape);
+    for (wave, ((mode, functions), component)) in waves.as_mut().iter_mut().zip(modes) {
+        *wave = chain.mass_wave(mode, *component, functions, contact, friction, at.inverse_r);
+    }
+    (fundamental, waves)
 }
 
 impl<T: ProvidesMotion> At<T> {
@@ -156,5 +171,19 @@ impl<T: ProvidesMotion> Continuous<T> {
             return Some(self.contact());
         }
         T::mass_motion(&self.at, &self.friction, mass)
+    }
+
+    /// Returns the motion of a linear combination of masses and base.
+    #[must_use]
+    pub fn combination(&self, combination: Combination<'_, T::Scalar>) -> MotionOf<T> {
+        let Combination { shape, base } = combination;
+        let (mut fundamental, waves) = fundamental_and_waves(&self.at, &self.friction, shape);
+        // cos τ_e = cos(τ + φ), because τ counts from the contact's maximum, which lags by φ.
+        let half_turns = self.friction.phase * T::Scalar::inverse_pi();
+        let (sine, cosine) = half_turns.sin_cos_pi();
+        fundamental.cosine = fundamental.cosine + base * cosine;
+        fundamental.sine = fundamental.sine - base * sine;
+        fundamental.response.re = fundamental.response.re + base;
+        Motion::of_mass(self.friction, fundamental, waves)
     }
 }

@@ -114,6 +114,16 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         self.sum(|mode| shape.get(mode).copied().unwrap_or(S::constant(0.0)))
     }
 
+    /// Returns displacement and velocity of the base at the end of the last step.
+    #[must_use]
+    pub fn base(&self) -> MassNow<S> {
+        let [displacement, velocity] = self.status.base;
+        MassNow {
+            displacement,
+            velocity,
+        }
+    }
+
     /// Returns a weighted sum of the modes' displacements, and the same sum of their velocities.
     pub(super) fn sum(&self, weight: impl Fn(usize) -> S) -> MassNow<S> {
         let zero = S::constant(0.0);

@@ -2,9 +2,10 @@
 
 use super::scales::Scales;
 use crate::{Axis, Colour, Figure, Key, Label, Line, Marker, Markers, Panel, Point, Stroke};
-use frictiongen::Regime;
 use frictiongen::study::curve::{Curve, CurvePoint, End, Piece};
+use frictiongen::study::response::Size;
 use frictiongen::study::units::polar;
+use frictiongen::{Of, Regime};
 
 /// The quantity of a motion that a curve shows: amplitude, phase, or one harmonic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +14,8 @@ pub enum Reading {
     Amplitude,
     /// The phase of the motion in degrees.
     Phase,
+    /// The largest velocity or acceleration of the motion, which the curve must contain.
+    Rate(Size),
     /// The amplitude of a harmonic, by its index among the requested harmonics.
     Harmonic(usize),
     /// The phase of a harmonic in degrees, by its index among the requested harmonics.
@@ -57,8 +60,18 @@ pub fn keys() -> Vec<Key> {
 }
 
 impl Reading {
-    fn is_phase(self) -> bool {
+    /// Returns true if the quantity is a phase.
+    #[must_use]
+    pub fn is_phase(self) -> bool {
         matches!(self, Self::Phase | Self::HarmonicPhase(_))
+    }
+
+    /// Converts an amplitude at the frequency ratio r to the unit of the axis.
+    fn scaled(self, scales: &Scales, r: f64, size: f64) -> f64 {
+        match self {
+            Self::Rate(of) => scales.rate_at(of, r, size),
+            _ => scales.length(size),
+        }
     }
 
     /// Returns the requested amplitude and phase at a point of the curve. `part` is the index of the motion among the
@@ -67,6 +80,15 @@ impl Reading {
         let movement = point.movements.get(part)?;
         Some(match self {
             Self::Amplitude | Self::Phase => (movement.swing.amplitude, movement.swing.phase),
+            Self::Rate(size) => {
+                let (velocity, acceleration) = movement.rates?;
+                let rate = match size {
+                    Size::Displacement => movement.swing.amplitude,
+                    Size::Velocity => velocity,
+                    Size::Acceleration => acceleration,
+                };
+                (rate, None)
+            }
             Self::Harmonic(index) | Self::HarmonicPhase(index) => {
                 let (size, lag) = polar(*movement.harmonics.get(index)?);
                 (size, (0.0 < size).then_some(lag))
@@ -90,7 +112,10 @@ fn traced(
             let points = piece.points.iter();
             let placed = points.filter_map(|point| {
                 let (size, _) = reading.polar(point, part)?;
-                Some((scales.frequency(point.r), scales.length(size)))
+                Some((
+                    scales.frequency(point.r),
+                    reading.scaled(scales, point.r, size),
+                ))
             });
             vec![placed.collect()]
         };
@@ -187,7 +212,10 @@ pub fn lines(
         let placed: Vec<Point> = points
             .filter_map(|point| {
                 let (size, _) = reading.polar(point, part)?;
-                Some((scales.frequency(point.r), scales.length(size)))
+                Some((
+                    scales.frequency(point.r),
+                    reading.scaled(scales, point.r, size),
+                ))
             })
             .collect();
         if !placed.is_empty() {
@@ -224,11 +252,11 @@ pub fn panel(
     let y = if reading.is_phase() {
         phase_axis(drawn, part, reading, scales)
     } else {
-        Axis::new(
-            scales.length_label(),
-            0.0,
-            top(drawn, part, reading, scales),
-        )
+        let label = match reading {
+            Reading::Rate(size) => scales.size_label(size),
+            _ => scales.length_label(),
+        };
+        Axis::new(label, 0.0, top(drawn, part, reading, scales))
     };
     let mut panel = Panel::new(title, x, y);
     for drawn in drawn {
@@ -263,7 +291,10 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
         let pole = pieces
             .iter()
             .any(|piece| piece.start == End::Pole || piece.end == End::Pole);
-        let read = |point: &CurvePoint| Some((point.r, reading.polar(point, part)?.0));
+        let read = |point: &CurvePoint| {
+            let (size, _) = reading.polar(point, part)?;
+            Some((point.r, reading.scaled(scales, point.r, size)))
+        };
         let points = || {
             pieces
                 .iter()
@@ -277,7 +308,7 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
         } else {
             most
         };
-        largest = largest.max(scales.length(shown));
+        largest = largest.max(shown);
     }
     if largest > 0.0 { 1.06 * largest } else { 1.0 }
 }
@@ -303,16 +334,23 @@ fn exceeded(points: &[Point], share: f64) -> f64 {
     0.0
 }
 
-/// Returns a figure with one row for each requested motion: amplitude on the left, phase on the right.
+/// Returns a figure with one row for each requested motion: amplitude on the left, phase on the right. A velocity or an
+/// acceleration has no phase.
 #[must_use]
 pub fn curve_figure(
     title: impl Into<Label>,
     drawn: &[Drawn<'_>],
-    parts: &[Label],
+    parts: &[(Of, Size, Label)],
     scales: &Scales,
 ) -> Figure {
     let mut panels = Vec::new();
-    for (index, part) in parts.iter().enumerate() {
+    for (index, (of, size, part)) in parts.iter().enumerate() {
+        let scales = &scales.showing(*of);
+        if *size != Size::Displacement {
+            let reading = Reading::Rate(*size);
+            panels.push(panel(part.clone(), drawn, index, reading, scales));
+            continue;
+        }
         panels.push(panel(
             part.clone(),
             drawn,

@@ -40,10 +40,10 @@ pub fn history_figure(
             axis.in_pi()
         }
     };
-    let length = |track: &Track, values: &[f64]| -> Vec<f64> {
+    let convert = |track: &Track, values: &[f64]| -> Vec<f64> {
         values
             .iter()
-            .map(|value| sign(track) * scales.length(*value))
+            .map(|value| sign(track) * scales.showing(track.of).length(*value))
             .collect()
     };
     let over = |values: &[f64]| -> Vec<Point> {
@@ -51,13 +51,17 @@ pub fn history_figure(
     };
     let mut drawn = Vec::new();
     let mut portraits = Vec::new();
+    let mut forces = Vec::new();
     for (index, (track, name)) in history.tracks.iter().zip(parts).enumerate() {
-        let (x, v) = (
-            length(track, &track.displacement),
-            length(track, &track.velocity),
-        );
-        let v: Vec<f64> = v.into_iter().map(|value| scales.rate(value)).collect();
         let colour = Colour::Series(index);
+        let x = convert(track, &track.displacement);
+        if track.of.is_force() {
+            let line = Line::new(name.clone(), colour, Stroke::Solid, vec![over(&x)]);
+            forces.push(line);
+            continue;
+        }
+        let v = convert(track, &track.velocity).into_iter();
+        let v: Vec<f64> = v.map(|value| scales.rate(value)).collect();
         drawn.push(Line::new(
             name.clone(),
             colour,
@@ -75,11 +79,6 @@ pub fn history_figure(
             .map(read)
             .collect()
     };
-    let displacements = Axis::fitted(scales.displacement_label(), all(&drawn, |point| point.1));
-    let mut moves = Panel::new("displacement", axis(), displacements.clone());
-    for line in &drawn {
-        moves = moves.with(line.clone());
-    }
     let sign = if turned { -1.0 } else { 1.0 };
     let force: Vec<f64> = history
         .friction
@@ -94,16 +93,35 @@ pub fn history_figure(
             Stroke::Solid,
             vec![over(&force)],
         ));
-    let across = Axis::fitted(
-        scales.displacement_label(),
-        all(&portraits, |point| point.0),
-    );
-    let up = Axis::fitted(scales.rate_label(), all(&portraits, |point| point.1));
-    let mut phase = Panel::new("phase portrait", across, up);
-    for line in portraits {
-        phase = phase.with(line);
+    let mut panels = Vec::new();
+    if !drawn.is_empty() {
+        let range = Axis::fitted(scales.displacement_label(), all(&drawn, |point| point.1));
+        panels.push(with_lines(Panel::new("displacement", axis(), range), drawn));
     }
-    Figure::new("", title, 2, vec![moves, pulls, phase])
+    panels.push(pulls);
+    if !forces.is_empty() {
+        let range = Axis::fitted(scales.force_label(), all(&forces, |point| point.1));
+        panels.push(with_lines(Panel::new("force", axis(), range), forces));
+    }
+    if !portraits.is_empty() {
+        let across = Axis::fitted(
+            scales.displacement_label(),
+            all(&portraits, |point| point.0),
+        );
+        let up = Axis::fitted(scales.rate_label(), all(&portraits, |point| point.1));
+        panels.push(with_lines(
+            Panel::new("phase portrait", across, up),
+            portraits,
+        ));
+    }
+    Figure::new("", title, 2, panels)
+}
+
+/// Adds lines to a panel.
+fn with_lines(panel: Panel, lines: Vec<Line>) -> Panel {
+    lines
+        .into_iter()
+        .fold(panel, |panel, line| panel.with(line))
 }
 
 /// Returns a figure of spectra as vertical lines, one panel for each motion.
@@ -120,6 +138,7 @@ pub fn spectrum_figure(
         .enumerate()
         .map(|(index, (spectrum, part))| {
             let lines = spectrum.lines.iter();
+            let scales = &scales.showing(spectrum.of);
             let lines: Vec<Point> = lines
                 .map(|line| (scales.order(line.order), scales.length(line.amplitude())))
                 .collect();

@@ -1,8 +1,8 @@
 //! Units of the axes of a figure: non-dimensional groups or physical units.
 
 use crate::Label;
-use frictiongen::System;
-use frictiongen::study::{scene::Excitation, units::LoadScale};
+use frictiongen::study::{response::Size, scene::Excitation, units::LoadScale};
+use frictiongen::{Of, System};
 
 /// Units in which a figure shows frequencies, frictions, displacements and times.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,6 +12,10 @@ pub struct Scales {
     /// Units of force and displacement under the load. `None` if the figure shows non-dimensional groups.
     load: Option<LoadScale>,
     base_motion: bool,
+    /// Angular frequency that belongs to r = 1, rad/s.
+    reference: f64,
+    /// True if amplitudes are forces.
+    force: bool,
     /// Angular frequency ω in rad/s. `None` if the figure shows τ = ωt instead of seconds.
     omega: Option<f64>,
 }
@@ -24,6 +28,8 @@ impl Scales {
             hertz: None,
             load: None,
             omega: None,
+            force: false,
+            reference: system.angular_frequency(1.0),
             base_motion: system.scene().excitation == Excitation::Base,
         }
     }
@@ -51,6 +57,15 @@ impl Scales {
     pub fn at(self, omega: f64) -> Self {
         Self {
             omega: Some(omega),
+            ..self
+        }
+    }
+
+    /// Returns the units for the amplitudes of a motion: those of a force for a spring and for the base shear.
+    #[must_use]
+    pub fn showing(self, of: Of) -> Self {
+        Self {
+            force: of.is_force(),
             ..self
         }
     }
@@ -117,6 +132,16 @@ impl Scales {
         }
     }
 
+    /// Returns the label of an axis of spring forces over time.
+    #[must_use]
+    pub fn force_label(&self) -> Label {
+        match (self.load, self.base_motion) {
+            (Some(_), _) => "force (N)".into(),
+            (None, true) => "force over *k*_1*Y*".into(),
+            (None, false) => "force over *P*".into(),
+        }
+    }
+
     /// Converts the frequency ratio r to the unit of the frequency axis.
     #[must_use]
     pub fn frequency(&self, r: f64) -> f64 {
@@ -170,11 +195,41 @@ impl Scales {
         format!("*{symbol}*_lim{mark}, {what}").into()
     }
 
-    /// Converts a non-dimensional displacement x̄ to the unit of its axis, mm or none.
+    /// Converts a non-dimensional displacement x̄ to the unit of its axis, mm or none. A force is converted to N.
     #[must_use]
     pub fn length(&self, ratio: f64) -> f64 {
+        if self.force {
+            return self.friction(ratio);
+        }
         self.load
             .map_or(ratio, |load| load.displacement(ratio) * 1e3)
+    }
+
+    /// Converts the largest velocity or acceleration at the frequency ratio r to the unit of its axis.
+    #[must_use]
+    pub fn rate_at(&self, size: Size, r: f64, value: f64) -> f64 {
+        let Some(load) = self.load else {
+            return value;
+        };
+        let omega = r * self.reference;
+        let displacement = load.displacement(value);
+        match size {
+            Size::Displacement => displacement * 1e3,
+            Size::Velocity => displacement * omega * 1e3,
+            Size::Acceleration => displacement * omega * omega,
+        }
+    }
+
+    /// Returns the label of an axis of largest displacements, velocities or accelerations.
+    #[must_use]
+    pub fn size_label(&self, size: Size) -> Label {
+        match (size, self.load) {
+            (Size::Displacement, _) => self.length_label(),
+            (Size::Velocity, Some(_)) => "velocity amplitude (mm/s)".into(),
+            (Size::Velocity, None) => "amplitude of d*x̄*/d*τ*".into(),
+            (Size::Acceleration, Some(_)) => "acceleration amplitude (m/s²)".into(),
+            (Size::Acceleration, None) => "amplitude of d²*x̄*/d*τ*²".into(),
+        }
     }
 
     /// Returns the label of an amplitude axis.
@@ -185,10 +240,13 @@ impl Scales {
 
     /// Returns the label of an amplitude axis, as text with markup.
     pub(super) fn length_text(&self) -> &'static str {
-        match (self.load, self.base_motion) {
-            (Some(_), _) => "amplitude (mm)",
-            (None, true) => "amplitude over *Y*",
-            (None, false) => "amplitude over *P*/*k*_1",
+        match (self.load, self.base_motion, self.force) {
+            (Some(_), _, false) => "amplitude (mm)",
+            (None, true, false) => "amplitude over *Y*",
+            (None, false, false) => "amplitude over *P*/*k*_1",
+            (Some(_), _, true) => "force amplitude (N)",
+            (None, true, true) => "force amplitude over *k*_1*Y*",
+            (None, false, true) => "force amplitude over *P*",
         }
     }
 }

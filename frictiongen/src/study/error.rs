@@ -1,6 +1,8 @@
 //! Errors of run-time systems.
 
-use crate::{Error, NoOrbit, NotContinuous, OutOfDomain, StuckResonance};
+use super::naming::UnknownMotion;
+use super::words;
+use crate::{Error, NoOrbit, NotContinuous, Of, OutOfDomain, StuckResonance};
 use frictiongen_kernel::orbit::NoDerivative;
 use frictiongen_model::validate::SceneError;
 use frictiongen_syntax::Diagnostics;
@@ -100,6 +102,12 @@ pub enum StudyError {
     Solver(Error),
     /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
+    /// A name is not the name of a motion.
+    UnknownMotion(UnknownMotion),
+    /// The scene lacks the mass or the spring of a motion.
+    NoSuchMotion(Of),
+    /// Derivatives of spring forces are not available.
+    ForceHasNoDerivative,
     /// The load does not fit the scene.
     Load(LoadError),
     /// The steady state has no derivative.
@@ -113,6 +121,12 @@ impl std::fmt::Display for StudyError {
             Self::Scene(error) => error.fmt(f),
             Self::Solver(error) => error.fmt(f),
             Self::UnknownMass(error) => error.fmt(f),
+            Self::UnknownMotion(error) => error.fmt(f),
+            Self::NoSuchMotion(of) => words::no_such_motion(f, *of),
+            Self::ForceHasNoDerivative => write!(
+                f,
+                "a spring force has no derivatives here; ask for the relative displacement of the spring's ends"
+            ),
             Self::Load(error) => error.fmt(f),
             Self::NoDerivative(error) => error.fmt(f),
         }
@@ -130,6 +144,12 @@ impl From<Diagnostics> for StudyError {
 impl From<InvalidScene> for StudyError {
     fn from(error: InvalidScene) -> Self {
         Self::Scene(error)
+    }
+}
+
+impl From<UnknownMotion> for StudyError {
+    fn from(error: UnknownMotion) -> Self {
+        Self::UnknownMotion(error)
     }
 }
 

@@ -5,6 +5,7 @@ mod at;
 mod builder;
 #[doc(hidden)]
 pub mod columns;
+mod combined;
 pub mod compiled;
 mod compiled_stuck;
 #[cfg(feature = "desk")]
@@ -19,6 +20,7 @@ mod large;
 #[cfg(feature = "desk")]
 pub mod map;
 mod motion;
+mod naming;
 pub mod optimum;
 pub mod orbit;
 mod parameter;
@@ -39,6 +41,7 @@ pub use builder::Builder;
 pub use error::{InvalidScene, StudyError, UnknownMass};
 /// The parts of a description: masses, springs, contact, excitation and damping.
 pub use frictiongen_model::scene;
+pub use naming::UnknownMotion;
 /// Tables of the response with a declared accuracy.
 pub mod table {
     pub use frictiongen_model::table::{

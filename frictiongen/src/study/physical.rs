@@ -4,7 +4,7 @@
 //! non-dimensional groups refer to the first mass m₁ and the first spring k₁. A change of m₁ or k₁ therefore also
 //! changes r, β or the unit of displacement.
 
-use super::error::{StudyError, UnknownMass};
+use super::error::StudyError;
 use super::held::{share_of_base, static_share};
 use super::parameter::{OperatingPoint, Parameter, Slope, parameters_of};
 use super::sensitivity::{Sensitive, Varied};
@@ -69,17 +69,6 @@ struct Groups {
 }
 
 impl System {
-    /// Returns the motion called `name`: the motion of a mass, or for `contact` the relative motion in the contact.
-    ///
-    /// # Errors
-    /// [`UnknownMass`] if no mass has this name.
-    pub fn motion_named(&self, name: &str) -> Result<Of, UnknownMass> {
-        if name == "contact" {
-            return Ok(Of::Contact);
-        }
-        self.mass_index(name).map(Of::Mass)
-    }
-
     /// Returns the exact derivatives of amplitude and phase of a motion, and of the limits β_lim and β*_lim, with
     /// respect to every parameter. The response may be in any regime.
     ///
@@ -133,10 +122,11 @@ impl System {
         point: OperatingPoint,
         of: Of,
     ) -> Result<ResponseSensitivities, StudyError> {
-        if let Of::Mass(index) = of
-            && index >= self.scene.masses.len()
-        {
-            return Err(self.unknown(&index.to_string()).into());
+        if !self.has_motion(of) {
+            return Err(StudyError::NoSuchMotion(of));
+        }
+        if matches!(of, Of::Spring(_) | Of::Shear) {
+            return Err(StudyError::ForceHasNoDerivative);
         }
         let (r, beta) = self.groups_at(point)?;
         let at = self.at(r)?;
@@ -222,11 +212,8 @@ pub(super) fn swing(
     let (amplitude, phase) = match response {
         SystemResponse::StickSlip(orbit) => {
             let orbit = varied.orbit_along(orbit, r, beta)?;
-            let motion = match of {
-                Of::Contact => orbit.contact(),
-                Of::Mass(index) => orbit.orbit.mass(index),
-            };
-            let (amplitude, phase) = motion.largest();
+            let largest = orbit.ask_of(of, |motion| motion.largest());
+            let (amplitude, phase) = largest.ok_or(NoDerivative::Graze)?;
             if turned {
                 return Ok((amplitude, Some(orbit.reversed_contact_phase())));
             }
@@ -236,11 +223,7 @@ pub(super) fn swing(
 
         SystemResponse::Continuous(_) => {
             let motion = varied.at(r)?.motion(beta)?;
-            let motion = match of {
-                Of::Contact => Some(motion.contact()),
-                Of::Mass(index) => motion.mass_at(index),
-            };
-            let motion = motion.ok_or(NoDerivative::Graze)?;
+            let motion = motion.motion_of(of).ok_or(NoDerivative::Graze)?;
             (motion.amplitude(), motion.phase())
         }
     };

@@ -105,28 +105,18 @@ impl SystemResponse<'_> {
             amplitude,
             phase: Some(phase),
         };
-        match (self, of) {
-            (Self::Continuous(motion), _) => {
-                let motion = match of {
-                    Of::Contact => motion.contact(),
-                    Of::Mass(index) => motion.mass_at(index)?,
-                };
-                let largest = motion.largest();
+        match self {
+            Self::Continuous(motion) => {
+                let largest = motion.motion_of(of)?.largest();
                 Some(moving((largest.amplitude, largest.phase)))
             }
-            (Self::StickSlip(orbit), Of::Contact) => Some(moving(orbit.contact().largest())),
-            (Self::StickSlip(orbit), Of::Mass(index)) => {
-                Some(moving(orbit.mass_at(index)?.largest()))
-            }
-            (Self::Stuck(held), Of::Contact) => Some(Swing {
-                amplitude: held.offset.abs(),
-                phase: None,
-            }),
-            (Self::Stuck(held), Of::Mass(index)) => {
-                let (amplitude, phase) = polar(held.mass_at(index)?);
+            Self::StickSlip(orbit) => orbit.ask_of(of, |motion| moving(motion.largest())),
+            Self::Stuck(held) => {
+                let (harmonic, offset) = held.motion_of(of)?;
+                let (amplitude, phase) = polar(harmonic);
                 // The largest |x̄| is on the side of the offset, at a turning point of the motion.
                 Some(Swing {
-                    amplitude: amplitude + held.mass_offset(index)?.abs(),
+                    amplitude: amplitude + offset.abs(),
                     phase: (amplitude != 0.0).then_some(phase),
                 })
             }
@@ -137,14 +127,10 @@ impl SystemResponse<'_> {
     /// base motion of Y. `None` if the scene has no such mass.
     #[must_use]
     pub fn centred_amplitude(&self, of: Of) -> Option<f64> {
-        match (self, of) {
-            (Self::Continuous(_), _) => Some(self.swing(of)?.amplitude),
-            (Self::StickSlip(orbit), Of::Contact) => Some(orbit.contact().centred_amplitude()),
-            (Self::StickSlip(orbit), Of::Mass(index)) => {
-                Some(orbit.mass_at(index)?.centred_amplitude())
-            }
-            (Self::Stuck(_), Of::Contact) => Some(0.0),
-            (Self::Stuck(held), Of::Mass(index)) => Some(polar(held.mass_at(index)?).0),
+        match self {
+            Self::Continuous(_) => Some(self.swing(of)?.amplitude),
+            Self::StickSlip(orbit) => orbit.ask_of(of, |motion| motion.centred_amplitude()),
+            Self::Stuck(held) => Some(polar(held.motion_of(of)?.0).0),
         }
     }
 
@@ -215,11 +201,7 @@ impl SystemResponse<'_> {
         let Self::Continuous(motion) = self else {
             return None;
         };
-        let motion = match of {
-            Of::Contact => motion.contact(),
-            Of::Mass(index) => motion.mass_at(index)?,
-        };
-        Some(motion.amplitude_monoharmonic())
+        Some(motion.motion_of(of)?.amplitude_monoharmonic())
     }
 
     /// Returns the largest displacement, velocity or acceleration of the contact or of a mass. `None` if the scene has
@@ -248,23 +230,18 @@ impl SystemResponse<'_> {
     /// from a maximum of the excitation. `None` if the scene has no such mass.
     #[must_use]
     pub fn harmonic(&self, of: Of, n: u32) -> Option<Complex<f64>> {
-        let none = Complex::new(0.0, 0.0);
-        Some(match (self, of) {
-            (Self::Continuous(motion), Of::Contact) => motion.contact().harmonic(n),
-            (Self::Continuous(motion), Of::Mass(index)) => motion.mass_at(index)?.harmonic(n),
-            (Self::StickSlip(orbit), Of::Contact) => orbit.contact().harmonic(n),
-            (Self::StickSlip(orbit), Of::Mass(index)) => orbit.mass_at(index)?.harmonic(n),
-            (Self::Stuck(held), Of::Contact) if n == 0 => Complex::new(held.offset, 0.0),
-            (Self::Stuck(_), Of::Contact) => none,
-            (Self::Stuck(held), Of::Mass(index)) => {
-                let amplitude = held.mass_at(index)?;
-                match n {
-                    0 => Complex::new(held.mass_offset(index)?, 0.0),
-                    1 => amplitude,
-                    _ => none,
-                }
+        match self {
+            Self::Continuous(motion) => Some(motion.motion_of(of)?.harmonic(n)),
+            Self::StickSlip(orbit) => orbit.ask_of(of, |motion| motion.harmonic(n)),
+            Self::Stuck(held) => {
+                let (harmonic, offset) = held.motion_of(of)?;
+                Some(match n {
+                    0 => Complex::new(offset, 0.0),
+                    1 => harmonic,
+                    _ => Complex::new(0.0, 0.0),
+                })
             }
-        })
+        }
     }
 
     /// Returns the largest friction force of the period over the load amplitude P. The ratio is β where the contact
@@ -300,11 +277,7 @@ impl SystemResponse<'_> {
 
 /// Returns the largest velocity or acceleration in a steady state. For displacement, returns the amplitude.
 fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: Size) -> Option<f64> {
-    let motion = match of {
-        Of::Contact => orbit.contact(),
-        Of::Mass(index) => orbit.mass_at(index)?,
-    };
-    Some(match size {
+    orbit.ask_of(of, |motion| match size {
         Size::Displacement => motion.amplitude(),
         Size::Velocity => motion.largest_velocity(),
         Size::Acceleration => motion.largest_acceleration(),

@@ -10,7 +10,7 @@ use frictiongen_kernel::{Float, Plain};
 /// An exact simulation in time of a system, from event to event. The simulation is an iterator over its segments.
 #[derive(Clone, Debug)]
 pub struct SystemSimulation<'a, S = f64> {
-    system: &'a System<S>,
+    pub(super) system: &'a System<S>,
     run: Inner<'a, S>,
 }
 

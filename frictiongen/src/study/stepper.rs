@@ -122,7 +122,7 @@ pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 /// The motion of a system in steps of one length, under any input.
 #[derive(Clone, Debug)]
 pub struct SystemStepper<'a, S = f64> {
-    system: &'a System<S>,
+    pub(super) system: &'a System<S>,
     stepper: Inner<'a, S>,
     /// One force for each mass, because every mass of a run-time system can carry a load. The excited mass comes
     /// first.

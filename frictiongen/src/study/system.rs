@@ -1,5 +1,6 @@
 //! The run-time system. It evaluates the closed forms over vectors instead of arrays.
 
+use super::combined::Shapes;
 use super::error::{InvalidScene, UnknownMass};
 use super::large;
 use crate::{OutOfDomain, Unsupported};
@@ -53,6 +54,7 @@ pub struct System<S = f64> {
     transient: OnceLock<Transient<S>>,
     steps: OnceLock<Steps<S>>,
     loses_motion: OnceLock<bool>,
+    exact_shapes: OnceLock<Shapes>,
 }
 
 impl<S: Float> std::str::FromStr for System<S> {
@@ -123,6 +125,7 @@ impl<S: Float> System<S> {
             transient: OnceLock::new(),
             steps: OnceLock::new(),
             loses_motion: OnceLock::new(),
+            exact_shapes: OnceLock::new(),
         }
     }
 
@@ -148,6 +151,12 @@ impl<S: Float> System<S> {
         *self
             .loses_motion
             .get_or_init(|| self.transient().excess_loss().is_some())
+    }
+
+    /// Returns the mode shapes to about 30 digits. The first call computes them.
+    pub(super) fn exact_shapes(&self) -> &Shapes {
+        self.exact_shapes
+            .get_or_init(|| Shapes::of(&self.scene, &self.modal))
     }
 
     /// Returns the additional data of a stepper, in which a force can act on every mass.

@@ -13,10 +13,26 @@ use super::{
     curve::{CurvePoint, CurveStart},
     map::Pattern,
 };
-use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, Unsupported};
+use crate::{Error, Given, NoOrbit, NotContinuous, Of, OutOfDomain, Regime, Unsupported};
 use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
 use std::borrow::Cow;
+
+/// Writes that the scene lacks a motion.
+pub(crate) fn no_such_motion(f: &mut std::fmt::Formatter<'_>, of: Of) -> std::fmt::Result {
+    match of {
+        Of::Mass(index) | Of::FromBase(index) => {
+            write!(f, "the scene has no mass with the index {index}")
+        }
+        Of::Relative(a, b) if a == b => write!(f, "a mass does not move relative to itself"),
+        Of::Relative(a, b) => write!(
+            f,
+            "the scene has no two masses with the indices {a} and {b}"
+        ),
+        Of::Spring(index) => write!(f, "the scene has no spring with the index {index}"),
+        Of::Contact | Of::Shear => write!(f, "the scene has no such motion"),
+    }
+}
 
 /// Returns the word for a regime.
 #[must_use]

@@ -87,10 +87,8 @@ pub fn parts(
         if parts.iter().any(|part| part.name == name) {
             return Err(domain(format_args!("{argument}: `{name}` is given twice")));
         }
-        let of = system
-            .motion_named(&name)
-            .map_err(|error| domain(format_args!("{argument}: {error}, contact")))?;
-        parts.push(Part { of, name });
+        let part = Part::named(system, &name);
+        parts.push(part.map_err(|error| domain(format_args!("{argument}: {error}")))?);
     }
     Ok(parts)
 }

@@ -52,8 +52,8 @@ fn points(
     for (name, amplitudes, deviations) in masses {
         let mass = match system.motion_named(&name) {
             Ok(frictiongen::Of::Mass(mass)) => mass,
-            Ok(frictiongen::Of::Contact) => {
-                return Err(domain("a sweep contains masses, not the contact"));
+            Ok(_) => {
+                return Err(domain("a sweep contains masses only"));
             }
             Err(error) => return Err(domain(error)),
         };

@@ -61,9 +61,9 @@ pub fn identify<'py>(
         for name in names("of", of.as_ref())? {
             match system.motion_named(&name) {
                 Ok(Of::Mass(mass)) => kept.push(mass),
-                Ok(Of::Contact) => {
+                Ok(_) => {
                     return Err(domain(
-                        "of: a measured motion must be that of a mass, not of the contact",
+                        "of: a measured motion must be that of a mass",
                     ));
                 }
                 Err(error) => return Err(domain(format_args!("of: {error}"))),

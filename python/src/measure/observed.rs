@@ -103,9 +103,9 @@ impl Motion {
         let (name, harmonic, amplitude, phase, deviation, of_phase) = told;
         let mass = match system.motion_named(&name) {
             Ok(Of::Mass(mass)) => mass,
-            Ok(Of::Contact) => {
+            Ok(_) => {
                 return Err(domain(
-                    "a measured motion must be that of a mass, not of the contact",
+                    "a measured motion must be that of a mass",
                 ));
             }
             Err(error) => return Err(domain(error)),

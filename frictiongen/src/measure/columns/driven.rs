@@ -45,10 +45,7 @@ impl Driven {
         for (part, [displacement, velocity]) in parts.iter().zip(&mut self.motions) {
             let (x, v) = match part.of {
                 Of::Contact => (signed(contact.displacement()), signed(contact.velocity())),
-                Of::Mass(index) => {
-                    let mass = stepper.mass_at(index);
-                    (mass.displacement(), mass.velocity())
-                }
+                of => stepper.motion_of(of).unwrap_or_default(),
             };
             displacement.push(x);
             velocity.push(v);

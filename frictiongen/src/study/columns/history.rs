@@ -3,7 +3,7 @@
 use super::builder::Columns;
 use super::column::{Column, Head, Row};
 use super::measure::Dimension;
-use super::setting::{CONTACT, Frequency, Setting};
+use super::setting::{CONTACT, Frequency, Part, Setting};
 use crate::study::units::{hertz, polar, seconds};
 use crate::study::{
     history::{History, HistoryEvent, Spectrum},
@@ -170,12 +170,15 @@ impl<'a> HistoryTable<'a> {
         let table = *self;
         for (place, part) in self.setting.parts.iter().enumerate() {
             columns.begin_part(&part.name);
-            let head = Head::of("displacement", Dimension::Length);
+            let head = Head::of(word(part), part.dimension());
             columns.number(head, move |row: &SampleRow<'_>| {
                 let track = row.history.tracks.get(place)?;
                 let value = track.displacement.get(row.index)?;
                 Some(table.signed(part.of, *value))
             });
+            if part.of.is_force() {
+                continue;
+            }
             let head = Head::of("velocity", Dimension::Velocity);
             columns.number(head, move |row| {
                 let track = row.history.tracks.get(place)?;
@@ -208,7 +211,7 @@ impl<'a> HistoryTable<'a> {
         });
         for (place, part) in self.setting.parts.iter().enumerate() {
             columns.begin_part(&part.name);
-            let head = Head::of("displacement", Dimension::Length);
+            let head = Head::of(word(part), part.dimension());
             columns.number(head, move |row| {
                 let value = row.event.displacements.get(place)?;
                 Some(table.signed(part.of, *value))
@@ -237,11 +240,20 @@ impl<'a> HistoryTable<'a> {
                 Some(polar(component))
             };
             columns.begin_part(&part.name);
-            let head = Head::of("amplitude", Dimension::Length);
+            let head = Head::of("amplitude", part.dimension());
             columns.number(head, move |row| Some(component(row)?.0));
             let head = Head::of("phase", Dimension::Angle);
             columns.number(head, move |row| Some(component(row)?.1));
         }
         columns.done()
+    }
+}
+
+/// Returns the name of a part's value at an instant.
+fn word(part: &Part) -> &'static str {
+    if part.of.is_force() {
+        "force"
+    } else {
+        "displacement"
     }
 }

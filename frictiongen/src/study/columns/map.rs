@@ -187,10 +187,10 @@ impl<'a> MapTable<'a> {
         });
         for (part, named) in self.setting.parts.iter().enumerate() {
             columns.begin_part(&named.name);
-            columns.number(Head::of("amplitude", Length), move |row| {
+            columns.number(Head::of("amplitude", named.dimension()), move |row| {
                 row.point()?.amplitudes.get(part).copied()
             });
-            columns.number(Head::of("centred", Length), move |row| {
+            columns.number(Head::of("centred", named.dimension()), move |row| {
                 row.point()?.centred.get(part).copied()
             });
         }

@@ -5,7 +5,7 @@ use super::column::{Head, Row, Shown};
 use super::measure::Dimension;
 use super::setting::Part;
 use crate::Complex;
-use crate::study::response::Swing;
+use crate::study::response::{Size, Swing};
 use crate::study::units::polar;
 
 /// The motion of the contact or of a mass, in non-dimensional groups. `None` means that a quantity is missing.
@@ -46,14 +46,28 @@ pub struct Extent<'a> {
 
 /// Adds the columns of the motions of the contact and masses in `parts`.
 pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part], of: Extent<'_>) {
-    use Dimension::{Acceleration, Angle, Length, Velocity};
-    let [length, angle] = [Length, Angle].map(|dimension| columns.measure().title(dimension));
+    use Dimension::{Acceleration, Angle, Velocity};
+    let angle = columns.measure().title(Angle);
     for (part, named) in parts.iter().enumerate() {
+        let size = named.dimension();
+        let length = columns.measure().title(size);
         columns.begin_part(&named.name);
-        columns.number(Head::of("amplitude", Length), move |row: &R| {
+        if named.size != Size::Displacement {
+            // The largest velocity or acceleration has neither a phase nor harmonics.
+            let of = named.size;
+            columns.number(Head::of("amplitude", size), move |row: &R| {
+                let (velocity, acceleration) = row.motion(part)?.rates?;
+                Some(match of {
+                    Size::Velocity => velocity,
+                    _ => acceleration,
+                })
+            });
+            continue;
+        }
+        columns.number(Head::of("amplitude", size), move |row: &R| {
             Some(row.motion(part)?.swing?.amplitude)
         });
-        columns.number(Head::of("centred", Length), move |row| {
+        columns.number(Head::of("centred", size), move |row| {
             row.motion(part)?.centred
         });
         columns.number(Head::of("phase", Angle), move |row| {
@@ -64,12 +78,12 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
             row.motion(part)?.fundamental_phase
         });
         if of.monoharmonic {
-            let head = Head::of("amplitude_monoharmonic", Length);
+            let head = Head::of("amplitude_monoharmonic", size);
             columns.number(head.titled(&["monoharmonic", length]), move |row| {
                 row.motion(part)?.monoharmonic
             });
         }
-        if of.rates {
+        if of.rates && !named.of.is_force() {
             columns.number(Head::of("velocity", Velocity), move |row| {
                 Some(row.motion(part)?.rates?.0)
             });
@@ -78,7 +92,7 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
             });
         }
         for (place, order) in of.orders.iter().enumerate() {
-            harmonic(columns, (part, place), *order, of.complex);
+            harmonic(columns, (part, place), *order, (size, of.complex));
         }
     }
 }
@@ -88,20 +102,20 @@ fn harmonic<'a, R: Moving + 'a>(
     columns: &mut Columns<'a, R>,
     (part, place): (usize, usize),
     order: u32,
-    complex: bool,
+    (size, complex): (Dimension, bool),
 ) {
-    use Dimension::{Angle, Length};
+    use Dimension::Angle;
     let of = move |row: &R| row.motion(part)?.harmonics.get(place).copied();
     columns.begin_harmonic(order);
-    let [length, angle] = [Length, Angle].map(|dimension| columns.measure().title(dimension));
-    let head = Head::of("amplitude", Length).titled(&[&format!("|X_{order}|"), length]);
+    let [length, angle] = [size, Angle].map(|dimension| columns.measure().title(dimension));
+    let head = Head::of("amplitude", size).titled(&[&format!("|X_{order}|"), length]);
     columns.number(head, move |row| Some(polar(of(row)?).0));
     let head = Head::of("phase", Angle).titled(&[&format!("lag X_{order}"), angle]);
     columns.number(head, move |row| Some(polar(of(row)?).1));
     if complex {
         columns.show(Shown::Json);
-        columns.number(Head::of("re", Length), move |row| Some(of(row)?.re));
-        columns.number(Head::of("im", Length), move |row| Some(of(row)?.im));
+        columns.number(Head::of("re", size), move |row| Some(of(row)?.re));
+        columns.number(Head::of("im", size), move |row| Some(of(row)?.im));
         columns.show(Shown::Everywhere);
     }
 }

@@ -7,7 +7,7 @@ pub use lines::{OptimumLine, Tuned};
 use super::builder::Columns;
 use super::column::{Column, Head, Row};
 use super::measure::Dimension;
-use super::setting::{AtFrequency, Frequency, Setting};
+use super::setting::{AtFrequency, Frequency, Part, Setting};
 use crate::study::{
     optimum::{Optimum, OptimumEnd, OptimumPeak, Tolerance, TunedPoint},
     sensitivity::{OperatingPoint, Parameter},
@@ -97,10 +97,15 @@ impl<'a> OptimumTable<'a> {
         columns
     }
 
-    /// Returns the columns of the best friction and its amplitude. The first line of a heading is the label of a
-    /// printed line.
+    /// Returns the dimension of the amplitude.
+    fn size(&self) -> Dimension {
+        let part = self.setting.parts.first();
+        part.map_or(Dimension::Length, Part::dimension)
+    }
+
+    /// Returns the columns of the best friction. The first line of a heading is the label of a line.
     fn best(&self) -> Vec<Column<'a, Optimum>> {
-        use Dimension::{Force, Length};
+        use Dimension::Force;
         let mut columns = Columns::new(&self.setting.measure);
         let mut beta = "friction";
         if self.setting.measure.scale().is_some() {
@@ -113,7 +118,7 @@ impl<'a> OptimumTable<'a> {
             Some(part) => format!("largest amplitude of {}", part.name),
             None => "largest amplitude".to_owned(),
         };
-        let head = Head::of("amplitude", Length).titled(&[&label]);
+        let head = Head::of("amplitude", self.size()).titled(&[&label]);
         columns.number(head, |of| Some(of.amplitude));
         let head = Head::new("kind").titled(&["what limits it"]);
         columns.word(head, "", |of| Some(words::kind(of.kind)));
@@ -132,7 +137,7 @@ impl<'a> OptimumTable<'a> {
     /// Returns the columns with which the best friction is compared: limits of friction, and amplitudes without
     /// friction and with a stuck contact.
     fn bounds(&self) -> Vec<Column<'a, Optimum>> {
-        use Dimension::{Force, Length};
+        use Dimension::Force;
         let mut columns = Columns::new(&self.setting.measure);
         let head = Head::of("unbounded_to", Force).titled(&["unbounded at a resonance up to"]);
         columns.number(head, |of: &Optimum| Some(of.unbounded_to));
@@ -142,10 +147,10 @@ impl<'a> OptimumTable<'a> {
         let head = Head::of("locked", Force).titled(&["stuck over the whole band from"]);
         columns.number(head, |of| Some(of.locked));
         let label = "largest amplitude without friction";
-        let head = Head::of("without_friction", Length).titled(&[label]);
+        let head = Head::of("without_friction", self.size()).titled(&[label]);
         columns.number(head, |of| Some(of.without_friction));
         let label = "largest amplitude with the contact stuck";
-        let head = Head::of("with_contact_locked", Length).titled(&[label]);
+        let head = Head::of("with_contact_locked", self.size()).titled(&[label]);
         columns.number(head, |of| Some(of.with_contact_locked));
         columns.done()
     }
@@ -166,7 +171,7 @@ impl<'a> OptimumTable<'a> {
     pub fn peak_columns(&self) -> Vec<Column<'a, PeakRow>> {
         let mut columns = Columns::new(&self.setting.measure);
         self.setting.frequency(&mut columns);
-        let head = Head::of("amplitude", Dimension::Length);
+        let head = Head::of("amplitude", self.size());
         columns.number(head, |row: &PeakRow| Some(row.peak.amplitude));
         columns.word("regime", "", |row| Some(words::regime(row.peak.regime)));
         columns.flag("at_end", |row| Some(row.peak.at_end));

@@ -5,28 +5,59 @@ use super::column::{Axis, Column, Head, Row};
 use super::measure::{Dimension, Measure};
 use crate::Of;
 use crate::study::{
-    System,
+    System, UnknownMotion,
+    response::Size,
     units::{self, LoadScale},
 };
 
 /// Name of the contact, which no mass can have.
 pub const CONTACT: &str = "contact";
 
-/// A contact or mass whose motion a table contains.
+/// A moving part: the contact, a mass, or a combination of masses and base.
 #[derive(Clone, Debug)]
 pub struct Part {
     /// Selects the contact or the mass.
     pub of: Of,
-    /// Name of the contact or mass.
+    /// The requested size of the motion: its displacement, velocity or acceleration.
+    pub size: Size,
+    /// Name of the part.
     pub name: String,
 }
 
 impl Part {
-    /// Returns the entry for the contact's relative motion.
+    /// Returns the part with this name, as [`System::quantity_named`] reads it.
+    ///
+    /// # Errors
+    /// Same errors as [`System::quantity_named`].
+    pub fn named(system: &System, name: &str) -> Result<Self, UnknownMotion> {
+        let (of, size) = system.quantity_named(name)?;
+        let name = name.trim().to_owned();
+        Ok(Self { of, size, name })
+    }
+
+    /// Returns true if the velocity or the acceleration is requested.
+    #[must_use]
+    pub fn has_rate(&self) -> bool {
+        self.size != Size::Displacement
+    }
+
+    /// Returns the dimension of the part's amplitude: a length, or a force for a spring and for the base shear.
+    #[must_use]
+    pub fn dimension(&self) -> Dimension {
+        match self.size {
+            Size::Displacement if self.of.is_force() => Dimension::Force,
+            Size::Displacement => Dimension::Length,
+            Size::Velocity => Dimension::Velocity,
+            Size::Acceleration => Dimension::Acceleration,
+        }
+    }
+
+    /// Returns the contact.
     #[must_use]
     pub fn contact() -> Self {
         Self {
             of: Of::Contact,
+            size: Size::Displacement,
             name: CONTACT.to_owned(),
         }
     }

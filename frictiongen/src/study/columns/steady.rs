@@ -7,11 +7,12 @@ pub use orbit::{OrbitRow, OrbitTable};
 pub use response::{ResponseRow, ResponseTable};
 
 use super::motion::PartMotion;
+use super::setting::Part;
 use crate::Complex;
 use crate::study::units::{fundamental_phase, reversed_phase};
 use crate::study::{
     orbit::SystemOrbitMotion,
-    response::{Swing, SystemResponse},
+    response::{Size, Swing, SystemResponse},
 };
 use crate::{Of, Regime};
 
@@ -22,18 +23,25 @@ struct Motion {
     centred: Option<f64>,
     fundamental_phase: Option<f64>,
     monoharmonic: Option<f64>,
+    rates: Option<(f64, f64)>,
     harmonics: Vec<Complex<f64>>,
 }
 
 impl Motion {
-    /// Reads the motion from a response in any regime.
-    fn of_response(response: &SystemResponse<'_>, of: Of, orders: &[u32]) -> Self {
+    /// Takes the motion of a response in any regime.
+    fn of_response(response: &SystemResponse<'_>, part: &Part, orders: &[u32]) -> Self {
+        let of = part.of;
+        let rates = || {
+            let velocity = response.largest(of, Size::Velocity)?;
+            Some((velocity, response.largest(of, Size::Acceleration)?))
+        };
         let harmonics = orders.iter().map(|order| response.harmonic(of, *order));
         Self {
             swing: response.swing(of),
             centred: response.centred_amplitude(of),
             fundamental_phase: response.fundamental_phase(of),
             monoharmonic: response.monoharmonic(of),
+            rates: if part.has_rate() { rates() } else { None },
             harmonics: harmonics.collect::<Option<_>>().unwrap_or_default(),
         }
     }
@@ -50,6 +58,7 @@ impl Motion {
             centred: Some(centred),
             fundamental_phase: fundamental_phase(motion.harmonic(1), centred),
             monoharmonic: None,
+            rates: Some((motion.largest_velocity(), motion.largest_acceleration())),
             harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
         }
     }
@@ -90,7 +99,7 @@ impl Motion {
     fn leave_out_stuck(&mut self, of: Of) {
         match of {
             Of::Contact => *self = Self::default(),
-            Of::Mass(_) => self.harmonics.clear(),
+            _ => self.harmonics.clear(),
         }
     }
 
@@ -100,7 +109,7 @@ impl Motion {
             centred: self.centred,
             fundamental_phase: self.fundamental_phase,
             monoharmonic: self.monoharmonic,
-            rates: None,
+            rates: self.rates,
             harmonics: &self.harmonics,
         }
     }

@@ -108,7 +108,7 @@ impl System {
             start,
             ..request.clone()
         };
-        request.check(self.scene().masses.len())?;
+        request.check(self)?;
         if !(0.0 <= beta && beta.is_finite()) {
             return Err(CurveError::Friction);
         }

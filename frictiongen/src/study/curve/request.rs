@@ -1,6 +1,8 @@
 //! The request of a curve.
 
 use crate::Of;
+use crate::study::system::System;
+use crate::study::words;
 
 /// Default bound on the work of a curve, in units of about 10 µs: two seconds.
 const WORK: usize = 200_000;
@@ -64,7 +66,7 @@ impl CurveRequest {
         }
     }
 
-    pub(super) fn check(&self, masses: usize) -> Result<(), CurveError> {
+    pub(super) fn check(&self, system: &System) -> Result<(), CurveError> {
         // Subnormal numbers are refused, because they leave too few numbers between the bounds.
         if !(f64::MIN_POSITIVE <= self.from && self.to.is_finite() && self.from < self.to) {
             return Err(CurveError::Range);
@@ -75,10 +77,9 @@ impl CurveRequest {
         if self.widest.is_some_and(|widest| !(0.0 < widest)) {
             return Err(CurveError::Widest);
         }
-        let unknown = |of: &&Of| matches!(of, Of::Mass(index) if masses <= *index);
-        match self.of.iter().find(unknown) {
-            Some(Of::Mass(index)) => Err(CurveError::NoSuchMass(*index)),
-            _ => Ok(()),
+        match self.of.iter().find(|of| !system.has_motion(**of)) {
+            Some(of) => Err(CurveError::NoSuchMotion(*of)),
+            None => Ok(()),
         }
     }
 }
@@ -95,8 +96,8 @@ pub enum CurveError {
     Widest,
     /// The friction ratio is negative or not finite.
     Friction,
-    /// The scene has no mass with this index.
-    NoSuchMass(usize),
+    /// The scene lacks the mass or the spring of this motion.
+    NoSuchMotion(Of),
 }
 
 impl std::fmt::Display for CurveError {
@@ -111,7 +112,7 @@ impl std::fmt::Display for CurveError {
             Self::Accuracy => write!(f, "the accuracy of a curve must be between 1e-9 and 1"),
             Self::Widest => write!(f, "the largest distance between two points must be above 0"),
             Self::Friction => write!(f, "a friction ratio must be a finite number, 0 or above"),
-            Self::NoSuchMass(index) => write!(f, "the scene has no mass with the index {index}"),
+            Self::NoSuchMotion(of) => words::no_such_motion(f, *of),
         }
     }
 }

@@ -61,6 +61,8 @@ pub enum FeatureError {
     Friction,
     /// There is no such mass.
     UnknownMass(UnknownMass),
+    /// The motion is neither that of the contact nor that of a mass.
+    Combination,
     /// The chain is damped. The requested points exist only without damping.
     Damped,
     /// The range contains more poles or zeros than can be listed, because they crowd towards r = 0.
@@ -73,6 +75,9 @@ impl std::fmt::Display for FeatureError {
             Self::Range => "a range of frequencies must begin above 0, and end above its start and below infinity",
             Self::Friction => "a friction must be finite and not negative",
             Self::UnknownMass(error) => return error.fmt(f),
+            Self::Combination => {
+                "features exist for the contact and for masses; ask `curve` for a relative motion or a force"
+            }
             Self::Damped => "a damped chain has no frequency at which the amplitude is the same for every friction",
             Self::Crowded => {
                 "this range contains more than 20000 sub-harmonics, which crowd towards r = 0; begin the range at a higher frequency"
@@ -300,6 +305,7 @@ impl Features<'_> {
                 Ok((!as_contact).then_some(mass))
             }
             Of::Mass(mass) => Err(self.system.unknown(&mass.to_string()).into()),
+            _ => Err(FeatureError::Combination),
         }
     }
 }

@@ -82,6 +82,7 @@ impl Features<'_> {
             // Against a support at rest, the contact's motion is the motion of its mass.
             Of::Contact if modal.on_moving_base => None,
             Of::Contact => modal.rubbing().or(mass),
+            _ => None,
         };
         let places: Vec<f64> = modal.resonances.iter().map(|r| r.to_f64()).collect();
         let mut peaks = Vec::new();
@@ -241,10 +242,7 @@ impl Features<'_> {
         }
         let amplitude = |r: f64, beta: f64| -> Option<f64> {
             let motion = self.system.at(r).ok()?.motion(beta).ok()?;
-            Some(match of {
-                Of::Contact => motion.contact().amplitude(),
-                Of::Mass(mass) => motion.mass_at(mass)?.amplitude(),
-            })
+            Some(motion.motion_of(of)?.amplitude())
         };
         let difference = |r: f64| match (amplitude(r, more), amplitude(r, less)) {
             (Some(more), Some(less)) => more - less,
@@ -285,10 +283,7 @@ impl Features<'_> {
                 let frequency = self.variations.of_place(r, more, |varied, r, beta| {
                     let of_friction = |beta| {
                         let motion = varied.at(r).ok()?.motion(beta).ok()?;
-                        Some(match of {
-                            Of::Contact => motion.contact().amplitude(),
-                            Of::Mass(mass) => motion.mass_at(mass)?.amplitude(),
-                        })
+                        Some(motion.motion_of(of)?.amplitude())
                     };
                     Some(of_friction(beta)? - of_friction(beta * share)?)
                 });

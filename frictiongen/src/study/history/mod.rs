@@ -9,6 +9,8 @@ mod steady;
 
 pub use spectrum::{SpectralLine, Spectrum};
 
+use super::system::System;
+use super::words;
 use crate::{Error, Of, OutOfDomain};
 use frictiongen_kernel::simulation::{Contact, Event};
 use std::f64::consts::TAU;
@@ -65,8 +67,8 @@ pub enum HistoryError {
     TooManySkipped,
     /// The run has more than a million events, or too many free vibrations in a cycle to be followed.
     TooManyEvents,
-    /// The scene has no mass with this index.
-    NoSuchMass(usize),
+    /// The scene lacks the mass or the spring of this motion.
+    NoSuchMotion(Of),
     /// A solver refuses the request: r = 0 or r = ∞, a state that is not finite, or no steady state.
     Solver(Error),
 }
@@ -90,7 +92,7 @@ impl std::fmt::Display for HistoryError {
                 f,
                 "the contact has more than {MOST_EVENTS} events, or the masses vibrate too often in a cycle to be followed"
             ),
-            Self::NoSuchMass(index) => write!(f, "the scene has no mass with the index {index}"),
+            Self::NoSuchMotion(of) => words::no_such_motion(f, *of),
             Self::Solver(error) => error.fmt(f),
         }
     }
@@ -245,8 +247,8 @@ fn phase(index: u64, samples: u64) -> f64 {
     TAU * (index as f64) / (samples as f64)
 }
 
-/// Fails unless this number of cycles and samples of the motions is allowed and all masses exist.
-fn check(of: &[Of], masses: usize, cycles: u32, samples: u32) -> Result<(), HistoryError> {
+/// Fails unless this number of cycles and samples of the motions is allowed and the system has all motions.
+fn check(system: &System, of: &[Of], cycles: u32, samples: u32) -> Result<(), HistoryError> {
     if cycles == 0 {
         return Err(HistoryError::NoCycle);
     }
@@ -258,9 +260,8 @@ fn check(of: &[Of], masses: usize, cycles: u32, samples: u32) -> Result<(), Hist
     if MOST_SAMPLES < samples.saturating_mul(motions) {
         return Err(HistoryError::TooManySamples);
     }
-    let unknown = of.iter().find_map(|of| match of {
-        Of::Mass(index) if masses <= *index => Some(*index),
-        _ => None,
-    });
-    unknown.map_or(Ok(()), |index| Err(HistoryError::NoSuchMass(index)))
+    match of.iter().find(|of| !system.has_motion(**of)) {
+        Some(of) => Err(HistoryError::NoSuchMotion(*of)),
+        None => Ok(()),
+    }
 }

@@ -50,8 +50,7 @@ impl System {
         beta: f64,
         request: &HistoryRequest,
     ) -> Result<History, HistoryError> {
-        let masses = self.scene().masses.len();
-        check(&request.of, masses, request.cycles, request.samples)?;
+        check(self, &request.of, request.cycles, request.samples)?;
         if MOST_SAMPLES < request.skip {
             return Err(HistoryError::TooManySkipped);
         }
@@ -122,14 +121,9 @@ impl Follower<'_, '_> {
         Err(HistoryError::TooManyEvents)
     }
 
+    /// Returns displacement and velocity of a motion that is known to exist.
     fn motion(&self, of: Of) -> (f64, f64) {
-        match of {
-            Of::Contact => self.run.relative(),
-            Of::Mass(index) => {
-                let moment = self.run.run().mass(index);
-                (moment.displacement(), moment.velocity())
-            }
-        }
+        self.run.motion_of(of).unwrap_or_default()
     }
 
     fn sample(&self, history: &mut History) {

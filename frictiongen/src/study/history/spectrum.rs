@@ -112,9 +112,8 @@ impl SystemResponse<'_> {
     /// contact's relative motion leaves its maximum.
     #[must_use]
     pub fn subharmonic(&self, of: Of, k: u32) -> Option<Complex<f64>> {
-        match (self, of) {
-            (Self::StickSlip(orbit), Of::Contact) => Some(orbit.contact().subharmonic(k)),
-            (Self::StickSlip(orbit), Of::Mass(index)) => Some(orbit.mass_at(index)?.subharmonic(k)),
+        match self {
+            Self::StickSlip(orbit) => orbit.ask_of(of, |motion| motion.subharmonic(k)),
             _ => self.harmonic(of, k),
         }
     }

@@ -48,19 +48,13 @@ impl SystemResponse<'_> {
     /// [`HistoryError`] for an invalid request, and for r = 0 and r = ∞, where there is no cycle. [`HistoryError`] also
     /// where the motion does not settle. A run from rest shows that motion.
     pub fn history(&self, of: &[Of], samples: u32) -> Result<History, HistoryError> {
-        let (masses, r) = match self {
-            Self::Continuous(motion) => {
-                let at = motion.at();
-                (at.scene().scene().masses.len(), at.frequency_ratio())
-            }
+        let (system, r) = match self {
+            Self::Continuous(motion) => (*motion.at().scene(), motion.at().frequency_ratio()),
             // An orbit exists only where r is neither 0 nor infinite, so any valid r serves.
-            Self::StickSlip(orbit) => (orbit.system.scene().masses.len(), 1.0),
-            Self::Stuck(stuck) => {
-                let at = stuck.at();
-                (at.scene().scene().masses.len(), at.frequency_ratio())
-            }
+            Self::StickSlip(orbit) => (orbit.system, 1.0),
+            Self::Stuck(stuck) => (*stuck.at().scene(), stuck.at().frequency_ratio()),
         };
-        check(of, masses, self.period(), samples)?;
+        check(system, of, self.period(), samples)?;
         if !(0.0 < r && r.is_finite()) {
             return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)).into());
         }
@@ -89,13 +83,7 @@ fn instants(history: &History) -> impl Iterator<Item = f64> + use<> {
 fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
     let friction = motion.friction();
     let (lag, beta) = (friction.phase, friction.beta);
-    let motions: Vec<_> = of
-        .iter()
-        .filter_map(|of| match of {
-            Of::Contact => Some(motion.contact()),
-            Of::Mass(index) => motion.mass_at(*index),
-        })
-        .collect();
+    let motions: Vec<_> = of.iter().filter_map(|of| motion.motion_of(*of)).collect();
     let sliding = |tau: f64| {
         // `half` is the number of half cycles since the contact's maximum.
         let half = ((tau - lag) / PI).floor();
@@ -131,18 +119,14 @@ fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
 /// Adds the samples and events of a contact that stops, or reverses more than twice.
 fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
     let origin = orbit.origin();
-    let motions: Vec<_> = of
-        .iter()
-        .filter_map(|of| match of {
-            Of::Contact => Some(orbit.contact()),
-            Of::Mass(index) => orbit.mass_at(*index),
-        })
-        .collect();
+    let system = orbit.system;
+    let prepared: Vec<_> = of.iter().filter_map(|of| system.in_orbit(*of)).collect();
+    let motions: Vec<_> = prepared.iter().map(|motion| motion.motion(orbit)).collect();
     for tau in instants(history) {
         let since = tau - origin;
         let contact = orbit.friction(since);
         let moments = motions.iter().zip(of).map(|(motion, of)| {
-            let velocity = match (of, contact.0) {
+            let velocity = match (system.simplest(*of), contact.0) {
                 (Of::Contact, Contact::Stuck) => 0.0,
                 _ => motion.velocity(since),
             };
@@ -179,13 +163,8 @@ fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
 /// Adds the samples of a contact that never slides.
 fn held(history: &mut History, held: &SystemHeld<'_>, of: &[Of]) {
     let (force, constant) = (held.contact_force(), held.constant_force());
-    let amplitudes: Vec<(Complex<f64>, f64)> = of
-        .iter()
-        .filter_map(|of| match of {
-            Of::Contact => Some((Complex::new(0.0, 0.0), held.offset())),
-            Of::Mass(index) => Some((held.mass_at(*index)?, held.mass_offset(*index)?)),
-        })
-        .collect();
+    let amplitudes: Vec<(Complex<f64>, f64)> =
+        of.iter().filter_map(|of| held.motion_of(*of)).collect();
     for tau in instants(history) {
         let (sine, cosine) = tau.sin_cos();
         let moments = amplitudes.iter().map(|(amplitude, offset)| {

@@ -170,15 +170,13 @@ impl System {
         go_on: impl Fn(usize) -> bool + Sync,
     ) -> Result<Map, OutOfDomain> {
         let usable = |value: &f64| 0.0 <= *value && value.is_finite();
-        let masses = self.scene().masses.len();
-        let known = |of: &Of| !matches!(of, Of::Mass(index) if masses <= *index);
         if let Some(r) = request.r.iter().find(|r| !usable(r)) {
             return Err(OutOfDomain::FrequencyRatio(Given::of(*r)));
         }
         if let Some(beta) = request.beta.iter().find(|beta| !usable(beta)) {
             return Err(OutOfDomain::FrictionRatio(Given::of(*beta)));
         }
-        if !request.of.iter().all(known) {
+        if !request.of.iter().all(|of| self.has_motion(*of)) {
             return Err(OutOfDomain::Mass);
         }
         let done = std::sync::atomic::AtomicUsize::new(0);

@@ -96,10 +96,7 @@ impl<'s> Amplitude<'s> {
         {
             self.asked.set(self.asked.get() + 1);
             self.spend_work(1);
-            let motion = match self.of {
-                Of::Contact => Some(motion.contact()),
-                Of::Mass(index) => motion.mass_at(index),
-            };
+            let motion = motion.motion_of(self.of);
             return motion.map_or(f64::NAN, |motion| motion.amplitude());
         }
         self.followed(r, friction)

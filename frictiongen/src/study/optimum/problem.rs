@@ -44,10 +44,8 @@ impl<'s> Problem<'s> {
         if !(from < to) {
             return Err(OptimumError::Width);
         }
-        if let Of::Mass(index) = request.of
-            && index >= system.scene.masses.len()
-        {
-            return Err(system.unknown(&index.to_string()).into());
+        if !system.has_motion(request.of) {
+            return Err(OptimumError::NoSuchMotion(request.of));
         }
         let modal = system.modal();
         let constants = modal.damping_ratios.iter().zip(&modal.loads);

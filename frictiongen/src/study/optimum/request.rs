@@ -3,6 +3,7 @@
 use crate::Of;
 use crate::study::error::{InvalidScene, UnknownMass};
 use crate::study::units::{Load, LoadError};
+use crate::study::words;
 
 /// A band of frequencies, in frequency ratios or in Hz.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,8 +33,10 @@ pub enum OptimumError {
     Band,
     /// The band has no width, or its upper bound is below its lower bound.
     Width,
-    /// The scene has no mass with the requested name or index.
+    /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
+    /// The scene lacks the mass or the spring of the requested motion.
+    NoSuchMotion(Of),
     /// The load does not fit the scene.
     Load(LoadError),
     /// The mode with this index, counted from 0, is driven by the load, and neither damping nor the contact acts on
@@ -59,6 +62,7 @@ impl std::fmt::Display for OptimumError {
             Self::Band => "both bounds of the band must be above 0 and finite",
             Self::Width => "the end of the band must be above its start",
             Self::UnknownMass(error) => return error.fmt(f),
+            Self::NoSuchMotion(of) => return words::no_such_motion(f, *of),
             Self::Load(error) => return error.fmt(f),
             Self::Undamped(mode) => {
                 return write!(

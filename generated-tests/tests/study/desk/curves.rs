@@ -251,7 +251,7 @@ fn bad_requests() {
     let unknown = CurveRequest::new(0.5, 1.0, &[Of::Mass(7)]);
     assert_eq!(
         system.curve(&unknown, 0.3).unwrap_err(),
-        CurveError::NoSuchMass(7)
+        CurveError::NoSuchMotion(Of::Mass(7))
     );
     for accuracy in [0.0, -1.0, f64::NAN, 2.0] {
         let request = CurveRequest {

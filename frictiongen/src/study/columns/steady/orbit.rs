@@ -7,7 +7,7 @@ use crate::study::columns::measure::Dimension;
 use crate::study::columns::motion::{Extent, Moving, PartMotion, motions};
 use crate::study::columns::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
 use crate::study::{SystemAt, orbit::SystemOrbit, words};
-use crate::{Complex, NoOrbit, Of, OutOfDomain};
+use crate::{Complex, NoOrbit, OutOfDomain};
 
 /// A row: the steady state at one frequency and one friction.
 #[derive(Clone, Debug)]
@@ -182,20 +182,13 @@ impl<'a> OrbitTable<'a> {
 
     fn steady(&self, orbit: &SystemOrbit<'_>) -> Steady {
         let measure = &self.setting.measure;
-        let motions = self.setting.parts.iter().map(|part| match part.of {
-            Of::Contact => {
-                let mut motion = Motion::of_orbit(&orbit.contact(), self.orders);
-                if measure.turns(part.of) {
-                    motion.turn(Some(orbit.reversed_contact_phase()));
-                }
-                motion
+        let motions = self.setting.parts.iter().map(|part| {
+            let motion = orbit.ask_of(part.of, |motion| Motion::of_orbit(motion, self.orders));
+            let mut motion = motion.unwrap_or_default();
+            if measure.turns(part.of) {
+                motion.turn(Some(orbit.reversed_contact_phase()));
             }
-            Of::Mass(index) => {
-                let motion = orbit.mass_at(index);
-                motion.map_or_else(Motion::default, |motion| {
-                    Motion::of_orbit(&motion, self.orders)
-                })
-            }
+            motion
         });
         Steady {
             period: orbit.is_settled().then(|| Period {

@@ -101,7 +101,7 @@ impl<'a> ResponseTable<'a> {
             let Some(response) = &response else {
                 return Motion::default();
             };
-            let mut motion = Motion::of_response(response, part.of, self.orders);
+            let mut motion = Motion::of_response(response, part, self.orders);
             if measure.turns(part.of) {
                 motion.turn(response.reversed_contact_phase());
             }

@@ -1,0 +1,350 @@
+//! Motions that combine masses and base: relative displacements, spring forces and the base shear.
+//!
+//! A spring force over P is the elongation x̄ times k/k₁, so that every answer for a displacement also serves forces.
+
+use super::held::SystemHeld;
+use super::motion::{SystemMotion, SystemSteady};
+use super::orbit::{SystemOrbit, SystemOrbitMotion};
+use super::simulation::SystemSimulation;
+use super::stepper::SystemStepper;
+use super::system::System;
+use crate::{Complex, Of};
+use frictiongen_kernel::combination::Combination;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::{Float, Scalar};
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::{Excitation, Node, Scene, Spring};
+use frictiongen_model::transient::Transient;
+
+/// A sum of displacements of masses and of the moving base, each with its coefficient.
+#[derive(Clone, Debug)]
+struct Terms {
+    masses: Vec<(usize, Dd)>,
+    base: Dd,
+}
+
+/// A combination with its components in the modes.
+#[derive(Clone, Debug)]
+pub(super) struct Combined<S> {
+    shape: Vec<S>,
+    base: S,
+}
+
+/// A motion of a steady state, with the data that it needs.
+#[derive(Clone, Debug)]
+pub(super) enum InOrbit<S> {
+    Contact,
+    Mass(usize),
+    Combined(Combined<S>),
+}
+
+impl<S: Float> InOrbit<S> {
+    /// Returns the motion in a steady state. A mass is known to exist.
+    pub(super) fn motion<'o, 'a>(
+        &'o self,
+        orbit: &'o SystemOrbit<'a, S>,
+    ) -> SystemOrbitMotion<'o, 'a, S> {
+        match self {
+            Self::Contact => orbit.orbit.contact(),
+            Self::Mass(index) => orbit.orbit.mass(*index),
+            Self::Combined(combined) => orbit.orbit.combination(combined.combination()),
+        }
+    }
+}
+
+impl<S: Copy> Combined<S> {
+    fn combination(&self) -> Combination<'_, S> {
+        Combination {
+            shape: &self.shape,
+            base: self.base,
+        }
+    }
+}
+
+/// Components of all masses in the mode shapes, to about 30 digits, mass after mass. A difference of two masses keeps
+/// its digits, although the masses may move almost alike.
+#[derive(Clone, Debug)]
+pub(super) struct Shapes {
+    /// In the modes of the closed forms.
+    sliding: Vec<Dd>,
+    /// In the modes of the motion in time, which are sorted otherwise.
+    in_time: Vec<Dd>,
+}
+
+impl Shapes {
+    pub(super) fn of(scene: &Scene, modal: &Modal) -> Self {
+        Self {
+            sliding: modal.reduced(|value| value).shapes,
+            in_time: Transient::of(scene, modal, |value| value).shapes,
+        }
+    }
+}
+
+impl Terms {
+    fn none() -> Self {
+        Self {
+            masses: Vec::new(),
+            base: Dd::constant(0.0),
+        }
+    }
+
+    /// Adds the displacement of a mass, of the base or of the wall, times a coefficient.
+    fn add(&mut self, node: Node, coefficient: Dd) {
+        match node {
+            Node::Mass(index) => self.masses.push((index, coefficient)),
+            Node::Base => self.base = self.base + coefficient,
+            Node::Wall => {}
+        }
+    }
+
+    /// Returns Σ c_k φ_k for every mode, from the components of all masses.
+    fn shape<S: Scalar>(
+        &self,
+        shapes: &[S],
+        modes: usize,
+        coefficient: impl Fn(Dd) -> S,
+    ) -> Vec<S> {
+        let mut sum = vec![S::constant(0.0); modes];
+        for (mass, factor) in &self.masses {
+            let components = shapes.chunks_exact(modes.max(1)).nth(*mass);
+            for (sum, component) in sum.iter_mut().zip(components.unwrap_or_default()) {
+                *sum = *sum + *component * coefficient(*factor);
+            }
+        }
+        sum
+    }
+}
+
+impl<S: Float> System<S> {
+    /// Returns true if the scene has the masses and the springs of a motion.
+    #[must_use]
+    pub fn has_motion(&self, of: Of) -> bool {
+        let mass = |index: usize| index < self.scene.masses.len();
+        match of {
+            Of::Contact | Of::Shear => true,
+            Of::Mass(index) | Of::FromBase(index) => mass(index),
+            Of::Relative(of, to) => mass(of) && mass(to) && of != to,
+            Of::Spring(index) => index < self.scene.springs.len(),
+        }
+    }
+
+    /// Returns the motion that has the same displacement and is known best: the contact or a mass, if it is one.
+    pub(super) fn simplest(&self, of: Of) -> Of {
+        let contact = self.scene.contact;
+        let sides = [contact.from, contact.to];
+        let base_moves = self.scene.excitation == Excitation::Base;
+        match of {
+            // The contact's motion is that of the later mass relative to the earlier one.
+            Of::Relative(of, to)
+                if to < of
+                    && [of, to]
+                        .iter()
+                        .all(|index| sides.contains(&Node::Mass(*index))) =>
+            {
+                Of::Contact
+            }
+            Of::FromBase(index) if !base_moves => Of::Mass(index),
+            Of::FromBase(index)
+                if sides.contains(&Node::Base) && sides.contains(&Node::Mass(index)) =>
+            {
+                Of::Contact
+            }
+            other => other,
+        }
+    }
+
+    fn terms(&self, of: Of) -> Terms {
+        let one = Dd::constant(1.0);
+        let mut terms = Terms::none();
+        match of {
+            Of::Contact => {}
+            Of::Mass(index) => terms.add(Node::Mass(index), one),
+            Of::FromBase(index) => {
+                terms.add(Node::Mass(index), one);
+                terms.add(Node::Base, -one);
+            }
+            Of::Relative(of, to) => {
+                terms.add(Node::Mass(of), one);
+                terms.add(Node::Mass(to), -one);
+            }
+            Of::Spring(index) => {
+                if let Some(spring) = self.scene.springs.get(index) {
+                    let stiffness = self.stiffness_ratio(spring);
+                    terms.add(spring.to, stiffness);
+                    terms.add(spring.from, -stiffness);
+                }
+            }
+            Of::Shear => {
+                for spring in &self.scene.springs {
+                    let (mass, base) = match (spring.from, spring.to) {
+                        (mass @ Node::Mass(_), base @ Node::Base)
+                        | (base @ Node::Base, mass @ Node::Mass(_)) => (mass, base),
+                        _ => continue,
+                    };
+                    let stiffness = self.stiffness_ratio(spring);
+                    terms.add(mass, stiffness);
+                    terms.add(base, -stiffness);
+                }
+            }
+        }
+        if self.scene.excitation != Excitation::Base {
+            terms.base = Dd::constant(0.0);
+        }
+        terms
+    }
+
+    /// Returns k/k₁ of a spring.
+    fn stiffness_ratio(&self, spring: &Spring) -> Dd {
+        let first = self.scene.springs.first();
+        Dd::constant(spring.stiffness) / Dd::constant(first.map_or(1.0, |first| first.stiffness))
+    }
+
+    /// Returns a motion with the data that a steady state needs. `None` if the scene has no such motion.
+    pub(super) fn in_orbit(&self, of: Of) -> Option<InOrbit<S>> {
+        let known = self.has_motion(of);
+        known.then(|| match self.simplest(of) {
+            Of::Contact => InOrbit::Contact,
+            Of::Mass(index) => InOrbit::Mass(index),
+            of => InOrbit::Combined(self.in_time_modes(of)),
+        })
+    }
+
+    /// Returns a combination in the modes of the closed forms.
+    fn in_sliding_modes(&self, of: Of) -> Combined<S> {
+        let reduced = &self.reduced;
+        let (own, modes) = (&reduced.shapes, reduced.modes.len());
+        self.combined(&self.terms(of), own, modes, |exact| &exact.sliding)
+    }
+
+    /// Returns a combination in the modes of the motion in time.
+    fn in_time_modes(&self, of: Of) -> Combined<S> {
+        let transient = self.transient();
+        let (own, modes) = (&transient.shapes, transient.modes.len());
+        self.combined(&self.terms(of), own, modes, |exact| &exact.in_time)
+    }
+
+    fn combined(
+        &self,
+        terms: &Terms,
+        own: &[S],
+        modes: usize,
+        exact: impl Fn(&Shapes) -> &Vec<Dd>,
+    ) -> Combined<S> {
+        let constant = |value: Dd| S::constant(value.hi) + S::constant(value.lo);
+        let shape = if S::CARRIES {
+            // Components with derivatives have about 30 digits.
+            terms.shape(own, modes, constant)
+        } else {
+            let shape = terms.shape(exact(self.exact_shapes()), modes, |value| value);
+            shape.into_iter().map(constant).collect()
+        };
+        Combined {
+            shape,
+            base: constant(terms.base),
+        }
+    }
+}
+
+impl<'a, S: Float> SystemMotion<'a, S> {
+    /// Returns the motion of the contact, of a mass, or of a combination of masses and base. `None` if the scene has no
+    /// such motion.
+    #[must_use]
+    pub fn motion_of(&self, of: Of) -> Option<SystemSteady<'a, S>> {
+        let system = *self.at().scene();
+        if !system.has_motion(of) {
+            return None;
+        }
+        match system.simplest(of) {
+            Of::Contact => Some(self.contact()),
+            Of::Mass(index) => self.mass_at(index),
+            of => Some(self.combination(system.in_sliding_modes(of).combination())),
+        }
+    }
+}
+
+impl<'a, S: Float> SystemOrbit<'a, S> {
+    /// Calls `question` with the motion of the contact, of a mass, or of a combination of masses and base, and returns
+    /// the result of `question`. `None` if the scene has no such motion.
+    pub fn ask_of<A>(
+        &self,
+        of: Of,
+        question: impl FnOnce(&SystemOrbitMotion<'_, 'a, S>) -> A,
+    ) -> Option<A> {
+        let motion = self.system.in_orbit(of)?;
+        Some(question(&motion.motion(self)))
+    }
+}
+
+impl SystemHeld<'_> {
+    /// Returns a motion as its complex amplitude and its constant displacement, which the offset of the contact causes.
+    /// `None` if the scene has no such motion.
+    #[must_use]
+    pub fn motion_of(&self, of: Of) -> Option<(Complex<f64>, f64)> {
+        let system = *self.at().scene();
+        if !system.has_motion(of) {
+            return None;
+        }
+        let mut sum = (Complex::new(0.0, 0.0), 0.0);
+        if system.simplest(of) == Of::Contact {
+            sum.1 = self.offset();
+            return Some(sum);
+        }
+        let terms = system.terms(of);
+        for (mass, factor) in terms.masses {
+            let factor = factor.to_f64();
+            sum.0 += self.mass_at(mass)? * factor;
+            sum.1 += self.mass_offset(mass)? * factor;
+        }
+        sum.0.re += terms.base.to_f64();
+        Some(sum)
+    }
+}
+
+impl SystemStepper<'_> {
+    /// Returns displacement and velocity of a motion now, in the scene's units. A spring force and the base shear are
+    /// over k₁. `None` if the scene has no such motion.
+    #[must_use]
+    pub fn motion_of(&self, of: Of) -> Option<(f64, f64)> {
+        let system = self.system;
+        if !system.has_motion(of) {
+            return None;
+        }
+        if system.simplest(of) == Of::Contact {
+            let contact = self.contact();
+            return Some((contact.displacement(), contact.velocity()));
+        }
+        let terms = system.terms(of);
+        let (now, base) = (self.base(), terms.base.to_f64());
+        let mut sum = (base * now.displacement(), base * now.velocity());
+        for (mass, factor) in terms.masses {
+            let (now, factor) = (self.mass_at(mass), factor.to_f64());
+            sum.0 += factor * now.displacement();
+            sum.1 += factor * now.velocity();
+        }
+        Some(sum)
+    }
+}
+
+impl SystemSimulation<'_> {
+    /// Returns displacement and velocity of a motion now. `None` if the scene has no such motion.
+    #[must_use]
+    pub fn motion_of(&self, of: Of) -> Option<(f64, f64)> {
+        let system = self.system;
+        if !system.has_motion(of) {
+            return None;
+        }
+        if system.simplest(of) == Of::Contact {
+            return Some(self.relative());
+        }
+        let terms = system.terms(of);
+        let (sine, cosine) = self.phase().sin_cos();
+        let base = terms.base.to_f64();
+        let mut sum = (base * cosine, -(base * sine));
+        for (mass, factor) in terms.masses {
+            let (moment, factor) = (self.run().mass(mass), factor.to_f64());
+            sum.0 += factor * moment.displacement();
+            sum.1 += factor * moment.velocity();
+        }
+        Some(sum)
+    }
+}

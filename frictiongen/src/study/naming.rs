@@ -1,0 +1,257 @@
+//! Names of motions: `roof`, `roof-base`, `roof-first`, `spring(first-roof)`, `shear`, `contact`.
+
+use super::error::UnknownMass;
+use super::response::Size;
+use super::system::System;
+use crate::Of;
+use frictiongen_kernel::Float;
+use frictiongen_model::scene::Node;
+
+/// The reason why a name is not the name of a motion of the scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum UnknownMotion {
+    /// The scene has no mass with a name that occurs.
+    Mass(UnknownMass),
+    /// A mass relative to itself does not move.
+    Itself(String),
+    /// The base is named first, but is the reference: `roof-base`, not `base-roof`.
+    BaseFirst(String),
+    /// No spring connects the two nodes. The second field lists the springs of the scene.
+    Spring(String, Vec<String>),
+    /// The scene has no spring between a mass and the base, so that there is no base shear.
+    NoShear,
+    /// The function in front of the brackets is unknown.
+    Function(String),
+    /// A force has neither a velocity nor an acceleration.
+    Rate(String),
+    /// Only a contact slips.
+    Slip(String),
+    /// The closing bracket is missing, or text follows it.
+    Brackets(String),
+}
+
+impl std::fmt::Display for UnknownMotion {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Mass(error) => error.fmt(f),
+            Self::Itself(name) => write!(
+                f,
+                "`{name}` does not move relative to itself; write two different masses, or one mass and `base`"
+            ),
+            Self::BaseFirst(mass) => {
+                write!(f, "the base is the reference; write `{mass}-base`")
+            }
+            Self::Spring(name, known) => write!(
+                f,
+                "there is no spring `{name}`; the springs are {}",
+                known.join(", ")
+            ),
+            Self::NoShear => write!(
+                f,
+                "no spring connects a mass with the base, so there is no base shear"
+            ),
+            Self::Function(name) => write!(
+                f,
+                "there is no quantity `{name}(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)` or `accel(…)`"
+            ),
+            Self::Rate(name) => write!(
+                f,
+                "`{name}` is a force, which has neither a velocity nor an acceleration"
+            ),
+            Self::Slip(name) => write!(f, "`{name}` is no contact; write `slip(contact)`"),
+            Self::Brackets(text) => {
+                write!(f, "`{text}`: write one closing bracket, at the end")
+            }
+        }
+    }
+}
+
+impl std::error::Error for UnknownMotion {}
+
+impl From<UnknownMass> for UnknownMotion {
+    fn from(error: UnknownMass) -> Self {
+        Self::Mass(error)
+    }
+}
+
+impl<S: Float> System<S> {
+    /// Returns the motion with this name.
+    ///
+    /// | name | motion |
+    /// |---|---|
+    /// | `roof` | displacement of the mass `roof` |
+    /// | `contact` | relative motion in the contact |
+    /// | `roof-base` | displacement of `roof` relative to the base |
+    /// | `roof-first` | displacement of `roof` relative to `first`, for example the drift of a storey |
+    /// | `spring(first-roof)` | force in the spring between `first` and `roof` |
+    /// | `shear` | base shear: the sum of the forces in all springs between a mass and the base |
+    ///
+    /// A force is over P, for base motion over k₁Y.
+    ///
+    /// ```
+    /// use frictiongen::{Of, System};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let frame: System = "struct Frame {
+    ///     masses: { first: 2000, roof: 2000 },
+    ///     springs: { base - first: 1.5e6, first - roof: 1.5e6 },
+    ///     contact: base - first,
+    ///     excitation: base,
+    ///     damping: modal(0.01),
+    /// }"
+    /// .parse()?;
+    /// assert_eq!(frame.motion_named("roof-first")?, Of::Relative(1, 0));
+    /// let response = frame.at(0.5)?.response(0.4)?;
+    /// let drift = response.swing(frame.motion_named("roof-first")?).ok_or("no drift")?;
+    /// let force = response.swing(frame.motion_named("spring(first-roof)")?).ok_or("no force")?;
+    /// // Both springs are as stiff as k₁, so force over P is displacement over P/k₁.
+    /// assert!((drift.amplitude - force.amplitude).abs() < 1e-14);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`UnknownMotion`], with the names that the scene has.
+    pub fn motion_named(&self, name: &str) -> Result<Of, UnknownMotion> {
+        let name = name.trim();
+        if let Ok(index) = self.mass_index(name) {
+            return Ok(Of::Mass(index));
+        }
+        match name {
+            "contact" => return Ok(Of::Contact),
+            "shear" => return self.shear(),
+            _ => {}
+        }
+        if let Some((function, inside)) = name.split_once('(') {
+            let inside = inside.strip_suffix(')');
+            let inside = inside.filter(|inside| !inside.contains(['(', ')']));
+            let inside = inside.ok_or_else(|| UnknownMotion::Brackets(name.to_owned()))?;
+            return match function.trim() {
+                "spring" => self.spring_named(inside),
+                other => Err(UnknownMotion::Function(other.to_owned())),
+            };
+        }
+        let Some((of, to)) = name.split_once('-') else {
+            return Err(self.unknown(name).into());
+        };
+        let (of, to) = (of.trim(), to.trim());
+        if of == "base" {
+            self.mass_index(to)?;
+            return Err(UnknownMotion::BaseFirst(to.to_owned()));
+        }
+        let mass = self.mass_index(of)?;
+        if to == "base" {
+            return Ok(Of::FromBase(mass));
+        }
+        let reference = self.mass_index(to)?;
+        if mass == reference {
+            return Err(UnknownMotion::Itself(of.to_owned()));
+        }
+        Ok(Of::Relative(mass, reference))
+    }
+
+    /// Returns the motion with this name, and the size that the name asks for: `vel(roof)` is the velocity and
+    /// `accel(roof)` the acceleration of the motion `roof`, and `slip(contact)` is the displacement in the contact. Any
+    /// other name asks for a displacement or a force.
+    ///
+    /// ```
+    /// use frictiongen::study::response::Size;
+    /// use frictiongen::{Of, System};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let frame: System = "struct Frame {
+    ///     masses: { first: 2000, roof: 2000 },
+    ///     springs: { base - first: 1.5e6, first - roof: 1.5e6 },
+    ///     contact: base - first,
+    ///     excitation: base,
+    ///     damping: modal(0.01),
+    /// }"
+    /// .parse()?;
+    /// assert_eq!(frame.quantity_named("accel(roof)")?, (Of::Mass(1), Size::Acceleration));
+    /// assert_eq!(frame.quantity_named("vel(roof-base)")?, (Of::FromBase(1), Size::Velocity));
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// Same errors as [`motion_named`](Self::motion_named), and [`UnknownMotion::Rate`] for the velocity of a force.
+    pub fn quantity_named(&self, name: &str) -> Result<(Of, Size), UnknownMotion> {
+        let name = name.trim();
+        let functions = [
+            ("slip(", Size::Displacement),
+            ("vel(", Size::Velocity),
+            ("accel(", Size::Acceleration),
+        ];
+        for (function, size) in functions {
+            let Some(inside) = name.strip_prefix(function) else {
+                continue;
+            };
+            let inside = inside.strip_suffix(')');
+            let inside = inside.ok_or_else(|| UnknownMotion::Brackets(name.to_owned()))?;
+            let of = self.motion_named(inside)?;
+            if of.is_force() {
+                return Err(UnknownMotion::Rate(inside.trim().to_owned()));
+            }
+            if size == Size::Displacement && of != Of::Contact {
+                return Err(UnknownMotion::Slip(inside.trim().to_owned()));
+            }
+            return Ok((of, size));
+        }
+        Ok((self.motion_named(name)?, Size::Displacement))
+    }
+
+    /// Returns the name of a motion, as [`motion_named`](Self::motion_named) reads it. Names of masses and springs that
+    /// the scene does not have are replaced by a question mark.
+    #[must_use]
+    pub fn name_of_motion(&self, of: Of) -> String {
+        let mass = |index: usize| self.node_name(Node::Mass(index));
+        match of {
+            Of::Contact => "contact".to_owned(),
+            Of::Mass(index) => mass(index),
+            Of::Relative(of, to) => format!("{}-{}", mass(of), mass(to)),
+            Of::FromBase(index) => format!("{}-base", mass(index)),
+            Of::Spring(index) => match self.scene.springs.get(index) {
+                Some(spring) => format!(
+                    "spring({}-{})",
+                    self.node_name(spring.from),
+                    self.node_name(spring.to)
+                ),
+                None => "spring(?)".to_owned(),
+            },
+            Of::Shear => "shear".to_owned(),
+        }
+    }
+
+    fn shear(&self) -> Result<Of, UnknownMotion> {
+        let mut springs = self.scene.springs.iter();
+        let at_base = springs.any(|spring| [spring.from, spring.to].contains(&Node::Base));
+        at_base.then_some(Of::Shear).ok_or(UnknownMotion::NoShear)
+    }
+
+    fn spring_named(&self, name: &str) -> Result<Of, UnknownMotion> {
+        let ends = name.split_once('-').map(|(a, b)| [a.trim(), b.trim()]);
+        let found = ends.and_then(|[a, b]| {
+            self.scene.springs.iter().position(|spring| {
+                let own = [spring.from, spring.to].map(|node| self.node_name(node));
+                own == [a, b] || own == [b, a]
+            })
+        });
+        found.map(Of::Spring).ok_or_else(|| {
+            let springs = 0..self.scene.springs.len();
+            let known = springs.map(|index| self.name_of_motion(Of::Spring(index)));
+            UnknownMotion::Spring(name.trim().to_owned(), known.collect())
+        })
+    }
+
+    fn node_name(&self, node: Node) -> String {
+        match node {
+            Node::Mass(index) => {
+                let mass = self.scene.masses.get(index);
+                mass.map_or_else(|| "?".to_owned(), |mass| mass.name.clone())
+            }
+            Node::Base => "base".to_owned(),
+            Node::Wall => "wall".to_owned(),
+        }
+    }
+}
