@@ -51,6 +51,20 @@ pub fn frequencies(frame: &Frame) -> Vec<f64> {
     all
 }
 
+/// Returns the frequency ratios of the map, and of a grid of 0.25 % between them.
+///
+/// Where motions do not settle, their amplitudes scatter from one frequency to the next. The largest amplitude on the
+/// frequencies of the map alone is then far too small: 2.9 for 7.8 in one frame of six masses without damping.
+pub fn fine_frequencies(frame: &Frame) -> Vec<f64> {
+    let [from, to] = frame.band;
+    let steps = ((to / from).ln() / FINE).ceil();
+    let grid = (0..=steps as u32).map(|i| from * (to / from).powf(f64::from(i) / steps));
+    let mut all: Vec<f64> = frequencies(frame).into_iter().chain(grid).collect();
+    all.retain(|r| from <= *r && *r <= to);
+    all.sort_by(f64::total_cmp);
+    all
+}
+
 /// Returns the largest amplitude at a friction ratio by samples. Every interval of frequencies that may contain it is
 /// refined. The search stops as soon as the amplitude exceeds `enough`.
 pub fn largest(frame: &Frame, places: &[f64], beta: f64, enough: f64) -> f64 {

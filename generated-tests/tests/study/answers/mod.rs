@@ -68,9 +68,11 @@ fn outcome(frame: &Frame, work: Option<usize>) -> Option<Outcome> {
     if found.amplitude == 0.0 {
         return None;
     }
-    let (beta, least) = map::least(frame);
-    let places = map::frequencies(frame);
-    let there = map::largest(frame, &places, found.beta, f64::INFINITY);
+    let (beta, _) = map::least(frame);
+    // The friction of the map is judged at the same frequencies as the one that the search found.
+    let places = map::fine_frequencies(frame);
+    let [least, there] =
+        [beta, found.beta].map(|beta| map::largest(frame, &places, beta, f64::INFINITY));
     let outcome = Outcome {
         seconds,
         above: found.amplitude / least - 1.0,
