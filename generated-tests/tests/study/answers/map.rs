@@ -20,6 +20,8 @@ const ROUNDS: usize = 3;
 const CELLS: usize = 5;
 /// Number of refinements of a local maximum.
 const CUTS: usize = 4;
+/// Relative distance of neighbouring frequencies of the fine grid.
+const FINE: f64 = 0.0025;
 
 /// Returns the amplitude in units of P/k₁, for base motion of Y. It is infinite on a resonance that nothing bounds, and
 /// 0 where there is no result.
