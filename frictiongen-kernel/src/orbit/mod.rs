@@ -283,6 +283,17 @@ where
         }
     }
 
+    /// Returns the relative motion in the contact with the opposite sign.
+    pub fn reversed_contact(&self) -> OrbitMotion<'_, 'a, S, P, V, C> {
+        OrbitMotion::of_reversed_contact(self)
+    }
+
+    /// Returns the components of all masses in the modes of the data in time, mass after mass, and the number of modes.
+    pub fn shapes(&self) -> (&'a [S], usize) {
+        let dynamics = &self.setting.dynamics;
+        (dynamics.shapes, dynamics.modes.len())
+    }
+
     /// Returns the motion of a linear combination of masses and base.  Its shape has the components in the modes of the data in
     /// time.
     pub fn combination<'o>(

@@ -22,6 +22,8 @@ pub struct OrbitMotion<'o, 'a, S, P, V, C> {
     orbit: &'o Orbit<'a, S, P, V, C>,
     /// The combination of masses and base that moves, or `None` for the contact.
     combination: Option<Combination<'o, S>>,
+    /// True for the contact's motion with the opposite sign.
+    reversed: bool,
 }
 
 impl<S: Copy, P, V, C> Clone for OrbitMotion<'_, '_, S, P, V, C> {
@@ -51,6 +53,14 @@ where
         Self {
             orbit,
             combination: None,
+            reversed: false,
+        }
+    }
+
+    pub(super) fn of_reversed_contact(orbit: &'o Orbit<'a, S, P, V, C>) -> Self {
+        Self {
+            reversed: true,
+            ..Self::of_contact(orbit)
         }
     }
 
@@ -61,6 +71,7 @@ where
         Self {
             orbit,
             combination: Some(combination),
+            reversed: false,
         }
     }
 
@@ -214,13 +225,13 @@ where
             if first.is_none() {
                 first = Some(mark);
             } else if !stuck {
-                best.note(mark.contact_state.t, mark.relative);
+                best.note(mark.contact_state.t, self.signed(mark.relative));
             }
             stuck = mark.contact_state.contact == Contact::Stuck;
         }
         match first {
             // The segment before the first one is the last one of the period.  Its state is known only now.
-            Some(first) if !stuck => best.note(first.contact_state.t, first.relative),
+            Some(first) if !stuck => best.note(first.contact_state.t, self.signed(first.relative)),
             Some(first) if best.lag.is_none() => {
                 best.value = first.relative.abs();
             }
@@ -235,12 +246,22 @@ where
             let (least, most) = extremes.unwrap_or((mark.relative, mark.relative));
             extremes = Some((least.min(mark.relative), most.max(mark.relative)));
         }
-        extremes.unwrap_or((S::constant(0.0), S::constant(0.0)))
+        let (least, most) = extremes.unwrap_or((S::constant(0.0), S::constant(0.0)));
+        if self.reversed {
+            (-most, -least)
+        } else {
+            (least, most)
+        }
     }
 
     /// Returns true if the motion repeats with the opposite sign after half a period.
     pub(super) fn is_symmetric(&self) -> bool {
         self.orbit.symmetric
+    }
+
+    /// Returns a value of the contact with the sign of this motion.
+    fn signed(&self, value: S) -> S {
+        if self.reversed { -value } else { value }
     }
 
     fn evaluate(&self, tau: S, question: impl Fn(&Sum<'_, S>, S) -> S) -> S {
@@ -268,9 +289,12 @@ where
         let driven = setting.dynamics.in_contact();
         let mut constant = zero;
         let base = self.combination.map(|combination| combination.base);
-        let mut fundamental = complex::real(base.unwrap_or(-setting.base));
+        let mut fundamental = complex::real(base.unwrap_or(self.signed(-setting.base)));
         let component = |index: usize| -> S {
-            let contact = || setting.dynamics.modes.get(index).map(|mode| mode.contact);
+            let contact = || {
+                let mode = setting.dynamics.modes.get(index);
+                mode.map(|mode| self.signed(mode.contact))
+            };
             let component = match self.combination {
                 Some(combination) => combination.shape.get(index).copied(),
                 None => contact(),

@@ -2,8 +2,8 @@
 //!
 //! A spring force over P is the elongation x̄ times k/k₁, so that every answer for a displacement also serves forces.
 
-use super::held::SystemHeld;
-use super::motion::{SystemMotion, SystemSteady};
+use super::held::{SystemHeld, static_share};
+use super::motion::{SystemMotion, SystemSteady, SystemStuck};
 use super::orbit::{SystemOrbit, SystemOrbitMotion};
 use super::simulation::SystemSimulation;
 use super::stepper::SystemStepper;
@@ -34,6 +34,8 @@ pub(super) struct Combined<S> {
 #[derive(Clone, Debug)]
 pub(super) enum InOrbit<S> {
     Contact,
+    /// The contact with the opposite sign.
+    Reversed,
     Mass(usize),
     Combined(Combined<S>),
 }
@@ -46,6 +48,7 @@ impl<S: Float> InOrbit<S> {
     ) -> SystemOrbitMotion<'o, 'a, S> {
         match self {
             Self::Contact => orbit.orbit.contact(),
+            Self::Reversed => orbit.orbit.reversed_contact(),
             Self::Mass(index) => orbit.orbit.mass(*index),
             Self::Combined(combined) => orbit.orbit.combination(combined.combination()),
         }
@@ -153,6 +156,12 @@ impl<S: Float> System<S> {
         }
     }
 
+    /// Returns true if a motion is the contact's with the opposite sign: that of the earlier mass relative to the later
+    /// one.
+    fn is_reversed_contact(&self, of: Of) -> bool {
+        matches!(of, Of::Relative(of, to) if self.simplest(Of::Relative(to, of)) == Of::Contact)
+    }
+
     fn terms(&self, of: Of) -> Terms {
         let one = Dd::constant(1.0);
         let mut terms = Terms::none();
@@ -199,28 +208,11 @@ impl<S: Float> System<S> {
         Dd::constant(spring.stiffness) / Dd::constant(first.map_or(1.0, |first| first.stiffness))
     }
 
-    /// Returns a motion with the data that a steady state needs. `None` if the scene has no such motion.
-    pub(super) fn in_orbit(&self, of: Of) -> Option<InOrbit<S>> {
-        let known = self.has_motion(of);
-        known.then(|| match self.simplest(of) {
-            Of::Contact => InOrbit::Contact,
-            Of::Mass(index) => InOrbit::Mass(index),
-            of => InOrbit::Combined(self.in_time_modes(of)),
-        })
-    }
-
     /// Returns a combination in the modes of the closed forms.
     fn in_sliding_modes(&self, of: Of) -> Combined<S> {
         let reduced = &self.reduced;
         let (own, modes) = (&reduced.shapes, reduced.modes.len());
         self.combined(&self.terms(of), own, modes, |exact| &exact.sliding)
-    }
-
-    /// Returns a combination in the modes of the motion in time.
-    fn in_time_modes(&self, of: Of) -> Combined<S> {
-        let transient = self.transient();
-        let (own, modes) = (&transient.shapes, transient.modes.len());
-        self.combined(&self.terms(of), own, modes, |exact| &exact.in_time)
     }
 
     fn combined(
@@ -230,7 +222,7 @@ impl<S: Float> System<S> {
         modes: usize,
         exact: impl Fn(&Shapes) -> &Vec<Dd>,
     ) -> Combined<S> {
-        let constant = |value: Dd| S::constant(value.hi) + S::constant(value.lo);
+        let constant = constant_of::<S>;
         let shape = if S::CARRIES {
             // Components with derivatives have about 30 digits.
             terms.shape(own, modes, constant)
@@ -243,6 +235,11 @@ impl<S: Float> System<S> {
             base: constant(terms.base),
         }
     }
+}
+
+/// Converts a number to the scalar.
+fn constant_of<S: Float>(value: Dd) -> S {
+    S::constant(value.hi) + S::constant(value.lo)
 }
 
 impl<'a, S: Float> SystemMotion<'a, S> {
@@ -270,8 +267,55 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         of: Of,
         question: impl FnOnce(&SystemOrbitMotion<'_, 'a, S>) -> A,
     ) -> Option<A> {
-        let motion = self.system.in_orbit(of)?;
+        let motion = self.prepared(of)?;
         Some(question(&motion.motion(self)))
+    }
+
+    /// Returns a motion with the data that it needs. `None` if the scene has no such motion.
+    pub(super) fn prepared(&self, of: Of) -> Option<InOrbit<S>> {
+        let system = self.system;
+        let known = system.has_motion(of);
+        known.then(|| match system.simplest(of) {
+            Of::Contact => InOrbit::Contact,
+            Of::Mass(index) => InOrbit::Mass(index),
+            // The lag of a stop is that of its beginning, which only the contact knows.
+            of if system.is_reversed_contact(of) => InOrbit::Reversed,
+            of => {
+                // Only the state's own components have its derivatives.
+                let (own, modes) = self.orbit.shapes();
+                let terms = system.terms(of);
+                InOrbit::Combined(system.combined(&terms, own, modes, |exact| &exact.in_time))
+            }
+        })
+    }
+}
+
+impl<S: Float> SystemStuck<'_, S> {
+    /// Returns a motion as its complex amplitude and its constant displacement, for a contact that sticks at `offset`.
+    /// `None` if the scene has no such motion.
+    pub(super) fn motion_at(&self, of: Of, offset: S) -> Option<(Complex<S>, S)> {
+        let (system, zero) = (*self.at().scene(), S::constant(0.0));
+        if !system.has_motion(of) {
+            return None;
+        }
+        let rest = Complex::new(zero, zero);
+        if system.simplest(of) == Of::Contact {
+            return Some((rest, offset));
+        }
+        if system.is_reversed_contact(of) {
+            return Some((rest, -offset));
+        }
+        let terms = system.terms(of);
+        let (mut harmonic, mut constant) = (rest, zero);
+        for (mass, factor) in terms.masses {
+            let factor = constant_of::<S>(factor);
+            let moved = self.mass_at(mass)?;
+            harmonic.re = harmonic.re + moved.re * factor;
+            harmonic.im = harmonic.im + moved.im * factor;
+            constant = constant + offset * static_share(system, mass)? * factor;
+        }
+        harmonic.re = harmonic.re + constant_of(terms.base);
+        Some((harmonic, constant))
     }
 }
 
@@ -280,23 +324,7 @@ impl SystemHeld<'_> {
     /// `None` if the scene has no such motion.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(Complex<f64>, f64)> {
-        let system = *self.at().scene();
-        if !system.has_motion(of) {
-            return None;
-        }
-        let mut sum = (Complex::new(0.0, 0.0), 0.0);
-        if system.simplest(of) == Of::Contact {
-            sum.1 = self.offset();
-            return Some(sum);
-        }
-        let terms = system.terms(of);
-        for (mass, factor) in terms.masses {
-            let factor = factor.to_f64();
-            sum.0 += self.mass_at(mass)? * factor;
-            sum.1 += self.mass_offset(mass)? * factor;
-        }
-        sum.0.re += terms.base.to_f64();
-        Some(sum)
+        self.stuck.motion_at(of, self.offset)
     }
 }
 

@@ -5,7 +5,7 @@
 //! changes r, β or the unit of displacement.
 
 use super::error::StudyError;
-use super::held::{share_of_base, static_share};
+use super::held::share_of_base;
 use super::parameter::{OperatingPoint, Parameter, Slope, parameters_of};
 use super::sensitivity::{Sensitive, Varied};
 use super::system::System;
@@ -246,13 +246,9 @@ fn stuck_swing(
         return Err(NoDerivative::Marginal.into());
     }
     let offset = Sensitive::constant(offset);
-    let Of::Mass(index) = of else {
-        return Ok((offset.abs(), None));
-    };
     let at = varied.at(r)?;
-    let motion = at.stuck()?.mass_at(index);
-    let motion = motion.ok_or(NoDerivative::Graze)?;
-    let constant = offset * static_share(*at.scene(), index).ok_or(NoDerivative::Graze)?;
+    let motion = at.stuck()?.motion_at(of, offset);
+    let (motion, constant) = motion.ok_or(NoDerivative::Graze)?;
     if motion.re.vanishes() && motion.im.vanishes() {
         return Ok((constant.abs(), None));
     }

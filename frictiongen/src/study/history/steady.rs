@@ -120,7 +120,7 @@ fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
 fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
     let origin = orbit.origin();
     let system = orbit.system;
-    let prepared: Vec<_> = of.iter().filter_map(|of| system.in_orbit(*of)).collect();
+    let prepared: Vec<_> = of.iter().filter_map(|of| orbit.prepared(*of)).collect();
     let motions: Vec<_> = prepared.iter().map(|motion| motion.motion(orbit)).collect();
     for tau in instants(history) {
         let since = tau - origin;
