@@ -1,6 +1,7 @@
 //! Arguments of the commands that go over frequency and friction: masses, motions and harmonics.
 
 use crate::failure::Failure;
+use crate::hint;
 use frictiongen::study::UnknownMass;
 pub use frictiongen::study::columns::{CONTACT, Part};
 use frictiongen::{Of, System};
@@ -35,9 +36,10 @@ pub fn harmonics(highest: Option<&str>) -> Result<Option<u32>, Failure> {
 
 /// Parses the number of an option.
 pub fn number(option: &str, text: &str) -> Result<f64, Failure> {
-    text.trim()
-        .parse()
-        .map_err(|_| Failure::new(format_args!("{option} `{text}`: it is not a number")))
+    text.trim().parse().map_err(|_| {
+        let hint = hint::of(text);
+        Failure::new(format_args!("{option} `{text}`: it is not a number{hint}"))
+    })
 }
 
 /// Parses a finite number of an option that satisfies `sound`. `needed` words the condition in the message.
@@ -50,7 +52,10 @@ pub fn number_that(
     let number: Option<f64> = text.trim().parse().ok();
     number
         .filter(|number| number.is_finite() && sound(*number))
-        .ok_or_else(|| Failure::new(format_args!("{option} `{text}`: {needed} is needed")))
+        .ok_or_else(|| {
+            let hint = hint::of(text);
+            Failure::new(format_args!("{option} `{text}`: {needed} is needed{hint}"))
+        })
 }
 
 /// Parses the whole number of an option.
@@ -66,19 +71,32 @@ pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32
         })
 }
 
-/// Returns the named masses, each once. Without names it returns all masses.
-pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
+/// Returns the named masses, each once. Without names it returns all masses. `option` is named in messages.
+pub fn masses(system: &System, option: &str, names: &[String]) -> Result<Vec<Mass>, Failure> {
     if names.is_empty() {
         return Ok(known(system).collect());
     }
     let mut masses: Vec<Mass> = Vec::new();
     for name in names {
-        let mass = mass(system, "--mass", name)?;
+        let mass = mass(system, option, name)?;
         if masses.iter().all(|known| known.index != mass.index) {
             masses.push(mass);
         }
     }
     Ok(masses)
+}
+
+/// Returns the contact, and the named masses, each once. Without names it returns the contact and all masses.
+pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
+    let is_mass = |name: &&String| name.as_str() != CONTACT;
+    let named: Vec<String> = names.iter().filter(is_mass).cloned().collect();
+    let masses = if named.is_empty() && !names.is_empty() {
+        Vec::new()
+    } else {
+        masses(system, "--of", &named)?
+    };
+    let masses = masses.into_iter().map(Part::from);
+    Ok(std::iter::once(Part::contact()).chain(masses).collect())
 }
 
 /// Returns the named parts, each once. Without names it returns the contact and all masses.
