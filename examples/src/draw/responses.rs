@@ -221,8 +221,7 @@ impl<'a> Responses<'a> {
         Some(match reading {
             Reading::Amplitude | Reading::Harmonic(_) => (r, polar.amplitude),
             Reading::Phase | Reading::HarmonicPhase(_) => {
-                let lag = polar.lag - ((polar.lag - FRAC_PI_2) / TAU).round() * TAU;
-                (r, lag.to_degrees())
+                (r, desk::principal(polar.lag.to_degrees()))
             }
         })
     }
