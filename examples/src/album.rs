@@ -75,17 +75,6 @@ impl Album {
         self.add_picture(number, svg)
     }
 
-    /// Writes a figure for telephones to `narrow/figure-<number>.svg`.
-    ///
-    /// # Errors
-    /// Fails if the folder or the file cannot be written.
-    pub fn add_narrow(&self, number: &str, svg: &str) -> Result<(), Box<dyn Error>> {
-        let folder = self.folder.join("narrow");
-        std::fs::create_dir_all(&folder)?;
-        let name = format!("figure-{number}.svg");
-        Ok(std::fs::write(folder.join(name), svg)?)
-    }
-
     /// Writes `figure-<number>.svg` of a figure without data, such as a sketch.
     ///
     /// # Errors

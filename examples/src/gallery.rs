@@ -34,8 +34,7 @@ pub fn page(number: u32, title: &str, entries: &[Entry]) -> String {
         let _ = write!(
             page,
             "\n## Figure {number}\n\n\
-             <picture><source media=\"(max-width: 600px)\" srcset=\"narrow/figure-{number}.svg\">\
-             <img src=\"figure-{number}.svg\" alt=\"{alt}\"></picture>\n"
+             <img src=\"figure-{number}.svg\" alt=\"{alt}\">\n"
         );
     }
     page
@@ -80,7 +79,7 @@ mod tests {
         };
         let page = page(2, "Walls", &[entry]);
         assert!(page.contains("- [2.4](#figure-24): <i>X̄</i> [mm]\n"));
-        let image = "<img src=\"figure-2.4.svg\" alt=\"X̄ [mm]. β &lt; &quot;1&quot;\"></picture>\n";
+        let image = "<img src=\"figure-2.4.svg\" alt=\"X̄ [mm]. β &lt; &quot;1&quot;\">\n";
         assert!(page.ends_with(image), "{page}");
     }
 

@@ -1,8 +1,9 @@
 //! Parses the options that several commands share: masses, motions, harmonics and numbers.
 
 use crate::failure::Failure;
+use crate::hint;
 use frictiongen::study::UnknownMass;
-pub use frictiongen::study::columns::Part;
+pub use frictiongen::study::columns::{CONTACT, Part};
 use frictiongen::study::response::Size;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
@@ -37,9 +38,10 @@ pub fn harmonics(highest: Option<&str>) -> Result<Option<u32>, Failure> {
 
 /// Parses a number, the value of an option.
 pub fn number(option: &str, text: &str) -> Result<f64, Failure> {
-    text.trim()
-        .parse()
-        .map_err(|_| Failure::new(format_args!("{option} `{text}`: it is not a number")))
+    text.trim().parse().map_err(|_| {
+        let hint = hint::of(text);
+        Failure::new(format_args!("{option} `{text}`: it is not a number{hint}"))
+    })
 }
 
 /// Parses a finite number, the value of an option. It must satisfy `sound`, and `needed` states this condition in the
@@ -53,7 +55,10 @@ pub fn number_that(
     let number: Option<f64> = text.trim().parse().ok();
     number
         .filter(|number| number.is_finite() && sound(*number))
-        .ok_or_else(|| Failure::new(format_args!("{option} `{text}`: {needed} is needed")))
+        .ok_or_else(|| {
+            let hint = hint::of(text);
+            Failure::new(format_args!("{option} `{text}`: {needed} is needed{hint}"))
+        })
 }
 
 /// Parses a whole number, the value of an option.
@@ -69,19 +74,27 @@ pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32
         })
 }
 
-/// Returns the named masses, each once. Without names it returns all masses.
-pub fn masses(system: &System, names: &[String]) -> Result<Vec<Mass>, Failure> {
+/// Returns the named masses, each once. Without names it returns all masses. `option` is named in messages.
+pub fn masses(system: &System, option: &str, names: &[String]) -> Result<Vec<Mass>, Failure> {
     if names.is_empty() {
         return Ok(known(system).collect());
     }
     let mut masses: Vec<Mass> = Vec::new();
     for name in names {
-        let mass = mass(system, "--mass", name)?;
+        let mass = mass(system, option, name)?;
         if masses.iter().all(|known| known.index != mass.index) {
             masses.push(mass);
         }
     }
     Ok(masses)
+}
+
+/// Returns the contact, and the named motions, each once. Without names it returns the contact and all masses.
+pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
+    let mut parts = parts(system, names)?;
+    parts.retain(|part| part.name != CONTACT);
+    parts.insert(0, Part::contact());
+    Ok(parts)
 }
 
 /// Returns the named motions, each once. Without names it returns the contact and all masses.

@@ -1,9 +1,10 @@
-//! `frictiongen check`: prints the errors of a description as a compiler does.
+//! `frictiongen check`: prints the errors and warnings of a description as a compiler does.
 
 use crate::args::CheckArguments;
 use crate::failure::Failure;
+use crate::progress;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use frictiongen_codegen::{Diagnostic, Limits, parse_text};
+use frictiongen_codegen::{Diagnostic, Limits, parse_text, warnings};
 use std::io::Write;
 use std::ops::Range;
 
@@ -14,8 +15,17 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     // The command refuses everything that the macro refuses.
     let description = parse_text(&text, &Limits::CHECK).map_err(|diagnostics| {
         let list = diagnostics.list.iter();
-        Failure::Lines(list.map(|error| shown(&name, &text, error)).collect())
+        Failure::Lines(
+            list.map(|error| shown(&name, &text, error, Level::ERROR))
+                .collect(),
+        )
     })?;
+    for warning in warnings(&text).iter().flat_map(|found| &found.list) {
+        progress::say(&format!(
+            "{}\n",
+            shown(&name, &text, warning, Level::WARNING)
+        ));
+    }
     let scene = &description.scene;
     let count = |count: usize, one: &str, more: &str| match count {
         1 => format!("1 {one}"),
@@ -27,14 +37,12 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     Ok(out.flush()?)
 }
 
-/// Formats an error with its line of the description.
-fn shown(name: &str, text: &str, error: &Diagnostic) -> String {
+/// Formats an error or a warning with its line of the description.
+fn shown(name: &str, text: &str, error: &Diagnostic, level: Level<'_>) -> String {
     let snippet = Snippet::source(text)
         .path(name)
         .annotation(AnnotationKind::Primary.span(token(text, error.line, error.column)));
-    let report = Level::ERROR
-        .primary_title(error.message.as_str())
-        .element(snippet);
+    let report = level.primary_title(error.message.as_str()).element(snippet);
     Renderer::plain().render(&[report])
 }
 

@@ -78,6 +78,18 @@ impl Decimals {
         (steps > 0 || (steps == 0 && (last - first).signum() * step.signum() >= 0)).then_some(range)
     }
 
+    /// Makes a range of 100 equal steps.
+    pub fn hundredths(first: Decimal, last: Decimal) -> Option<Self> {
+        let exponent = first.exponent.min(last.exponent);
+        let step = Decimal {
+            digits: last
+                .scaled(exponent)?
+                .checked_sub(first.scaled(exponent)?)?,
+            exponent: exponent.checked_sub(2)?,
+        };
+        Self::new(first, step, last)
+    }
+
     /// Returns a point of the range.
     pub fn point(&self, index: i128) -> f64 {
         Decimal {

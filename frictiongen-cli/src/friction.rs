@@ -3,7 +3,7 @@
 use crate::args::FrictionArguments;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
-use crate::grid::{self, MOST_POINTS, Quantity};
+use crate::grid::{self, GridError, MOST_POINTS, Quantity};
 use crate::measure::{self, Measure};
 use crate::number::survives;
 use frictiongen::study::columns::Friction;
@@ -23,12 +23,28 @@ impl Frictions {
         arguments: &FrictionArguments,
         frequencies: Option<&Frequencies>,
     ) -> Result<Self, Failure> {
+        Self::read(arguments, frequencies, grid::parse)
+    }
+
+    /// Parses the grid of a map, which may have a range without a step.
+    pub fn of_map(
+        arguments: &FrictionArguments,
+        frequencies: &Frequencies,
+    ) -> Result<Self, Failure> {
+        Self::read(arguments, Some(frequencies), grid::parse_ranges)
+    }
+
+    fn read(
+        arguments: &FrictionArguments,
+        frequencies: Option<&Frequencies>,
+        grid: fn(&str, Quantity) -> Result<Vec<f64>, GridError>,
+    ) -> Result<Self, Failure> {
         let (text, quantity) = match (&arguments.beta, &arguments.friction) {
             (Some(beta), _) => (beta, Quantity::FrictionRatio),
             (_, Some(friction)) => (friction, Quantity::FrictionForce),
             (None, None) => return Err(Failure::new("give --beta or --friction")),
         };
-        let given = grid::parse(text, quantity).map_err(Failure::new)?;
+        let given = grid(text, quantity).map_err(Failure::new)?;
         let crowded = |of: &&Frequencies| MOST_POINTS < of.len().saturating_mul(given.len());
         if let Some(frequencies) = frequencies.filter(crowded) {
             let (first, second) = (frequencies.quantity.option(), quantity.option());

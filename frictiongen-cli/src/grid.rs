@@ -1,13 +1,17 @@
-//! Parses grids: `a:step:b`, a number, or a comma-separated list of them.
+//! Parses grids: a number, a range `a:step:b` or `a:b`, or a comma-separated list of them.
 
 use crate::decimal::{Decimal, Decimals};
 use crate::failure::Failure;
+use crate::hint;
 use std::fmt;
 
 /// Largest number of points of a grid, and of two grids together.
 pub const MOST_POINTS: usize = 10_000_000;
 
-/// The quantity whose values a grid contains.
+/// Number of equal steps in a range `a:b`.
+pub const STEPS: u32 = 100;
+
+/// The quantity that a grid gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Frequency ratio r; 0 and infinity are allowed.
@@ -65,7 +69,12 @@ impl Quantity {
         )
     }
 
-    /// Returns true if infinity is a valid value of the quantity.
+    /// Returns whether the quantity is a frequency, whose range needs no step.
+    fn is_frequency(self) -> bool {
+        !matches!(self, Self::FrictionRatio | Self::FrictionForce)
+    }
+
+    /// Returns whether infinity is allowed.
     fn may_be_infinite(self) -> bool {
         matches!(self, Self::FrequencyRatio | Self::Hertz | Self::Omega)
     }
@@ -85,11 +94,22 @@ impl fmt::Display for GridError {
     }
 }
 
-/// Parses a grid and returns its points in the order written. There is at least one.
+/// Parses a grid and returns its points in the order written. There is at least one. A range `a:b` of frequencies has
+/// [`STEPS`] steps.
 pub fn parse(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
+    points(text, quantity, quantity.is_frequency())
+}
+
+/// Parses a grid as [`parse`] does, with ranges `a:b` of frictions too.
+pub fn parse_ranges(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
+    points(text, quantity, true)
+}
+
+/// Parses a grid. `open` allows ranges without a step.
+fn points(text: &str, quantity: Quantity, open: bool) -> Result<Vec<f64>, GridError> {
     let mut points = Vec::new();
     for entry in text.split(',').map(str::trim) {
-        extend(&mut points, entry, quantity).map_err(|problem| GridError {
+        extend(&mut points, entry, quantity, open).map_err(|problem| GridError {
             option: quantity.option(),
             entry: entry.to_owned(),
             problem,
@@ -146,8 +166,13 @@ pub fn several(quantity: Quantity, points: usize) -> Failure {
     ))
 }
 
-/// Adds the points of one entry of the list to `points`.
-fn extend(points: &mut Vec<f64>, entry: &str, quantity: Quantity) -> Result<(), String> {
+/// Adds the points of one entry of the list.
+fn extend(
+    points: &mut Vec<f64>,
+    entry: &str,
+    quantity: Quantity,
+    open: bool,
+) -> Result<(), String> {
     let mut parts = entry.split(':');
     match (parts.next(), parts.next(), parts.next(), parts.next()) {
         (Some(text), None, ..) => {
@@ -170,6 +195,27 @@ fn extend(points: &mut Vec<f64>, entry: &str, quantity: Quantity) -> Result<(), 
                 }
                 None => points.extend((0..count).map(|index| range.point(index))),
             }
+        }
+        (Some(first), Some(last), None, None) if open => {
+            let [low, high] = [first, last].map(|text| number(text, Quantity::FrictionRatio));
+            let (low, high) = (low?, high?);
+            if low == high {
+                return Err(format!("the range from {low:?} to {high:?} has no width"));
+            }
+            let range = Range::new(low, (high - low) / f64::from(STEPS), high, quantity)?;
+            let count = room(points.len(), f64::from(STEPS) + 1.0)?;
+            let exact = Decimal::parse(first).zip(Decimal::parse(last));
+            match exact.and_then(|(first, last)| Decimals::hundredths(first, last)) {
+                Some(exact) => {
+                    points.extend((0..).take(count).map(|index| exact.point(index) + 0.0));
+                }
+                None => points.extend((0..count).map(|index| range.point(index))),
+            }
+        }
+        (Some(_), Some(_), None, None) => {
+            return Err(format!(
+                "a range of frictions needs its step in the middle, a:step:b; without a step, `map` takes {STEPS} equal steps"
+            ));
         }
         _ => return Err("a grid is a number, or a range a:step:b".to_owned()),
     }
@@ -252,7 +298,7 @@ fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
         if text.is_empty() {
             "a number is missing".to_owned()
         } else {
-            format!("`{text}` is not a number")
+            format!("`{text}` is not a number{}", hint::of(text))
         }
     })?;
     if value.is_nan() {

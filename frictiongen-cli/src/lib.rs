@@ -22,6 +22,7 @@ mod frequency;
 mod friction;
 mod grid;
 mod grids;
+mod hint;
 mod input;
 mod interrupt;
 mod json;

@@ -19,7 +19,7 @@ pub trait Exact {
 impl Exact for Cell<'_> {
     fn exact(&self) -> Cow<'_, str> {
         match self {
-            Self::Number(value) => Cow::Owned(format!("{value:?}")),
+            Self::Number(value) | Self::Within { value, .. } => Cow::Owned(format!("{value:?}")),
             Self::Count(value) => Cow::Owned(value.to_string()),
             Self::Word(text) => Cow::Borrowed(text),
             Self::Flag(value) => Cow::Borrowed(word(*value)),
@@ -31,10 +31,10 @@ impl Exact for Cell<'_> {
     /// Converts a value to JSON. The string "inf" stands for infinity, which JSON lacks.
     fn json(&self) -> serde_json::Value {
         match self {
-            Self::Number(value) if value.is_infinite() => {
+            Self::Number(value) | Self::Within { value, .. } if value.is_infinite() => {
                 if *value < 0.0 { "-inf" } else { "inf" }.into()
             }
-            Self::Number(value) => (*value).into(),
+            Self::Number(value) | Self::Within { value, .. } => (*value).into(),
             Self::Count(value) => (*value).into(),
             Self::Word(text) => text.as_ref().into(),
             Self::Flag(value) => (*value).into(),
@@ -67,7 +67,23 @@ pub fn computed(value: f64) -> String {
     }
 }
 
-/// Largest number of decimals of a number that the user gave.
+/// Formats a computed number that lies within an interval of this width: as [`computed`] does, without the digits that
+/// the width makes meaningless.
+pub fn within(value: f64, width: f64) -> String {
+    let size = value.abs();
+    // Decimals up to the first one that the width changes.
+    let decimals = (-width.log10()).ceil();
+    if size == 0.0 || size.is_infinite() || !width.is_finite() {
+        computed(value)
+    } else if (0.01..99_999.0).contains(&size) {
+        format!("{value:.*}", decimals.clamp(0.0, 6.0) as usize)
+    } else {
+        let digits = decimals + size.log10().floor();
+        format!("{value:.*e}", digits.clamp(0.0, 5.0) as usize)
+    }
+}
+
+/// Largest number of decimals of a given number.
 const MOST_DECIMALS: usize = 9;
 
 /// Formats a number that the user gave, for people, with the decimals that its whole grid needs.
@@ -91,7 +107,7 @@ pub fn decimals(value: f64) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{Cell, Exact as _, computed, decimals, given};
+    use super::{Cell, Exact as _, computed, decimals, given, within};
 
     #[test]
     fn for_people() {
@@ -113,6 +129,21 @@ mod tests {
         assert_eq!(decimals(1.0 / 3.0), 9);
         assert_eq!(given(0.1 + 0.2, 2), "0.30");
         assert_eq!(given(1e-30, 2), "1e-30");
+    }
+
+    #[test]
+    fn digits_that_hold() {
+        for (value, width, text) in [
+            (73.013_456, 0.02, "73.01"),
+            (73.013_456, 0.1, "73.0"),
+            (73.013_456, 3.0, "73"),
+            (73.013_456, 1e-12, "73.013456"),
+            (0.001_234_567_8, 1e-5, "1.23e-3"),
+            (123_456.7, 100.0, "1.235e5"),
+            (0.0, 1.0, "0"),
+        ] {
+            assert_eq!(within(value, width), text);
+        }
     }
 
     #[test]

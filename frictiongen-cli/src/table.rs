@@ -1,6 +1,6 @@
 //! Writes printed tables, with columns aligned at the decimal points.
 
-use crate::number::{Cell, computed, decimals, given, word};
+use crate::number::{Cell, computed, decimals, given, within, word};
 use frictiongen::study::columns::{self, Kind};
 use std::io::{self, Write};
 
@@ -77,6 +77,7 @@ impl Column {
         match (value, self.style) {
             (Cell::Number(value), Style::Given(decimals)) => given(*value, decimals),
             (Cell::Number(value), _) => computed(*value),
+            (Cell::Within { value, width }, _) => within(*value, *width),
             (Cell::Count(value), _) => value.to_string(),
             (Cell::Word(text), _) => text.clone().into_owned(),
             (Cell::Flag(value), _) => word(*value).to_owned(),

@@ -23,7 +23,7 @@ mod tokens;
 pub use diagnostics::{Failure, Partial};
 pub use emit::{PASSES_FROM, emit, emit_in_passes, traces};
 pub use expand::expand;
-pub use frictiongen_syntax::{Diagnostic, Diagnostics};
+pub use frictiongen_syntax::{Diagnostic, Diagnostics, warnings};
 pub use lower::{Description, Limits, ProofAt, SceneTables, parse_text, parse_tokens};
 
 #[cfg(feature = "pretty")]

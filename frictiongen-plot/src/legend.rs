@@ -25,6 +25,8 @@ const GAP: f64 = 24.0;
 struct Entry {
     name: Label,
     line: Option<(Colour, Stroke)>,
+    /// True if lines of this name have different strokes. The sample then shows the colour alone.
+    mixed: bool,
     marker: Option<(Colour, Marker)>,
     fill: Option<Fill>,
 }
@@ -46,6 +48,7 @@ impl Legend {
             self.entries.push(Entry {
                 name: name.clone(),
                 line: None,
+                mixed: false,
                 marker: None,
                 fill: None,
             });
@@ -55,7 +58,10 @@ impl Legend {
             return;
         };
         match sample {
-            Sample::Line(colour, stroke) => _ = entry.line.get_or_insert((colour, stroke)),
+            Sample::Line(colour, stroke) => {
+                let (_, first) = *entry.line.get_or_insert((colour, stroke));
+                entry.mixed |= first != stroke;
+            }
             Sample::Marker(colour, marker) => _ = entry.marker.get_or_insert((colour, marker)),
             Sample::Fill(fill) => _ = entry.fill.get_or_insert(fill),
         }
@@ -141,7 +147,15 @@ impl Entry {
             };
             canvas.rect(rect, Some(fill.rgb()), Some((FRAME, 0.6)));
         }
-        if let Some((colour, stroke)) = self.line {
+        if let Some((colour, _)) = self.line.filter(|_| self.mixed) {
+            let rect = Rect {
+                left: x,
+                top: y - 3.0,
+                width: SAMPLE,
+                height: 6.0,
+            };
+            canvas.rect(rect, Some(colour.rgb()), None);
+        } else if let Some((colour, stroke)) = self.line {
             canvas.lines(&[vec![(x, y), (x + SAMPLE, y)]], colour.rgb(), stroke);
         }
         if let Some((colour, marker)) = self.marker {
@@ -156,6 +170,7 @@ mod tests {
     use crate::figure::Sample;
     use crate::palette::Colour;
     use crate::stroke::{Marker, Stroke};
+    use crate::svg::Canvas;
 
     #[test]
     fn a_name_has_one_entry() {
@@ -184,6 +199,23 @@ mod tests {
             legend.entries[0].marker,
             Some((Colour::Series(0), Marker::Cross))
         );
+    }
+
+    #[test]
+    fn a_name_of_several_strokes_shows_its_colour() {
+        let sample = |strokes: &[Stroke]| {
+            let mut legend = Legend::default();
+            for stroke in strokes {
+                legend.add(&"a".into(), Sample::Line(Colour::Series(0), *stroke));
+            }
+            let mut canvas = Canvas::default();
+            legend.draw(Some(&mut canvas), (0.0, 0.0), 100.0);
+            canvas.body
+        };
+        let dashed = sample(&[Stroke::DashDot, Stroke::DashDot]);
+        assert!(dashed.contains("stroke-dasharray") && !dashed.contains("<rect"));
+        let mixed = sample(&[Stroke::DashDot, Stroke::Solid, Stroke::DashDot]);
+        assert!(!mixed.contains("stroke-dasharray") && mixed.contains("<rect"));
     }
 
     #[test]

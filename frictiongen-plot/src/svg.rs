@@ -1,7 +1,7 @@
 //! Writes SVG documents: a few kinds of elements, numbers with two decimals, text as text.
 
 use crate::geometry::{Point, Rect};
-use crate::palette::{PAPER, Rgb};
+use crate::palette::{INK, PAPER, Rgb};
 use crate::stroke::{Marker, Stroke};
 use crate::xml::{data, escaped, number};
 use std::fmt::Write as _;
@@ -9,6 +9,9 @@ use std::fmt::Write as _;
 /// Font families of similar shapes and widths. In a PNG the first family is replaced by the embedded font.
 const FAMILY: &str =
     "'STIX Two Text','Times New Roman',Times,'Liberation Serif','Noto Serif',serif";
+
+/// Corners of rectangles and markers. Those of lines are round, as the whole document says.
+const SHARP: &str = " stroke-linejoin=\"miter\"";
 
 /// A grid of cells on the page.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +42,8 @@ impl Canvas {
         let (width, height) = (number(width.ceil()), number(height.ceil()));
         let mut text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\" role=\"img\" xml:space=\"preserve\" font-family=\"{FAMILY}\">\n"
+             viewBox=\"0 0 {width} {height}\" role=\"img\" xml:space=\"preserve\" font-family=\"{FAMILY}\" \
+             fill=\"{INK}\" stroke-linejoin=\"round\">\n"
         );
         for (name, content) in [("title", title), ("desc", description)] {
             if !content.is_empty() {
@@ -75,7 +79,7 @@ impl Canvas {
         };
         let _ = writeln!(
             self.body,
-            "<path d=\"{data}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{dashes}/>",
+            "<path d=\"{data}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\"{dashes}/>",
             number(width)
         );
     }
@@ -128,7 +132,10 @@ impl Canvas {
         } = rect;
         let fill = fill.map_or_else(|| "none".to_owned(), |fill| fill.to_string());
         let edge = edge.map_or_else(String::new, |(colour, width)| {
-            format!(" stroke=\"{colour}\" stroke-width=\"{}\"", number(width))
+            format!(
+                " stroke=\"{colour}\" stroke-width=\"{}\"{SHARP}",
+                number(width)
+            )
         });
         let [left, top, width, height] = [left, top, width, height].map(number);
         let _ = writeln!(
@@ -179,9 +186,11 @@ impl Canvas {
         }
         let look = match marker {
             Marker::Dot => format!("fill=\"{colour}\""),
-            Marker::Cross => format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.2\""),
+            Marker::Cross => {
+                format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.2\"{SHARP}")
+            }
             Marker::Circle | Marker::Square | Marker::Triangle => {
-                format!("fill=\"{PAPER}\" stroke=\"{colour}\" stroke-width=\"1.2\"")
+                format!("fill=\"{PAPER}\" stroke=\"{colour}\" stroke-width=\"1.2\"{SHARP}")
             }
         };
         let _ = writeln!(self.body, "<path d=\"{data}\" {look}/>");

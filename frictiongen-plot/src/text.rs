@@ -136,17 +136,22 @@ impl Canvas {
         };
         let halo = if style.halo {
             format!(
-                " stroke=\"{PAPER}\" stroke-width=\"3\" stroke-opacity=\"0.8\" stroke-linejoin=\"round\" paint-order=\"stroke\""
+                " stroke=\"{PAPER}\" stroke-width=\"3\" stroke-opacity=\"0.8\" paint-order=\"stroke\""
             )
         } else {
             String::new()
         };
+        // The document gives the usual colour to all texts.
+        let fill = if style.colour == INK {
+            String::new()
+        } else {
+            format!(" fill=\"{}\"", style.colour)
+        };
         // A write to a string cannot fail.
         let _ = write!(
             self.body,
-            "<text {place} font-size=\"{}\" fill=\"{}\"{anchor}{halo}>",
-            number(style.size),
-            style.colour
+            "<text {place} font-size=\"{}\"{fill}{anchor}{halo}>",
+            number(style.size)
         );
         let mut drop = 0.0;
         for piece in pieces(label, style.size) {
@@ -197,7 +202,7 @@ mod tests {
         );
         assert_eq!(
             canvas.body,
-            "<text x=\"1\" y=\"2\" font-size=\"10\" fill=\"#222222\" text-anchor=\"middle\">\
+            "<text x=\"1\" y=\"2\" font-size=\"10\" text-anchor=\"middle\">\
              <tspan font-style=\"italic\">β</tspan><tspan font-size=\"7.4\" dy=\"2.2\">lim</tspan>\
              <tspan dy=\"-2.2\"> &lt; 1</tspan></text>\n"
         );

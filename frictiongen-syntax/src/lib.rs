@@ -6,6 +6,7 @@
 mod diagnostics;
 mod lower;
 mod parse;
+mod warnings;
 
 use frictiongen_model::scene::Scene;
 use frictiongen_model::validate::MOST_MASSES;
@@ -17,6 +18,7 @@ pub use parse::reader::Name;
 pub use parse::syntax::{RustPath, Syntax};
 pub use parse::token::{DEEPEST, Delimiter, Kind, TOO_DEEP, Token};
 pub use parse::{parse_faulty, parse_tokens};
+pub use warnings::warnings;
 
 /// Reads a scene of at most [`MOST_MASSES`] masses from a text.
 ///

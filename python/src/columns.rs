@@ -89,7 +89,7 @@ impl<'py> Columns<'py> {
         match column.kind {
             Kind::Number | Kind::Given(_) => {
                 let number = |cell| match cell {
-                    Cell::Number(value) => value,
+                    Cell::Number(value) | Cell::Within { value, .. } => value,
                     _ => f64::NAN,
                 };
                 self.numbers(name, cells.map(number).collect())

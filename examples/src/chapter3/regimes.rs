@@ -161,7 +161,7 @@ pub fn few_stops() -> Result<Figure, Box<dyn Error>> {
         .with_caption(
             "Detail of figure 3.12. With *μ* above 1 motions with one stop, which are not symmetric, spread from *r* = 1/2 \
              (dashed grey); the more static friction, the farther. \
-             Yellow are motions that repeat after several cycles only, or not at all.",
+             Light green are motions that repeat after several cycles only, or not at all.",
         ))
 }
 

@@ -4,7 +4,7 @@ use super::systems::{FIVE, five, motions};
 use frictiongen::System;
 use frictiongen_examples::draw::{
     Responses, Row, Times, cycle, drawn, keys, map, over_r1, part_colour, places, strokes, tidy,
-    turned, turns, without_specks,
+    without_specks,
 };
 use frictiongen_plot::desk::{Drawn as Curve, Reading, Scales, lines};
 use frictiongen_plot::{Axis, Figure, Fill, Layer, Marker, Markers, Panel, Region};
@@ -40,7 +40,6 @@ fn all(
             titles: [&name, &name],
             labels: [&labels[0], &labels[1]],
             sizes,
-            ends: (0.0, 0.0),
             stuck,
             limit_from: if phases { 0.6 } else { 0.3 },
             circles: 0.0,
@@ -106,7 +105,7 @@ pub fn middle_phases() -> Drawn {
 }
 
 /// Returns a panel of all masses over half a cycle, and a panel of their phases at β = 0.4 over the shaded regimes.
-fn motion(system: &System, at: (f64, f64), ends: (f64, f64)) -> Result<Vec<Panel>, Box<dyn Error>> {
+fn motion(system: &System, at: (f64, f64)) -> Result<Vec<Panel>, Box<dyn Error>> {
     let times = Times {
         span: (0.0, PI),
         circles: PI / 20.0,
@@ -114,13 +113,14 @@ fn motion(system: &System, at: (f64, f64), ends: (f64, f64)) -> Result<Vec<Panel
     };
     let title = format!("(a) *r*_1 = {}, *β* = {}", at.0, at.1);
     let cycle = cycle(&title, system, at, &motions(&NAMES), times);
-    let mut phases = phases(system, ends)?;
+    let mut phases = phases(system)?;
     phases.height = Some(360.0);
     Ok(vec![cycle.ok_or("no motion")?, phases])
 }
 
 /// Returns a panel with the phases of all masses over the frequency ratio, at β = 0.4.
-fn phases(system: &System, (low, high): (f64, f64)) -> Result<Panel, Box<dyn Error>> {
+fn phases(system: &System) -> Result<Panel, Box<dyn Error>> {
+    let (low, high) = (-190.0, 190.0);
     let beta = 0.4;
     let responses = Responses::up_to(1e4, 1e-3, system, (0.2, 2.5), &[beta], &FIVE)?.continuous();
     let x = Axis::new("", 0.0, 2.5);
@@ -172,30 +172,15 @@ fn phases(system: &System, (low, high): (f64, f64)) -> Result<Panel, Box<dyn Err
                 .extend(lines(&drawn, part, Reading::Phase, &scales));
         }
     }
-    let mut panel = turned(without_specks(panel));
+    let mut panel = without_specks(panel);
     for (part, _) in FIVE.iter().enumerate() {
-        let known = phases_of(&panel, part);
         for layer in responses.simulation(0.1, part, Reading::Phase) {
-            if let Layer::Markers(Markers { mut points, .. }) = layer {
-                for point in &mut points {
-                    point.1 += turns(&[*point], &known, 0.5 * (low + high));
-                }
+            if let Layer::Markers(Markers { points, .. }) = layer {
                 panel = panel.with(Markers::unnamed(part_colour(part), Marker::Circle, points));
             }
         }
     }
     Ok(tidy(panel))
-}
-
-/// Returns the points of a mass's phase curve, by ascending r.
-fn phases_of(panel: &Panel, part: usize) -> Vec<(f64, f64)> {
-    let lines = panel.layers.iter().filter_map(|layer| match layer {
-        Layer::Line(line) if line.colour == part_colour(part) => Some(line),
-        _ => None,
-    });
-    let mut points: Vec<(f64, f64)> = lines.flat_map(|line| line.pieces.concat()).collect();
-    points.sort_by(|one, other| one.0.total_cmp(&other.0));
-    points
 }
 
 fn band(from: f64, to: f64, (low, high): (f64, f64)) -> Vec<(f64, f64)> {
@@ -205,7 +190,7 @@ fn band(from: f64, to: f64, (low, high): (f64, f64)) -> Vec<(f64, f64)> {
 /// Figure 6.9: motion and phases with load and contact on m₁.
 pub fn low_motion() -> Drawn {
     let system = five(1);
-    let panels = motion(&system, (1.6, 0.6), (-90.0, 270.0))?;
+    let panels = motion(&system, (1.6, 0.6))?;
     Ok(Figure::new("6.9", "Five masses, load and contact on the lowest: motion and phases", 1, panels)
         .with_sketch(drawn(&system))
         .with_keys(keys())
@@ -218,7 +203,7 @@ pub fn low_motion() -> Drawn {
 /// Figure 6.16: motion and phases with the contact on m₃.
 pub fn middle_motion() -> Drawn {
     let system = five(3);
-    let panels = motion(&system, (0.95, 0.4), (-135.0, 270.0))?;
+    let panels = motion(&system, (0.95, 0.4))?;
     Ok(Figure::new("6.16", "Five masses, load on the lowest, contact on the middle one: motion and phases", 1, panels)
         .with_sketch(drawn(&system))
         .with_keys(keys())

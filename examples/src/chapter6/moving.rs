@@ -28,14 +28,13 @@ pub fn system_joined() -> Drawn {
 }
 
 /// Returns panels with the amplitudes of both masses, and with amplitude and phase of the relative motion.
-fn panels(system: &System, betas: &[f64], ends: (f64, f64)) -> Result<Vec<Panel>, Box<dyn Error>> {
+fn panels(system: &System, betas: &[f64]) -> Result<Vec<Panel>, Box<dyn Error>> {
     let responses = Responses::up_to(1e4, 5e-4, system, (0.1, 2.5), betas, &[M1, M2, Of::Contact])?;
     let row = |part, titles, labels| Row {
         part,
         titles,
         labels,
         sizes: (0.0, 5.0),
-        ends,
         stuck: part < 2,
         limit_from: 0.2,
         circles: 0.1,
@@ -58,7 +57,7 @@ fn panels(system: &System, betas: &[f64], ends: (f64, f64)) -> Result<Vec<Panel>
 pub fn between_responses() -> Drawn {
     let system = between();
     let betas = [0.0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8];
-    let panels = panels(&system, &betas, (-45.0, 370.0))?;
+    let panels = panels(&system, &betas)?;
     Ok(Figure::new("6.23", "Responses with friction between two masses", 2, panels)
         .with_sketch(drawn(&system))
         .with_keys(strokes(true, true))
@@ -84,7 +83,7 @@ pub fn between_regimes() -> Drawn {
 pub fn joined_responses() -> Drawn {
     let system = joined();
     let betas = [0.2, 0.5, 0.8, 1.0, 1.5, 2.0];
-    let panels = panels(&system, &betas, (-45.0, 370.0))?;
+    let panels = panels(&system, &betas)?;
     Ok(Figure::new("6.25", "Responses with a wall that moves with the base", 2, panels)
         .with_sketch(drawn(&system))
         .with_keys(strokes(true, true))

@@ -8,14 +8,13 @@ use std::error::Error;
 
 type Drawn = Result<Figure, Box<dyn Error>>;
 
-/// Returns the description of a row of panels with amplitude and phase of the first harmonic.
-fn row<'a>(part: usize, titles: [&'a str; 2], labels: [&'a str; 2], ends: (f64, f64)) -> Row<'a> {
+/// Describes a row of panels with amplitude and phase of the first harmonic.
+fn row<'a>(part: usize, titles: [&'a str; 2], labels: [&'a str; 2]) -> Row<'a> {
     Row {
         part,
         titles,
         labels,
         sizes: (0.0, 5.0),
-        ends,
         stuck: true,
         limit_from: 0.2,
         circles: 0.0,
@@ -24,18 +23,16 @@ fn row<'a>(part: usize, titles: [&'a str; 2], labels: [&'a str; 2], ends: (f64, 
 }
 
 /// Returns panels with amplitudes and phases of both masses over the frequency ratio.
-fn rows(responses: &Responses<'_>, ends: [(f64, f64); 2]) -> Vec<Panel> {
+fn rows(responses: &Responses<'_>) -> Vec<Panel> {
     let lower = row(
         0,
         ["(a) *m*_1, amplitude", "(a) *m*_1, phase"],
         ["*X̄*_{1,fft}", "*φ*_{1,fft} (degrees)"],
-        ends[0],
     );
     let upper = row(
         1,
         ["(b) *m*_2, amplitude", "(b) *m*_2, phase"],
         ["*X̄*_{2,fft}", "*φ*_{2,fft} (degrees)"],
-        ends[1],
     );
     let [lower, upper] = [lower.panels(responses), upper.panels(responses)];
     lower.into_iter().chain(upper).collect()
@@ -45,7 +42,7 @@ fn rows(responses: &Responses<'_>, ends: [(f64, f64); 2]) -> Vec<Panel> {
 pub fn lower() -> Drawn {
     let system = rig("m1 - wall");
     let responses = Responses::up_to(1e4, 5e-4, &system, (0.1, 2.5), &[0.2, 0.4, 0.6], &[M1, M2])?;
-    let panels = rows(&responses, [(-45.0, 190.0), (-45.0, 370.0)]);
+    let panels = rows(&responses);
     Ok(Figure::new("6.20", "The rig, contact of the lower mass with a fixed wall", 2, panels)
         .with_sketch(drawn(&system))
         .with_keys(strokes(false, false))
@@ -60,7 +57,7 @@ pub fn upper() -> Drawn {
     let system = rig("m2 - wall");
     let betas = [0.2, 0.5, 1.0, 1.5, 2.0];
     let responses = Responses::up_to(1e4, 5e-4, &system, (0.1, 2.5), &betas, &[M1, M2])?;
-    let panels = rows(&responses, [(-45.0, 190.0), (-45.0, 370.0)]);
+    let panels = rows(&responses);
     Ok(Figure::new("6.21", "The rig, contact of the upper mass with a fixed wall", 2, panels)
         .with_sketch(drawn(&system))
         .with_keys(strokes(true, false))
@@ -76,7 +73,7 @@ const BETAS: [f64; 4] = [0.5, 0.75, 1.0, 2.0];
 pub fn joined() -> Drawn {
     let system = rig("m1 - base");
     let responses = Responses::up_to(1e4, 5e-4, &system, (0.1, 2.5), &BETAS, &[M1, M2])?;
-    let panels = rows(&responses, [(-90.0, 190.0), (-45.0, 370.0)]);
+    let panels = rows(&responses);
     Ok(Figure::new("6.28", "The rig, contact of the lower mass with the base", 2, panels)
         .with_sketch(drawn(&system))
         .with_keys(strokes(true, false))
@@ -94,7 +91,6 @@ pub fn relative() -> Drawn {
         0,
         ["(a) amplitude", "(b) phase"],
         ["*Z̄*_{fft}", "*φ*_{*z*,fft} (degrees)"],
-        (-45.0, 370.0),
     );
     Ok(Figure::new("6.29", "The rig, motion of the lower mass relative to the base", 2, row.panels(&responses).into())
         .with_sketch(drawn(&system))

@@ -183,18 +183,12 @@ pub fn upper_cycles() -> Drawn {
 }
 
 /// Returns panels with amplitude and phase of both masses over the frequency ratio.
-fn rows(
-    stuck: bool,
-    responses: &Responses<'_>,
-    sizes: [(f64, f64); 2],
-    ends: [(f64, f64); 2],
-) -> Vec<Panel> {
+fn rows(stuck: bool, responses: &Responses<'_>, sizes: [(f64, f64); 2]) -> Vec<Panel> {
     let row = |part, titles, labels| Row {
         part,
         titles,
         labels,
         sizes: sizes[part],
-        ends: ends[part],
         stuck,
         limit_from: 0.2,
         circles: 0.1,
@@ -219,12 +213,7 @@ pub fn lower_responses() -> Drawn {
     let system = two(1, 1.0);
     let betas = [0.0, 0.2, 0.4, 0.6, 0.8];
     let responses = Responses::up_to(1e4, 5e-4, &system, (0.1, 2.5), &betas, &[M1, M2])?;
-    let panels = rows(
-        false,
-        &responses,
-        [(0.01, 20.0); 2],
-        [(-45.0, 190.0), (-45.0, 370.0)],
-    );
+    let panels = rows(false, &responses, [(0.01, 20.0); 2]);
     Ok(Figure::new("6.6", "Responses, load and contact on the lower mass", 2, panels)
         .with_sketch(drawn(&system))
         .with_keys(strokes(false, true))
@@ -240,12 +229,7 @@ pub fn upper_responses() -> Drawn {
     let system = two(2, 1.0);
     let betas = [0.0, 0.2, 0.4, 0.5, 1.0, 1.5, 2.0, 5.0];
     let responses = Responses::up_to(1e4, 5e-4, &system, (0.1, 2.5), &betas, &[M1, M2])?;
-    let panels = rows(
-        true,
-        &responses,
-        [(0.0, 8.0), (0.0, 5.0)],
-        [(-45.0, 190.0), (-45.0, 370.0)],
-    );
+    let panels = rows(true, &responses, [(0.0, 8.0), (0.0, 5.0)]);
     Ok(Figure::new("6.13", "Responses, load on the lower mass, contact on the upper", 2, panels)
         .with_sketch(drawn(&system))
         .with_keys(strokes(true, true))

@@ -41,9 +41,9 @@ pub fn with_dashpot() -> Sketch {
 fn rows(
     systems: &[(String, System)],
     betas: &[f64],
-    part: (Of, [&str; 2], (f64, f64), (f64, f64)),
+    part: (Of, [&str; 2], (f64, f64)),
 ) -> Result<Vec<Panel>, Box<dyn Error>> {
-    let (of, labels, sizes, ends) = part;
+    let (of, labels, sizes) = part;
     let mut panels = Vec::new();
     for ((name, system), letter) in systems.iter().zip(["a", "b", "c"]) {
         let responses = Responses::up_to(2000.0, 5e-4, system, (0.1, 2.5), betas, &[of])?;
@@ -53,7 +53,6 @@ fn rows(
             titles: [&title, &title],
             labels,
             sizes,
-            ends,
             stuck: of == Of::Mass(0) && !single(systems),
             limit_from: 0.2,
             circles: 0.2,
@@ -89,12 +88,7 @@ fn twos() -> Vec<(String, System)> {
 /// Figure 7.3: responses of one mass.
 pub fn one() -> Drawn {
     let betas = [0.0, 0.2, 0.4, 0.6, 0.8];
-    let part = (
-        Of::Mass(0),
-        ["*X̄*", "*φ* (degrees)"],
-        (0.02, 1000.0),
-        (-45.0, 190.0),
-    );
+    let part = (Of::Mass(0), ["*X̄*", "*φ* (degrees)"], (0.02, 1000.0));
     Ok(Figure::new("7.3", "Responses of one damped mass", 2, rows(&ones(), &betas, part)?)
         .with_sketch(with_dashpot())
         .with_keys(strokes(false, true))
@@ -108,12 +102,7 @@ const BETAS: [f64; 6] = [0.0, 0.2, 0.5, 1.0, 1.5, 2.0];
 
 /// Figure 7.5: responses of the lower of two masses.
 pub fn lower() -> Drawn {
-    let part = (
-        Of::Mass(0),
-        ["*X̄*_1", "*φ*_1 (degrees)"],
-        (0.02, 1000.0),
-        (-45.0, 190.0),
-    );
+    let part = (Of::Mass(0), ["*X̄*_1", "*φ*_1 (degrees)"], (0.02, 1000.0));
     Ok(Figure::new("7.5", "Responses of two damped masses, contact on the upper one: the lower mass", 2, rows(&twos(), &BETAS, part)?)
         .with_sketch(drawn(&two_masses(0.1)))
         .with_keys(strokes(true, true))
@@ -125,12 +114,7 @@ pub fn lower() -> Drawn {
 
 /// Figure 7.6: responses of the upper of two masses.
 pub fn upper() -> Drawn {
-    let part = (
-        Of::Mass(1),
-        ["*X̄*_2", "*φ*_2 (degrees)"],
-        (0.005, 500.0),
-        (-45.0, 370.0),
-    );
+    let part = (Of::Mass(1), ["*X̄*_2", "*φ*_2 (degrees)"], (0.005, 500.0));
     Ok(Figure::new("7.6", "Responses of two damped masses, contact on the upper one: the upper mass", 2, rows(&twos(), &BETAS, part)?)
         .with_sketch(drawn(&two_masses(0.1)))
         .with_keys(strokes(false, true))

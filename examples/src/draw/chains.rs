@@ -1,18 +1,19 @@
 //! Chains of masses m₁, m₂, …: their description, and panels with amplitude and phase of a mass.
 
-use super::colours::beta_colour;
 use super::responses::Responses;
 use super::systems::system;
-use super::tidy::{aligned, tidy, turned, without_specks};
+use super::tidy::{one_turn, tidy, without_specks};
 use frictiongen::System;
 use frictiongen_plot::desk::{self, Reading, Scales, sketch};
-use frictiongen_plot::{Colour, Key, Layer, Marker, Panel, Scale, Sketch, Stroke};
+use frictiongen_plot::{Key, Layer, Marker, Panel, Scale, Sketch, Stroke};
 
 /// Label of the frequency axis for a system of several masses.
 pub const RATIO: &str = "frequency ratio *r*_1";
 
-/// Range of phases in degrees that is drawn before the axis is fitted to the curves.
-const WIDE: (f64, f64) = (-180.0, 900.0);
+/// Range of phases in degrees: a whole turn with a margin. A panel whose phases are above the bound `HIGH` has a
+/// shorter axis that begins there.
+const WIDE: (f64, f64) = (-190.0, 190.0);
+const HIGH: f64 = -45.0;
 
 /// Builds a chain of masses m1, m2, … that begins at the base. All masses and springs are given as multiples of the
 /// first.
@@ -75,8 +76,6 @@ pub struct Row<'a> {
     pub labels: [&'a str; 2],
     /// Range of amplitudes. The axis is logarithmic if the lower bound is above 0.
     pub sizes: (f64, f64),
-    /// Range of phases in degrees. Equal bounds mean that the range is fitted to the curves.
-    pub ends: (f64, f64),
     /// True if the response with the contact stuck is drawn.
     pub stuck: bool,
     /// Lowest r at which the response at the limit of continuous motion is drawn.
@@ -122,9 +121,7 @@ impl Row<'_> {
         } else {
             Reading::Phase
         };
-        let fitted = self.ends.0 == self.ends.1;
-        let y = if fitted { WIDE } else { self.ends };
-        let y = (self.labels[1], Some(y));
+        let y = (self.labels[1], Some(WIDE));
         let mut panel = self.panel(responses, self.titles[1], reading, y);
         panel.y = panel.y.degrees();
         if 0.0 < self.circles {
@@ -134,15 +131,11 @@ impl Row<'_> {
             let circles = continuous.simulation(self.circles, self.part, reading);
             panel.layers.extend(circles);
         }
-        let betas = responses.curves().iter().map(|curve| curve.beta);
-        let first = betas.filter(|beta| 0.0 < *beta).map(beta_colour).next();
-        let panel = without_specks(aligned(panel, first.unwrap_or(Colour::Black)));
-        if fitted {
-            let mut panel = tidy(panel);
-            (panel.y.low, panel.y.high) = reached(&panel);
-            return panel;
+        let mut panel = one_turn(without_specks(panel));
+        if HIGH < least(&panel) {
+            panel.y.low = HIGH;
         }
-        tidy(turned(panel))
+        tidy(panel)
     }
 
     fn panel(
@@ -168,18 +161,14 @@ impl Row<'_> {
     }
 }
 
-/// Returns the range of phases to draw: the outermost multiples of 90 degrees that the lines reach, with a margin.
-fn reached(panel: &Panel) -> (f64, f64) {
+/// Returns the least phase of the lines of a panel, in degrees.
+fn least(panel: &Panel) -> f64 {
     let lines = panel.layers.iter().filter_map(|layer| match layer {
         Layer::Line(line) => Some(line),
         _ => None,
     });
     let phases = lines.flat_map(|line| line.pieces.iter().flatten().map(|point| point.1));
-    let (low, high) = phases.fold((0.0_f64, 180.0_f64), |(low, high), phase| {
-        (low.min(phase), high.max(phase))
-    });
-    let (low, high) = ((low / 90.0).ceil() * 90.0, (high / 90.0).floor() * 90.0);
-    (low - 50.0, high + 50.0)
+    phases.fold(0.0, f64::min)
 }
 
 /// Returns the legend of strokes and circles. The stroke of the stuck response appears only if `stuck` is true.

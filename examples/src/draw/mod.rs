@@ -20,5 +20,5 @@ pub use sheet::{csv, save};
 pub use simulated::{CYCLES, Polar, from_rest, simulated};
 pub use stuck::stuck;
 pub use systems::{block, system};
-pub use tidy::{aligned, tidy, turned, turns, without_specks};
+pub use tidy::{one_turn, tidy, without_specks};
 pub use times::{Times, cycle, keys};

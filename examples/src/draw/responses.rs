@@ -8,7 +8,6 @@ use frictiongen::study::curve::{Curve, CurveError, CurvePoint, CurveRequest, End
 use frictiongen::{Of, Regime, System};
 use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
 use frictiongen_plot::{Colour, Layer, Line, Marker, Markers, Panel, Point};
-use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Lowest r at which the response at β_lim is drawn. At lower r its peaks are too close together.
 const LOWEST_LIMIT: f64 = 0.2;
@@ -220,10 +219,7 @@ impl<'a> Responses<'a> {
         let polar = *simulated(self.system, (r, curve.beta), &[of], reading)?.first()?;
         Some(match reading {
             reading if !reading.is_phase() => (r, polar.amplitude),
-            _ => {
-                let lag = polar.lag - ((polar.lag - FRAC_PI_2) / TAU).round() * TAU;
-                (r, lag.to_degrees())
-            }
+            _ => (r, desk::principal(polar.lag.to_degrees())),
         })
     }
 }

@@ -16,13 +16,8 @@ pub fn save(figure: &Figure, album: &mut Album) -> Result<(), Box<dyn Error>> {
         title: figure.title.clone(),
         caption: figure.caption.clone(),
     });
-    let narrow = figure.clone().narrow();
     #[cfg(feature = "png")]
-    {
-        album.picture(&figure.number, &figure.png(2.0)?)?;
-        album.picture(&format!("{}-narrow", figure.number), &narrow.png(1.0)?)?;
-    }
-    album.add_narrow(&figure.number, &narrow.svg())?;
+    album.picture(&figure.number, &figure.png(2.0)?)?;
     if figure.panels.is_empty() {
         return album.add_picture(&figure.number, &figure.svg());
     }

@@ -1,6 +1,6 @@
 //! Cleans up a panel over frequency: redundant points, whole turns of a phase, and motions that do not settle.
 
-use frictiongen_plot::{Axis, Colour, Layer, Line, Marker, Markers, Panel, Point, Scale, Stroke};
+use frictiongen_plot::{Axis, Layer, Marker, Markers, Panel, Point, Scale, desk};
 
 /// Largest distance of a removed point from the line that remains, as a fraction of the axis. It amounts to a
 /// hundredth of a pixel.
@@ -132,106 +132,26 @@ pub fn without_specks(mut panel: Panel) -> Panel {
     panel
 }
 
-/// Shifts the phases of several curves by whole turns, in degrees, so that they agree with the first curve with
-/// friction. Each run of phases is shifted to the known runs at the same frequencies. A run without such neighbours is
-/// shifted to the middle of the axis.
+/// Folds the phases of a panel, in degrees, into (−180, 180], the range of every table.
 #[must_use]
-pub fn aligned(mut panel: Panel, first: Colour) -> Panel {
-    let middle = 0.5 * (panel.y.low + panel.y.high);
-    let mut known: Vec<Point> = Vec::new();
-    let is_first = |line: &Line| line.colour == first;
-    let mut lines: Vec<&mut Line> = Vec::new();
-    let mut circles: Vec<&mut Markers> = Vec::new();
+pub fn one_turn(mut panel: Panel) -> Panel {
     for layer in &mut panel.layers {
         match layer {
-            Layer::Line(line) => lines.push(line),
-            Layer::Markers(markers) => circles.push(markers),
-            _ => {}
-        }
-    }
-    // The first curve is not shifted. The frictionless curve has two possible values and is aligned last.
-    let order = |line: &&mut Line| match line.stroke {
-        _ if is_first(line) => 0,
-        Stroke::Solid | Stroke::DashDot => 1,
-        _ => 2,
-    };
-    lines.sort_by_key(order);
-    for line in lines {
-        let settled = is_first(line);
-        let mut added = Vec::new();
-        for piece in &mut line.pieces {
-            if !settled {
-                let by = turns(piece, &known, middle);
-                piece.iter_mut().for_each(|point| point.1 += by);
-            }
-            added.extend(piece.iter().copied());
-        }
-        if line.stroke != Stroke::Dotted {
-            known.extend(added);
-        }
-        known.sort_by(|one, other| one.0.total_cmp(&other.0));
-    }
-    for markers in circles {
-        for point in &mut markers.points {
-            point.1 += turns(&[*point], &known, middle);
-        }
-    }
-    panel
-}
-
-/// Shifts every run of phases and every circle that lies beyond the axis by whole turns, to the phase nearest to the
-/// middle of the axis.
-#[must_use]
-pub fn turned(mut panel: Panel) -> Panel {
-    let (low, high) = (panel.y.low, panel.y.high);
-    let by = |mean: f64| {
-        if (low..=high).contains(&mean) {
-            0.0
-        } else {
-            360.0 * ((0.5 * (low + high) - mean) / 360.0).round()
-        }
-    };
-    for layer in &mut panel.layers {
-        match layer {
-            Layer::Line(line) => {
-                for piece in &mut line.pieces {
-                    let sum: f64 = piece.iter().map(|point| point.1).sum();
-                    let by = by(sum / piece.len().max(1) as f64);
-                    piece.iter_mut().for_each(|point| point.1 += by);
+            Layer::Line(line) => line.pieces = desk::folded(&line.pieces),
+            Layer::Markers(markers) => {
+                for point in &mut markers.points {
+                    point.1 = desk::principal(point.1);
                 }
             }
-            Layer::Markers(markers) => {
-                let points = markers.points.iter_mut();
-                points.for_each(|point| point.1 += by(point.1));
-            }
             _ => {}
         }
     }
     panel
-}
-
-/// Returns the shift in degrees, a multiple of a full turn, that brings a run of phases next to the known points. The
-/// known points are in ascending order of r.
-#[must_use]
-pub fn turns(piece: &[Point], known: &[Point], middle: f64) -> f64 {
-    /// Largest distance in r at which a known point is used for the comparison.
-    const REACH: f64 = 0.02;
-    let mut votes: Vec<f64> = Vec::new();
-    for (x, y) in piece {
-        let at = known.partition_point(|point| point.0 < *x);
-        let near = known.iter().take(at + 12).skip(at.saturating_sub(12));
-        let beside = near.filter(|point| (point.0 - x).abs() < REACH);
-        votes.extend(beside.map(|point| ((point.1 - y) / 360.0).round()));
-    }
-    votes.sort_by(f64::total_cmp);
-    let vote = votes.get(votes.len() / 2).copied();
-    let mean = piece.iter().map(|point| point.1).sum::<f64>() / piece.len().max(1) as f64;
-    360.0 * vote.unwrap_or_else(|| ((middle - mean) / 360.0).round())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{aligned, tidy};
+    use super::{one_turn, tidy};
     use frictiongen_plot::{Axis, Colour, Layer, Line, Panel, Stroke};
 
     fn pieces(panel: &Panel, index: usize) -> Vec<Vec<(f64, f64)>> {
@@ -278,12 +198,13 @@ mod tests {
 
     #[test]
     fn phases_lie_on_one_turn() {
-        let first = Colour::Series(0);
         let lines = vec![
             (Colour::Black, vec![(0.0, -10.0), (0.5, -20.0)]),
-            (first, vec![(0.0, 350.0), (0.5, 340.0)]),
+            (Colour::Series(0), vec![(0.0, 350.0), (0.5, 340.0)]),
         ];
-        let moved = aligned(panel(lines, 360.0), first);
-        assert_eq!(pieces(&moved, 0), [[(0.0, 350.0), (0.5, 340.0)]]);
+        let moved = one_turn(panel(lines, 360.0));
+        for index in [0, 1] {
+            assert_eq!(pieces(&moved, index), [[(0.0, -10.0), (0.5, -20.0)]]);
+        }
     }
 }

@@ -32,9 +32,20 @@ pub struct CompileArguments {
         conflicts_with = "accuracy"
     )]
     pub budget: Option<String>,
-    /// Range of frequency ratios, from a to b
+    /// Range of frequency ratios r = omega sqrt(m1/k1), from a to b
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     pub r: Option<String>,
+    /// Range of frequencies in Hz, instead of --r
+    #[arg(
+        long,
+        value_name = "a:b",
+        allow_hyphen_values = true,
+        conflicts_with = "r"
+    )]
+    pub hz: Option<String>,
+    /// Range of angular frequencies in rad/s, instead of --r
+    #[arg(long, value_name = "a:b", allow_hyphen_values = true, conflicts_with_all = ["r", "hz"])]
+    pub omega: Option<String>,
     /// Keep limits on the safe side: beta_lim never above the exact one, beta*_lim never below
     #[arg(long)]
     pub safe: bool,

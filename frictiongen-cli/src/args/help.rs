@@ -3,8 +3,10 @@
 
 pub const GRIDS: &str = "\
 Grids:
-  A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
-  0.9   0.2:0.01:2.5   0,0.5,1:0.1:2,inf
+  A grid is a number, a range a:step:b (b included), a range a:b of frequencies in 100 equal steps, or a
+  comma-separated list of those:
+  0.9   0.2:0.01:2.5   0.2:2.5   0,0.5,1:0.1:2,inf
+  `map` takes a range a:b of frictions as well.
   Decimals have a point, not a comma. A frequency may be 0 and inf. A friction must be finite.
   A grid has at most 10 million points.
 
@@ -29,7 +31,7 @@ Quantities:
   continuous limit  beta_lim, exact: below it a motion exists in which the contact slides all the time
   without search    beta_lim with the velocity constraint at the reversal alone; never below beta_lim
   per mode          beta_lim with the maximum of the constraint of each mode; never above beta_lim
-  sliding limit     beta*_lim: from it on a state exists in which the contact never slides
+  sliding limit     beta*_lim: from it on a state exists in which the contact never slides (it locks)
   With stiction 1 the contact slides all the time below beta_lim, and is stuck from beta*_lim on. With
   a larger stiction other states may exist as well. `orbit --states` lists them.
 
@@ -39,7 +41,7 @@ pub const RESPONSES: &str = "\
 Regimes:
   continuous  the contact slides all the time: exact amplitudes, phases and harmonics
   stick-slip  the contact stops and slides in turn: the steady state from rest
-  stuck       the contact never slides: amplitude and phase of each mass
+  stuck       the contact never slides: it locks, or sticks permanently. Amplitude and phase of each mass
   unbounded   the amplitude grows without limit, on an undamped resonance; the contact slides if the
               margin is negative, otherwise it is stuck
   If several states exist, the answer is the state that motion from rest reaches. At rest, every mass is
@@ -113,8 +115,9 @@ Several states:
 
 pub const GRIDS_IN_TIME: &str = "\
 Grids:
-  A grid is a number, a range a:step:b (b included), or a comma-separated list of those:
-  0.9   0.2:0.01:2.5   0.5,1:0.1:2
+  A grid is a number, a range a:step:b (b included), a range a:b of frequencies in 100 equal steps, or a
+  comma-separated list of those:
+  0.9   0.2:0.01:2.5   0.2:2.5   0.5,1:0.1:2
   Decimals have a point, not a comma. A frequency must be above 0 and below infinity: at 0 a cycle
   never ends, and at infinity nothing has time to move. For 0 and inf use `limits` or `response`.
   A friction must be finite. A grid has at most 10 million points.
@@ -188,7 +191,7 @@ Exit status:
 pub const MAPS: &str = "\
 Regions:
   continuous        the contact slides all the time
-  stuck             the contact never slides
+  stuck             the contact never slides: it locks
   n stops           the contact stops n times in a cycle of the excitation
   sliding reversals the contact reverses without a stop, but not in the continuous motion
   subharmonic       the motion repeats after several cycles
@@ -196,8 +199,8 @@ Regions:
   other words       the reason why there is no answer, in the words of `orbit`
 A map shows the state that motion from rest ends in. With stiction 1 the boundaries of the continuous
 and the stuck region are the exact limits. With a larger stiction motion from rest may slide on above
-both limits. --boundaries finds the boundaries of the other regions by bisection. Each further digit takes longer, because the motion settles more slowly near a
-boundary. Pictures use 3 digits.
+both limits. --boundaries finds the boundaries of the other regions by bisection. Each further digit
+takes longer, because the motion settles more slowly near a boundary. Pictures use 3 digits.
 Ctrl-C keeps the frequencies that are already computed.
 
 ";
@@ -228,7 +231,8 @@ Quantities:
                   more friction and less friction both raise it
   how the search ended  converged; or at a jump to a larger steady state; or the best so far, because the
                   search reached its limit of work. If it did not converge, the least lies between the
-                  two frictions that follow
+                  two frictions that follow, and the friction has only the digits that they leave
+  beyond the jump  largest amplitude with a friction just beyond the jump: its height
   above the best  range of friction in which the largest amplitude is at most 1, 5 and 10 per cent larger
   change in per cent  of the amplitude at the best friction, for one per cent more of a parameter;
                   the friction changes too and stays the best one; only with a load
@@ -267,6 +271,7 @@ With two frictions or more:
 
 Found:
   exact    by a closed form
+  estimate by the monoharmonic formula (7.60); the line below has the peak itself
   all      by interval arithmetic: the list has all features of the range
   sampled  by close samples, then refined: two features closer than the samples may be missed
 

@@ -28,9 +28,9 @@ pub struct ResponseArguments {
     /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print only this mass; may be given more than once [default: every mass]
-    #[arg(long, value_name = "NAME")]
-    pub mass: Vec<String>,
+    /// Print the contact and only this motion, named as for `curve`; may be given more than once [default: every mass]
+    #[arg(long, visible_alias = "mass", value_name = "NAME")]
+    pub of: Vec<String>,
     /// Print also the harmonics X_1, X_3, ... up to order N
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
@@ -45,9 +45,9 @@ pub struct OrbitArguments {
     /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print only this mass; may be given more than once [default: every mass]
-    #[arg(long, value_name = "NAME")]
-    pub mass: Vec<String>,
+    /// Print the contact and only this motion, named as for `curve`; may be given more than once [default: every mass]
+    #[arg(long, visible_alias = "mass", value_name = "NAME")]
+    pub of: Vec<String>,
     /// Print also the harmonics X_0, X_1, ... up to order N
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,

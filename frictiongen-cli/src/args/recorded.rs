@@ -119,7 +119,8 @@ pub struct DriveArguments {
     /// Kinetic friction force F in N [default: the channel friction]
     #[arg(long, value_name = "F", allow_hyphen_values = true)]
     pub friction: Option<String>,
-    /// Print only this mass, or the contact; may be given more than once [default: every mass and the contact]
+    /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`; may be given more
+    /// than once [default: every mass and the contact]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// The format.

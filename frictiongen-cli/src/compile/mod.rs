@@ -8,7 +8,8 @@ use crate::file::write_file;
 use crate::progress;
 use frictiongen::System;
 use frictiongen::study::InvalidScene;
-use frictiongen::study::scene::{Accuracy, Provide, Proving, Range, Scene, Side};
+use frictiongen::study::columns::FrequencyUnit;
+use frictiongen::study::scene::{Accuracy, Declared, Provide, Proving, Range, Scene, Side};
 use frictiongen::study::table::{Evidence, FINEST_PROVEN, Proof, Tables, Work};
 use frictiongen_codegen::standalone::{c_header, c_name, c_source, rust_source};
 use frictiongen_codegen::{Limits, SceneTables};
@@ -101,21 +102,14 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
         declared.budget = Some(number(bytes, "--budget")?);
         declared.accuracy = Accuracy::Exact;
     }
-    if let Some(r) = &arguments.r {
-        let ends = r.split_once(':').filter(|(_, high)| !high.contains(':'));
-        let Some((low, high)) = ends else {
-            return Err(Failure::new(format_args!(
-                "--r is `{r}`, which is not a range a:b; write, for example, 0.2:2.5"
-            )));
-        };
-        let beta = declared
-            .range
-            .map_or((0.0, f64::INFINITY), |range| range.beta);
-        let r = (number(low, "--r")?, number(high, "--r")?);
-        declared.range = Some(Range { r, beta });
+    let beta = declared
+        .range
+        .map_or((0.0, f64::INFINITY), |range| range.beta);
+    if let Some(r) = range(scene, arguments)? {
+        scene.declared.range = Some(Range { r, beta });
     }
     if arguments.safe {
-        declared.side = Side::Safe;
+        scene.declared.side = Side::Safe;
     }
     let checked: Result<System, _> = System::try_from(scene.clone());
     let told = |error: InvalidScene| {
@@ -126,6 +120,44 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
         Failure::Lines(lines.collect())
     };
     checked.map(drop).map_err(told)
+}
+
+/// Returns the range of r that --r, --hz or --omega gives.
+fn range(scene: &Scene, arguments: &CompileArguments) -> Result<Option<(f64, f64)>, Failure> {
+    let options = [
+        (&arguments.r, "--r", FrequencyUnit::Ratio, "0.2:2.5"),
+        (&arguments.hz, "--hz", FrequencyUnit::Hertz, "1:7"),
+        (
+            &arguments.omega,
+            "--omega",
+            FrequencyUnit::AngularFrequency,
+            "6:45",
+        ),
+    ];
+    let given = options
+        .into_iter()
+        .find_map(|(text, option, unit, example)| Some((text.as_deref()?, option, unit, example)));
+    let Some((text, option, unit, example)) = given else {
+        return Ok(None);
+    };
+    let ends = text.split_once(':').filter(|(_, high)| !high.contains(':'));
+    let Some((low, high)) = ends else {
+        return Err(Failure::new(format_args!(
+            "{option} is `{text}`, which is not a range a:b; write, for example, {example}"
+        )));
+    };
+    let (low, high) = (number(low, option)?, number(high, option)?);
+    if unit == FrequencyUnit::Ratio {
+        return Ok(Some((low, high)));
+    }
+    // What the description declares may lack the range, so that only the chain makes the system.
+    let chain = Scene {
+        declared: Declared::default(),
+        ..scene.clone()
+    };
+    let system = System::try_from(chain).map_err(Failure::new)?;
+    let ratio = |value: f64| unit.given(&system, value).r;
+    Ok(Some((ratio(low), ratio(high))))
 }
 
 fn number(text: &str, option: &str) -> Result<f64, Failure> {

@@ -8,7 +8,7 @@ use crate::measure::Measure;
 use crate::picture;
 use frictiongen::study::columns::FeatureLine;
 use frictiongen::study::curve::CurveRequest;
-use frictiongen_plot::desk::{Drawn, Reading, Scales, keys, panel};
+use frictiongen_plot::desk::{Drawn, Reading, Scales, keys_of, panel};
 use frictiongen_plot::{Colour, Figure, Label, Marker, Markers};
 use std::io::Write;
 
@@ -90,6 +90,6 @@ pub fn draw(
     }
     let title = Label::verbatim(&report.system.scene().name);
     let columns = parts.len().min(2);
-    let figure = Figure::new("", title, columns, panels).with_keys(keys());
+    let figure = Figure::new("", title, columns, panels).with_keys(keys_of(&curves));
     picture::write(figure, report.system, form, out)
 }

@@ -42,7 +42,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
         .map(|text| asked::whole("--boundaries", text, 1..=MOST_DIGITS))
         .transpose()?;
     let frequencies = Frequencies::parse(&arguments.point.frequency, false)?;
-    let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
+    let frictions = Frictions::of_map(&arguments.point.friction, &frequencies)?;
     let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;

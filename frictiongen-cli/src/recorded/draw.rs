@@ -1,6 +1,7 @@
 //! Draws the residuals of an identification, and the motion under a recorded input.
 
 use super::driven::DrivenReport;
+use crate::asked::Part;
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::picture;
@@ -73,32 +74,42 @@ pub fn driven(
     let track = |values: &[f64]| -> Vec<(f64, f64)> {
         times.iter().copied().zip(values.iter().copied()).collect()
     };
-    let edge = |tracks: &[Vec<(f64, f64)>]| {
-        let values = tracks.iter().flatten().map(|(_, value)| value.abs());
-        let most = values.fold(0.0, f64::max);
-        if 0.0 < most { most * ROOM } else { 1.0 }
-    };
-    let motions = driven.motion.motions.iter();
-    let motions: Vec<Vec<(f64, f64)>> = motions
-        .map(|[displacement, _]| track(displacement))
-        .collect();
-    let high = edge(&motions);
-    let mut moved = Panel::new("", time(), Axis::new("displacement (m)", -high, high));
-    for (place, (part, motion)) in driven.parts.iter().zip(motions).enumerate() {
-        moved = moved.with(Line::new(
-            picture::part_name(part),
-            Colour::Series(place),
-            Stroke::Solid,
-            vec![motion],
-        ));
+    let mut panels = Vec::new();
+    for (forces, label) in [(false, "displacement (m)"), (true, "force (N)")] {
+        let tracks = driven.parts.iter().zip(&driven.motion.motions).enumerate();
+        let tracks = tracks.filter(|(_, (part, _))| part.of.is_force() == forces);
+        let tracks: Vec<(usize, &Part, Vec<(f64, f64)>)> = tracks
+            .map(|(place, (part, [values, _]))| (place, part, track(values)))
+            .collect();
+        if tracks.is_empty() {
+            continue;
+        }
+        let high = edge(tracks.iter().map(|(.., values)| values.as_slice()));
+        let mut panel = Panel::new("", time(), Axis::new(label, -high, high));
+        for (place, part, values) in tracks {
+            panel = panel.with(Line::new(
+                picture::part_name(part),
+                Colour::Series(place),
+                Stroke::Solid,
+                vec![values],
+            ));
+        }
+        panels.push(panel);
     }
     let force = track(&driven.motion.force);
-    let high = edge(std::slice::from_ref(&force));
+    let high = edge([force.as_slice()].into_iter());
     let gripped = Panel::new("", time(), Axis::new("friction force (N)", -high, high)).with(
         Line::new("friction force", Colour::Black, Stroke::Solid, vec![force]),
     );
+    panels.push(gripped);
     let title = Label::verbatim(&system.scene().name);
-    let figure = Figure::new("", title, 1, vec![moved, gripped])
-        .with_caption(Label::verbatim(&driven.account()));
+    let figure = Figure::new("", title, 1, panels).with_caption(Label::verbatim(&driven.account()));
     picture::write_with(figure, sketch_under_record(system.scene()), form, out)
+}
+
+/// Returns the upper end of an axis that contains all values of some tracks, on both sides of 0.
+fn edge<'t>(tracks: impl Iterator<Item = &'t [(f64, f64)]>) -> f64 {
+    let values = tracks.flatten().map(|(_, value)| value.abs());
+    let most = values.fold(0.0, f64::max);
+    if 0.0 < most { most * ROOM } else { 1.0 }
 }

@@ -3,15 +3,16 @@
 use super::driven::DrivenReport;
 use super::read;
 use crate::args::DriveArguments;
-use crate::asked::{number_that, parts};
+use crate::asked::{number_that, parts, without_rates};
 use crate::destination::Destination;
-#[cfg(feature = "pictures")]
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use crate::output;
 use crate::summary::Summary;
+use frictiongen::Of;
 use frictiongen::measure::Inputs;
+use frictiongen::study::scene::Excitation;
 use std::io::Write;
 
 /// Runs `frictiongen drive`.
@@ -26,7 +27,18 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     });
     let friction = friction.transpose()?;
     let system = read::scene(&files.scene)?;
-    let parts = parts(&system, &arguments.of)?;
+    let mut parts = parts(&system, &arguments.of)?;
+    without_rates(&parts)?;
+    let drawn = matches!(form, Form::Svg | Form::Png);
+    if drawn && arguments.of.is_empty() && system.scene().excitation == Excitation::Base {
+        // Under a recorded acceleration the base drifts by metres, which hides all relative motion.
+        for part in &mut parts {
+            if let Of::Mass(index) = part.of {
+                part.of = Of::FromBase(index);
+                part.name = system.name_of_motion(part.of);
+            }
+        }
+    }
     let recording = files.inputs()?;
     let path = files.recordings.first();
     let inputs = Inputs::of(&recording, &system, friction);

@@ -33,7 +33,7 @@ pub fn run(arguments: &IdentifyArguments, out: &mut dyn Write) -> Result<(), Fai
         });
     }
     let harmonics = asked::harmonics(arguments.harmonics.as_deref())?.unwrap_or(1);
-    let masses = asked::masses(&system, &arguments.mass)?;
+    let masses = asked::masses(&system, "--mass", &arguments.mass)?;
     let mut observations: Vec<Observation> = files
         .measured(&system)?
         .iter()

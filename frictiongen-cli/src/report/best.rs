@@ -186,7 +186,10 @@ fn row(best: &Best, asked: &Asked) -> Markup {
                             @if to.is_finite() { " … " (words.friction(to)) } @else { " on" }
                         }
                     }
-                    td { (kind(optimum)) }
+                    td {
+                        (kind(optimum))
+                        @if let Some(beyond) = optimum.beyond_jump { "; beyond the jump " (words.length(beyond)) }
+                    }
                 }
             }
         }
@@ -220,6 +223,9 @@ pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
             ));
             fields.push(("stuck_from".to_owned(), limit(optimum.locked)));
             fields.push(("end".to_owned(), words::end(optimum.end).into()));
+            if let Some(beyond) = optimum.beyond_jump {
+                fields.push((name("beyond_jump"), length(beyond)));
+            }
             let [from, to] = optimum.bracket.map(limit);
             fields.push(("bracket".to_owned(), json!({ "from": from, "to": to })));
             let peaks = optimum.peaks.iter().map(|peak| {

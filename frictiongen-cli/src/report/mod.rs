@@ -22,10 +22,30 @@ use frictiongen::System;
 use frictiongen_codegen::{Limits, parse_text};
 use page::Page;
 use std::io::Write;
+use std::path::Path;
+
+/// Returns an error unless the name of the file is that of a web page. A browser would show the text of any other.
+fn check_name(path: &Path) -> Result<(), Failure> {
+    let shown = path.display();
+    let ending = path
+        .extension()
+        .map(|ending| ending.to_string_lossy().to_lowercase());
+    let instead = match ending.as_deref() {
+        Some("html" | "htm") => return Ok(()),
+        Some("svg" | "png") => "; for a picture, use `frictiongen curve` or `frictiongen map`",
+        Some("csv" | "json") => "; for numbers, use `frictiongen curve` or `frictiongen features`",
+        Some("pdf") => "; a browser prints the page as PDF",
+        _ => "",
+    };
+    Err(Failure::new(format_args!(
+        "--output `{shown}`: a report is a web page, so that the name of the file must end in .html{instead}"
+    )))
+}
 
 /// Runs `frictiongen report`.
 pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(path) = arguments.output.as_deref() {
+        check_name(path)?;
         // A file that cannot be written is reported before a long computation, not after it.
         file::check(path, arguments.file.path())?;
     }

@@ -14,7 +14,7 @@ use frictiongen::study::{
     words,
 };
 use frictiongen::{Of, Regime};
-use frictiongen_plot::desk::{Drawn, Reading, keys, lines};
+use frictiongen_plot::desk::{Drawn, Reading, keys_of, lines, phase_ends};
 use frictiongen_plot::{Axis, Colour, Figure, Label, Layer, Markers, Panel};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
@@ -168,7 +168,8 @@ impl Responses {
         amplitude.layers.extend(marked.into_iter().map(Layer::from));
         (phase.y.low, phase.y.high) = turns(&phase.layers);
         let [amplitudes, phases] = series;
-        let figure = Figure::new("", Label::verbatim(name), 1, panels.to_vec()).with_keys(keys());
+        let keys = keys_of(self.levels.iter().map(|level| &level.curve));
+        let figure = Figure::new("", Label::verbatim(name), 1, panels.to_vec()).with_keys(keys);
         let curves = [
             (
                 Axes {
@@ -252,6 +253,7 @@ impl Responses {
                     "The steady response from " (words.frequency(asked.band.from)) " to " (words.frequency(asked.band.to))
                     ". A solid line is motion without stops, a dash-dotted line is motion with stops, and a dotted line is a stuck contact. \
                      Where a line changes its style, the friction is equal to a limit. An amplitude is the largest displacement of a cycle. \
+                     A dotted line is drawn about the middle of the motion, without the offset of a contact that came to rest away from its centre. \
                      A phase is the lag of that maximum behind the maximum of the load."
                     @if asked.parts.iter().any(|part| part.of == Of::Contact) {
                         " “contact” is the relative motion in the contact."
@@ -386,17 +388,11 @@ fn accuracy(masses: usize) -> f64 {
     }
 }
 
-/// Returns the bounds of a phase axis, as whole eighths of a turn.
+/// Returns the end points of a phase axis.
 fn turns(layers: &[Layer]) -> (f64, f64) {
     let lines = layers.iter().filter_map(|layer| match layer {
         Layer::Line(line) => Some(line.pieces.iter().flatten()),
         _ => None,
     });
-    let (low, high) = lines
-        .flatten()
-        .fold((0.0_f64, 180.0_f64), |(low, high), point| {
-            (low.min(point.1), high.max(point.1))
-        });
-    let step = |value: f64| (value / 45.0).abs() - 1e-6;
-    (-45.0 * step(low).ceil().max(0.0), 45.0 * step(high).ceil())
+    phase_ends(lines.flatten().map(|point| point.1))
 }

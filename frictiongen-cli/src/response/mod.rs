@@ -3,7 +3,7 @@
 mod report;
 
 use crate::args::ResponseArguments;
-use crate::asked::{self, Part};
+use crate::asked;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
@@ -26,9 +26,7 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
     };
     let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
-    let masses = asked::masses(&system, &arguments.mass)?;
-    let masses = masses.into_iter().map(Part::from);
-    let parts = std::iter::once(Part::contact()).chain(masses).collect();
+    let parts = asked::contact_and(&system, &arguments.of)?;
     frequencies.check(&system)?;
     let measure = measure::of(&arguments.point.load, &system)?;
     let frequencies = frequencies.under(&measure);

@@ -102,7 +102,7 @@ impl<'a> Motion<'a> {
     pub fn preamble(&self) -> Vec<(&'static str, String)> {
         let history = &self.history;
         let number = |value: &Cell<'_>| match value {
-            Cell::Number(value) => computed(*value),
+            Cell::Number(value) | Cell::Within { value, .. } => computed(*value),
             other => other.exact().into_owned(),
         };
         let point = self.point();

@@ -24,7 +24,10 @@ fn grids() {
         ),
         ("-1", "--r `-1`: a frequency ratio must not be negative"),
         ("1,two", "--r `two`: `two` is not a number"),
-        ("1:2", "--r `1:2`: a grid is a number, or a range a:step:b"),
+        (
+            "1:2:3:4",
+            "--r `1:2:3:4`: a grid is a number, or a range a:step:b",
+        ),
         ("--csv", "--r `--csv`: `--csv` is not a number"),
     ];
     for (grid, message) in cases {
@@ -59,7 +62,7 @@ fn friction_ratios() {
 #[test]
 fn masses_and_harmonics() {
     let arguments = ["response", FRAME, "--r", "1", "--beta", "1"];
-    let message = "frictiongen: --mass: there is no mass `roof`; the masses are lower, upper";
+    let message = "frictiongen: --of: there is no mass `roof`; the masses are lower, upper";
     let unknown = [&arguments[..], &["--mass", "lower", "--mass", "roof"]].concat();
     assert_eq!(failure("", &unknown), [message]);
     for orders in ["0", "-3", "10000", "2.5", "x", "99999999999999999999"] {

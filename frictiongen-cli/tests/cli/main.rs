@@ -11,6 +11,7 @@ mod expand;
 mod features;
 mod first_hour;
 mod first_steps;
+mod hints;
 mod limits;
 mod map;
 mod optimum;

@@ -34,6 +34,9 @@ pub(super) struct Hold<S> {
     halves: u32,
     /// Constant contact force, from the offset, half a cycle ago and a cycle ago.
     before: [S; 2],
+    /// z̄ of a contact that sticks, as computed first after its last event.  A stuck contact does not move, but z̄
+    /// computed anew from the modes would drift by roundings.
+    resting: Option<S>,
 }
 
 impl<S: Float> Hold<S> {
@@ -45,6 +48,7 @@ impl<S: Float> Hold<S> {
             quiet: 0,
             halves: 0,
             before: [far; 2],
+            resting: None,
         }
     }
 
@@ -53,6 +57,7 @@ impl<S: Float> Hold<S> {
         self.halves = self.halves.saturating_add(1);
         let calm = half == Pattern::default();
         self.quiet = if calm { self.quiet + 1 } else { 0 };
+        self.resting = self.resting.filter(|_| calm);
     }
 
     /// Returns z̄ of a contact that sticks and never slides again.  Returns `None` as long as that is neither certain
@@ -63,15 +68,17 @@ impl<S: Float> Hold<S> {
         let far = S::constant(f64::MAX);
         if contact_state.contact != Contact::Stuck {
             self.before = [far, self.before[0]];
+            self.resting = None;
             return None;
         }
-        let (sum, offset) = setting.start_sticking(
+        let (sum, computed) = setting.start_sticking(
             cycle_map.modes,
             cycle_map.stuck_modes,
             &contact_state,
             S::constant(0.0),
         );
         let constant = sum.constant.abs();
+        let offset = *self.resting.get_or_insert(computed);
         let at = phase(contact_state.t);
         let free = cycle_map
             .stuck_modes

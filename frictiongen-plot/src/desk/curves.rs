@@ -1,7 +1,10 @@
 //! Figures of responses over frequency. The stroke of a line shows the regime, and its colour the friction.
 
+use super::phases::{folded, phase_ends};
 use super::scales::Scales;
-use crate::{Axis, Colour, Figure, Key, Label, Line, Marker, Markers, Panel, Point, Stroke};
+use crate::{
+    Axis, Colour, Figure, Key, Label, Line, Marker, Markers, Panel, Point, Sample, Stroke,
+};
 use frictiongen::study::curve::{Curve, CurvePoint, End, Piece};
 use frictiongen::study::response::Size;
 use frictiongen::study::units::polar;
@@ -10,7 +13,8 @@ use frictiongen::{Of, Regime};
 /// The quantity of a motion that a curve shows: amplitude, phase, or one harmonic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// The amplitude of the motion.
+    /// The amplitude of the motion.  Where the contact is stuck, it is the centred amplitude: the place at which the
+    /// contact came to rest is one of many.
     Amplitude,
     /// The phase of the motion in degrees.
     Phase,
@@ -59,6 +63,16 @@ pub fn keys() -> Vec<Key> {
     ]
 }
 
+/// Returns the entries of [`keys`] whose regime occurs in the curves.
+#[must_use]
+pub fn keys_of<'c>(curves: impl IntoIterator<Item = &'c Curve>) -> Vec<Key> {
+    let pieces = curves.into_iter().flat_map(|curve| &curve.pieces);
+    let strokes: Vec<Stroke> = pieces.map(|piece| stroke(piece.regime)).collect();
+    let occurs =
+        |key: &Key| matches!(key.sample, Sample::Line(_, drawn) if strokes.contains(&drawn));
+    keys().into_iter().filter(occurs).collect()
+}
+
 impl Reading {
     /// Returns true if the quantity is a phase.
     #[must_use]
@@ -66,12 +80,16 @@ impl Reading {
         matches!(self, Self::Phase | Self::HarmonicPhase(_))
     }
 
-    /// Converts an amplitude at the frequency ratio r to the unit of the axis.
-    fn scaled(self, scales: &Scales, r: f64, size: f64) -> f64 {
-        match self {
-            Self::Rate(of) => scales.rate_at(of, r, size),
-            _ => scales.length(size),
+    /// Returns the amplitude that is drawn at a point of a piece, in the unit of the axis.
+    fn size(self, piece: &Piece, point: &CurvePoint, part: usize, scales: &Scales) -> Option<f64> {
+        if self == Self::Amplitude && piece.regime == Regime::Stuck {
+            return Some(scales.length(point.movements.get(part)?.centred));
         }
+        let (size, _) = self.polar(point, part)?;
+        Some(match self {
+            Self::Rate(of) => scales.rate_at(of, point.r, size),
+            _ => scales.length(size),
+        })
     }
 
     /// Returns the requested amplitude and phase at a point of the curve. `part` is the index of the motion among the
@@ -104,18 +122,14 @@ fn traced(
     reading: Reading,
     scales: &Scales,
 ) -> Vec<(Regime, Vec<Vec<Point>>)> {
-    let mut last = None;
     let pieces = curve.pieces.iter().map(|piece| {
         let runs = if reading.is_phase() {
-            phases(piece, part, reading, scales, &mut last)
+            phases(piece, part, reading, scales)
         } else {
             let points = piece.points.iter();
             let placed = points.filter_map(|point| {
-                let (size, _) = reading.polar(point, part)?;
-                Some((
-                    scales.frequency(point.r),
-                    reading.scaled(scales, point.r, size),
-                ))
+                let size = reading.size(piece, point, part, scales)?;
+                Some((scales.frequency(point.r), size))
             });
             vec![placed.collect()]
         };
@@ -124,15 +138,8 @@ fn traced(
     pieces.collect()
 }
 
-/// Returns the phases of a piece in degrees, continuous along each run of points. The first run begins near the end of
-/// the previous piece.
-fn phases(
-    piece: &Piece,
-    part: usize,
-    reading: Reading,
-    scales: &Scales,
-    last: &mut Option<f64>,
-) -> Vec<Vec<Point>> {
+/// Returns the phases of a piece in degrees, in (−180, 180], as runs of neighbouring points.
+fn phases(piece: &Piece, part: usize, reading: Reading, scales: &Scales) -> Vec<Vec<Point>> {
     let sizes = piece.points.iter();
     let sizes: Vec<Point> = sizes
         .filter_map(|point| Some((point.r, reading.polar(point, part)?.0)))
@@ -157,26 +164,21 @@ fn phases(
             Some(before) => near(before),
             None => {
                 runs.push(Vec::new());
-                // A new run takes the multiple of a full turn that is nearest to the previous run. Between two equally
-                // near multiples it takes the one nearer to a quarter turn, because lags are mostly between 0 and half
-                // a turn.
-                let quarter = 0.25 * FULL;
-                near(last.map_or(quarter, |last| last + 0.02 * (quarter - last)))
+                phase
             }
         };
         before = Some(turned);
-        *last = before;
         if let Some(run) = runs.last_mut() {
             run.push((scales.frequency(point.r), turned.to_degrees()));
         }
     }
-    runs.retain(|run| 1 < run.len());
-    runs
+    folded(&runs)
 }
 
 const FULL: f64 = std::f64::consts::TAU;
 
-/// Returns the lines of one motion of a curve, one for each regime. Only one line has the name for the legend.
+/// Returns the lines of one motion of a curve, one for each regime. All have the name for the legend, which shows the
+/// colour alone if their strokes differ.
 #[must_use]
 pub fn lines(
     drawn: &Drawn<'_>,
@@ -186,17 +188,13 @@ pub fn lines(
 ) -> Vec<crate::Layer> {
     let mut layers: Vec<crate::Layer> = Vec::new();
     let traced = traced(drawn.curve, part, reading, scales);
-    let mut named = false;
     for regime in [Regime::Continuous, Regime::StickSlip, Regime::Stuck] {
         let of_regime = traced.iter().filter(|(of, _)| *of == regime);
         let runs: Vec<Vec<Point>> = of_regime.flat_map(|(_, runs)| runs.clone()).collect();
         if runs.iter().all(|run| run.len() < 2) {
             continue;
         }
-        let line = Line::unnamed(drawn.colour, stroke(regime), runs);
-        let name = (!named).then(|| drawn.name.clone());
-        named = true;
-        layers.push(Line { name, ..line }.into());
+        layers.push(Line::new(drawn.name.clone(), drawn.colour, stroke(regime), runs).into());
     }
     if !reading.is_phase() {
         // The amplitudes of a motion that does not settle scatter. Each of them is a piece with a single point, which
@@ -206,16 +204,12 @@ pub fn lines(
             .pieces
             .iter()
             .filter(|piece| piece.points.len() == 1);
-        let points = lone
-            .flat_map(|piece| &piece.points)
-            .filter(|point| !point.settled);
+        let points = lone.flat_map(|piece| piece.points.iter().map(move |point| (piece, point)));
         let placed: Vec<Point> = points
-            .filter_map(|point| {
-                let (size, _) = reading.polar(point, part)?;
-                Some((
-                    scales.frequency(point.r),
-                    reading.scaled(scales, point.r, size),
-                ))
+            .filter(|(_, point)| !point.settled)
+            .filter_map(|(piece, point)| {
+                let size = reading.size(piece, point, part, scales)?;
+                Some((scales.frequency(point.r), size))
             })
             .collect();
         if !placed.is_empty() {
@@ -268,17 +262,14 @@ pub fn panel(
 }
 
 fn phase_axis(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> Axis {
-    let (mut low, mut high) = (0.0_f64, 180.0_f64);
-    for drawn in drawn {
-        for (_, runs) in traced(drawn.curve, part, reading, scales) {
-            for (_, phase) in runs.into_iter().flatten() {
-                (low, high) = (low.min(phase), high.max(phase));
-            }
-        }
-    }
-    // The range is rounded outwards to eighths of a turn. A phase may differ from 0 and 180 by rounding.
-    let step = |value: f64| (value / 45.0).abs() - 1e-6;
-    let (low, high) = (-45.0 * step(low).ceil().max(0.0), 45.0 * step(high).ceil());
+    let traced = drawn
+        .iter()
+        .flat_map(|drawn| traced(drawn.curve, part, reading, scales));
+    let phases = traced
+        .flat_map(|(_, runs)| runs)
+        .flatten()
+        .map(|point| point.1);
+    let (low, high) = phase_ends(phases);
     Axis::new("phase *φ* (degrees)", low, high).degrees()
 }
 
@@ -291,15 +282,12 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
         let pole = pieces
             .iter()
             .any(|piece| piece.start == End::Pole || piece.end == End::Pole);
-        let read = |point: &CurvePoint| {
-            let (size, _) = reading.polar(point, part)?;
-            Some((point.r, reading.scaled(scales, point.r, size)))
-        };
         let points = || {
-            pieces
-                .iter()
-                .flat_map(|piece| &piece.points)
-                .filter_map(read)
+            pieces.iter().flat_map(|piece| {
+                let read =
+                    |point: &CurvePoint| Some((point.r, reading.size(piece, point, part, scales)?));
+                piece.points.iter().filter_map(read)
+            })
         };
         let most = points().fold(0.0, |most, (_, size)| size.max(most));
         let shown = if pole {
@@ -360,12 +348,14 @@ pub fn curve_figure(
         ));
         panels.push(panel(part.clone(), drawn, index, Reading::Phase, scales));
     }
-    Figure::new("", title, 2, panels).with_keys(keys())
+    let curves = drawn.iter().map(|drawn| drawn.curve);
+    Figure::new("", title, 2, panels).with_keys(keys_of(curves))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Reading, Scales, traced};
+    use super::{Drawn, Reading, Scales, curve_figure, traced};
+    use crate::Colour;
     use frictiongen::study::curve::CurveRequest;
     use frictiongen::{Of, System};
 
@@ -389,6 +379,45 @@ mod tests {
         let last = drawn.iter().flat_map(|(_, runs)| runs).flatten();
         let last = last.map(|(r, _)| *r).fold(0.0, f64::max);
         assert!((last - 20.0).abs() < 1e-9, "the phase ends at r = {last}");
+        Ok(())
+    }
+
+    /// Phases of a long chain, which lag by several turns, lie in (−180, 180] too. The legend lists the regimes that
+    /// occur.
+    #[test]
+    fn pictures_have_one_turn_and_their_own_regimes() -> Result<(), Box<dyn std::error::Error>> {
+        let chain: System = "struct Chain {
+            masses: { a: 1.0, b: 1.0, c: 1.0, d: 1.0, e: 1.0 },
+            springs: { base - a: 1.0, a - b: 1.0, b - c: 1.0, c - d: 1.0, d - e: 1.0 },
+            contact: a - wall, excitation: a, damping: modal(0.01),
+        }"
+        .parse()?;
+        let scales = Scales::groups(&chain);
+        let figure = |beta: f64| -> Result<_, frictiongen::study::curve::CurveError> {
+            let curve = chain.curve(&CurveRequest::new(0.7, 2.5, &[Of::Mass(4)]), beta)?;
+            let drawn = [Drawn {
+                curve: &curve,
+                name: "some".into(),
+                colour: Colour::Series(0),
+            }];
+            let phases = traced(&curve, 0, Reading::Phase, &scales);
+            let phases: Vec<f64> = phases
+                .iter()
+                .flat_map(|(_, runs)| runs.iter().flatten().map(|point| point.1))
+                .collect();
+            Ok((
+                phases,
+                curve_figure("", &drawn, &["e".into()], &scales).svg(),
+            ))
+        };
+        let (phases, svg) = figure(0.0)?;
+        let least = phases.iter().copied().fold(0.0, f64::min);
+        let most = phases.iter().copied().fold(0.0, f64::max);
+        assert!(-180.0 <= least && least < -90.0, "{least}");
+        assert!(90.0 < most && most < 180.1, "{most}");
+        assert!(svg.contains(">continuous<") && !svg.contains(">stuck<"));
+        let (_, svg) = figure(1e3)?;
+        assert!(svg.contains(">stuck<") && !svg.contains(">continuous<"));
         Ok(())
     }
 }

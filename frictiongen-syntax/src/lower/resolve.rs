@@ -198,6 +198,8 @@ impl<'s> Lowering<'s, '_> {
             String::new()
         } else if grounded && supports.contains(&"wall") {
             "; write `wall` for a support that never moves, or `base` for one that moves with the excitation".to_owned()
+        } else if grounded && supports.contains(&"base") {
+            "; write `base` for a base motion, or the name of a mass for a force on it".to_owned()
         } else {
             let candidates = self
                 .names

@@ -30,7 +30,8 @@ fn mass(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<MassEnt
                 kind: Kind::Number(text),
                 ..
             }) => format!(
-                "a mass needs a name before its value, for example `m1: {text}`; if this number is a decimal fraction, write a point instead of the comma"
+                "a mass needs a name before its value, for example `m1: {text}`{}",
+                reader.comma_hint()
             ),
             _ => format!(
                 "the name of a mass belongs here, not {}; write, for example, `m1: 1.0`",
@@ -138,8 +139,9 @@ fn node(
     let place = reader.place();
     reader.take_word().ok_or_else(|| {
         let message = format!(
-            "one side of {what} belongs here (a mass, `base` or `wall`), not {}; write, for example, `{example}`",
-            reader.found()
+            "one side of {what} belongs here (a mass, `base` or `wall`), not {}; write, for example, `{example}`{}",
+            reader.found(),
+            reader.comma_hint()
         );
         problems.report(place, message)
     })

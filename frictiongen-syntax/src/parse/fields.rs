@@ -102,8 +102,9 @@ fn field(
     let place = reader.place();
     let Some(word) = reader.take_word() else {
         let message = format!(
-            "the name of a field belongs here, not {}; write, for example, `stiction: 1.2`",
-            reader.found()
+            "the name of a field belongs here, not {}; write, for example, `stiction: 1.2`{}",
+            reader.found(),
+            reader.comma_hint()
         );
         return Err(problems.report(place, message));
     };
@@ -111,8 +112,8 @@ fn field(
         let message = format!("{}; delete this one", chain::ONE_CONTACT);
         return Err(problems.report(place, message));
     }
-    // If the field is unknown, a missing colon is not reported as a second error.
-    let field = recognise(&word, problems).ok_or(Reported)?;
+    // An unknown field gets no second error for a missing colon.
+    let field = recognise(&word, reader, problems).ok_or(Reported)?;
     reader.take_colon(problems, "the name of a field and its value")?;
     match field {
         Field::Masses => store(&mut fields.masses, &word, reader, problems, chain::masses),
@@ -179,12 +180,11 @@ fn field(
     }
 }
 
-/// Words for the arguments of a question, which do not belong into a description. Each group of words has its message.
-const ASKED: [(&[&str], &str); 3] = [
-    (
-        &["friction_force", "friction_ratio", "beta", "coulomb"],
-        stepping::HOW_MUCH,
-    ),
+/// Words for the amount of friction, which belongs to a request for an answer and not to a scene.
+const AMOUNTS: [&str; 4] = ["friction_force", "friction_ratio", "beta", "coulomb"];
+
+/// Other words that belong to a request, with the message for each.
+const ASKED: [(&[&str], &str); 2] = [
     (
         &["frequency", "frequency_ratio", "omega", "r"],
         "delete it here, and give the frequency ratio r = ω√(m₁/k₁) with each request, as in `Frame::at(0.9)` or `--r 0.9`",
@@ -194,8 +194,16 @@ const ASKED: [(&[&str], &str); 3] = [
 
 /// Returns the field that a word names. A misspelt word is reported and then read as the intended
 /// field, so that this field is not reported as missing too.
-fn recognise(word: &Name, problems: &mut Problems) -> Option<Field> {
+fn recognise(word: &Name, reader: &Reader<'_>, problems: &mut Problems) -> Option<Field> {
     let text = word.text.as_str();
+    if AMOUNTS.contains(&text) {
+        let message = stepping::how_much(reader.peek(1));
+        problems.report(
+            word.place,
+            format!("a scene has no field `{text}`; {message}"),
+        );
+        return None;
+    }
     if let Some((_, message)) = ASKED.iter().find(|(words, _)| words.contains(&text)) {
         problems.report(
             word.place,

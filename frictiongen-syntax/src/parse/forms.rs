@@ -1,10 +1,10 @@
 //! Parses the fields for damping and for the items to provide.
 
-use super::number::{Number, number};
+use super::number::{Number, hundredth, number};
 use super::reader::{Inside, List, Name, Read, Reader};
 use super::suggest;
 use super::syntax::{DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind};
-use super::token::Delimiter;
+use super::token::{Delimiter, Kind, Token};
 use crate::diagnostics::{Place, Problems, Reported};
 
 const DAMPING: [&str; 3] = ["none", "modal", "rayleigh"];
@@ -23,8 +23,9 @@ pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
     let place = reader.place();
     let Some(word) = reader.take_word() else {
         let message = format!(
-            "the damping is `none`, `modal(ζ)`, `modal[ζ1, ζ2]` or `rayleigh(a, b)`, not {}; write, for example, `modal(0.01)`",
-            reader.found()
+            "the damping is `none`, `modal(ζ)`, `modal[ζ1, ζ2]` or `rayleigh(a, b)`, not {}; write, for example, `modal({})`",
+            reader.found(),
+            ratio_for(reader).unwrap_or(0.01)
         );
         problems.report(place, message);
         return Read::lost();
@@ -55,6 +56,23 @@ pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
     }
 }
 
+/// Returns the damping ratio that a bare number most likely means: itself below 1, otherwise the ratio of a percentage.
+fn ratio_for(reader: &Reader<'_>) -> Option<f64> {
+    let Some(Token {
+        kind: Kind::Number(text),
+        ..
+    }) = reader.peek(0)
+    else {
+        return None;
+    };
+    let value: f64 = text.parse().ok()?;
+    Some(if reader.is_punct(1, '%') || value >= 1.0 {
+        hundredth(value)
+    } else {
+        value
+    })
+}
+
 fn modal(
     reader: &mut Reader<'_>,
     problems: &mut Problems,
@@ -76,7 +94,7 @@ fn modal(
         found => Err(problems.report(
             place,
             format!(
-                "`modal(…)` takes one damping ratio for all modes, not {}; for one ratio per mode, write square brackets, `modal[0.01, 0.02]`",
+                "`modal(…)` takes one damping ratio for all modes, not {}; for one ratio per mode, write square brackets, `modal[0.01, 0.02]`; a decimal fraction has a point, not a comma",
                 found.len()
             ),
         )),

@@ -9,7 +9,7 @@ mod fields;
 mod forms;
 pub(crate) mod header;
 mod lex;
-mod number;
+pub(crate) mod number;
 pub(crate) mod reader;
 mod stepping;
 pub(crate) mod suggest;

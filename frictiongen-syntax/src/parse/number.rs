@@ -15,7 +15,7 @@ pub(crate) struct Number {
 pub(crate) fn number(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Number> {
     let place = reader.place();
     let result = sum(reader, problems).and_then(|value| {
-        check_after(reader, problems)?;
+        check_after(reader, value, problems)?;
         Ok(value)
     });
     Read {
@@ -88,7 +88,7 @@ fn single(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repor
     if let Some(mut inside) = reader.take_group(Delimiter::Parenthesis) {
         let value = sum(&mut inside.reader, problems)?;
         if !inside.reader.is_empty() {
-            check_after(&mut inside.reader, problems)?;
+            check_after(&mut inside.reader, value, problems)?;
             let message = format!(
                 "{} does not belong in a number; delete it",
                 inside.reader.found()
@@ -133,23 +133,54 @@ fn single(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repor
 const NO_POWERS: &str =
     "there are no powers in a number; multiply instead, for example `2.0 * 2.0`";
 
-/// Reports frequent errors after a number, each with advice.
-fn check_after(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<(), Reported> {
+/// Reports frequent errors after the number `value`, with advice.
+fn check_after(
+    reader: &mut Reader<'_>,
+    value: f64,
+    problems: &mut Problems,
+) -> Result<(), Reported> {
     let Some(Token { kind, place }) = reader.peek(0) else {
         return Ok(());
     };
     let message = match kind {
         Kind::Punct('^') => NO_POWERS.to_owned(),
-        Kind::Punct('%') => {
-            "a percentage is written as a fraction, for example `0.01` for 1 %".to_owned()
-        }
-        // A name before a colon or a hyphen begins the next entry, so only a comma is missing.
-        Kind::Word(text) if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => format!(
-            "`{text}` does not belong after a number; delete it, because a description has no units (use a consistent set, for example kg and N/m)"
+        Kind::Punct('%') => format!(
+            "a percentage is written as a fraction; write `{}` for {value} %",
+            hundredth(value)
         ),
+        // A name before a colon or a hyphen begins the next entry, so only a comma is missing.
+        Kind::Word(text) if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => no_unit(text),
         _ => return Ok(()),
     };
     Err(problems.report(*place, message))
+}
+
+/// Returns the message for a unit after a number.
+fn no_unit(unit: &str) -> String {
+    format!(
+        "`{unit}` does not belong after a number; delete it, because a description has no units (use a consistent set, for example kg and N/m)"
+    )
+}
+
+/// Returns a hundredth of a number. The decimal point moves, so that 7 gives 0.07 without rounding.
+pub(crate) fn hundredth(value: f64) -> f64 {
+    format!("{value}e-2").parse().unwrap_or(value / 100.0)
+}
+
+/// Splits `1.5mm` into the number and its unit. A unit has only letters, and an exponent is none.
+fn unit_of(digits: &str) -> Option<&str> {
+    let end = digits.find(|sign: char| sign.is_ascii_alphabetic())?;
+    let (number, unit) = digits.split_at_checked(end)?;
+    let (number, unit) = match unit.strip_prefix(['e', 'E']) {
+        // In `2e6N` the first letter that is not part of the number comes after the exponent.
+        Some(rest) => {
+            let power = rest.find(|sign: char| sign.is_ascii_alphabetic())?;
+            digits.split_at_checked(number.len() + 1 + power)?
+        }
+        None => (number, unit),
+    };
+    let letters = unit.chars().all(|sign| sign.is_ascii_alphabetic());
+    (letters && number.parse::<f64>().is_ok()).then_some(unit)
 }
 
 fn literal(text: &str, place: Place, problems: &mut Problems) -> Result<f64, Reported> {
@@ -164,10 +195,11 @@ fn literal(text: &str, place: Place, problems: &mut Problems) -> Result<f64, Rep
         ));
     }
     let Ok(value) = digits.parse::<f64>() else {
-        return Err(problems.report(
-            place,
-            format!("`{text}` is not a decimal number; write, for example, `12.5` or `1.25e1`"),
-        ));
+        let message = unit_of(&digits).map_or_else(
+            || format!("`{text}` is not a decimal number; write, for example, `12.5` or `1.25e1`"),
+            no_unit,
+        );
+        return Err(problems.report(place, message));
     };
     let mantissa = digits.split(['e', 'E']).next().unwrap_or_default();
     let is_zero = !mantissa.contains(|digit: char| ('1'..='9').contains(&digit));

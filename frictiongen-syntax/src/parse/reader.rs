@@ -98,6 +98,16 @@ impl<'t> Reader<'t> {
             .map_or_else(|| "the end".to_owned(), Token::describe)
     }
 
+    /// Returns the advice for a number where a name belongs: `1,2` reads as two entries.
+    pub(crate) fn comma_hint(&self) -> &'static str {
+        match self.peek(0).map(|token| &token.kind) {
+            Some(Kind::Number(_)) => {
+                "; if this number is a decimal fraction, write a point instead of the comma"
+            }
+            _ => "",
+        }
+    }
+
     pub(crate) fn is_punct(&self, ahead: usize, sign: char) -> bool {
         self.peek(ahead).is_some_and(|token| token.is_punct(sign))
     }

@@ -9,11 +9,19 @@ use super::number::{Number, number};
 use super::reader::{Name, Read, Reader};
 use super::suggest;
 use super::syntax::{Choice, FrictionEntry, LawEntry, Placed};
-use super::token::Delimiter;
+use super::token::{Delimiter, Kind, Token};
 use crate::diagnostics::{Place, Problems, Reported};
 
-/// The message for a friction force in a description.
-pub(crate) const HOW_MUCH: &str = "delete it here, and give the friction ratio β = F/P with each request, as in `at.motion(0.3)` or `--beta 0.3`; the field `stiction` is μ, static over kinetic friction";
+/// Returns the advice for an amount of friction in a description. `amount` is its token.
+pub(crate) fn how_much(amount: Option<&Token>) -> String {
+    let force = match amount.map(|token| &token.kind) {
+        Some(Kind::Number(text)) => text.as_str(),
+        _ => "0.5",
+    };
+    format!(
+        "delete it here, and give the friction with each request: `--friction {force}` in N at the command, or the friction ratio β = F/P as in `--beta 0.3` or `at.motion(0.3)`; the field `stiction` is μ, static over kinetic friction"
+    )
+}
 
 /// Parses `coulomb` or `stribeck(v₁: f₁, …)`.
 pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<FrictionEntry> {
@@ -22,8 +30,9 @@ pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read
     let place = reader.place();
     let Some(word) = reader.take_word() else {
         let message = format!(
-            "the friction must be a law, not {}; {LAWS}; if the number is the amount of friction, {HOW_MUCH}",
-            reader.found()
+            "the friction must be a law, not {}; {LAWS}; if the number is the amount of friction, {}",
+            reader.found(),
+            how_much(reader.peek(0))
         );
         problems.report(place, message);
         return Read::lost();

@@ -329,8 +329,8 @@ impl SystemHeld<'_> {
 }
 
 impl SystemStepper<'_> {
-    /// Returns displacement and velocity of a motion now, in the scene's units. A spring force and the base shear are
-    /// over k₁. `None` if the scene has no such motion.
+    /// Returns displacement and velocity of a motion now, or a force and its derivative in time, in the scene's units.
+    /// `None` if the scene has no such motion.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(f64, f64)> {
         let system = self.system;
@@ -342,10 +342,16 @@ impl SystemStepper<'_> {
             return Some((contact.displacement(), contact.velocity()));
         }
         let terms = system.terms(of);
-        let (now, base) = (self.base(), terms.base.to_f64());
+        // The terms of a force are over k₁.
+        let first = system.scene.springs.first();
+        let unit = match of.is_force() {
+            true => first.map_or(1.0, |spring| spring.stiffness),
+            false => 1.0,
+        };
+        let (now, base) = (self.base(), terms.base.to_f64() * unit);
         let mut sum = (base * now.displacement(), base * now.velocity());
         for (mass, factor) in terms.masses {
-            let (now, factor) = (self.mass_at(mass), factor.to_f64());
+            let (now, factor) = (self.mass_at(mass), factor.to_f64() * unit);
             sum.0 += factor * now.displacement();
             sum.1 += factor * now.velocity();
         }

@@ -88,7 +88,13 @@ pub fn parts(
             return Err(domain(format_args!("{argument}: `{name}` is given twice")));
         }
         let part = Part::named(system, &name);
-        parts.push(part.map_err(|error| domain(format_args!("{argument}: {error}")))?);
+        let part = part.map_err(|error| domain(format_args!("{argument}: {error}")))?;
+        if part.has_rate() {
+            return Err(domain(format_args!(
+                "{argument}: `{name}`: write the motion alone; `curve(..., rates=True)` has velocities and accelerations"
+            )));
+        }
+        parts.push(part);
     }
     Ok(parts)
 }

@@ -78,6 +78,13 @@ impl Driven {
         });
         for (place, part) in parts.iter().enumerate() {
             columns.begin_part(&part.name);
+            if part.of.is_force() {
+                columns.converted(Head::of("force", Dimension::Force), move |row| {
+                    let [force, _] = row.driven.motions.get(place)?;
+                    force.get(row.index).copied()
+                });
+                continue;
+            }
             for (which, (name, dimension)) in [
                 ("displacement", Dimension::Length),
                 ("velocity", Dimension::Velocity),

@@ -73,7 +73,33 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head, Kind::Number, Box::new(move |row| convert(row).into()));
     }
 
-    /// Adds a column of numbers that `read` returns in the column's own unit.
+    /// Adds numbers that are known to lie within an interval, whose width `width` gives. `read` and `width` give groups.
+    /// Without a width, or with the width 0, all digits hold.
+    pub fn number_within(
+        &mut self,
+        head: impl Into<Head>,
+        read: impl Fn(&R) -> Option<f64> + 'a,
+        width: impl Fn(&R) -> Option<f64> + 'a,
+    ) {
+        let (head, measure) = (head.into(), self.measure);
+        let dimension = head.dimension;
+        let convert = move |row: &R, value: Option<f64>| {
+            Some(measure.convert(dimension, value?, row.omega()))
+        };
+        self.push(
+            head,
+            Kind::Number,
+            Box::new(move |row| {
+                let value = convert(row, read(row));
+                match (value, convert(row, width(row))) {
+                    (Some(value), Some(width)) if 0.0 < width => Cell::Within { value, width },
+                    _ => value.into(),
+                }
+            }),
+        );
+    }
+
+    /// Adds numbers that have their unit already.
     pub fn converted(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<f64> + 'a) {
         self.given(head, &[], read);
     }

@@ -7,7 +7,14 @@ use std::borrow::Cow;
 pub enum Cell<'a> {
     /// A number. It is never NaN and never −0.
     Number(f64),
-    /// A count, such as a number of stops.
+    /// A number that is known to lie within an interval of this width. A table for people shows the digits that hold.
+    Within {
+        /// The number.
+        value: f64,
+        /// Width of the interval, above 0.
+        width: f64,
+    },
+    /// A count.
     Count(usize),
     /// A word, such as the name of a regime.
     Word(Cow<'a, str>),
@@ -25,6 +32,7 @@ impl Cell<'_> {
     pub fn into_owned(self) -> Cell<'static> {
         match self {
             Self::Number(value) => Cell::Number(value),
+            Self::Within { value, width } => Cell::Within { value, width },
             Self::Count(value) => Cell::Count(value),
             Self::Word(word) => Cell::Word(Cow::Owned(word.into_owned())),
             Self::Flag(value) => Cell::Flag(value),
@@ -39,6 +47,10 @@ impl Cell<'_> {
         match self {
             Self::Word(word) => Cell::Word(Cow::Borrowed(word)),
             Self::Number(value) => Cell::Number(*value),
+            Self::Within { value, width } => Cell::Within {
+                value: *value,
+                width: *width,
+            },
             Self::Count(value) => Cell::Count(*value),
             Self::Flag(value) => Cell::Flag(*value),
             Self::Pairs(pairs) => Cell::Pairs(pairs.clone()),

@@ -52,6 +52,12 @@ impl Row for OptimumSensitivityRow {}
 
 impl Row for TunedPoint {}
 
+/// Returns the width of the interval that contains the best friction, if the search did not converge.
+fn unsure(optimum: &Optimum) -> Option<f64> {
+    let [from, to] = optimum.bracket;
+    (optimum.end != OptimumEnd::Converged).then_some(to - from)
+}
+
 impl<'a> OptimumTable<'a> {
     /// Returns the rows of the peaks.
     #[must_use]
@@ -109,10 +115,12 @@ impl<'a> OptimumTable<'a> {
         let mut columns = Columns::new(&self.setting.measure);
         let mut beta = "friction";
         if self.setting.measure.scale().is_some() {
-            columns.number(Head::of("friction", Force), |of: &Optimum| Some(of.beta));
+            let head = Head::of("friction", Force);
+            columns.number_within(head, |of: &Optimum| Some(of.beta), unsure);
             beta = "beta";
         }
-        columns.number(Head::new("beta").titled(&[beta]), |of| Some(of.beta));
+        let head = Head::new("beta").titled(&[beta]);
+        columns.number_within(head, |of| Some(of.beta), unsure);
         let part = self.setting.parts.first();
         let label = match part {
             Some(part) => format!("largest amplitude of {}", part.name),
@@ -131,6 +139,10 @@ impl<'a> OptimumTable<'a> {
         let head = Head::of("bracket_to", Force).titled(&["the least lies to"]);
         columns.number(head, |of| of.bracket.get(1).copied());
         columns.say_if(open);
+        let label = "largest amplitude beyond the jump";
+        let head = Head::of("beyond_jump", self.size()).titled(&[label]);
+        columns.number(head, |of| of.beyond_jump);
+        columns.say_if(|of| of.beyond_jump.is_some());
         columns.done()
     }
 

@@ -71,6 +71,9 @@ pub struct Optimum {
     /// Interval of β that contains the best friction, as far as the search refined it. Where the search did not refine
     /// between points of its scan, the bounds are the neighbours of the best point.
     pub bracket: [f64; 2],
+    /// Largest amplitude over the band just beyond the jump at which the search ended, as far as the search knows the
+    /// peaks there. `None` if it did not end at a jump.
+    pub beyond_jump: Option<f64>,
     /// Frequencies at which the largest amplitude is reached.
     pub peaks: Vec<OptimumPeak>,
     /// Friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. It is 0 without

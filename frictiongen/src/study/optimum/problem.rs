@@ -119,6 +119,9 @@ impl<'s> Problem<'s> {
             .map(|excess| flat::tolerance(band, least, *excess))
             .collect();
         let with_contact_locked = largest(Friction::Locked);
+        let beyond_jump = (least.end == End::Jump)
+            .then(|| beyond(band, least))
+            .flatten();
         Ok(Optimum {
             beta,
             amplitude: least.at.value,
@@ -134,6 +137,7 @@ impl<'s> Problem<'s> {
                 End::Spent => OptimumEnd::WorkSpent,
             },
             bracket: least.bracket,
+            beyond_jump,
             tolerances,
             peaks,
             unbounded_to: scan::unbounded_to(self.system, self.ends),
@@ -185,6 +189,18 @@ impl<'s> Problem<'s> {
         };
         peaks.iter().map(of).collect()
     }
+}
+
+/// Returns the largest amplitude at the ends of the bracket, if it is above that of the best friction. One of the ends
+/// is beyond the jump.
+fn beyond(band: &Band<'_>, least: &Least) -> Option<f64> {
+    let others = least
+        .bracket
+        .into_iter()
+        .filter(|beta| *beta != least.at.beta);
+    let values = others.map(|beta| scan::scanned_at(band, beta, f64::INFINITY).value);
+    let most = values.fold(f64::NAN, f64::max);
+    (least.at.value < most).then_some(most)
 }
 
 /// Returns two things: the value of `parameter`, and a peak's amplitude with its derivative by that parameter.

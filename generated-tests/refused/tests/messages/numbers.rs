@@ -193,4 +193,16 @@ struct Frame {
 }
 }
 
+mod case_618_unit_without_a_space {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27kg, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
 fn main() {}

@@ -240,4 +240,28 @@ struct Frame {
 }
 }
 
+mod case_421_spring_with_a_decimal_comma {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1,2e6, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
+mod case_422_excited_ground {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: ground,
+    damping: modal[0.010, 0.012],
+}
+}
+}
+
 fn main() {}

@@ -293,4 +293,16 @@ struct Frame {
 }
 }
 
+mod case_524_damping_by_a_percentage {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: 2 %,
+}
+}
+}
+
 fn main() {}

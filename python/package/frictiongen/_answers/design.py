@@ -17,6 +17,7 @@ class Optimum(Table):
     * `friction_N` and `beta`: the best friction.  `amplitude` (`amplitude_m`): the largest amplitude at this friction.
     * `kind`: the reason that limits the amplitude.  `end`: the way the search ended.
     * `bracket_from`, `bracket_to`: the frictions between which the least amplitude lies.
+    * `beyond_jump`: the largest amplitude beyond the jump at which the search ended.  NaN without a jump.
     * `without_friction`, `with_contact_locked`: the largest amplitudes in both extremes, for comparison.
     * `free_of_sticking`: the friction up to which nothing sticks.  `locked`: the friction from which on nothing slides.
 

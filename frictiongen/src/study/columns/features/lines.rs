@@ -13,6 +13,8 @@ use crate::study::{
 pub enum Ground {
     /// A closed form.
     Exact,
+    /// The monoharmonic formula (7.60), which is close to the peak but not equal to it.
+    Estimate,
     /// Interval arithmetic, which finds every feature of this type in the range.
     All,
     /// A search from closely spaced samples. It may miss one of two features that are closer than the samples.
@@ -25,6 +27,7 @@ impl Ground {
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",
+            Self::Estimate => "estimate",
             Self::All => words::certainty(Certainty::Proven),
             Self::Sampled => words::certainty(Certainty::SAMPLED),
         }
@@ -318,7 +321,7 @@ impl Own<'_, '_> {
             for peak in self.features.resonant_peaks(part.of, self.beta)? {
                 if let Some(estimate) = peak.estimate {
                     let mut line = self
-                        .line("peak by estimate", &part.name, Ground::Exact)
+                        .line("peak by estimate", &part.name, Ground::Estimate)
                         .with_amplitude(estimate)
                         .saying(format!("mode {}", peak.mode + 1));
                     line.r = Some(peak.resonance);

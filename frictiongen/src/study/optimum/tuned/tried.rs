@@ -70,6 +70,7 @@ impl Groups {
         optimum.beta *= self.beta;
         optimum.bracket = optimum.bracket.map(|beta| beta * self.beta);
         optimum.amplitude *= self.length;
+        optimum.beyond_jump = optimum.beyond_jump.map(|size| size * self.length);
         for peak in &mut optimum.peaks {
             peak.r *= self.r;
             peak.amplitude *= self.length;

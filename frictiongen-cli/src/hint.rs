@@ -1,0 +1,45 @@
+//! Advice for a number that cannot be read: a decimal comma, or a unit behind the number.
+
+/// Units that users append to numbers, with their power of ten in m, N, Hz or kg.
+const UNITS: [(&str, i32); 13] = [
+    ("m", 0),
+    ("mm", -3),
+    ("cm", -2),
+    ("um", -6),
+    ("µm", -6),
+    ("μm", -6),
+    ("N", 0),
+    ("mN", -3),
+    ("kN", 3),
+    ("Hz", 0),
+    ("kHz", 3),
+    ("rad/s", 0),
+    ("%", -2),
+];
+
+/// Returns the advice for a text that is not a number, to append to the message. It is empty if the text resembles none.
+pub fn of(text: &str) -> String {
+    let text = text.trim();
+    if let Some((whole, fraction)) = text.split_once(',') {
+        let meant = format!("{whole}.{fraction}");
+        return match meant.parse::<f64>() {
+            Ok(number) if number.is_finite() => {
+                format!("; write `{meant}`, because a decimal fraction has a point")
+            }
+            _ => String::new(),
+        };
+    }
+    for (unit, power) in UNITS {
+        let number = text.strip_suffix(unit).map(str::trim_end);
+        let Some(number) = number.filter(|number| number.parse::<f64>().is_ok()) else {
+            continue;
+        };
+        // The power of ten goes into the text, so that 1.2 mm gives 0.0012 without rounding.
+        let scaled = format!("{number}e{power}").parse::<f64>();
+        let scaled = scaled.map_or_else(|_| number.to_owned(), |scaled| scaled.to_string());
+        return format!(
+            "; write `{scaled}`, because numbers here are in N, m, Hz or rad/s, without a unit"
+        );
+    }
+    String::new()
+}
