@@ -78,7 +78,7 @@ pub fn driven(
     for (forces, label) in [(false, "displacement (m)"), (true, "force (N)")] {
         let tracks = driven.parts.iter().zip(&driven.motion.motions).enumerate();
         let tracks = tracks.filter(|(_, (part, _))| part.of.is_force() == forces);
-        let tracks: Vec<(usize, &Part, Vec<(f64, f64)>)> = tracks
+        let tracks: Vec<Track<'_>> = tracks
             .map(|(place, (part, [values, _]))| (place, part, track(values)))
             .collect();
         if tracks.is_empty() {
@@ -106,6 +106,9 @@ pub fn driven(
     let figure = Figure::new("", title, 1, panels).with_caption(Label::verbatim(&driven.account()));
     picture::write_with(figure, sketch_under_record(system.scene()), form, out)
 }
+
+/// Index, name and values over time of a motion.
+type Track<'d> = (usize, &'d Part, Vec<(f64, f64)>);
 
 /// Returns the upper end of an axis that contains all values of some tracks, on both sides of 0.
 fn edge<'t>(tracks: impl Iterator<Item = &'t [(f64, f64)]>) -> f64 {
