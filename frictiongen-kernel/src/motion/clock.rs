@@ -5,7 +5,7 @@ use crate::number::scalar::Float;
 
 /// A compensated sum of many numbers.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Total<S> {
+pub struct Total<S> {
     /// The sum, rounded.
     pub value: S,
     /// The accumulated rounding error of `value`.  The exact sum is the sum of both.

@@ -1,6 +1,6 @@
 //! Data of a scene for its motion in time: its modes, and the modes of the chain whose contact sticks.
 
-use super::contact::LOST_MODES;
+use super::contact::ContactChain;
 use crate::contact::sums::Chain;
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
@@ -25,12 +25,12 @@ pub struct HeldMode<S> {
 
 /// Data of a scene for its motion in time.  None of them depends on r or β.
 #[derive(Clone, Copy, Debug)]
-pub struct Dynamics<'a, S> {
-    /// Constants of the scene other than its modes.
-    pub chain: Chain<S>,
+pub struct Dynamics<'a, S, K = Chain<S>> {
+    /// Constants of the scene other than its modes.  Their type selects the law of the contact.
+    pub chain: K,
     /// All modes, with those that the contact drives first.
     pub modes: &'a [Mode<S>],
-    /// The modes of the stuck chain.  A rigid contact leaves one fewer than it drives.
+    /// The modes of the stuck chain.  There are as many as modes that the contact drives, less those that it loses while it sticks.
     pub held: &'a [HeldMode<S>],
     /// Participation factors of each mode that the contact drives in each mode of the stuck chain, for y and for u.
     pub participations: &'a [[S; 2]],
@@ -42,11 +42,17 @@ pub struct Dynamics<'a, S> {
     pub rubbing: Option<usize>,
 }
 
-impl<'a, S: Float> Dynamics<'a, S> {
+impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
+    /// Constants of the chain that do not belong to the law of its contact.
+    #[inline]
+    pub(crate) fn chain(&self) -> &Chain<S> {
+        self.chain.chain()
+    }
+
     /// Number of modes that the contact drives.
     #[must_use]
     pub fn in_contact(&self) -> usize {
-        self.held.len() + LOST_MODES
+        self.held.len() + K::LOST_MODES
     }
 
     /// Number of oscillators: the modes of the chain and those of the stuck chain.
@@ -77,7 +83,7 @@ impl<'a, S: Float> Dynamics<'a, S> {
 
     /// Returns true if this mass moves exactly as the contact does, because it rubs on a support at rest.
     pub(crate) fn moves_as_contact(&self, mass: usize) -> bool {
-        self.chain.on_moving_base.is_none() && self.rubbing == Some(mass)
+        self.chain().on_moving_base.is_none() && self.rubbing == Some(mass)
     }
 
     /// The modes of the stuck chain, each with the participation factors of all modes that the contact drives.

@@ -1,7 +1,7 @@
 //! One segment of the motion, from one event to the next.
 
 use super::clock::{moved, phase};
-use super::contact::{Contact, ContactState, End, Event, Outcome, Sought};
+use super::contact::{Contact, ContactChain, ContactState, End, Law, Outcome, Sought};
 use super::oscillator::{Part, advanced};
 use super::series::Sum;
 use super::setting::Setting;
@@ -9,8 +9,8 @@ use super::walk::{Start, Walk, first_reach, first_zero};
 use crate::number::scalar::Float;
 
 /// Searches for the next event from a contact state, as far as `reach`, and sets the oscillators to the segment.
-pub(crate) fn seek<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn seek<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
     stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
@@ -74,8 +74,8 @@ fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
 }
 
 /// Sets the oscillators to their state τ after the segment's start.  `to` is the excitation's phase then.
-pub(crate) fn place<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn place<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     (modes, stuck_modes): (&mut [Part<S>], &mut [Part<S>]),
     sought: &Sought<S>,
     tau: S,
@@ -94,13 +94,12 @@ pub(crate) fn place<S: Float>(
 }
 
 /// Derives the end of a segment after the oscillators have been set to it.
-pub(crate) fn ended<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn ended<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &[Part<S>],
     sought: &Sought<S>,
     to: (S, S),
 ) -> End<S> {
-    let law = setting.law();
     let mut end = quiet(sought.tau, sought.contact_state, sought.steps);
     match sought.outcome {
         Outcome::Goes => {}
@@ -109,37 +108,18 @@ pub(crate) fn ended<S: Float>(
             end.contact_state.wedged = true;
         }
         Outcome::Breaks(contact) => {
-            let slide = law.break_away(contact);
-            end.event = Some(Event::Slip);
-            end.contact_state = setting.sliding_away(end.contact_state.t, slide);
             end.slope = sought.slope;
-            end.jump = contact.sign::<S>() * slide.excess;
+            K::break_away(setting, contact, &mut end);
         }
-        Outcome::Halts => {
-            let before = sought.contact_state.contact;
-            let force = setting.holding(modes, to);
-            end.slope = setting.acceleration(force - law.kinetic(before));
-            let Some(slide) = law.leave_rest(force) else {
-                end.event = Some(Event::Stop);
-                end.contact_state.contact = Contact::Stuck;
-                end.jump = law.kinetic(before) - force;
-                return end;
-            };
-            // In the direction of sliding, the velocity only touched zero.
-            if slide.contact != before {
-                end.event = Some(Event::Reversal);
-                end.jump = law.kinetic(before) - law.kinetic(slide.contact);
-            }
-            end.contact_state = setting.sliding_away(end.contact_state.t, slide);
-        }
+        Outcome::Halts => K::halt(setting, modes, to, &mut end),
     }
     end
 }
 
 /// Distance from a contact state to the next event, at most `reach`.  It is 0 where the contact cannot leave zero
 /// velocity.
-pub(crate) fn span<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn span<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
     stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
@@ -153,8 +133,8 @@ pub(crate) fn span<S: Float>(
 }
 
 /// Advances from a contact state to the next event, or as far as `reach`.
-pub(crate) fn leap<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn leap<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
     stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,

@@ -8,18 +8,19 @@ use super::shooting::{Settled, settle};
 use super::start::Start;
 use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain, Slice};
-use crate::motion::{ContactState, Dynamics, Part, STUCK_MULTIPLIERS, Setting, leap};
+use crate::motion::{ContactChain, ContactState, Dynamics, Law, Part, Setting, leap};
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Plain};
 use crate::oscillator::mode::{Kind, Mode};
 use core::f64::consts::FRAC_PI_4;
 
-impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
+impl<'a, S, P, V, C, K> Orbit<'a, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     /// Computes the steady state at r and β that is reached from a start at a maximum of the excitation.  `sliding` is
     /// β*_lim, from which on the motion may end with the contact stuck.
@@ -35,7 +36,7 @@ where
         reason = "one question and the room for its answer"
     )]
     pub fn new(
-        dynamics: Dynamics<'a, S>,
+        dynamics: Dynamics<'a, S, K>,
         r: S,
         beta: S,
         sliding: S,
@@ -162,8 +163,8 @@ where
 }
 
 /// Fails if the load drives a mode for ever that neither damping nor the contact dissipates.
-fn settles<S: Float>(
-    dynamics: &Dynamics<'_, S>,
+fn settles<S: Float, K: ContactChain<S>>(
+    dynamics: &Dynamics<'_, S, K>,
     mode: &Mode<S>,
     index: usize,
 ) -> Result<(), NoOrbit> {
@@ -190,8 +191,8 @@ fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
 
 /// Sets the state in which the contact never slides (6.11, 6.27, 6.33).  Every mode of the stuck chain is in its steady
 /// motion, with z̄ fixed at `offset`.
-pub(super) fn stuck<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn stuck<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     offset: S,
 ) -> Result<Found<S>, NoOrbit> {
@@ -213,8 +214,8 @@ pub(super) fn stuck<S: Float>(
     let two_pi = S::pi() + S::pi();
     let mut out = workspace.multipliers.iter_mut();
     // The array has to be the first argument of `zip`.  Otherwise `zip` would take one more multiplier and drop it.
-    for (re, out) in STUCK_MULTIPLIERS.into_iter().zip(out.by_ref()) {
-        *out = Complex::new(S::constant(re), zero);
+    for (re, out) in K::STUCK_MULTIPLIERS.iter().zip(out.by_ref()) {
+        *out = Complex::new(S::constant(*re), zero);
     }
     for part in cycle_map.stuck_modes.iter() {
         for multiplier in part.multipliers(two_pi) {
@@ -233,8 +234,8 @@ pub(super) fn stuck<S: Float>(
 }
 
 /// Sets every mode to its steady motion, for β = 0.
-fn linear<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn linear<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
 ) -> Result<Found<S>, NoOrbit> {
     let at = (S::constant(0.0), S::constant(1.0));
@@ -257,8 +258,8 @@ fn linear<S: Float>(
 }
 
 /// Sets the modes that the contact does not touch to their steady motion.
-pub(super) fn settle_free<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn settle_free<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     at: (S, S),
 ) -> Result<(), NoOrbit> {
     let driven = cycle_map.setting.dynamics.in_contact();
@@ -269,8 +270,8 @@ pub(super) fn settle_free<S: Float>(
 }
 
 /// Advances to the first event of a period.  A period without an event leaves the contact state as it was.
-pub(super) fn to_event<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn to_event<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     period: u32,
 ) -> Result<(), NoOrbit> {
     let section: ContactState<S> = cycle_map.contact_state;
@@ -300,8 +301,8 @@ pub(super) fn to_event<S: Float>(
 
 /// Returns true if half a period takes the state to its opposite.  For an even number of cycles the load has the same
 /// sign half a period later, so no state is opposite.
-fn is_symmetric<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn is_symmetric<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     period: u32,
 ) -> Result<bool, NoOrbit> {

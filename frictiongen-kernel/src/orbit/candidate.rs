@@ -4,7 +4,7 @@ use super::cycle_map::{CycleMap, Pattern};
 use super::newton::{Map, Workspace, multipliers, newton, same};
 use super::{closed, continuum};
 use crate::errors::NoOrbit;
-use crate::motion::ContactState;
+use crate::motion::{ContactChain, ContactState};
 use crate::number::scalar::Float;
 
 /// Distance from the unit circle, in roundings, below which a multiplier counts as on the circle.
@@ -96,9 +96,9 @@ pub(super) struct Candidate<S> {
 }
 
 impl<S: Float> Candidate<S> {
-    pub fn try_from(
+    pub fn try_from<K: ContactChain<S>>(
         &mut self,
-        cycle_map: &mut CycleMap<'_, '_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
         workspace: &mut Workspace<'_, S>,
     ) -> Result<Verdict<S>, NoOrbit> {
         let Some(pattern) = newton(cycle_map, workspace, self.map)? else {
@@ -137,9 +137,9 @@ impl<S: Float> Candidate<S> {
 
     /// Returns true if the motion keeps its pattern and approaches the fixed point as fast as the multipliers predict.
     /// At the call the cycle map is at the fixed point.  With μ > 1 other steady states may be close.
-    fn attracts(
+    fn attracts<K: ContactChain<S>>(
         &mut self,
-        cycle_map: &mut CycleMap<'_, '_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
         workspace: &mut Workspace<'_, S>,
         largest: S,
     ) -> Result<bool, NoOrbit> {
@@ -184,9 +184,9 @@ impl<S: Float> Candidate<S> {
     }
 
     /// Tests a steady state with steady neighbours.  The motion itself must select the member.
-    fn marginal(
+    fn marginal<K: ContactChain<S>>(
         &self,
-        cycle_map: &mut CycleMap<'_, '_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
         workspace: &mut Workspace<'_, S>,
         far: S,
         scale: S,

@@ -12,7 +12,7 @@ use super::newton::{Map, Workspace, newton};
 use super::record::{Record, Recorded};
 use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain, Ratio, Slice};
-use crate::motion::{Contact, Dynamics, Part, SUM_ROUNDINGS, Setting};
+use crate::motion::{Contact, ContactChain, Dynamics, Law, Part, SUM_ROUNDINGS, Setting};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
@@ -88,21 +88,22 @@ pub struct CarryingStorage<'m, S, P, V, C> {
     pub multipliers: C,
 }
 
-impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
+impl<'a, S, P, V, C, K> Orbit<'a, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     /// Computes the steady state `plain` over a scalar that carries derivatives.  `dynamics`, r and β belong to the
     /// same scene, and their values equal those of `plain`.
     ///
     /// # Errors
     /// [`NoDerivative`] gives the reason why no derivatives exist.  Slices of a wrong length give `OutOfDomain`.
-    pub fn carrying<T, Q, W, D>(
-        plain: &Orbit<'_, T, Q, W, D>,
-        dynamics: Dynamics<'a, S>,
+    pub fn carrying<T, Q, W, D, J>(
+        plain: &Orbit<'_, T, Q, W, D, J>,
+        dynamics: Dynamics<'a, S, K>,
         (r, beta): (S, S),
         storage: CarryingStorage<'_, S, P, V, C>,
     ) -> Result<Self, NoDerivative>
@@ -111,6 +112,7 @@ where
         Q: AsRef<[Part<T>]> + Clone + AsMut<[Part<T>]>,
         W: AsRef<[T]> + AsMut<[T]>,
         D: AsRef<[Complex<T>]> + AsMut<[Complex<T>]>,
+        J: ContactChain<T>,
     {
         let CarryingStorage {
             mut parts,
@@ -240,9 +242,9 @@ where
 
     /// Sets a cycle map over another scalar to this steady state, at the middle of the longest segment that slides.
     /// `masses` has room for displacements and velocities.
-    fn set_state<U: Float>(
+    fn set_state<U: Float, J: ContactChain<U>>(
         &self,
-        cycle_map: &mut CycleMap<'_, '_, U>,
+        cycle_map: &mut CycleMap<'_, '_, U, J>,
         masses: &mut [U],
     ) -> Result<(), NoDerivative> {
         let (half, two) = (S::constant(0.5), S::constant(2.0));
@@ -316,8 +318,8 @@ where
 
 /// Closes the cycle over a scalar that carries derivatives, from the state of the cycle map.  The first Newton step
 /// brings the derivative to the value's precision, and the second to the scalar's.
-fn closed_in<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn closed_in<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     map: Map,
 ) -> Result<(), NoDerivative> {

@@ -9,6 +9,7 @@ use super::cycle_map::unit;
 use super::matrix::Matrix;
 use super::newton::Workspace;
 use crate::errors::NoOrbit;
+use crate::motion::ContactChain;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
@@ -27,8 +28,8 @@ const SHIFT: f64 = 1e-8;
 /// result is the ratio of the last member's share to this member's share.  `monotone` states that μ = 1.  With μ > 1 a
 /// stop does not shrink, because the contact sticks until the force has grown.  Only a motion without a stop is then a
 /// member.
-pub(super) fn member<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn member<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     monotone: bool,
 ) -> Result<S, NoOrbit> {
@@ -65,8 +66,8 @@ pub(super) fn member<S: Float>(
     }
     // The search is for the largest share, up to the motion's own, that needs no stop.
     cycle_map.save(workspace.other);
-    let shifted = |cycle_map: &mut CycleMap<'_, '_, S>, share: S| -> Result<bool, NoOrbit> {
-        let set = |cycle_map: &mut CycleMap<'_, '_, S>| {
+    let shifted = |cycle_map: &mut CycleMap<'_, '_, S, K>, share: S| -> Result<bool, NoOrbit> {
+        let set = |cycle_map: &mut CycleMap<'_, '_, S, K>| {
             let states = pairs(workspace.other).zip(pairs(workspace.state));
             for (part, (from, along)) in cycle_map.modes.iter_mut().zip(states) {
                 if let ([y, u], [dy, du]) = (from, along) {

@@ -1,7 +1,7 @@
 //! The motion over half a cycle or a whole one, from a section at a fixed phase of the excitation.
 
 use crate::errors::{NoOrbit, OutOfDomain};
-use crate::motion::{Contact, ContactState, Event, Part, Setting, carry_deviations, leap};
+use crate::motion::{Contact, ContactChain, ContactState, Event, Part, Setting, leap};
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
@@ -49,8 +49,8 @@ impl Pattern {
 }
 
 /// The state at the section, with the data that advance it.
-pub(super) struct CycleMap<'f, 'a, S> {
-    pub setting: &'f Setting<'a, S>,
+pub(super) struct CycleMap<'f, 'a, S, K> {
+    pub setting: &'f Setting<'a, S, K>,
     pub modes: &'f mut [Part<S>],
     pub stuck_modes: &'f mut [Part<S>],
     pub contact_state: ContactState<S>,
@@ -62,7 +62,7 @@ pub(super) struct CycleMap<'f, 'a, S> {
     pub step_budget: u32,
 }
 
-impl<S: Float> CycleMap<'_, '_, S> {
+impl<S: Float, K: ContactChain<S>> CycleMap<'_, '_, S, K> {
     /// Number of scalars in a state.
     pub(super) fn size(&self) -> usize {
         2 * self.setting.dynamics.in_contact()
@@ -112,7 +112,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
                 self.middle = (tau - left + end.tau * S::constant(0.5)) * S::inverse_pi();
             }
             if let Some(columns) = &mut columns {
-                carry_deviations(
+                K::carry_deviations(
                     self.setting,
                     (&*self.modes, &mut *self.stuck_modes),
                     &contact_state,

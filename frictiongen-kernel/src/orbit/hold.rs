@@ -6,7 +6,7 @@
 
 use super::cycle_map::{CycleMap, Pattern};
 use super::types::MAX_CYCLES;
-use crate::motion::{Contact, phase};
+use crate::motion::{Contact, ContactChain, Law, phase};
 use crate::number::scalar::Float;
 
 /// Half cycles without an event after which a contact counts as stuck, although its free vibration might still add up
@@ -56,7 +56,10 @@ impl<S: Float> Hold<S> {
     }
 
     /// z̄ of a contact that sticks and never slides again, if that is certain, or [counts as certain](QUIET).
-    pub(super) fn lasting_offset(&mut self, cycle_map: &mut CycleMap<'_, '_, S>) -> Option<S> {
+    pub(super) fn lasting_offset<K: ContactChain<S>>(
+        &mut self,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
+    ) -> Option<S> {
         let setting = cycle_map.setting;
         let contact_state = cycle_map.contact_state;
         let far = S::constant(f64::MAX);

@@ -39,7 +39,7 @@ pub use start::Start;
 pub use states::States;
 pub use types::{MAX_CYCLES, MAX_SEGMENTS, MAX_STEPS, Orbit};
 
-use crate::motion::{Contact, Part};
+use crate::motion::{Contact, ContactChain, Law, Part};
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 use segments::Segments;
@@ -65,19 +65,20 @@ pub type FixedOrbitMotion<
     const MULTIPLIERS: usize,
 > = OrbitMotion<'o, 'static, S, [Part<S>; PARTS], [S; NUMBERS], [Complex<S>; MULTIPLIERS]>;
 
-impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
+impl<'a, S, P, V, C, K> Orbit<'a, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     fn marks(&self) -> &[SegmentStart<S>] {
         self.marks.get(..self.count).unwrap_or_default()
     }
 
     /// Returns the segments of the period, one after the other.
-    fn segments(&self) -> Segments<'_, 'a, S, P, V, C> {
+    fn segments(&self) -> Segments<'_, 'a, S, P, V, C, K> {
         Segments::from(self, 0)
     }
 
@@ -261,12 +262,12 @@ where
     }
 
     /// The relative motion in the contact.
-    pub fn contact(&self) -> OrbitMotion<'_, 'a, S, P, V, C> {
+    pub fn contact(&self) -> OrbitMotion<'_, 'a, S, P, V, C, K> {
         OrbitMotion::of_contact(self)
     }
 
     /// The motion of a mass, by its index in the description.  An index without a mass gives rest.
-    pub fn mass(&self, index: usize) -> OrbitMotion<'_, 'a, S, P, V, C> {
+    pub fn mass(&self, index: usize) -> OrbitMotion<'_, 'a, S, P, V, C, K> {
         let dynamics = &self.setting.dynamics;
         if dynamics.moves_as_contact(index) {
             self.contact()
@@ -276,7 +277,7 @@ where
     }
 
     /// The motion of a mass, by its index in the description, or `None` if there is no such mass.
-    pub fn mass_at(&self, index: usize) -> Option<OrbitMotion<'_, 'a, S, P, V, C>> {
+    pub fn mass_at(&self, index: usize) -> Option<OrbitMotion<'_, 'a, S, P, V, C, K>> {
         let known = !self.setting.dynamics.shape(index).is_empty();
         known.then(|| self.mass(index))
     }

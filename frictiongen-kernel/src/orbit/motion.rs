@@ -4,7 +4,8 @@ use super::gauss::{PANEL, SIXTEEN};
 use super::rates;
 use super::segments::Segments;
 use super::types::{Orbit, SegmentStart};
-use crate::motion::{Contact, Part, Sum, lift, rotated};
+use crate::contact::sums::Chain;
+use crate::motion::{Contact, ContactChain, Part, Sum, lift, rotated};
 use crate::number::complex::{self, Complex};
 use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
@@ -16,18 +17,18 @@ const SAME_LAG: f64 = 1e-9;
 
 /// The steady motion of the contact or of a mass, in an [`Orbit`].
 #[derive(Debug)]
-pub struct OrbitMotion<'o, 'a, S, P, V, C> {
-    orbit: &'o Orbit<'a, S, P, V, C>,
+pub struct OrbitMotion<'o, 'a, S, P, V, C, K = Chain<S>> {
+    orbit: &'o Orbit<'a, S, P, V, C, K>,
     /// Components of the mass in the mode shapes, or `None` for the contact.
     shape: Option<&'a [S]>,
 }
 
-impl<S, P, V, C> Clone for OrbitMotion<'_, '_, S, P, V, C> {
+impl<S, P, V, C, K> Clone for OrbitMotion<'_, '_, S, P, V, C, K> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<S, P, V, C> Copy for OrbitMotion<'_, '_, S, P, V, C> {}
+impl<S, P, V, C, K> Copy for OrbitMotion<'_, '_, S, P, V, C, K> {}
 
 /// Upper bound on the panels of a segment over which a harmonic is integrated.
 const MOST_PANELS: f64 = (1_u32 << 14) as f64;
@@ -38,18 +39,19 @@ struct Best<S> {
     lag: Option<S>,
 }
 
-impl<'o, 'a, S, P, V, C> OrbitMotion<'o, 'a, S, P, V, C>
+impl<'o, 'a, S, P, V, C, K> OrbitMotion<'o, 'a, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
-    pub(super) fn of_contact(orbit: &'o Orbit<'a, S, P, V, C>) -> Self {
+    pub(super) fn of_contact(orbit: &'o Orbit<'a, S, P, V, C, K>) -> Self {
         Self { orbit, shape: None }
     }
 
-    pub(super) fn of_mass(orbit: &'o Orbit<'a, S, P, V, C>, shape: &'a [S]) -> Self {
+    pub(super) fn of_mass(orbit: &'o Orbit<'a, S, P, V, C, K>, shape: &'a [S]) -> Self {
         Self {
             orbit,
             shape: Some(shape),

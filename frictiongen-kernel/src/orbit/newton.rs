@@ -3,7 +3,7 @@
 use super::cycle_map::{CycleMap, Pattern, unit};
 use super::matrix::Matrix;
 use crate::errors::NoOrbit;
-use crate::motion::{Contact, ContactState};
+use crate::motion::{Contact, ContactChain, ContactState};
 use crate::number::complex::{self, Complex};
 use crate::number::pairs::pairs_mut;
 use crate::number::scalar::Float;
@@ -74,8 +74,8 @@ impl Map {
 
 /// Applies Newton's method from the state of the cycle map.  Returns the pattern of the map, with the cycle map at the
 /// fixed point, or `None` if the method does not converge.
-pub(super) fn newton<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn newton<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     map: Map,
 ) -> Result<Option<Pattern>, NoOrbit> {
@@ -146,8 +146,8 @@ pub(super) fn newton<S: Float>(
 }
 
 /// Applies the map to the state and its deviations.  Returns the contact's state after the map, and the pattern.
-pub(super) fn mapped<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn mapped<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     columns: &mut [S],
     map: Map,
 ) -> Result<(Contact, Pattern), NoOrbit> {
@@ -172,8 +172,8 @@ pub(super) fn negate<S: Float>(numbers: &mut [S]) {
 
 /// Computes the multipliers of the period, for a cycle map at a fixed point, where it stays.  Returns the largest
 /// modulus of the map's multipliers.
-pub(super) fn multipliers<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn multipliers<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     map: Map,
 ) -> Result<S, NoOrbit> {

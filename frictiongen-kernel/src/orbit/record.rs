@@ -7,7 +7,7 @@ use super::cycle_map::CycleMap;
 use super::newton::agreement;
 use super::types::{MAX_SEGMENTS, SegmentStart};
 use crate::errors::NoOrbit;
-use crate::motion::{Contact, ContactState, Event, leap};
+use crate::motion::{Contact, ContactChain, ContactState, Event, leap};
 use crate::number::scalar::Float;
 
 /// A record in progress.
@@ -60,7 +60,11 @@ impl<'s, S: Float> Record<'s, S> {
     }
 
     /// Records a contact that sticks for the whole cycle, with z̄ at `offset`.
-    pub(super) fn stuck(&mut self, cycle_map: &CycleMap<'_, '_, S>, offset: S) {
+    pub(super) fn stuck<K: ContactChain<S>>(
+        &mut self,
+        cycle_map: &CycleMap<'_, '_, S, K>,
+        offset: S,
+    ) {
         if let Some(first) = self.marks.first_mut() {
             first.length = S::pi() + S::pi();
             first.relative = offset;
@@ -70,9 +74,9 @@ impl<'s, S: Float> Record<'s, S> {
     }
 
     /// Follows the motion from event to event through a period of `period` cycles, and records its segments.
-    pub(super) fn follow(
+    pub(super) fn follow<K: ContactChain<S>>(
         &mut self,
-        cycle_map: &mut CycleMap<'_, '_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
         period: u32,
     ) -> Result<(), NoOrbit> {
         let zero = S::constant(0.0);
@@ -105,7 +109,11 @@ impl<'s, S: Float> Record<'s, S> {
     }
 
     /// Returns the segment that begins.  Its state is stored if it will have a mark.
-    fn begin(&mut self, cycle_map: &CycleMap<'_, '_, S>, cycle: S) -> SegmentStart<S> {
+    fn begin<K: ContactChain<S>>(
+        &mut self,
+        cycle_map: &CycleMap<'_, '_, S, K>,
+        cycle: S,
+    ) -> SegmentStart<S> {
         if self.is_due() {
             if self.count == MAX_SEGMENTS {
                 self.thin();
@@ -180,7 +188,7 @@ impl<'s, S: Float> Record<'s, S> {
         self.stride += self.stride;
     }
 
-    fn save(&mut self, cycle_map: &CycleMap<'_, '_, S>, index: usize) {
+    fn save<K: ContactChain<S>>(&mut self, cycle_map: &CycleMap<'_, '_, S, K>, index: usize) {
         let size = self.size;
         if let Some(state) = self.states.get_mut(index * size..(index + 1) * size) {
             cycle_map.save(state);

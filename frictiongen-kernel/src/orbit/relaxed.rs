@@ -10,7 +10,7 @@ use super::cycle_map::{CycleMap, unit};
 use super::matrix::Matrix;
 use super::newton::{Map, Workspace, mapped, negate};
 use crate::errors::NoOrbit;
-use crate::motion::Contact;
+use crate::motion::{Contact, ContactChain};
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
@@ -32,8 +32,8 @@ const LARGEST_SHIFT: f64 = 64.0;
 const NEAR: f64 = 1e-11;
 
 /// Moves the cycle map towards the symmetric fixed point of one cycle.  `last` has room for a state.
-pub(super) fn relax<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn relax<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     last: &mut [S],
 ) -> Result<(), NoOrbit> {
@@ -60,8 +60,8 @@ pub(super) fn relax<S: Float>(
 }
 
 /// Makes a step from `last`.  Returns false if Newton's method does not find the step.
-fn step<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn step<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     last: &[S],
     shift: S,

@@ -9,6 +9,7 @@ use super::relaxed::relax;
 use super::start::Start;
 use super::types::MAX_CYCLES;
 use crate::errors::NoOrbit;
+use crate::motion::{ContactChain, Law};
 use crate::number::scalar::Float;
 
 /// Upper bound on the cycles followed from a start that may be near a steady state: the stuck state, a closed form, a
@@ -48,8 +49,8 @@ pub(super) enum Settled<S> {
 ///
 /// `holding` is |V/H| where β is large enough for a stuck state, else `None`.  At most `most` cycles are followed.
 /// `spare` has room for a state.
-pub(super) fn settle<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn settle<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     holding: Option<S>,
     most: u32,
@@ -147,8 +148,8 @@ pub(super) fn settle<S: Float>(
 
 /// Finds the one steady state of μ = 1 that a motion approaches too slowly to be followed.  Without success the cycle
 /// map stays on the motion.
-fn slow<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn slow<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     [last, before, ..]: [Pattern; 4],
     spare: &mut [S],
@@ -178,8 +179,8 @@ fn slow<S: Float>(
 
 /// Finds a steady state near the motion that repeats after several cycles.  Without success the cycle map stays on the
 /// motion.
-fn several<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn several<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     cycles: &mut u32,
     mut failure: NoOrbit,
@@ -237,8 +238,8 @@ fn several<S: Float>(
 /// The number of cycles, fewer than `period`, after which the fixed point already repeats, if there is one.  A free
 /// vibration that decays slowly comes back to itself and looks like a longer period.  The cycle map is at the fixed
 /// point, and stays there.
-fn repeats_sooner<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn repeats_sooner<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     period: u32,
 ) -> Result<Option<u32>, NoOrbit> {
@@ -260,8 +261,8 @@ fn repeats_sooner<S: Float>(
 /// Finds the number of cycles, more than `after` and at most `most`, after which the motion comes back close to its
 /// present state.  After fewer cycles the motion must not come back as close.  Returns the number with the pattern of
 /// events on the way.
-fn comes_back<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn comes_back<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     cycles: &mut u32,
     after: u32,

@@ -2,13 +2,14 @@
 //! elsewhere.
 
 use super::interval::Interval;
+use super::law::StepContact;
 use crate::motion::Contact;
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
     /// Advances through the sub-interval.
     pub(super) fn advance(&mut self) {
-        if self.status.law.level.is_zero() {
+        if self.status.level.is_zero() {
             return self.advance_without_friction();
         }
         self.advance_by_tables(self.driven());

@@ -1,9 +1,10 @@
 //! The input between two samples, as a polynomial over each sub-interval of a step.
 
 use super::input::Input;
+use super::law::StepContact;
 use super::scene::StepScene;
 use crate::errors::{Given, OutOfDomain};
-use crate::motion::Rigid;
+use crate::motion::Law;
 use crate::number::scalar::Float;
 
 /// The input at one instant, in the scene's units.
@@ -20,7 +21,11 @@ pub struct Sample<'i, S> {
 
 impl<S: Float> Sample<'_, S> {
     /// Fails if the sample is outside the scene's domain.
-    pub(super) fn check(&self, scene: &StepScene<'_, S>, law: Rigid<S>) -> Result<(), OutOfDomain> {
+    pub(super) fn check<K: StepContact<S>>(
+        &self,
+        scene: &StepScene<'_, S, K>,
+        stiction: S,
+    ) -> Result<(), OutOfDomain> {
         let (_, limit) = S::inverse_ratio_range();
         let most = limit * scene.units.stiffness;
         let energy = limit * limit * scene.units.stiffness;
@@ -45,10 +50,7 @@ impl<S: Float> Sample<'_, S> {
             return Err(OutOfDomain::BaseMotion(Given::of(velocity)));
         }
         let friction = self.friction;
-        let law = Rigid {
-            level: friction,
-            ..law
-        };
+        let law = scene.dynamics.chain.law_with(friction, stiction);
         if !(S::constant(0.0) <= friction && sound(friction) && sound(law.grip())) {
             return Err(OutOfDomain::Friction(Given::of(friction)));
         }

@@ -1,6 +1,7 @@
 //! A stepper within one sub-interval of a step.
 
 use super::drive::shift;
+use super::law::StepContact;
 use super::scene::StepScene;
 use super::state::{Status, StoreMut};
 use super::table::View;
@@ -12,8 +13,8 @@ pub(super) const ROUNDINGS: f64 = 8.0;
 pub(super) const OFF_CHORD: f64 = 0.125;
 
 /// A stepper within one sub-interval of a step.
-pub(super) struct Interval<'t, 'a, S, const D: usize> {
-    pub scene: &'t StepScene<'a, S>,
+pub struct Interval<'t, 'a, S, const D: usize, K> {
+    pub scene: &'t StepScene<'a, S, K>,
     pub table: View<'t, S, D>,
     pub store: StoreMut<'t, S, D>,
     pub status: &'t mut Status<S>,
@@ -36,9 +37,15 @@ pub(super) struct Departure<S> {
     pub stuck: Option<S>,
 }
 
-impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
     pub(super) fn driven(&self) -> usize {
         self.scene.dynamics.in_contact().min(self.store.modes.len())
+    }
+
+    /// The law of the contact, with forces over k₁.
+    #[inline]
+    pub(super) fn law(&self) -> K::Law {
+        self.status.law(self.scene)
     }
 
     pub(super) fn terms(&self) -> usize {

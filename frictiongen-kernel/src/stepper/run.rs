@@ -3,12 +3,13 @@
 use super::Input;
 use super::drive::{Sample, Stretch, base_motion};
 use super::interval::Interval;
+use super::law::StepContact;
 use super::scene::StepScene;
 use super::state::{Status, Store};
 use super::table::Tables;
 use super::types::{Stepped, Stepper};
 use crate::errors::{Given, OutOfDomain};
-use crate::motion::{Contact, Rigid, steepest};
+use crate::motion::{Contact, steepest};
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
@@ -16,7 +17,9 @@ use core::marker::PhantomData;
 /// velocity.  Under a steeper law a power series converges over a small fraction of the sub-interval only.
 const STEEPEST: f64 = 16.0;
 
-impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, S, D, T, V> {
+impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+    Stepper<'a, S, D, T, V, K>
+{
     /// Creates a stepper at rest under no load, or in a given state: displacements and velocities of the masses.
     ///
     /// `store` must be at rest.
@@ -24,17 +27,16 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// # Errors
     /// [`OutOfDomain`] for a state that does not have one finite displacement and velocity for each mass.
     pub fn new(
-        scene: StepScene<'a, S>,
+        scene: StepScene<'a, S, K>,
         tables: T,
         store: V,
         state: Option<(&[S], &[S])>,
     ) -> Result<Self, OutOfDomain> {
-        let law = Rigid::on_chain(&scene.dynamics.chain, S::constant(0.0));
         let mut stepper = Self {
             scene,
             tables,
             store,
-            status: Status::new(law),
+            status: Status::new(scene.dynamics.chain().stiction),
             inputs: PhantomData,
         };
         if let Some((displacements, velocities)) = state {
@@ -88,7 +90,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// # Errors
     /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
     pub fn begin(&mut self, sample: Sample<'_, S>) -> Result<(), OutOfDomain> {
-        sample.check(&self.scene, self.status.law)?;
+        sample.check(&self.scene, self.status.stiction)?;
         if self.status.steps != 0 {
             return Err(OutOfDomain::Begun);
         }
@@ -97,7 +99,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         self.status.unknown = true;
         self.status.contact = self.direction();
         self.status.contact_force = S::constant(0.0);
-        if !self.status.law.level.is_zero() {
+        if !self.status.level.is_zero() {
             let [place, velocity] = sample.base;
             let zero = S::constant(0.0);
             let motion = [place, velocity * self.dt(), zero, zero];
@@ -118,7 +120,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         if self.scene.on_base {
             self.status.base = sample.base;
         }
-        self.status.law.level = sample.friction / self.scene.units.stiffness;
+        self.status.level = sample.friction / self.scene.units.stiffness;
     }
 
     /// Takes one step.  A linear input reaches this sample at the end of the step.  With zero-order hold the input has
@@ -135,7 +137,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// - [`Work`](OutOfDomain::Work) once the work exceeds the square of the largest permitted input, so that another
     ///   step could overflow.
     pub fn advance(&mut self, sample: Sample<'_, S>) -> Result<Stepped<S>, OutOfDomain> {
-        sample.check(&self.scene, self.status.law)?;
+        sample.check(&self.scene, self.status.stiction)?;
         self.check_work()?;
         let pace = self.tables.view().pace;
         let steep = steepest(self.scene.law);
@@ -153,7 +155,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         if hold {
             self.jump_base(sample.base);
         }
-        self.status.law.level = sample.friction / self.scene.units.stiffness;
+        self.status.level = sample.friction / self.scene.units.stiffness;
         let step = pace.step;
         let per_step = |[place, velocity]: [S; 2]| [place, velocity * step];
         let motion = base_motion(self.scene.input, per_step(from), per_step(sample.base));
@@ -174,7 +176,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             let [place, velocity] = sample.base;
             self.status.base = [place + velocity * step, velocity];
         }
-        if self.status.law.level.is_zero() {
+        if self.status.level.is_zero() {
             self.status.contact = self.direction();
         }
         self.status.given = S::constant(0.0);
@@ -208,7 +210,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         sample: &Sample<'_, S>,
         motion: [S; 4],
         stretch: Stretch<S>,
-    ) -> Interval<'_, 'a, S, D> {
+    ) -> Interval<'_, 'a, S, D, K> {
         let base = self.write_inputs(sample, motion, stretch);
         Interval {
             scene: &self.scene,
@@ -286,7 +288,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         if !(S::constant(1.0) <= mu && mu <= most) {
             return Err(OutOfDomain::Stiction(Given::of(mu)));
         }
-        self.status.law.stiction = mu;
+        self.status.stiction = mu;
         Ok(())
     }
 }

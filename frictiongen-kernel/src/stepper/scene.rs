@@ -2,7 +2,9 @@
 
 use super::cost::{Cost, Extent};
 use super::input::Input;
+use super::law::StepContact;
 use super::pace::Pace;
+use crate::contact::sums::Chain;
 use crate::motion::{Dynamics, TERMS};
 use crate::number::scalar::Float;
 
@@ -19,9 +21,9 @@ pub struct Units<S> {
 
 /// A scene as a stepper needs it.
 #[derive(Clone, Copy, Debug)]
-pub struct StepScene<'a, S> {
+pub struct StepScene<'a, S, K = Chain<S>> {
     /// The modes of the chain, and the modes of the chain whose contact sticks.
-    pub dynamics: Dynamics<'a, S>,
+    pub dynamics: Dynamics<'a, S, K>,
     /// Factors to the units of the scene.
     pub units: Units<S>,
     /// True if the base moves.
@@ -35,7 +37,7 @@ pub struct StepScene<'a, S> {
     pub law: &'a [[S; 2]],
 }
 
-impl<S: Float> StepScene<'_, S> {
+impl<S: Float, K: StepContact<S>> StepScene<'_, S, K> {
     /// Number of inputs: the base's motion, and a force for each loaded mass.
     #[must_use]
     pub fn channels(&self) -> usize {
@@ -114,11 +116,11 @@ impl<S: Float> StepScene<'_, S> {
 
     /// The contact's acceleration under `force`, in lengths a sub-interval squared.
     pub(super) fn acceleration(&self, pace: &Pace<S>, force: S) -> S {
-        self.dynamics.chain.inverse_mass * force * pace.span * pace.span
+        self.dynamics.chain().inverse_mass * force * pace.span * pace.span
     }
 
     /// Returns true if the contact rubs on the moving base.
     pub(super) fn rubs_on_base(&self) -> bool {
-        self.on_base && self.dynamics.chain.on_moving_base.is_some()
+        self.on_base && self.dynamics.chain().on_moving_base.is_some()
     }
 }

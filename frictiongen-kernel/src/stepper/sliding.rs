@@ -3,11 +3,12 @@
 use super::dot::add;
 use super::drive::{at, derived, growth};
 use super::interval::{Departure, Interval, OFF_CHORD, ROUNDINGS, integral, product};
+use super::law::StepContact;
 use super::rows::{moments, next};
-use crate::motion::{Line, Power, Start, Walk, first_zero, line};
+use crate::motion::{Law, Line, Power, Start, Walk, first_zero, line};
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
     /// The line of the friction law on which the speed lies.  The line's speeds are in lengths a sub-interval.
     #[inline]
     pub(super) fn line(&self) -> Line<S> {
@@ -52,7 +53,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         }
         let contact = self.status.contact;
         let sign: S = contact.sign();
-        let [force, _] = self.status.law.kinetic_on(&line, contact);
+        let [force, _] = self.law().kinetic_on(&line, contact);
         let [from, to] = self.base_velocities();
         let (mut start, mut rise) = (-from, from - to);
         let mut bend = if self.scene.rubs_on_base() {
@@ -111,7 +112,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         let contact = self.status.contact;
         let sign: S = contact.sign();
         let line = self.line();
-        let kinetic = self.status.law.kinetic_on(&line, contact);
+        let kinetic = self.law().kinetic_on(&line, contact);
         let velocity = self.velocity_series(kinetic);
         let reach = self.series_reach(kinetic[1]);
         let mut steps = 0;
@@ -151,7 +152,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             return None;
         }
         self.events += 1;
-        let Some(slide) = self.status.law.leave_rest(self.holding()) else {
+        let Some(slide) = self.law().leave_rest(self.holding()) else {
             self.start_sticking(None);
             return None;
         };
@@ -193,7 +194,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             let lambda = mode.resonance * mode.resonance;
             sum = sum - mode.contact * lambda * (*y + two * mode.zeta * *u);
         }
-        sum / self.scene.dynamics.chain.inverse_mass
+        sum / self.scene.dynamics.chain().inverse_mass
     }
 
     /// The relative velocity as a power series about the present instant, under the friction force level +

@@ -2,11 +2,12 @@
 
 use super::drive::at;
 use super::interval::{Departure, Interval, OFF_CHORD, ROUNDINGS};
+use super::law::StepContact;
 use super::rows::moments;
-use crate::motion::{Contact, Start, Walk, first_reach, lift};
+use crate::motion::{Contact, Law, Start, Walk, first_reach, lift};
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
     /// Advances by the tables if the contact certainly keeps sticking, and returns whether it does.
     pub(super) fn stick_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);
@@ -36,7 +37,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
                 *to = next;
             }
         }
-        let grip = self.status.law.grip();
+        let grip = self.law().grip();
         let most = start.abs().max(end.abs());
         let room =
             bend * S::constant(OFF_CHORD) + (size + grip) * S::constant(ROUNDINGS * S::EPSILON);
@@ -57,7 +58,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         let zero = S::constant(0.0);
         let left = S::constant(1.0) - self.progress;
         let force = self.force_series();
-        let grip = self.status.law.grip();
+        let grip = self.law().grip();
         let now = force.term(0);
         let noise = (force.size + grip) * S::constant(ROUNDINGS * S::EPSILON);
         let wedged = self.status.wedged;
@@ -88,7 +89,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         }
         let contact = breaks?;
         // The force has reached μF, unless it had jumped beyond μF at the start.
-        let law = self.status.law;
+        let law = self.law();
         let slide = if zero < tau {
             law.break_away(contact)
         } else {

@@ -3,12 +3,13 @@
 use super::dot::add;
 use super::drive::{derived, growth};
 use super::interval::{Interval, product};
+use super::law::StepContact;
 use super::rows::{HeldStep, next};
 use super::table::HeldLoad;
 use crate::motion::Power;
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
     /// Rates that the inputs, and the base that carries the contact, add to y and u of a stuck chain's mode.
     #[inline]
     pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
@@ -51,34 +52,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
     /// The force in the sticking contact without the share of the stuck chain's modes.  The result is a polynomial,
     /// with an upper bound on its second derivative over the sub-interval.
     pub(super) fn force_without_modes(&self) -> ([S; 4], S) {
-        let (zero, one) = (S::constant(0.0), S::constant(1.0));
-        let pace = &self.table.pace;
-        let mass = one / self.scene.dynamics.chain.inverse_mass;
-        let mut sum = [zero; 4];
-        for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
-            for (sum, term) in sum.iter_mut().zip(drive) {
-                *sum = *sum + channel.residue * *term;
-            }
-        }
-        for term in &mut sum {
-            *term = *term * mass;
-        }
-        sum[0] = sum[0] - self.status.stuck_at / pace.receptance;
-        if self.scene.rubs_on_base() {
-            let velocity = derived(self.base);
-            let acceleration = derived(velocity);
-            let inverse = one / pace.span;
-            let of_place = one / pace.receptance;
-            let of_velocity = pace.drag * inverse * mass;
-            let of_acceleration = inverse * inverse * mass;
-            let motions = self.base.iter().zip(velocity).zip(acceleration);
-            for (sum, ((place, velocity), acceleration)) in sum.iter_mut().zip(motions) {
-                *sum = *sum
-                    - *place * of_place
-                    - of_velocity * velocity
-                    - of_acceleration * acceleration;
-            }
-        }
+        let sum = K::stuck_force_terms(self);
         let [_, _, c, d] = sum;
         let (two, six) = (S::constant(2.0), S::constant(6.0));
         (sum, two * c.abs() + six * d.abs())

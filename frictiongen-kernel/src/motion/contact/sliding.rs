@@ -1,6 +1,6 @@
 //! The chain while its contact slides under a constant friction force.
 
-use super::rigid::{Rigid, Slide};
+use super::law::{ContactChain, Law, Slide};
 use super::state::{Contact, ContactState};
 use crate::motion::clock::phase;
 use crate::motion::dynamics::rotated;
@@ -13,17 +13,17 @@ use crate::number::scalar::Float;
 /// Rounding bound of a velocity that vanishes, in roundings of the sum of its terms' sizes.
 const ROUNDINGS: f64 = 8.0;
 
-impl<S: Float> Setting<'_, S> {
+impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     /// The law of the contact, with forces over P.
     #[inline]
-    pub(crate) fn law(&self) -> Rigid<S> {
+    pub(crate) fn law(&self) -> K::Law {
         self.law_at(self.beta)
     }
 
     /// The law of the contact at another friction ratio, with forces over P.
     #[inline]
-    pub(crate) fn law_at(&self, beta: S) -> Rigid<S> {
-        Rigid::on_chain(&self.dynamics.chain, beta)
+    pub(crate) fn law_at(&self, beta: S) -> K::Law {
+        self.dynamics.chain.law(beta)
     }
 
     /// State of a contact that leaves zero relative velocity at the phase `t`.

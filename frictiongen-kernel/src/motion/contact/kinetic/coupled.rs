@@ -7,6 +7,7 @@ use super::line::Line;
 use super::lines::{Crossing, Lines};
 use crate::errors::OutOfDomain;
 use crate::motion::clock::phase;
+use crate::motion::contact::law::{ContactChain, Law};
 use crate::motion::contact::state::{ContactState, Outcome, Sought};
 use crate::motion::oscillator::{Part, advanced};
 use crate::motion::series::{Power, ROUNDINGS, TERMS};
@@ -20,7 +21,7 @@ pub const MAX_STEEPNESS: u32 = 4096;
 /// Length, in roundings, up to which a piece counts as having no length.
 const STILL: f64 = 64.0;
 
-impl<S: Float> Setting<'_, S> {
+impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     /// The largest rate at which modes and excitation turn.
     fn turning(&self, modes: &[Part<S>]) -> S {
         let one = S::constant(1.0);
@@ -36,7 +37,7 @@ impl<S: Float> Setting<'_, S> {
         modes: &[Part<S>],
         lines: &Lines<'_, S>,
     ) -> Result<(), OutOfDomain> {
-        let steep = self.acceleration(self.law().level * lines.steepest());
+        let steep = self.acceleration(self.law().level() * lines.steepest());
         let most = self.turning(modes) * S::constant(f64::from(MAX_STEEPNESS));
         if steep <= most {
             Ok(())
@@ -47,7 +48,7 @@ impl<S: Float> Setting<'_, S> {
 
     /// Length in τ of the piece over which a power series serves.
     fn stretch(&self, modes: &[Part<S>], line: &Line<S>) -> S {
-        let steep = self.acceleration(self.law().level * line.slope.abs());
+        let steep = self.acceleration(self.law().level() * line.slope.abs());
         S::constant(1.0) / (self.turning(modes) + steep)
     }
 
@@ -108,8 +109,8 @@ impl<S: Float> Setting<'_, S> {
 }
 
 /// Searches for the end of a piece of sliding on one line of the law: an event, another line, or the end of the series.
-pub(crate) fn seek<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn seek<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
     lines: &mut Lines<'_, S>,
     start: ContactState<S>,
@@ -139,7 +140,7 @@ pub(crate) fn seek<S: Float>(
     sought
 }
 
-impl<S: Float> Setting<'_, S> {
+impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     /// Finds where a piece on a line of bounded speed leads, as a fraction of its length.  `None` if the contact cannot
     /// leave zero velocity.
     fn slope(
@@ -203,8 +204,8 @@ impl<S: Float> Setting<'_, S> {
 }
 
 /// Sets the modes to their state τ after a piece's start.  `to` is the excitation's phase then.
-pub(crate) fn place<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn place<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
     lines: &Lines<'_, S>,
     (start, tau): (&ContactState<S>, S),

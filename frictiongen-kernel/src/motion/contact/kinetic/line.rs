@@ -4,7 +4,7 @@ use crate::number::scalar::Float;
 
 /// One line of the friction law.  Between two speeds the force over F is level + slope·|v|.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Line<S> {
+pub struct Line<S> {
     pub level: S,
     pub slope: S,
     /// The speed at which the line begins.

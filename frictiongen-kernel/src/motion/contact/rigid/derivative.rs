@@ -9,7 +9,7 @@ use crate::number::scalar::Float;
 
 /// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.  `modes` and
 /// `stuck_modes` are the oscillators after the segment.  The states in `stuck_modes` are overwritten.
-pub(crate) fn carry_deviations<S: Float>(
+pub(super) fn carry<S: Float>(
     setting: &Setting<'_, S>,
     (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
     contact_state: &ContactState<S>,
