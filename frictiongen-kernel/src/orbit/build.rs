@@ -6,7 +6,7 @@ use super::newton::{Map, Workspace, multipliers, same};
 use super::record::{Record, Recorded};
 use super::shooting::{Settled, settle};
 use super::start::Start;
-use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
+use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, OrbitQuestion, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain, Slice};
 use crate::motion::{ContactChain, ContactState, Dynamics, Law, Part, Setting, leap};
 use crate::number::complex::Complex;
@@ -22,18 +22,14 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Computes the steady state at r and β that is reached from a start at a maximum of the excitation.  `sliding` is
-    /// β*_lim, from which on the motion may end with the contact stuck.
-    ///
-    /// `last` decides the result where the motion does not settle.  If `last` is true, the result is the motion's last
-    /// [`MAX_PERIOD`](super::MAX_PERIOD) cycles, and [`Self::is_settled`] is false.  If `last` is false, the result is
-    /// an error.
+    /// Computes a steady state as [`answer`](Self::answer) does, for emitted code.
     ///
     /// # Errors
-    /// [`NoOrbit`] gives the reason why there is no steady state.  Slices of a wrong length give `OutOfDomain`.
+    /// Same errors as [`answer`](Self::answer).
+    #[inline]
     #[allow(
         clippy::too_many_arguments,
-        reason = "one question and the room for its answer"
+        reason = "emitted code names as few types as possible"
     )]
     pub fn new(
         dynamics: Dynamics<'a, S, K>,
@@ -42,6 +38,31 @@ where
         sliding: S,
         start: Start<'_, S>,
         last: bool,
+        parts: P,
+        numbers: V,
+        multipliers: C,
+    ) -> Result<Self, NoOrbit>
+    where
+        S: Plain,
+    {
+        let question = OrbitQuestion {
+            dynamics,
+            r,
+            beta,
+            sliding,
+            start,
+            last,
+        };
+        Self::answer(&question, parts, numbers, multipliers)
+    }
+
+    /// Computes the steady state at r and β that is reached from a start at a maximum of the excitation.
+    /// [`Self::is_settled`] is false for the last cycles of a motion that does not settle.
+    ///
+    /// # Errors
+    /// [`NoOrbit`] gives the reason why there is no steady state.  Slices of a wrong length give `OutOfDomain`.
+    pub fn answer(
+        question: &OrbitQuestion<'a, '_, S, K>,
         mut parts: P,
         mut numbers: V,
         mut multipliers: C,
@@ -50,52 +71,28 @@ where
         S: Plain,
     {
         let zero = S::constant(0.0);
-        let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
-        let driven = dynamics.in_contact();
-        for (found, needed, slice) in [
-            (
-                numbers.as_ref().len(),
-                super::numbers(dynamics.modes.len(), driven),
-                Slice::Storage,
-            ),
-            (multipliers.as_ref().len(), 2 * driven, Slice::Multipliers),
-        ] {
-            if found != needed {
-                return Err(OutOfDomain::Length(slice).into());
-            }
+        let (dynamics, beta, start) = (question.dynamics, question.beta, question.start);
+        let setting = Setting::new(dynamics, question.r, beta, parts.as_mut())?;
+        let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
+        if numbers.as_ref().len() != super::numbers(modes, driven) {
+            return Err(OutOfDomain::Length(Slice::Storage).into());
+        }
+        if multipliers.as_ref().len() != 2 * driven {
+            return Err(OutOfDomain::Length(Slice::Multipliers).into());
         }
         // From β*_lim on a stuck state exists.  The motion decides whether that state is reached.
-        let holding = (!(beta < sliding)).then_some(setting.law_at(sliding).grip());
-        let mut unbounded = None;
-        for (index, mode) in dynamics.modes.iter().enumerate() {
-            settles(&dynamics, mode, index)?;
-            unbounded = unbounded.or(bounded(mode, r, beta).err());
-        }
+        let holding =
+            (!(beta < question.sliding)).then_some(setting.law_at(question.sliding).grip());
+        let unbounded = unbounded(&dynamics, question.r, beta)?;
         if let (Some(error), None) = (unbounded, holding) {
             return Err(error);
         }
         let clean = parts.clone();
-        let (modes, stuck_modes) = setting.split(parts.as_mut());
-        let mut cycle_map = CycleMap {
-            contact_state: setting.contact_state(modes, zero),
-            setting: &setting,
-            modes,
-            stuck_modes,
-            middle: zero,
-            stuck: zero,
-            step_budget: MAX_STEPS,
-        };
-        let workspace = numbers.as_mut();
-        let (states, rest) =
-            workspace.split_at_mut(workspace.len().min(MAX_SEGMENTS * 2 * dynamics.modes.len()));
-        let (matrix, rest) = rest.split_at_mut(rest.len().min(4 * driven * driven));
-        let (state, other) = rest.split_at_mut(rest.len() / 2);
-        let mut workspace = Workspace {
-            matrix,
-            state,
-            other,
-            multipliers: multipliers.as_mut(),
-        };
+        let (own, stuck_modes) = setting.split(parts.as_mut());
+        let contact_state = setting.contact_state(own, zero);
+        let mut cycle_map = CycleMap::new(&setting, (own, stuck_modes), contact_state);
+        let (states, mut workspace) =
+            Workspace::divided(numbers.as_mut(), multipliers.as_mut(), (modes, driven));
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         start
             .checked(holding.is_some())?
@@ -110,28 +107,13 @@ where
                 settle(&mut cycle_map, &mut workspace, holding, most, spare)?
             }
         };
-        let mut record = Record::new(&mut marks, states, 2 * dynamics.modes.len());
-        let found = if let Settled::Stuck(offset) = settled {
-            let found = stuck(&mut cycle_map, &mut workspace, offset)?;
-            record.stuck(&cycle_map, offset);
-            found
-        } else {
-            let found = match (settled, unbounded) {
-                (Settled::Not(_), Some(error)) => return Err(error),
-                (Settled::Not(error), None) if !last => return Err(error),
-                (Settled::Found(found), _) => found,
-                _ => Found::NONE,
-            };
-            // The search may have used up the steps.  The record of the period may take as many again.
-            cycle_map.step_budget = MAX_STEPS;
-            to_event(&mut cycle_map, found.period)?;
-            let at = cycle_map.contact_state.t.sin_cos_pi();
-            settle_free(&mut cycle_map, at)?;
-            record.follow(&mut cycle_map, found.period)?;
-            let symmetric =
-                found.symmetric || is_symmetric(&mut cycle_map, &mut workspace, found.period)?;
-            Found { symmetric, ..found }
+        let settled = match (settled, unbounded) {
+            (Settled::Not(_), Some(error)) => return Err(error),
+            (Settled::Not(error), None) if !question.last => return Err(error),
+            (settled, _) => settled,
         };
+        let mut record = Record::new(&mut marks, states, 2 * modes);
+        let found = followed(&mut cycle_map, &mut workspace, settled, &mut record)?;
         let Recorded {
             count,
             stops,
@@ -160,6 +142,58 @@ where
         orbit.offset_range = range.or(found.reach.map(|reach| orbit.offset().abs() * reach));
         Ok(orbit)
     }
+}
+
+/// Follows and records a period from where the search ended.
+fn followed<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
+    workspace: &mut Workspace<'_, S>,
+    settled: Settled<S>,
+    record: &mut Record<'_, S>,
+) -> Result<Found<S>, NoOrbit> {
+    let found = match settled {
+        Settled::Stuck(offset) => {
+            let found = stuck(cycle_map, workspace, offset)?;
+            record.stuck(cycle_map, offset);
+            return Ok(found);
+        }
+        Settled::Found(found) => found,
+        Settled::Not(_) => Found::NONE,
+    };
+    // The search may have used up the steps.  The record of the period may take as many again.
+    cycle_map.step_budget = MAX_STEPS;
+    record_period(cycle_map, record, found.period)?;
+    let symmetric = found.symmetric || is_symmetric(cycle_map, workspace, found.period)?;
+    Ok(Found { symmetric, ..found })
+}
+
+/// Records a period from its first event on.
+pub(super) fn record_period<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
+    record: &mut Record<'_, S>,
+    period: u32,
+) -> Result<(), NoOrbit> {
+    to_event(cycle_map, period)?;
+    let at = cycle_map.contact_state.t.sin_cos_pi();
+    settle_free(cycle_map, at)?;
+    record.follow(cycle_map, period)
+}
+
+/// The error of a sliding motion that grows without bound, if it does.
+///
+/// # Errors
+/// [`NoOrbit::Undamped`] if the load drives a mode for ever that neither damping nor the contact dissipates.
+fn unbounded<S: Float, K: ContactChain<S>>(
+    dynamics: &Dynamics<'_, S, K>,
+    r: S,
+    beta: S,
+) -> Result<Option<NoOrbit>, NoOrbit> {
+    let mut unbounded = None;
+    for (index, mode) in dynamics.modes.iter().enumerate() {
+        settles(dynamics, mode, index)?;
+        unbounded = unbounded.or(bounded(mode, r, beta).err());
+    }
+    Ok(unbounded)
 }
 
 /// Fails if the load drives a mode for ever that neither damping nor the contact dissipates.
@@ -258,7 +292,7 @@ fn linear<S: Float, K: ContactChain<S>>(
 }
 
 /// Sets the modes that the contact does not touch to their steady motion.
-pub(super) fn settle_free<S: Float, K: ContactChain<S>>(
+fn settle_free<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     at: (S, S),
 ) -> Result<(), NoOrbit> {
@@ -270,7 +304,7 @@ pub(super) fn settle_free<S: Float, K: ContactChain<S>>(
 }
 
 /// Advances to the first event of a period.  A period without an event leaves the contact state as it was.
-pub(super) fn to_event<S: Float, K: ContactChain<S>>(
+fn to_event<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     period: u32,
 ) -> Result<(), NoOrbit> {

@@ -5,7 +5,7 @@
 //! depends.  A step of Newton's method then adds (1 − DP)⁻¹b to the derivative of x.  A second pass follows the
 //! segments from that x and carries derivatives into every result.
 
-use super::build::{settle_free, stuck, to_event};
+use super::build::{record_period, stuck};
 use super::closed;
 use super::cycle_map::CycleMap;
 use super::newton::{Map, Workspace, newton};
@@ -123,43 +123,20 @@ where
         if !plain.settled {
             return Err(NoDerivative::Unsettled);
         }
-        for (given, known, ratio) in [
-            (r, plain.setting.r, Ratio::Frequency),
-            (beta, plain.setting.beta, Ratio::Friction),
-        ] {
-            let known = S::constant(known.to_f64());
-            if !((given - known).abs() <= known * S::constant(SAME)) {
-                return Err(OutOfDomain::OtherPoint(ratio).into());
-            }
-        }
-        let zero = S::constant(0.0);
+        check_same(r, plain.setting.r, Ratio::Frequency)?;
+        check_same(beta, plain.setting.beta, Ratio::Friction)?;
         let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
-        if numbers.as_ref().len() != super::numbers(modes, driven) || masses.len() != 2 * modes {
+        let room = numbers.as_ref().len();
+        if room != super::numbers(modes, driven) || masses.len() != 2 * modes {
             return Err(OutOfDomain::Length(Slice::Storage).into());
         }
         let clean = parts.clone();
-        let (own, stuck_modes) = setting.split(parts.as_mut());
-        let mut cycle_map = CycleMap {
-            contact_state: SegmentStart::empty().contact_state,
-            setting: &setting,
-            modes: own,
-            stuck_modes,
-            middle: zero,
-            stuck: zero,
-            step_budget: MAX_STEPS,
-        };
-        let (states, rest) = numbers
-            .as_mut()
-            .split_at_mut((MAX_SEGMENTS * 2 * modes).min(super::numbers(modes, driven)));
-        let (matrix, rest) = rest.split_at_mut(rest.len().min(4 * driven * driven));
-        let (state, other) = rest.split_at_mut(rest.len() / 2);
-        let mut workspace = Workspace {
-            matrix,
-            state,
-            other,
-            multipliers: &mut [],
-        };
+        let oscillators = setting.split(parts.as_mut());
+        let contact_state = SegmentStart::empty().contact_state;
+        let mut cycle_map = CycleMap::new(&setting, oscillators, contact_state);
+        let (states, mut workspace) =
+            Workspace::divided(numbers.as_mut(), &mut [], (modes, driven));
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         let mut record = Record::new(&mut marks, states, 2 * modes);
         if plain.never_slides() {
@@ -167,23 +144,9 @@ where
             stuck(&mut cycle_map, &mut workspace, offset)?;
             record.stuck(&cycle_map, offset);
         } else {
-            if plain.is_closed() {
-                closed::set(&mut cycle_map, beta);
-            } else if plain.marginal {
-                return Err(NoDerivative::Marginal);
-            } else {
-                let map = Map {
-                    period: plain.period,
-                    symmetric: plain.symmetric,
-                };
-                plain.set_state(&mut cycle_map, masses)?;
-                closed_in(&mut cycle_map, &mut workspace, map)?;
-            }
+            plain.close(&mut cycle_map, &mut workspace, (beta, masses))?;
             cycle_map.step_budget = MAX_STEPS;
-            to_event(&mut cycle_map, plain.period)?;
-            let at = cycle_map.contact_state.t.sin_cos_pi();
-            settle_free(&mut cycle_map, at)?;
-            record.follow(&mut cycle_map, plain.period)?;
+            record_period(&mut cycle_map, &mut record, plain.period)?;
         }
         let Recorded {
             count,
@@ -215,6 +178,28 @@ where
             return Err(NoDerivative::Graze);
         }
         Ok(orbit)
+    }
+
+    /// Sets a cycle map over a scalar that carries derivatives to a state of this motion that closes over its period.
+    fn close<U: Float, J: ContactChain<U>>(
+        &self,
+        cycle_map: &mut CycleMap<'_, '_, U, J>,
+        workspace: &mut Workspace<'_, U>,
+        (beta, masses): (U, &mut [U]),
+    ) -> Result<(), NoDerivative> {
+        if self.is_closed() {
+            closed::set(cycle_map, beta);
+            return Ok(());
+        }
+        if self.marginal {
+            return Err(NoDerivative::Marginal);
+        }
+        let map = Map {
+            period: self.period,
+            symmetric: self.symmetric,
+        };
+        self.set_state(cycle_map, masses)?;
+        closed_in(cycle_map, workspace, map)
     }
 
     /// Returns true if the contact never slides.
@@ -313,6 +298,16 @@ where
             }
         }
         false
+    }
+}
+
+/// Fails if r or β differs from that of the known steady state by more than rounding.
+fn check_same<S: Float>(given: S, known: impl Float, ratio: Ratio) -> Result<(), OutOfDomain> {
+    let known = S::constant(known.to_f64());
+    if (given - known).abs() <= known * S::constant(SAME) {
+        Ok(())
+    } else {
+        Err(OutOfDomain::OtherPoint(ratio))
     }
 }
 

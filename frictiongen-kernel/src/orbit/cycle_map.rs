@@ -1,5 +1,6 @@
 //! The motion over half a cycle or a whole one, from a section at a fixed phase of the excitation.
 
+use super::types::MAX_STEPS;
 use crate::errors::{NoOrbit, OutOfDomain};
 use crate::motion::{Contact, ContactChain, ContactState, Event, Part, Setting, leap};
 use crate::number::pairs::{pairs, pairs_mut};
@@ -62,7 +63,25 @@ pub(super) struct CycleMap<'f, 'a, S, K> {
     pub step_budget: u32,
 }
 
-impl<S: Float, K: ContactChain<S>> CycleMap<'_, '_, S, K> {
+impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
+    /// Creates the map from the oscillators of the modes and of the stuck chain, with all steps of its budget left.
+    pub(super) fn new(
+        setting: &'f Setting<'a, S, K>,
+        (modes, stuck_modes): (&'f mut [Part<S>], &'f mut [Part<S>]),
+        contact_state: ContactState<S>,
+    ) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            setting,
+            modes,
+            stuck_modes,
+            contact_state,
+            middle: zero,
+            stuck: zero,
+            step_budget: MAX_STEPS,
+        }
+    }
+
     /// Number of scalars in a state.
     pub(super) fn size(&self) -> usize {
         2 * self.setting.dynamics.in_contact()

@@ -37,7 +37,7 @@ pub use motion::OrbitMotion;
 pub use scene::{Known, ProvidesOrbit};
 pub use start::Start;
 pub use states::States;
-pub use types::{MAX_CYCLES, MAX_SEGMENTS, MAX_STEPS, Orbit};
+pub use types::{MAX_CYCLES, MAX_SEGMENTS, MAX_STEPS, Orbit, OrbitQuestion};
 
 use crate::motion::{Contact, ContactChain, Law, Part};
 use crate::number::complex::{self, Complex};

@@ -2,6 +2,7 @@
 
 use super::cycle_map::{CycleMap, Pattern, unit};
 use super::matrix::Matrix;
+use super::types::MAX_SEGMENTS;
 use crate::errors::NoOrbit;
 use crate::motion::{Contact, ContactChain, ContactState};
 use crate::number::complex::{self, Complex};
@@ -44,6 +45,27 @@ pub(super) struct Workspace<'m, S> {
     pub state: &'m mut [S],
     pub other: &'m mut [S],
     pub multipliers: &'m mut [Complex<S>],
+}
+
+impl<'m, S: Float> Workspace<'m, S> {
+    /// Divides the memory of an orbit ([`numbers`](super::numbers)) into the states of its segments and the workspace.
+    pub fn divided(
+        numbers: &'m mut [S],
+        multipliers: &'m mut [Complex<S>],
+        (modes, driven): (usize, usize),
+    ) -> (&'m mut [S], Self) {
+        let states = numbers.len().min(MAX_SEGMENTS * 2 * modes);
+        let (states, rest) = numbers.split_at_mut(states);
+        let (matrix, rest) = rest.split_at_mut(rest.len().min(4 * driven * driven));
+        let (state, other) = rest.split_at_mut(rest.len() / 2);
+        let workspace = Self {
+            matrix,
+            state,
+            other,
+            multipliers,
+        };
+        (states, workspace)
+    }
 }
 
 /// Map of a state over half a period, or over a whole one.

@@ -1,10 +1,9 @@
 //! The input between two samples, as a polynomial over each sub-interval of a step.
 
 use super::input::Input;
-use super::law::StepContact;
 use super::scene::StepScene;
 use crate::errors::{Given, OutOfDomain};
-use crate::motion::Law;
+use crate::motion::{ContactChain, Law};
 use crate::number::scalar::Float;
 
 /// The input at one instant, in the scene's units.
@@ -21,7 +20,7 @@ pub struct Sample<'i, S> {
 
 impl<S: Float> Sample<'_, S> {
     /// Fails if the sample is outside the scene's domain.
-    pub(super) fn check<K: StepContact<S>>(
+    pub(super) fn check<K: ContactChain<S>>(
         &self,
         scene: &StepScene<'_, S, K>,
         stiction: S,

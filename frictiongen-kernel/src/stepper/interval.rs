@@ -1,10 +1,10 @@
 //! A stepper within one sub-interval of a step.
 
 use super::drive::shift;
-use super::law::StepContact;
 use super::scene::StepScene;
 use super::state::{Status, StoreMut};
 use super::table::View;
+use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
 /// Rounding bound of a sum over modes, in roundings of the sum of its terms' sizes.
@@ -37,7 +37,7 @@ pub(super) struct Departure<S> {
     pub stuck: Option<S>,
 }
 
-impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
+impl<S: Float, const D: usize, K: ContactChain<S>> Interval<'_, '_, S, D, K> {
     pub(super) fn driven(&self) -> usize {
         self.scene.dynamics.in_contact().min(self.store.modes.len())
     }

@@ -2,10 +2,9 @@
 
 use super::cost::{Cost, Extent};
 use super::input::Input;
-use super::law::StepContact;
 use super::pace::Pace;
 use crate::contact::sums::Chain;
-use crate::motion::{Dynamics, TERMS};
+use crate::motion::{ContactChain, Dynamics, TERMS};
 use crate::number::scalar::Float;
 
 /// Factors from non-dimensional groups to the units of the scene.
@@ -37,7 +36,7 @@ pub struct StepScene<'a, S, K = Chain<S>> {
     pub law: &'a [[S; 2]],
 }
 
-impl<S: Float, K: StepContact<S>> StepScene<'_, S, K> {
+impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
     /// Number of inputs: the base's motion, and a force for each loaded mass.
     #[must_use]
     pub fn channels(&self) -> usize {

@@ -1,8 +1,7 @@
 //! The state of a stepper.
 
-use super::law::StepContact;
 use super::scene::StepScene;
-use crate::motion::{Contact, Total};
+use crate::motion::{Contact, ContactChain, Total};
 use crate::number::scalar::Float;
 
 /// Mutable view of a stepper's numbers.
@@ -23,7 +22,7 @@ pub struct StoreMut<'s, S, const D: usize> {
 impl<S: Float, const D: usize> StoreMut<'_, S, D> {
     /// Writes the state of the modes that the contact drives, from the state of the stuck chain and from the
     /// displacement and velocity of the sticking contact.
-    pub(super) fn release<K: StepContact<S>>(
+    pub(super) fn release<K: ContactChain<S>>(
         &mut self,
         scene: &StepScene<'_, S, K>,
         receptance: S,
@@ -153,7 +152,7 @@ pub struct Status<S> {
 impl<S: Float> Status<S> {
     /// The law of the contact, with forces over k₁.
     #[inline]
-    pub(super) fn law<K: StepContact<S>>(&self, scene: &StepScene<'_, S, K>) -> K::Law {
+    pub(super) fn law<K: ContactChain<S>>(&self, scene: &StepScene<'_, S, K>) -> K::Law {
         scene.dynamics.chain.law_with(self.level, self.stiction)
     }
 

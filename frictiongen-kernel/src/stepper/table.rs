@@ -1,12 +1,11 @@
 //! The constant tables of a step: responses of every oscillator over a sub-interval of the step.
 
 use super::MAX_PARTS;
-use super::law::StepContact;
 use super::pace::Pace;
 use super::rows::{HeldStep, ModeStep};
 use super::scene::StepScene;
 use crate::errors::{Given, OutOfDomain, Slice};
-use crate::motion::{TERMS, lift};
+use crate::motion::{ContactChain, TERMS, lift};
 use crate::number::scalar::Float;
 
 /// A power series is continued until its terms are this many times smaller than a rounding.
@@ -104,7 +103,7 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
     ///
     /// # Errors
     /// Same errors as [`fill`].
-    pub fn new<K: StepContact<S>>(
+    pub fn new<K: ContactChain<S>>(
         scene: &StepScene<'_, S, K>,
         step: S,
     ) -> Result<Self, OutOfDomain> {
@@ -161,7 +160,7 @@ impl<S, const D: usize, T: Tables<S, D>> Tables<S, D> for &T {
 /// # Errors
 /// [`OutOfDomain::Step`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
 /// than [`MAX_PARTS`] radians.  [`OutOfDomain::Length`] for slices of another length.
-pub fn fill<S: Float, const D: usize, K: StepContact<S>>(
+pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
     scene: &StepScene<'_, S, K>,
     step: S,
     (modes, held): (&mut [ModeStep<S, D>], &mut [HeldStep<S, D>]),
@@ -246,7 +245,7 @@ pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
 }
 
 /// Divides a step into sub-intervals.
-fn pace<S: Float, K: StepContact<S>>(
+fn pace<S: Float, K: ContactChain<S>>(
     scene: &StepScene<'_, S, K>,
     step: S,
 ) -> Result<Pace<S>, OutOfDomain> {
