@@ -1,11 +1,11 @@
 //! Tests the proof against the exact search, and with faults that it has to find.
 
-use crate::cells::Part;
+use crate::cells::CellData;
 use crate::certify::certified;
 use crate::found::Budget;
-use crate::series::Series;
-use crate::stage::{Chain, ORDER, Stage, singular};
-use crate::witness::{Seen, Witness};
+use crate::series::IntervalSeries;
+use crate::stage::{ChainStage, IntervalChain, ORDER, singular};
+use crate::witness::{Witness, WitnessInstant};
 use crate::{early, force, of_pieces, prove, prove_piece};
 use frictiongen_kernel::Float;
 use frictiongen_model::interval::Interval;
@@ -257,7 +257,7 @@ fn witnesses_that_are_none() {
         ("Base", 2, 1.5, 1.0),
     ] {
         let modal = scene(kind, count, zeta, stiction);
-        let (chain, mut exact) = (Chain::of(&modal), Exact::new(&modal));
+        let (chain, mut exact) = (IntervalChain::of(&modal), Exact::new(&modal));
         let mut state = 11;
         for turn in 0..400 {
             let r = 0.2 + 1.5 * random(&mut state);
@@ -274,14 +274,14 @@ fn witnesses_that_are_none() {
             };
             let witness = t.map_or(Witness::BreakAway, |t| Witness::Instant(vec![t]));
             let singular = singular(&chain, r);
-            let at = Stage::<ORDER>::over(&chain, Interval::point(r), &singular);
-            let over = Stage::<ORDER>::over(&chain, all, &singular);
+            let at = ChainStage::<ORDER>::over(&chain, Interval::point(r), &singular);
+            let over = ChainStage::<ORDER>::over(&chain, all, &singular);
             let away = all - Interval::point(r);
             let none = [Interval::ZERO; 2];
-            let seen_at = Seen::of(&witness, &at, Interval::ZERO, none);
-            let seen_over = Seen::of(&witness, &over, away, none);
+            let seen_at = WitnessInstant::of(&witness, &at, Interval::ZERO, none);
+            let seen_over = WitnessInstant::of(&witness, &over, away, none);
             let share = 1e-3;
-            let part = Part {
+            let part = CellData {
                 chain: &chain,
                 witness: &witness,
                 away,
@@ -324,16 +324,16 @@ fn early_as_anywhere() {
     let mut widest = 0.0_f64;
     for zeta in [0.0, 0.02, -0.3, 1.0, 1.7] {
         let modal = scene("Pair", 3, zeta, 1.0);
-        let chain = Chain::of(&modal);
+        let chain = IntervalChain::of(&modal);
         for _ in 0..200 {
             let r = 0.6 + 1.9 * random(&mut state);
-            let stage = Stage::<3>::over(&chain, Interval::point(r), &singular(&chain, r));
+            let stage = ChainStage::<3>::over(&chain, Interval::point(r), &singular(&chain, r));
             let fastest = chain.modes.iter().map(|mode| mode.sigma.high / r);
             let fastest = fastest.fold(1.0, f64::max) * (1.0 + zeta.abs());
             let t = (0.05 + 0.1 * random(&mut state)) / fastest;
-            let path = Series::<3>::fixed(Interval::point(t));
+            let path = IntervalSeries::<3>::fixed(Interval::point(t));
             let tau = path.times(Interval::pi());
-            let rest = early::rest(&stage, t).map(Series::fixed);
+            let rest = early::rest(&stage, t).map(IntervalSeries::fixed);
             let (value, slope) = early::over_tau(&stage, &tau);
             let (value, slope) = (value + rest[0], slope + rest[1]);
             let (sine, cosine) = path.sine_cosine();

@@ -1,11 +1,11 @@
 //! One segment of the motion, from one event to the next.
 
 use super::clock::{moved, phase};
-use super::contact::{Contact, ContactChain, ContactState, End, Law, Outcome, Sought};
+use super::contact::{Contact, ContactChain, ContactState, Law, Outcome, SegmentEnd, Sought};
 use super::oscillator::{Part, advanced};
-use super::series::Sum;
+use super::series::OscillatorSum;
 use super::setting::Setting;
-use super::walk::{Start, Walk, first_reach, first_zero};
+use super::walk::{Walk, WalkStart, first_reach, first_zero};
 use crate::number::scalar::Float;
 
 /// Searches for the next event from a contact state, as far as `reach`, and sets the oscillators to the segment.
@@ -21,9 +21,9 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
     if contact_state.contact == Contact::Stuck {
         let (sum, offset) = setting.start_sticking(modes, stuck_modes, &contact_state, reach);
         let start = if contact_state.wedged {
-            Start::Wedged
+            WalkStart::Wedged
         } else {
-            Start::Anywhere
+            WalkStart::Anywhere
         };
         let grip = setting.law().grip();
         let walk = first_reach(&sum, grip, zero, start, &mut sought.steps);
@@ -43,7 +43,9 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
         sought.slope = sum.local(sought.tau).slope;
     } else {
         let sum = setting.start_sliding(modes, &contact_state, reach);
-        let start = contact_state.departing.map_or(Start::Anywhere, Start::Zero);
+        let start = contact_state
+            .departing
+            .map_or(WalkStart::Anywhere, WalkStart::Zero);
         (sought.tau, sought.outcome) = match first_zero(&sum, start, &mut sought.steps) {
             Walk::Zero(tau, _) => (tau, Outcome::Halts),
             Walk::Until(tau) => (tau, Outcome::Goes),
@@ -60,7 +62,7 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
 /// Adds derivatives to the instant at which a sum meets its level, for a scalar that carries derivatives.  One step of
 /// Newton's method from the walk's instant gives them.  Without a level no event ends the segment.  The reach then
 /// keeps its own derivatives, and an instant short of the reach has none.
-fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
+fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {
             tau.primal()
@@ -99,7 +101,7 @@ pub(crate) fn ended<S: Float, K: ContactChain<S>>(
     modes: &[Part<S>],
     sought: &Sought<S>,
     to: (S, S),
-) -> End<S> {
+) -> SegmentEnd<S> {
     let mut end = quiet(sought.tau, sought.contact_state, sought.steps);
     match sought.outcome {
         Outcome::Goes => {}
@@ -139,7 +141,7 @@ pub(crate) fn leap<S: Float, K: ContactChain<S>>(
     stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
     reach: S,
-) -> End<S> {
+) -> SegmentEnd<S> {
     let sought = seek(setting, modes, stuck_modes, contact_state, reach);
     let to = phase(moved(contact_state.t, sought.tau));
     if sought.outcome != Outcome::Holds {
@@ -148,10 +150,10 @@ pub(crate) fn leap<S: Float, K: ContactChain<S>>(
     ended(setting, modes, &sought, to)
 }
 
-/// Returns the [`End`] of a segment of length `tau` in which no event occurs.
-fn quiet<S: Float>(tau: S, contact_state: ContactState<S>, steps: u32) -> End<S> {
+/// Returns the [`SegmentEnd`] of a segment of length `tau` in which no event occurs.
+fn quiet<S: Float>(tau: S, contact_state: ContactState<S>, steps: u32) -> SegmentEnd<S> {
     let zero = S::constant(0.0);
-    End {
+    SegmentEnd {
         tau,
         event: None,
         contact_state: ContactState {

@@ -1,12 +1,13 @@
 //! Construction of the steady state of a scene at r and β.
 
-use super::candidate::{Found, ON_CIRCLE};
+use super::candidate::{FoundState, ON_CIRCLE};
 use super::cycle_map::CycleMap;
-use super::newton::{Map, Workspace, multipliers, same};
-use super::record::{Record, Recorded};
+use super::newton::{PeriodMap, Workspace, multipliers, same};
+use super::question::OrbitQuestion;
+use super::record::{Record, RecordedPeriod};
 use super::shooting::{Settled, settle};
 use super::start::Start;
-use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, OrbitQuestion, SegmentStart};
+use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain, Slice};
 use crate::motion::{ContactChain, ContactState, Dynamics, Law, Part, Setting, leap};
 use crate::number::complex::Complex;
@@ -114,7 +115,7 @@ where
         };
         let mut record = Record::new(&mut marks, states, 2 * modes);
         let found = followed(&mut cycle_map, &mut workspace, settled, &mut record)?;
-        let Recorded {
+        let RecordedPeriod {
             count,
             stops,
             reversals,
@@ -150,7 +151,7 @@ fn followed<S: Float, K: ContactChain<S>>(
     workspace: &mut Workspace<'_, S>,
     settled: Settled<S>,
     record: &mut Record<'_, S>,
-) -> Result<Found<S>, NoOrbit> {
+) -> Result<FoundState<S>, NoOrbit> {
     let found = match settled {
         Settled::Stuck(offset) => {
             let found = stuck(cycle_map, workspace, offset)?;
@@ -158,13 +159,13 @@ fn followed<S: Float, K: ContactChain<S>>(
             return Ok(found);
         }
         Settled::Found(found) => found,
-        Settled::Not(_) => Found::NONE,
+        Settled::Not(_) => FoundState::NONE,
     };
     // The search may have used up the steps.  The record of the period may take as many again.
     cycle_map.step_budget = MAX_STEPS;
     record_period(cycle_map, record, found.period)?;
     let symmetric = found.symmetric || is_symmetric(cycle_map, workspace, found.period)?;
-    Ok(Found { symmetric, ..found })
+    Ok(FoundState { symmetric, ..found })
 }
 
 /// Records a period from its first event on.
@@ -229,7 +230,7 @@ pub(super) fn stuck<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     offset: S,
-) -> Result<Found<S>, NoOrbit> {
+) -> Result<FoundState<S>, NoOrbit> {
     let zero = S::constant(0.0);
     let at = (zero, S::constant(1.0));
     for part in cycle_map.stuck_modes.iter_mut() {
@@ -258,7 +259,7 @@ pub(super) fn stuck<S: Float, K: ContactChain<S>>(
             }
         }
     }
-    Ok(Found {
+    Ok(FoundState {
         settled: true,
         period: 1,
         symmetric: offset.is_zero(),
@@ -271,7 +272,7 @@ pub(super) fn stuck<S: Float, K: ContactChain<S>>(
 fn linear<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
-) -> Result<Found<S>, NoOrbit> {
+) -> Result<FoundState<S>, NoOrbit> {
     let at = (S::constant(0.0), S::constant(1.0));
     let driven = cycle_map.setting.dynamics.in_contact();
     for part in cycle_map.modes.iter_mut().take(driven) {
@@ -281,8 +282,8 @@ fn linear<S: Float, K: ContactChain<S>>(
     cycle_map.contact_state = cycle_map
         .setting
         .contact_state(cycle_map.modes, S::constant(0.0));
-    let largest = multipliers(cycle_map, workspace, Map::HALF_CYCLE)?;
-    Ok(Found {
+    let largest = multipliers(cycle_map, workspace, PeriodMap::HALF_CYCLE)?;
+    Ok(FoundState {
         settled: true,
         period: 1,
         symmetric: true,

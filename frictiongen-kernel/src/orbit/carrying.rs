@@ -8,8 +8,8 @@
 use super::build::{record_period, stuck};
 use super::closed;
 use super::cycle_map::CycleMap;
-use super::newton::{Map, Workspace, newton};
-use super::record::{Record, Recorded};
+use super::newton::{PeriodMap, Workspace, newton};
+use super::record::{Record, RecordedPeriod};
 use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain, Ratio, Slice};
 use crate::motion::{Contact, ContactChain, Dynamics, Law, Part, SUM_ROUNDINGS, Setting};
@@ -148,7 +148,7 @@ where
             cycle_map.step_budget = MAX_STEPS;
             record_period(&mut cycle_map, &mut record, plain.period)?;
         }
-        let Recorded {
+        let RecordedPeriod {
             count,
             stops,
             reversals,
@@ -194,7 +194,7 @@ where
         if self.marginal {
             return Err(NoDerivative::Marginal);
         }
-        let map = Map {
+        let map = PeriodMap {
             period: self.period,
             symmetric: self.symmetric,
         };
@@ -316,7 +316,7 @@ fn check_same<S: Float>(given: S, known: impl Float, ratio: Ratio) -> Result<(),
 fn closed_in<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
-    map: Map,
+    map: PeriodMap,
 ) -> Result<(), NoDerivative> {
     let alike = S::constant(ALIKE);
     for last in [false, true] {

@@ -13,7 +13,7 @@ use crate::oscillator::decay::Damped;
 use crate::oscillator::mode::Mode;
 
 /// The modes that the contact drives, at one frequency.
-struct Driven<'a, S> {
+struct DrivenChain<'a, S> {
     chain: Chain<S>,
     modes: &'a [Mode<S>],
     inverse_r: S,
@@ -21,7 +21,7 @@ struct Driven<'a, S> {
     single: bool,
 }
 
-impl<'a, S: Float> Driven<'a, S> {
+impl<'a, S: Float> DrivenChain<'a, S> {
     fn new<K: ContactChain<S>>(dynamics: &Dynamics<'a, S, K>, inverse_r: S) -> Self {
         let modes = dynamics.driven();
         Self {
@@ -48,7 +48,7 @@ impl<'a, S: Float> Driven<'a, S> {
 pub(super) fn set<S: Float, K: ContactChain<S>>(cycle_map: &mut CycleMap<'_, '_, S, K>, beta: S) {
     let one = S::constant(1.0);
     let dynamics = &cycle_map.setting.dynamics;
-    let driven = Driven::new(dynamics, one / cycle_map.setting.r);
+    let driven = DrivenChain::new(dynamics, one / cycle_map.setting.r);
     let contact = driven.contact();
     let friction = dynamics.chain().friction(&contact, driven.inverse_r, beta);
     let known = driven.modes.iter().map(|mode| (mode, driven.at(mode)));

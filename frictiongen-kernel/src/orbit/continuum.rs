@@ -6,7 +6,7 @@
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
-use super::matrix::Matrix;
+use super::matrix::SquareMatrix;
 use super::newton::Workspace;
 use crate::errors::NoOrbit;
 use crate::motion::ContactChain;
@@ -54,7 +54,7 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
             *other = *state;
         }
         let shift = one + S::constant(SHIFT.max(ROUNDINGS * S::EPSILON));
-        if !Matrix::new(workspace.matrix, size).solve_shifted(shift, workspace.other) {
+        if !SquareMatrix::new(workspace.matrix, size).solve_shifted(shift, workspace.other) {
             return Err(NoOrbit::Unsettled);
         }
         // (shift − D)⁻¹ divides the family's share by shift − 1, and hardly changes the other shares.  The weight

@@ -11,13 +11,13 @@ const MOST_EVENTS: u32 = 4096;
 
 /// Numbers of events in half a cycle, or in several.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Pattern {
+pub(super) struct EventPattern {
     pub stops: u32,
     pub reversals: u32,
     pub slips: u32,
 }
 
-impl Pattern {
+impl EventPattern {
     fn note(&mut self, event: Event) {
         match event {
             Event::Stop => self.stops += 1,
@@ -97,7 +97,10 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
     }
 
     /// Advances half a cycle, and takes the deviations in `columns` along.
-    pub(super) fn advance_half(&mut self, columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
+    pub(super) fn advance_half(
+        &mut self,
+        columns: Option<&mut [S]>,
+    ) -> Result<EventPattern, NoOrbit> {
         let start = self.contact_state.t;
         let pattern = self.advance(S::pi(), columns)?;
         // The phase advances by exactly half a cycle, free of the rounding in the sum of lengths.
@@ -112,9 +115,9 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         &mut self,
         tau: S,
         mut columns: Option<&mut [S]>,
-    ) -> Result<Pattern, NoOrbit> {
+    ) -> Result<EventPattern, NoOrbit> {
         let zero = S::constant(0.0);
-        let mut pattern = Pattern::default();
+        let mut pattern = EventPattern::default();
         let (mut left, mut longest) = (tau, zero);
         self.stuck = zero;
         for _ in 0..MOST_EVENTS {

@@ -4,7 +4,7 @@
 //! Three forces act in a stuck contact: V/H of the forced motion, the constant force of an offset, and the force of the
 //! stuck chain's free vibration.  The contact never slides again where their sum cannot exceed μβ.
 
-use super::cycle_map::{CycleMap, Pattern};
+use super::cycle_map::{CycleMap, EventPattern};
 use super::types::MAX_CYCLES;
 use crate::motion::{Contact, ContactChain, Law, phase};
 use crate::number::scalar::Float;
@@ -49,9 +49,9 @@ impl<S: Float> Hold<S> {
     }
 
     /// Notes another half cycle.
-    pub(super) fn note(&mut self, half: Pattern) {
+    pub(super) fn note(&mut self, half: EventPattern) {
         self.halves = self.halves.saturating_add(1);
-        let calm = half == Pattern::default();
+        let calm = half == EventPattern::default();
         self.quiet = if calm { self.quiet + 1 } else { 0 };
     }
 

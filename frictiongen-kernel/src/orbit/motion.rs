@@ -5,7 +5,7 @@ use super::rates;
 use super::segments::Segments;
 use super::types::{Orbit, SegmentStart};
 use crate::contact::sums::Chain;
-use crate::motion::{Contact, ContactChain, Part, Sum, lift, rotated};
+use crate::motion::{Contact, ContactChain, OscillatorSum, Part, lift, rotated};
 use crate::number::complex::{self, Complex};
 use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
@@ -34,7 +34,7 @@ impl<S, P, V, C, K> Copy for OrbitMotion<'_, '_, S, P, V, C, K> {}
 const MOST_PANELS: f64 = (1_u32 << 14) as f64;
 
 /// The largest |x̄| found so far, and its lag.
-struct Best<S> {
+struct LargestDisplacement<S> {
     value: S,
     lag: Option<S>,
 }
@@ -173,9 +173,9 @@ where
         complex::scale(total, S::inverse_pi() * factor / self.orbit.cycles())
     }
 
-    fn best(&self) -> Best<S> {
+    fn best(&self) -> LargestDisplacement<S> {
         let zero = S::constant(0.0);
-        let mut best = Best {
+        let mut best = LargestDisplacement {
             value: zero,
             lag: None,
         };
@@ -199,7 +199,7 @@ where
 
     /// Notes the relative motion at all events, because the motion is largest where its velocity is zero.  The motion
     /// reaches its largest displacement at the beginning of a stop, so that the end of a stop is left out.
-    fn at_events(&self, best: &mut Best<S>) {
+    fn at_events(&self, best: &mut LargestDisplacement<S>) {
         let (mut first, mut stuck) = (None, false);
         for mark in self.orbit.segments() {
             if first.is_none() {
@@ -234,14 +234,14 @@ where
         self.orbit.symmetric
     }
 
-    fn evaluate(&self, tau: S, question: impl Fn(&Sum<'_, S>, S) -> S) -> S {
+    fn evaluate(&self, tau: S, question: impl Fn(&OscillatorSum<'_, S>, S) -> S) -> S {
         let Some((mut segments, mark, since)) = Segments::at(self.orbit, tau) else {
             return S::constant(0.0);
         };
         question(&self.segment_sum(segments.parts(), &mark), since)
     }
 
-    pub(super) fn each(&self, mut question: impl FnMut(&SegmentStart<S>, &Sum<'_, S>)) {
+    pub(super) fn each(&self, mut question: impl FnMut(&SegmentStart<S>, &OscillatorSum<'_, S>)) {
         let mut segments = self.orbit.segments();
         while let Some(mark) = segments.next() {
             let sum = self.segment_sum(segments.parts(), &mark);
@@ -250,7 +250,11 @@ where
     }
 
     /// The motion in one segment as a sum, for oscillators in the state at the segment's start.
-    fn segment_sum<'p>(&self, parts: &'p mut [Part<S>], mark: &SegmentStart<S>) -> Sum<'p, S> {
+    fn segment_sum<'p>(
+        &self,
+        parts: &'p mut [Part<S>],
+        mark: &SegmentStart<S>,
+    ) -> OscillatorSum<'p, S> {
         let zero = S::constant(0.0);
         let (setting, contact_state, reach) =
             (&self.orbit.setting, &mark.contact_state, mark.length);
@@ -314,11 +318,11 @@ where
         let (sine, cosine) = at;
         let cosines = rotated(fundamental, sine, cosine);
         let sines = -(fundamental.re * sine) - fundamental.im * cosine;
-        Sum::new(parts, constant, (cosines, sines), at, reach)
+        OscillatorSum::new(parts, constant, (cosines, sines), at, reach)
     }
 }
 
-impl<S: Float> Best<S> {
+impl<S: Float> LargestDisplacement<S> {
     /// Notes a value at an instant, in half-turns of the excitation.
     fn note(&mut self, t: S, value: S) {
         let (one, two) = (S::constant(1.0), S::constant(2.0));

@@ -1,7 +1,7 @@
 //! Newton's method on the map of half a period or a whole one, and the map's multipliers.
 
-use super::cycle_map::{CycleMap, Pattern, unit};
-use super::matrix::Matrix;
+use super::cycle_map::{CycleMap, EventPattern, unit};
+use super::matrix::SquareMatrix;
 use super::types::MAX_SEGMENTS;
 use crate::errors::NoOrbit;
 use crate::motion::{Contact, ContactChain, ContactState};
@@ -70,14 +70,14 @@ impl<'m, S: Float> Workspace<'m, S> {
 
 /// Map of a state over half a period, or over a whole one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Map {
+pub(super) struct PeriodMap {
     /// Period in cycles of the excitation.
     pub period: u32,
     /// True if the map is half a period times −1.
     pub symmetric: bool,
 }
 
-impl Map {
+impl PeriodMap {
     /// Map of a symmetric state that repeats after one cycle.
     pub const HALF_CYCLE: Self = Self {
         period: 1,
@@ -99,8 +99,8 @@ impl Map {
 pub(super) fn newton<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
-    map: Map,
-) -> Result<Option<Pattern>, NoOrbit> {
+    map: PeriodMap,
+) -> Result<Option<EventPattern>, NoOrbit> {
     let symmetric = map.symmetric;
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let size = cycle_map.size();
@@ -137,7 +137,7 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
         if symmetric {
             negate(workspace.matrix);
         }
-        if !Matrix::new(workspace.matrix, size).solve_shifted(one, workspace.other) {
+        if !SquareMatrix::new(workspace.matrix, size).solve_shifted(one, workspace.other) {
             return Ok(None);
         }
         let mut step = zero;
@@ -171,9 +171,9 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
 pub(super) fn mapped<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     columns: &mut [S],
-    map: Map,
-) -> Result<(Contact, Pattern), NoOrbit> {
-    let mut pattern = Pattern::default();
+    map: PeriodMap,
+) -> Result<(Contact, EventPattern), NoOrbit> {
+    let mut pattern = EventPattern::default();
     for _ in 0..map.halves() {
         pattern = pattern.and(cycle_map.advance_half(Some(columns))?);
     }
@@ -197,7 +197,7 @@ pub(super) fn negate<S: Float>(numbers: &mut [S]) {
 pub(super) fn multipliers<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
-    map: Map,
+    map: PeriodMap,
 ) -> Result<S, NoOrbit> {
     let size = cycle_map.size();
     let start: ContactState<S> = cycle_map.contact_state;
@@ -205,7 +205,7 @@ pub(super) fn multipliers<S: Float, K: ContactChain<S>>(
     unit(workspace.matrix, size);
     mapped(cycle_map, workspace.matrix, map)?;
     cycle_map.restore(workspace.other, &start);
-    Matrix::new(workspace.matrix, size).eigenvalues(workspace.multipliers);
+    SquareMatrix::new(workspace.matrix, size).eigenvalues(workspace.multipliers);
     let mut largest = S::constant(0.0);
     for multiplier in workspace.multipliers.iter_mut() {
         largest = largest.max(complex::modulus(*multiplier, true));

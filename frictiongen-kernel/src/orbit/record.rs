@@ -30,7 +30,7 @@ pub(super) struct Record<'s, S> {
 }
 
 /// Result of a record.
-pub(super) struct Recorded<S> {
+pub(super) struct RecordedPeriod<S> {
     pub count: usize,
     pub stops: usize,
     pub reversals: usize,
@@ -195,12 +195,12 @@ impl<'s, S: Float> Record<'s, S> {
         }
     }
 
-    pub(super) fn done(self) -> Recorded<S> {
+    pub(super) fn done(self) -> RecordedPeriod<S> {
         let zero = S::constant(0.0);
         if let (Some(first), Some(stuck_at)) = (self.marks.first_mut(), self.stuck_at) {
             first.relative = stuck_at;
         }
-        Recorded {
+        RecordedPeriod {
             count: self.count,
             stops: self.stops,
             reversals: self.reversals,

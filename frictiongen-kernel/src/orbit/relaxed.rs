@@ -7,8 +7,8 @@
 //! has one solution, which is nearer to the steady state than x, however long the step is.
 
 use super::cycle_map::{CycleMap, unit};
-use super::matrix::Matrix;
-use super::newton::{Map, Workspace, mapped, negate};
+use super::matrix::SquareMatrix;
+use super::newton::{PeriodMap, Workspace, mapped, negate};
 use crate::errors::NoOrbit;
 use crate::motion::{Contact, ContactChain};
 use crate::number::pairs::{pairs, pairs_mut};
@@ -71,7 +71,7 @@ fn step<S: Float, K: ContactChain<S>>(
     for _ in 0..NEWTON_STEPS {
         cycle_map.save(workspace.other);
         unit(workspace.matrix, size);
-        let (image, _) = mapped(cycle_map, workspace.matrix, Map::HALF_CYCLE)?;
+        let (image, _) = mapped(cycle_map, workspace.matrix, PeriodMap::HALF_CYCLE)?;
         if (image == Contact::Stuck) != (start.contact == Contact::Stuck) {
             return Ok(false);
         }
@@ -87,7 +87,7 @@ fn step<S: Float, K: ContactChain<S>>(
             }
         }
         negate(workspace.matrix);
-        if !Matrix::new(workspace.matrix, size).solve_shifted(one + shift, workspace.other) {
+        if !SquareMatrix::new(workspace.matrix, size).solve_shifted(one + shift, workspace.other) {
             return Ok(false);
         }
         let mut change = zero;

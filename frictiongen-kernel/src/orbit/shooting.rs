@@ -1,10 +1,10 @@
 //! Search for the steady state as a fixed point of the half-period map times −1, or of the period map.  The period is
 //! one cycle of the excitation, or several.
 
-use super::candidate::{Candidate, Found, MAX_PERIOD, Verdict};
-use super::cycle_map::{CycleMap, Pattern};
+use super::candidate::{Candidate, CandidateVerdict, FoundState, MAX_PERIOD};
+use super::cycle_map::{CycleMap, EventPattern};
 use super::hold::Hold;
-use super::newton::{Map, Workspace, same};
+use super::newton::{PeriodMap, Workspace, same};
 use super::relaxed::relax;
 use super::start::Start;
 use super::types::MAX_CYCLES;
@@ -38,7 +38,7 @@ impl<S> Start<'_, S> {
 
 /// Result of following a motion.
 pub(super) enum Settled<S> {
-    Found(Found<S>),
+    Found(FoundState<S>),
     /// The contact sticks for ever, with z̄ at this value.
     Stuck(S),
     /// The search reached its upper bound on cycles without a steady state.  The value is the reason.
@@ -66,7 +66,7 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
     }
     let mut failure = NoOrbit::Unsettled;
     let (mut cycles, mut wanted) = (0, 2);
-    let mut halves = [Pattern::default(); 4];
+    let mut halves = [EventPattern::default(); 4];
     // Numbers of successive half cycles with an unchanged pattern, compared with half a cycle before and with a cycle
     // before.
     let mut settled = [0u32; 2];
@@ -103,7 +103,7 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
             }
             cycle_map.save(workspace.state);
             let mut candidate = Candidate {
-                map: Map {
+                map: PeriodMap {
                     period: 1,
                     symmetric,
                 },
@@ -117,12 +117,12 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
             let verdict = candidate.try_from(cycle_map, workspace);
             cycles = candidate.cycles;
             match verdict {
-                Ok(Verdict::Found(found)) => return Ok(Settled::Found(found)),
-                Ok(Verdict::Wait) => {
+                Ok(CandidateVerdict::Found(found)) => return Ok(Settled::Found(found)),
+                Ok(CandidateVerdict::Wait) => {
                     cycle_map.restore(workspace.state, &candidate.here);
                     break;
                 }
-                Ok(Verdict::No) => {}
+                Ok(CandidateVerdict::No) => {}
                 Err(error) => failure = error,
             }
             cycle_map.restore(workspace.state, &candidate.here);
@@ -151,14 +151,14 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
 fn slow<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
-    [last, before, ..]: [Pattern; 4],
+    [last, before, ..]: [EventPattern; 4],
     spare: &mut [S],
-) -> Option<Found<S>> {
+) -> Option<FoundState<S>> {
     let here = cycle_map.contact_state;
     let (motion, taken) = spare.split_at_mut(spare.len() / 2);
     cycle_map.save(motion);
     let mut candidate = Candidate {
-        map: Map::HALF_CYCLE,
+        map: PeriodMap::HALF_CYCLE,
         wanted: last,
         recent: last.and(before),
         alike: 0,
@@ -169,7 +169,7 @@ fn slow<S: Float, K: ContactChain<S>>(
     if relax(cycle_map, workspace, taken).is_ok() {
         cycle_map.save(workspace.state);
         candidate.here = cycle_map.contact_state;
-        if let Ok(Verdict::Found(found)) = candidate.try_from(cycle_map, workspace) {
+        if let Ok(CandidateVerdict::Found(found)) = candidate.try_from(cycle_map, workspace) {
             return Some(found);
         }
     }
@@ -197,7 +197,7 @@ fn several<S: Float, K: ContactChain<S>>(
             };
             cycle_map.save(workspace.state);
             let mut candidate = Candidate {
-                map: Map { period, symmetric },
+                map: PeriodMap { period, symmetric },
                 wanted,
                 recent: total,
                 alike: 0,
@@ -206,7 +206,7 @@ fn several<S: Float, K: ContactChain<S>>(
                 here: cycle_map.contact_state,
             };
             let mut verdict = candidate.try_from(cycle_map, workspace);
-            if matches!(verdict, Ok(Verdict::Found(_)))
+            if matches!(verdict, Ok(CandidateVerdict::Found(_)))
                 && let Some(sooner) = repeats_sooner(cycle_map, workspace, period)?
             {
                 // The same state is tried again with the smaller number of cycles.
@@ -219,12 +219,12 @@ fn several<S: Float, K: ContactChain<S>>(
                         candidate.wanted = wanted;
                         candidate.try_from(cycle_map, workspace)
                     }
-                    None => Ok(Verdict::No),
+                    None => Ok(CandidateVerdict::No),
                 };
             }
             *cycles = candidate.cycles;
             match verdict {
-                Ok(Verdict::Found(found)) => return Ok(Settled::Found(found)),
+                Ok(CandidateVerdict::Found(found)) => return Ok(Settled::Found(found)),
                 Ok(_) => {}
                 Err(error) => failure = error,
             }
@@ -267,8 +267,8 @@ fn comes_back<S: Float, K: ContactChain<S>>(
     cycles: &mut u32,
     after: u32,
     most: u32,
-) -> Result<Option<(u32, Pattern)>, NoOrbit> {
-    let mut total = Pattern::default();
+) -> Result<Option<(u32, EventPattern)>, NoOrbit> {
+    let mut total = EventPattern::default();
     cycle_map.save(workspace.state);
     let mut near = cycle_map.scale() * S::constant(NEARLY_BACK);
     for period in 1..=most {
@@ -287,7 +287,7 @@ fn comes_back<S: Float, K: ContactChain<S>>(
 
 /// The pattern of half a period, or of a whole one.  Half an even number of cycles later the load has the same sign, so
 /// that no motion is opposite.
-fn wanted(total: Pattern, symmetric: bool, period: u32) -> Option<Pattern> {
+fn wanted(total: EventPattern, symmetric: bool, period: u32) -> Option<EventPattern> {
     if !symmetric {
         return Some(total);
     }

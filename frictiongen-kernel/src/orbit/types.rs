@@ -1,8 +1,7 @@
 //! A steady state, its segments, and the bounds of the search for it.
 
-use super::start::Start;
 use crate::contact::sums::Chain;
-use crate::motion::{Contact, ContactState, Dynamics, Setting};
+use crate::motion::{Contact, ContactState, Setting};
 use crate::number::scalar::Float;
 
 /// Upper bound on the segments of a cycle.  A period of several cycles may have this number for each of its cycles.  A
@@ -49,24 +48,6 @@ impl<S: Float> SegmentStart<S> {
     pub(super) fn stuck_at(&self) -> Option<S> {
         (self.contact_state.contact == Contact::Stuck).then_some(self.relative)
     }
-}
-
-/// The steady state that is asked for.
-#[derive(Clone, Copy, Debug)]
-pub struct OrbitQuestion<'a, 's, S, K = Chain<S>> {
-    /// Data of the scene.
-    pub dynamics: Dynamics<'a, S, K>,
-    /// Frequency ratio r.
-    pub r: S,
-    /// Friction ratio β.
-    pub beta: S,
-    /// β*_lim, from which on the motion may end with the contact stuck.
-    pub sliding: S,
-    /// Start at a maximum of the excitation.
-    pub start: Start<'s, S>,
-    /// If true, a motion that does not settle gives its last [`MAX_PERIOD`](super::MAX_PERIOD) cycles.  If false, it
-    /// gives an error.
-    pub last: bool,
 }
 
 /// A steady state: a motion that repeats after one cycle of the excitation, or after [`Orbit::period`] cycles.

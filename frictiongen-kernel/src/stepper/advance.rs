@@ -1,12 +1,12 @@
 //! One sub-interval of a step: by the tables where the contact certainly has no event, by a search for events
 //! elsewhere.
 
-use super::interval::Interval;
+use super::interval::StepInterval;
 use super::law::StepContact;
 use crate::motion::Contact;
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// Advances through the sub-interval.
     pub(super) fn advance(&mut self) {
         if self.status.level.is_zero() {

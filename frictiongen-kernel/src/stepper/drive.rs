@@ -59,14 +59,14 @@ impl<S: Float> Sample<'_, S> {
 
 /// A sub-interval of a step, in fractions of the step.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stretch<S> {
+pub(super) struct SubInterval<S> {
     /// Start of the sub-interval, from 0 to 1.
     pub start: S,
     /// Length of the sub-interval.
     pub length: S,
 }
 
-impl<S: Float> Stretch<S> {
+impl<S: Float> SubInterval<S> {
     pub(super) fn nth(place: u32, parts: u32) -> Self {
         let parts = S::constant(f64::from(parts));
         Self {

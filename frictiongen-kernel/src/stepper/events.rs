@@ -1,12 +1,12 @@
 //! One sub-interval of a step that is searched for events and followed from event to event.
 
-use super::interval::{Departure, Interval, ROUNDINGS};
+use super::interval::{Departure, ROUNDINGS, StepInterval};
 use super::law::StepContact;
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::motion::{Contact, Law, line_at};
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// Follows the contact from event to event to the end of the sub-interval.
     pub(super) fn follow_events(&mut self) {
         let one = S::constant(1.0);

@@ -13,7 +13,7 @@ pub(super) const ROUNDINGS: f64 = 8.0;
 pub(super) const OFF_CHORD: f64 = 0.125;
 
 /// A stepper within one sub-interval of a step.
-pub struct Interval<'t, 'a, S, const D: usize, K> {
+pub struct StepInterval<'t, 'a, S, const D: usize, K> {
     pub scene: &'t StepScene<'a, S, K>,
     pub table: View<'t, S, D>,
     pub store: StoreMut<'t, S, D>,
@@ -37,7 +37,7 @@ pub(super) struct Departure<S> {
     pub stuck: Option<S>,
 }
 
-impl<S: Float, const D: usize, K: ContactChain<S>> Interval<'_, '_, S, D, K> {
+impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K> {
     pub(super) fn driven(&self) -> usize {
         self.scene.dynamics.in_contact().min(self.store.modes.len())
     }

@@ -1,6 +1,6 @@
 //! The law of a contact within a step, while the contact sticks.
 
-use super::interval::Interval;
+use super::interval::StepInterval;
 use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
@@ -8,5 +8,5 @@ use crate::number::scalar::Float;
 pub trait StepContact<S: Float>: ContactChain<S> {
     /// The force in the sticking contact over a sub-interval, as a polynomial, without the share of the stuck chain's
     /// modes.
-    fn stuck_force_terms<const D: usize>(interval: &Interval<'_, '_, S, D, Self>) -> [S; 4];
+    fn stuck_force_terms<const D: usize>(interval: &StepInterval<'_, '_, S, D, Self>) -> [S; 4];
 }

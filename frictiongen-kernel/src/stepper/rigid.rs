@@ -1,14 +1,14 @@
 //! The force in a rigid contact that sticks, within a step.
 
 use super::drive::derived;
-use super::interval::Interval;
+use super::interval::StepInterval;
 use super::law::StepContact;
 use crate::contact::sums::Chain;
 use crate::number::scalar::Float;
 
 impl<S: Float> StepContact<S> for Chain<S> {
     #[inline]
-    fn stuck_force_terms<const D: usize>(interval: &Interval<'_, '_, S, D, Self>) -> [S; 4] {
+    fn stuck_force_terms<const D: usize>(interval: &StepInterval<'_, '_, S, D, Self>) -> [S; 4] {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let pace = &interval.table.pace;
         let mass = one / interval.scene.dynamics.chain.inverse_mass;

@@ -1,8 +1,8 @@
 //! A stepper that advances from sample to sample.
 
 use super::Input;
-use super::drive::{Sample, Stretch, base_motion};
-use super::interval::Interval;
+use super::drive::{Sample, SubInterval, base_motion};
+use super::interval::StepInterval;
 use super::law::StepContact;
 use super::scene::StepScene;
 use super::state::{Status, Store};
@@ -104,7 +104,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
             let zero = S::constant(0.0);
             let motion = [place, velocity * self.dt(), zero, zero];
             let parts = self.tables.view().pace.parts;
-            self.interval(&sample, motion, Stretch::nth(0, parts))
+            self.interval(&sample, motion, SubInterval::nth(0, parts))
                 .begin();
         }
         Ok(())
@@ -167,7 +167,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         };
         for part in 0..pace.parts {
             let (events, exceeded) =
-                self.advance_interval(&sample, motion, Stretch::nth(part, pace.parts));
+                self.advance_interval(&sample, motion, SubInterval::nth(part, pace.parts));
             stepped.events += events;
             stepped.exceeded |= exceeded;
         }
@@ -196,7 +196,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         &mut self,
         sample: &Sample<'_, S>,
         motion: [S; 4],
-        stretch: Stretch<S>,
+        stretch: SubInterval<S>,
     ) -> (u32, bool) {
         let mut interval = self.interval(sample, motion, stretch);
         interval.advance();
@@ -209,10 +209,10 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         &mut self,
         sample: &Sample<'_, S>,
         motion: [S; 4],
-        stretch: Stretch<S>,
-    ) -> Interval<'_, 'a, S, D, K> {
+        stretch: SubInterval<S>,
+    ) -> StepInterval<'_, 'a, S, D, K> {
         let base = self.write_inputs(sample, motion, stretch);
-        Interval {
+        StepInterval {
             scene: &self.scene,
             table: self.tables.view(),
             store: self.store.change(),
@@ -255,7 +255,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         &mut self,
         sample: &Sample<'_, S>,
         motion: [S; 4],
-        stretch: Stretch<S>,
+        stretch: SubInterval<S>,
     ) -> [S; 4] {
         let on_base = self.scene.on_base;
         let hold = self.scene.input == Input::Hold;

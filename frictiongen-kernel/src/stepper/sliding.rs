@@ -2,16 +2,16 @@
 
 use super::dot::add;
 use super::drive::{at, derived, growth};
-use super::interval::{Departure, Interval, OFF_CHORD, ROUNDINGS, integral, product};
+use super::interval::{Departure, OFF_CHORD, ROUNDINGS, StepInterval, integral, product};
 use super::law::StepContact;
 use super::rows::{moments, next};
-use crate::motion::{Law, Line, Power, Start, Walk, first_zero, line};
+use crate::motion::{KineticLine, Law, Power, Walk, WalkStart, first_zero, line};
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// The line of the friction law on which the speed lies.  The line's speeds are in lengths a sub-interval.
     #[inline]
-    pub(super) fn line(&self) -> Line<S> {
+    pub(super) fn line(&self) -> KineticLine<S> {
         let mut line = line(self.scene.law, self.status.line);
         if self.scene.law.is_empty() {
             return line;
@@ -116,7 +116,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
         let velocity = self.velocity_series(kinetic);
         let reach = self.series_reach(kinetic[1]);
         let mut steps = 0;
-        let start = departing.map_or(Start::Anywhere, |departure| Start::Zero(departure.slope));
+        let start = departing.map_or(WalkStart::Anywhere, |departure| {
+            WalkStart::Zero(departure.slope)
+        });
         let seen = velocity.seen(sign, line.low, reach);
         let (mut tau, mut halts) = match first_zero(&seen, start, &mut steps) {
             Walk::Zero(tau, _) => (tau, true),
@@ -131,7 +133,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
         // A piece of motion without length has no earlier crossing.
         if let Some(high) = line.high.filter(|_| zero < tau) {
             let seen = velocity.seen(-sign, -high, tau);
-            match first_zero(&seen, Start::Anywhere, &mut steps) {
+            match first_zero(&seen, WalkStart::Anywhere, &mut steps) {
                 Walk::Zero(at, _) => (tau, halts, rises) = (at, false, true),
                 Walk::Until(at) if at < tau => (tau, halts) = (at, false),
                 _ => {}

@@ -1,13 +1,13 @@
 //! A sub-interval in which the contact sticks: by the tables, or as a power series up to an event.
 
 use super::drive::at;
-use super::interval::{Departure, Interval, OFF_CHORD, ROUNDINGS};
+use super::interval::{Departure, OFF_CHORD, ROUNDINGS, StepInterval};
 use super::law::StepContact;
 use super::rows::moments;
-use crate::motion::{Contact, Law, Start, Walk, first_reach, lift};
+use crate::motion::{Contact, Law, Walk, WalkStart, first_reach, lift};
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// Advances by the tables if the contact certainly keeps sticking, and returns whether it does.
     pub(super) fn stick_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);
@@ -67,9 +67,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
             (zero, Some(Contact::along(now)))
         } else {
             let start = if wedged {
-                Start::Wedged
+                WalkStart::Wedged
             } else {
-                Start::Anywhere
+                WalkStart::Anywhere
             };
             let mut steps = 0;
             match first_reach(

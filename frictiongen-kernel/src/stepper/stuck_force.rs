@@ -2,14 +2,14 @@
 
 use super::dot::add;
 use super::drive::{derived, growth};
-use super::interval::{Interval, product};
+use super::interval::{StepInterval, product};
 use super::law::StepContact;
 use super::rows::{HeldStep, next};
 use super::table::HeldLoad;
 use crate::motion::Power;
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize, K: StepContact<S>> Interval<'_, '_, S, D, K> {
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// Rates that the inputs, and the base that carries the contact, add to y and u of a stuck chain's mode.
     #[inline]
     pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {

@@ -1,6 +1,6 @@
 //! Tests interval series against double-double.
 
-use super::Series;
+use super::IntervalSeries;
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::interval::Interval;
@@ -52,8 +52,8 @@ fn holds(interval: Interval, value: Dd) -> bool {
 }
 
 /// Evaluates a formula that uses every operation, as a series. `formula_at` evaluates it in double-double.
-fn formula(h: Series<6>) -> Series<6> {
-    let one = Series::fixed(Interval::ONE);
+fn formula(h: IntervalSeries<6>) -> IntervalSeries<6> {
+    let one = IntervalSeries::fixed(Interval::ONE);
     let (sine, cosine) = h.sine_cosine();
     let root = (h.squared() + one).sqrt();
     (sine * h - cosine.squared()) / root + (-(h * h)).exp() - h.times(Interval::point(3.0)).sinc()
@@ -77,9 +77,9 @@ fn series_hold_what_they_should() {
         let centre = 0.2 * numbers.next() + 0.05;
         let half = 0.03 * numbers.next();
         let all = Interval::new(centre - half, centre + half);
-        let at = formula(Series::variable(Interval::point(centre)));
-        let over = formula(Series::variable(all));
-        let joined = Series::joined(&at, &over);
+        let at = formula(IntervalSeries::variable(Interval::point(centre)));
+        let over = formula(IntervalSeries::variable(all));
+        let joined = IntervalSeries::joined(&at, &over);
         let range = joined.range(all - Interval::point(centre));
         for _ in 0..8 {
             let x = numbers.within(all);
@@ -103,7 +103,7 @@ fn coefficients() {
         let low = 0.2 * numbers.next() + 0.05;
         let step = 0.01;
         let all = Interval::new(low, low + 5.0 * step);
-        let over = formula(Series::variable(all));
+        let over = formula(IntervalSeries::variable(all));
         let mut differences: Vec<Dd> = (0..6)
             .map(|k| formula_at(Dd::from(low + step * f64::from(k))))
             .collect();
@@ -147,11 +147,11 @@ fn products() {
                     numbers.interval()
                 }
             });
-            Series::<6> { terms }
+            IntervalSeries::<6> { terms }
         };
         let (a, b) = (series(&mut numbers), series(&mut numbers));
         let (product, square) = (a * b, a.squared());
-        let within = |numbers: &mut Numbers, series: &Series<6>| {
+        let within = |numbers: &mut Numbers, series: &IntervalSeries<6>| {
             series.terms.map(|term| {
                 let end = term.high.min(1e6_f64.max(term.low));
                 numbers.within(Interval::new(term.low, end))
@@ -174,13 +174,13 @@ fn products() {
 /// A term that is exactly 0 stays exactly 0, because sums leave such terms out.
 #[test]
 fn products_with_nothing() {
-    let nothing = Series::<6>::fixed(Interval::ZERO);
-    let all = Series::<6> {
+    let nothing = IntervalSeries::<6>::fixed(Interval::ZERO);
+    let all = IntervalSeries::<6> {
         terms: [Interval::ALL; 6],
     };
     let product = nothing * all;
     assert!(product.terms.iter().all(Interval::is_nothing));
-    let line = Series::<6>::variable(Interval::new(1.0, 2.0));
+    let line = IntervalSeries::<6>::variable(Interval::new(1.0, 2.0));
     let square = line * line;
     assert!(square.terms.iter().skip(3).all(Interval::is_nothing));
     assert!(!square.term(2).is_nothing());
@@ -195,10 +195,12 @@ fn refined() {
         let (low, length) = (0.2 * numbers.next() + 0.05, 0.03 * numbers.next());
         let all = Interval::new(low, low + length);
         let centre = numbers.within(all);
-        let at = formula(Series::variable(Interval::point(centre)));
-        let over = formula(Series::variable(all));
+        let at = formula(IntervalSeries::variable(Interval::point(centre)));
+        let over = formula(IntervalSeries::variable(all));
         let refined = over.refined(&at, all - Interval::point(centre));
-        let there = formula(Series::variable(Interval::point(numbers.within(all))));
+        let there = formula(IntervalSeries::variable(Interval::point(
+            numbers.within(all),
+        )));
         for k in 0..6 {
             let (plain, own, there) = (over.term(k), refined.term(k), there.term(k));
             narrower = narrower.max((plain.high - plain.low) / (own.high - own.low));

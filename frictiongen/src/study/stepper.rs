@@ -114,7 +114,7 @@ impl<S> Store<S, COEFFICIENTS> for SystemStepStore<S> {
 }
 
 /// The kernel's stepper, with vectors for its constants and its state.
-type Inner<'a, S> = Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>>;
+type KernelStepper<'a, S> = Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>>;
 
 /// The state of a system's stepper, as [`save`](Stepper::save) returns it.
 pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
@@ -123,7 +123,7 @@ pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 #[derive(Clone, Debug)]
 pub struct SystemStepper<'a, S = f64> {
     system: &'a System<S>,
-    stepper: Inner<'a, S>,
+    stepper: KernelStepper<'a, S>,
     /// One force for each mass, because every mass of a run-time system can carry a load. The excited mass comes
     /// first.
     forces: Vec<S>,
@@ -141,14 +141,14 @@ pub struct SystemStepper<'a, S = f64> {
 #[derive(Clone, Debug, PartialEq)]
 #[must_use = "an input acts in a step of a stepper"]
 pub struct SystemInput<'n, S = f64> {
-    excitation: Acting<S>,
+    excitation: ExcitationLoad<S>,
     more: Vec<(&'n str, S)>,
     friction: S,
 }
 
 /// The load at the excitation of the scene: a force on a mass, or displacement and velocity of the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Acting<S> {
+enum ExcitationLoad<S> {
     Force(S),
     Base([S; 2]),
 }
@@ -156,15 +156,15 @@ enum Acting<S> {
 impl<'n, S: Float> SystemInput<'n, S> {
     /// Creates an input with a force on the excited mass.
     pub fn force(force: S) -> Self {
-        Self::new(Acting::Force(force))
+        Self::new(ExcitationLoad::Force(force))
     }
 
     /// Creates an input with a displacement and a velocity of the base.
     pub fn base(displacement: S, velocity: S) -> Self {
-        Self::new(Acting::Base([displacement, velocity]))
+        Self::new(ExcitationLoad::Base([displacement, velocity]))
     }
 
-    fn new(excitation: Acting<S>) -> Self {
+    fn new(excitation: ExcitationLoad<S>) -> Self {
         Self {
             excitation,
             more: Vec::new(),
@@ -291,13 +291,13 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         let steps = self.system.steps();
         self.forces.fill(S::constant(0.0));
         let base = match (input.excitation, self.forces.first_mut()) {
-            (Acting::Base(base), _) if steps.on_base => base,
-            (Acting::Force(force), Some(excited)) if !steps.on_base => {
+            (ExcitationLoad::Base(base), _) if steps.on_base => base,
+            (ExcitationLoad::Force(force), Some(excited)) if !steps.on_base => {
                 *excited = force;
                 [S::constant(0.0); 2]
             }
-            (Acting::Base(_), _) => return Err(OutOfDomain::BaseAtRest.into()),
-            (Acting::Force(_), _) => return Err(OutOfDomain::Forces.into()),
+            (ExcitationLoad::Base(_), _) => return Err(OutOfDomain::BaseAtRest.into()),
+            (ExcitationLoad::Force(_), _) => return Err(OutOfDomain::Forces.into()),
         };
         for (name, force) in &input.more {
             let mass = self.system.mass_index(name)?;

@@ -3,8 +3,8 @@
 //! The constants of a chain select the law by their type: [`Chain`] has a rigid contact.  Motion, simulation and steady
 //! states are generic over that type, so that a scene has the code of its own law only.
 
-use super::kinetic::Line;
-use super::state::{Contact, ContactState, End};
+use super::kinetic::KineticLine;
+use super::state::{Contact, ContactState, SegmentEnd};
 use crate::contact::sums::Chain;
 use crate::motion::oscillator::Part;
 use crate::motion::setting::Setting;
@@ -59,14 +59,14 @@ pub trait Law<S: Float>: Copy + Debug {
 
     /// Level and slope of the contact force over the relative velocity, on a line of the kinetic friction.
     #[inline]
-    fn kinetic_on(self, line: &Line<S>, contact: Contact) -> [S; 2] {
+    fn kinetic_on(self, line: &KineticLine<S>, contact: Contact) -> [S; 2] {
         let sign: S = contact.sign();
         [sign * self.level() * line.level, self.level() * line.slope]
     }
 
     /// The contact force while the contact slides at this speed, on a line of the kinetic friction.
     #[inline]
-    fn kinetic_at(self, line: &Line<S>, contact: Contact, speed: S) -> S {
+    fn kinetic_at(self, line: &KineticLine<S>, contact: Contact, speed: S) -> S {
         contact.sign::<S>() * (self.level() * (line.level + line.slope * speed))
     }
 }
@@ -119,10 +119,10 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     fn steady_stuck_force(setting: &Setting<'_, S, Self>, place: S) -> (S, Complex<S>);
 
     /// Sets slope, event, jump and next state at the end of a segment, where the relative velocity vanishes.
-    fn halt(setting: &Setting<'_, S, Self>, modes: &[Part<S>], at: (S, S), end: &mut End<S>);
+    fn halt(setting: &Setting<'_, S, Self>, modes: &[Part<S>], at: (S, S), end: &mut SegmentEnd<S>);
 
     /// Sets event, jump and next state at the end of a segment, where the stuck contact breaks away.
-    fn break_away(setting: &Setting<'_, S, Self>, contact: Contact, end: &mut End<S>);
+    fn break_away(setting: &Setting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>);
 
     /// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.  `modes` and
     /// `stuck_modes` are the oscillators after the segment.  The states in `stuck_modes` are overwritten.
@@ -130,7 +130,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         setting: &Setting<'_, S, Self>,
         oscillators: (&[Part<S>], &mut [Part<S>]),
         contact_state: &ContactState<S>,
-        end: &End<S>,
+        end: &SegmentEnd<S>,
         columns: &mut [S],
     );
 }

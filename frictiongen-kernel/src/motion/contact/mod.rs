@@ -29,4 +29,4 @@ pub use rigid::LOST_MODES;
 pub use state::{Contact, Event};
 
 pub(crate) use law::{ContactChain, Law};
-pub(crate) use state::{ContactState, End, Outcome, Sought};
+pub(crate) use state::{ContactState, Outcome, SegmentEnd, Sought};

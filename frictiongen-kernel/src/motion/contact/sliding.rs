@@ -5,7 +5,7 @@ use super::state::{Contact, ContactState};
 use crate::motion::clock::phase;
 use crate::motion::dynamics::rotated;
 use crate::motion::oscillator::Part;
-use crate::motion::series::Sum;
+use crate::motion::series::OscillatorSum;
 use crate::motion::setting::Setting;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
@@ -64,7 +64,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         modes: &'p mut [Part<S>],
         contact_state: &ContactState<S>,
         reach: S,
-    ) -> Sum<'p, S> {
+    ) -> OscillatorSum<'p, S> {
         let at = phase(contact_state.t);
         let sign: S = contact_state.contact.sign();
         let force = self.law().kinetic(contact_state.contact);
@@ -86,6 +86,6 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         let (sine, cosine) = at;
         let cosines = rotated(fundamental, sine, cosine);
         let sines = -(fundamental.re * sine) - fundamental.im * cosine;
-        Sum::new(modes, zero, (cosines, sines), at, reach)
+        OscillatorSum::new(modes, zero, (cosines, sines), at, reach)
     }
 }

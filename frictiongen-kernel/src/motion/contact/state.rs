@@ -92,7 +92,7 @@ impl<S: Float> ContactState<S> {
 
 /// End of a segment: its length, its event, and the state of the contact after the event.
 #[derive(Clone, Copy, Debug)]
-pub struct End<S> {
+pub struct SegmentEnd<S> {
     /// Length of the segment, in τ.
     pub tau: S,
     /// Event that ends the segment, or `None` at the reach.

@@ -5,7 +5,7 @@ use super::state::ContactState;
 use crate::motion::clock::phase;
 use crate::motion::dynamics::rotated;
 use crate::motion::oscillator::Part;
-use crate::motion::series::Sum;
+use crate::motion::series::OscillatorSum;
 use crate::motion::setting::Setting;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
@@ -44,7 +44,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         stuck_modes: &'p mut [Part<S>],
         contact_state: &ContactState<S>,
         reach: S,
-    ) -> (Sum<'p, S>, S) {
+    ) -> (OscillatorSum<'p, S>, S) {
         let at = phase(contact_state.t);
         let (sine, cosine) = at;
         let offset = K::stuck_place(self, modes, contact_state, at);
@@ -69,7 +69,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         let cosines = rotated(fundamental, sine, cosine);
         let sines = -(fundamental.re * sine) - fundamental.im * cosine;
         (
-            Sum::new(stuck_modes, constant, (cosines, sines), at, reach),
+            OscillatorSum::new(stuck_modes, constant, (cosines, sines), at, reach),
             offset,
         )
     }

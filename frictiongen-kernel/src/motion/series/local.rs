@@ -26,13 +26,13 @@ pub(crate) const ORDER: usize = 9;
 
 /// A function by its derivatives at the start.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Series<S> {
+pub(crate) struct LocalSeries<S> {
     terms: [S; ORDER],
     /// Length up to which the terms left out are below rounding.
     pub reach: S,
 }
 
-impl<S: Float> Series<S> {
+impl<S: Float> LocalSeries<S> {
     /// Creates a series from the derivatives at the start.  Beyond `reach` the terms left out exceed rounding.
     pub(crate) fn new(terms: [S; ORDER], reach: S) -> Self {
         Self { terms, reach }
@@ -102,7 +102,7 @@ pub(crate) trait Walked<S> {
     fn local(&self, tau: S) -> Local<S>;
     /// Series of the function shortly after the start, for a value and a slope that are known better than by
     /// evaluation.
-    fn series(&self, value: S, slope: S) -> Series<S>;
+    fn series(&self, value: S, slope: S) -> LocalSeries<S>;
     /// Rounding noise of a value.
     fn noise(&self) -> S;
     /// Length in τ over which the function is searched.

@@ -44,7 +44,7 @@ fn wave(shape: &[f64], from: usize, count: usize) -> Option<Vec<f64>> {
 }
 
 /// A recorded decay, a first guess of its parameters, and the parameters to fit.
-pub(super) struct Problem<'s> {
+pub(super) struct DecayFit<'s> {
     /// Index of the first extreme.
     from: usize,
     /// The samples from the first extreme to the last.
@@ -57,7 +57,7 @@ pub(super) struct Problem<'s> {
 }
 
 /// Fitted parameters, each as its value and the half width of its interval.
-pub(super) struct Fitted {
+pub(super) struct DecayParameters {
     /// Samples of a half cycle.
     pub(super) half: (f64, f64),
     /// Decrement of a half cycle.
@@ -68,7 +68,7 @@ pub(super) struct Fitted {
     pub(super) deviation: f64,
 }
 
-impl<'s> Problem<'s> {
+impl<'s> DecayFit<'s> {
     /// Derives the first guess from the extremes. `damping` is ζ if it is known.
     pub(super) fn new(
         samples: &'s [f64],
@@ -100,7 +100,7 @@ impl<'s> Problem<'s> {
     }
 
     /// Fits the parameters.
-    pub(super) fn solved(&self) -> Result<Fitted, MeasureError> {
+    pub(super) fn solved(&self) -> Result<DecayParameters, MeasureError> {
         let bounds: Vec<(f64, f64)> = self.free.iter().map(|part| self.bounds(*part)).collect();
         let free: Vec<f64> = self
             .free
@@ -124,7 +124,7 @@ impl<'s> Problem<'s> {
             let variance = place.map_or(0.0, |at| fit.own_variance(at));
             (value, quantile * deviation * variance.sqrt())
         };
-        Ok(Fitted {
+        Ok(DecayParameters {
             half: estimate(HALF),
             decrement: estimate(DECREMENT),
             length: estimate(LENGTH),

@@ -13,7 +13,7 @@ use super::recording::Dimension;
 use super::{MeasureError, Recording};
 use crate::study::System;
 use crate::study::scene::Damping;
-use fit::Problem;
+use fit::DecayFit;
 use std::f64::consts::PI;
 use swings::{Swings, noise};
 
@@ -123,7 +123,7 @@ fn of(
 ) -> Result<FreeDecay, MeasureError> {
     let noise = noise(samples);
     let swings = Swings::of(samples, noise)?;
-    let fit = Problem::new(samples, &swings, damping)?.solved()?;
+    let fit = DecayFit::new(samples, &swings, damping)?.solved()?;
     // Sampled extremes may seem to fall although the motion between the samples does not.
     if !(ROUNDING < fit.length.0 / swings.largest + fit.decrement.0) {
         return Err(MeasureError::NoDecay);

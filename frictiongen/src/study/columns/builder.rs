@@ -1,7 +1,7 @@
 //! The list of a table's columns, to which each column is added in one line.
 
 use super::cell::Cell;
-use super::column::{Axis, Column, Head, Kind, Read, Row, Shown};
+use super::column::{Axis, Column, Head, Kind, ReadCell, Row, Shown};
 use super::measure::{Dimension, Measure};
 use crate::study::features::Sensed;
 
@@ -160,7 +160,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         }
     }
 
-    fn push(&mut self, head: Head, kind: Kind<'a>, read: Read<'a, R>) {
+    fn push(&mut self, head: Head, kind: Kind<'a>, read: ReadCell<'a, R>) {
         let name = match (head.under_load, self.measure.scale()) {
             (Some(name), Some(_)) => name,
             _ => &head.name,

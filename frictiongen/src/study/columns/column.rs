@@ -120,7 +120,7 @@ impl From<&'static str> for Head {
 }
 
 /// Function that reads a cell.
-pub(super) type Read<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
+pub(super) type ReadCell<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
 
 /// Function that returns whether a value says something in a list of lines.
 type Says<'a, Row> = Box<dyn Fn(&Row) -> bool + 'a>;
@@ -148,7 +148,7 @@ pub struct Column<'a, Row> {
     pub(super) attribute: Option<&'static str>,
     /// Unit, or reference of a displacement without a load.
     pub(super) of_what: &'static str,
-    pub(super) read: Read<'a, Row>,
+    pub(super) read: ReadCell<'a, Row>,
     pub(super) says: Option<Says<'a, Row>>,
     pub(super) moves: Option<Moves<'a, Row>>,
 }

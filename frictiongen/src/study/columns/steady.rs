@@ -17,7 +17,7 @@ use crate::{Of, Regime};
 
 /// The motion of a part, in groups. Missing quantities are `None`.
 #[derive(Clone, Debug, Default)]
-struct Motion {
+struct MotionGroups {
     swing: Option<Swing>,
     centred: Option<f64>,
     fundamental_phase: Option<f64>,
@@ -25,7 +25,7 @@ struct Motion {
     harmonics: Vec<Complex<f64>>,
 }
 
-impl Motion {
+impl MotionGroups {
     /// Takes the motion of a response in any regime.
     fn of_response(response: &SystemResponse<'_>, of: Of, orders: &[u32]) -> Self {
         let harmonics = orders.iter().map(|order| response.harmonic(of, *order));

@@ -3,8 +3,8 @@
 //! On one line of the law the friction force is level + slope·velocity, which couples the modes.  A power series gives
 //! their motion over a piece in which modes, excitation and law together turn by at most a radian.
 
-use super::line::Line;
-use super::lines::{Crossing, Lines};
+use super::line::KineticLine;
+use super::lines::{LineCrossing, Lines};
 use crate::errors::OutOfDomain;
 use crate::motion::clock::phase;
 use crate::motion::contact::law::{ContactChain, Law};
@@ -12,7 +12,7 @@ use crate::motion::contact::state::{ContactState, Outcome, Sought};
 use crate::motion::oscillator::{Part, advanced};
 use crate::motion::series::{Power, ROUNDINGS, TERMS};
 use crate::motion::setting::Setting;
-use crate::motion::walk::{Start, Walk, first_zero};
+use crate::motion::walk::{Walk, WalkStart, first_zero};
 use crate::number::scalar::Float;
 
 /// Upper bound on the rate at which the law changes the motion, as a multiple of the fastest mode's rate.
@@ -47,7 +47,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     }
 
     /// Length in τ of the piece over which a power series serves.
-    fn stretch(&self, modes: &[Part<S>], line: &Line<S>) -> S {
+    fn stretch(&self, modes: &[Part<S>], line: &KineticLine<S>) -> S {
         let steep = self.acceleration(self.law().level() * line.slope.abs());
         S::constant(1.0) / (self.turning(modes) + steep)
     }
@@ -58,7 +58,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         &self,
         modes: &mut [Part<S>],
         start: &ContactState<S>,
-        (line, stretch): (&Line<S>, S),
+        (line, stretch): (&KineticLine<S>, S),
         to: S,
     ) -> Power<S> {
         let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
@@ -131,9 +131,9 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
         None => (one, setting.plateau(modes, &mut sought, &line, reach)),
     };
     sought.tau = at * length;
-    if crossing == Crossing::Slower && line.low.is_zero() {
+    if crossing == LineCrossing::Slower && line.low.is_zero() {
         sought.outcome = Outcome::Halts;
-        lines.leads_to(Crossing::None, true);
+        lines.leads_to(LineCrossing::None, true);
     } else if let Some(short) = lines.leads_to(crossing, S::constant(STILL * S::EPSILON) < at) {
         sought.tau = length * short.min(one);
     }
@@ -147,9 +147,9 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         &self,
         modes: &mut [Part<S>],
         sought: &mut Sought<S>,
-        (line, high): (&Line<S>, S),
+        (line, high): (&KineticLine<S>, S),
         stretch: S,
-    ) -> Option<(S, Crossing)> {
+    ) -> Option<(S, LineCrossing)> {
         let start = sought.contact_state;
         let (zero, one, sign) = (S::constant(0.0), S::constant(1.0), start.contact.sign());
         let driven = self.dynamics.in_contact().min(modes.len());
@@ -161,12 +161,12 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
             part.start(phase(start.t));
         }
         let velocity = self.velocity_series(modes, &start, (line, stretch), zero);
-        let leaving = |slope| Start::Zero(slope * stretch);
-        let from = start.departing.map_or(Start::Anywhere, leaving);
+        let leaving = |slope| WalkStart::Zero(slope * stretch);
+        let from = start.departing.map_or(WalkStart::Anywhere, leaving);
         let falls = velocity.seen(sign, line.low, one);
         let (at, crossing) = match first_zero(&falls, from, &mut sought.steps) {
-            Walk::Zero(at, _) => (at, Crossing::Slower),
-            Walk::Until(at) => (at, Crossing::None),
+            Walk::Zero(at, _) => (at, LineCrossing::Slower),
+            Walk::Until(at) => (at, LineCrossing::None),
             Walk::NoStart => return None,
         };
         if !(zero < at) {
@@ -174,10 +174,10 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
             return Some((at, crossing));
         }
         let rises = velocity.seen(-sign, -high, at);
-        let met = first_zero(&rises, Start::Anywhere, &mut sought.steps);
+        let met = first_zero(&rises, WalkStart::Anywhere, &mut sought.steps);
         Some(match met {
-            Walk::Zero(place, _) => (place, Crossing::Faster),
-            Walk::Until(place) if place < at => (place, Crossing::None),
+            Walk::Zero(place, _) => (place, LineCrossing::Faster),
+            Walk::Until(place) if place < at => (place, LineCrossing::None),
             _ => (at, crossing),
         })
     }
@@ -187,18 +187,18 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         &self,
         modes: &mut [Part<S>],
         sought: &mut Sought<S>,
-        line: &Line<S>,
+        line: &KineticLine<S>,
         reach: S,
-    ) -> (S, Crossing) {
+    ) -> (S, LineCrossing) {
         let mut constant = *self;
         constant.beta = self.beta * line.level;
         let mut sum = constant.start_sliding(modes, &sought.contact_state, reach);
         sum.constant = -line.low;
         sum.noise = sum.noise + line.low * S::constant(ROUNDINGS * S::EPSILON);
-        match first_zero(&sum, Start::Anywhere, &mut sought.steps) {
-            Walk::Zero(at, _) => (at, Crossing::Slower),
-            Walk::Until(at) => (at, Crossing::None),
-            Walk::NoStart => (reach, Crossing::None),
+        match first_zero(&sum, WalkStart::Anywhere, &mut sought.steps) {
+            Walk::Zero(at, _) => (at, LineCrossing::Slower),
+            Walk::Until(at) => (at, LineCrossing::None),
+            Walk::NoStart => (reach, LineCrossing::None),
         }
     }
 }

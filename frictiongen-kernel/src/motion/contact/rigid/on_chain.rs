@@ -3,7 +3,7 @@
 use super::{LOST_MODES, Rigid, derivative};
 use crate::contact::sums::Chain;
 use crate::motion::contact::law::{ContactChain, Law};
-use crate::motion::contact::state::{Contact, ContactState, End, Event};
+use crate::motion::contact::state::{Contact, ContactState, Event, SegmentEnd};
 use crate::motion::oscillator::Part;
 use crate::motion::setting::Setting;
 use crate::number::complex::Complex;
@@ -64,7 +64,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         )
     }
 
-    fn halt(setting: &Setting<'_, S>, modes: &[Part<S>], at: (S, S), end: &mut End<S>) {
+    fn halt(setting: &Setting<'_, S>, modes: &[Part<S>], at: (S, S), end: &mut SegmentEnd<S>) {
         let law = setting.law();
         let before = end.contact_state.contact;
         let force = setting.holding(modes, at);
@@ -83,7 +83,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         end.contact_state = setting.sliding_away(end.contact_state.t, slide);
     }
 
-    fn break_away(setting: &Setting<'_, S>, contact: Contact, end: &mut End<S>) {
+    fn break_away(setting: &Setting<'_, S>, contact: Contact, end: &mut SegmentEnd<S>) {
         let slide = setting.law().break_away(contact);
         end.event = Some(Event::Slip);
         end.contact_state = setting.sliding_away(end.contact_state.t, slide);
@@ -94,7 +94,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         setting: &Setting<'_, S>,
         (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
         contact_state: &ContactState<S>,
-        end: &End<S>,
+        end: &SegmentEnd<S>,
         columns: &mut [S],
     ) {
         derivative::carry(setting, (modes, stuck_modes), contact_state, end, columns);

@@ -1,6 +1,6 @@
 //! Rows and columns of steady states.
 
-use super::Motion;
+use super::MotionGroups;
 use crate::study::columns::builder::Columns;
 use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
 use crate::study::columns::measure::Dimension;
@@ -21,12 +21,12 @@ pub struct OrbitRow {
     /// Stable, marginal or unsettled, or the reason why there is no steady state.
     pub state: &'static str,
     /// The steady state, if there is one.
-    steady: Option<Steady>,
+    steady: Option<SteadyData>,
 }
 
 /// A steady state, or the last cycles of a motion that does not settle.
 #[derive(Clone, Debug)]
-struct Steady {
+struct SteadyData {
     /// Data of the periodic motion, if the motion repeats.
     period: Option<Period>,
     from_rest: bool,
@@ -36,7 +36,7 @@ struct Steady {
     /// Stops of the contact: start and length in τ.
     sticking: Vec<[f64; 2]>,
     multipliers: Vec<Complex<f64>>,
-    motions: Vec<Motion>,
+    motions: Vec<MotionGroups>,
 }
 
 /// Data of a periodic motion.
@@ -78,11 +78,11 @@ impl AtFriction for OrbitRow {
 impl Moving for OrbitRow {
     fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
         let motions = &self.steady.as_ref()?.motions;
-        motions.get(part).map(Motion::view)
+        motions.get(part).map(MotionGroups::view)
     }
 }
 
-impl Steady {
+impl SteadyData {
     /// Returns the length of the longest stop of the contact, in τ, if it stops.
     fn longest_stop(&self) -> Option<f64> {
         let lengths = self.sticking.iter().map(|[_, length]| *length);
@@ -180,11 +180,11 @@ impl<'a> OrbitTable<'a> {
         }
     }
 
-    fn steady(&self, orbit: &SystemOrbit<'_>) -> Steady {
+    fn steady(&self, orbit: &SystemOrbit<'_>) -> SteadyData {
         let measure = &self.setting.measure;
         let motions = self.setting.parts.iter().map(|part| match part.of {
             Of::Contact => {
-                let mut motion = Motion::of_orbit(&orbit.contact(), self.orders);
+                let mut motion = MotionGroups::of_orbit(&orbit.contact(), self.orders);
                 if measure.turns(part.of) {
                     motion.turn(Some(orbit.reversed_contact_phase()));
                 }
@@ -192,12 +192,12 @@ impl<'a> OrbitTable<'a> {
             }
             Of::Mass(index) => {
                 let motion = orbit.mass_at(index);
-                motion.map_or_else(Motion::default, |motion| {
-                    Motion::of_orbit(&motion, self.orders)
+                motion.map_or_else(MotionGroups::default, |motion| {
+                    MotionGroups::of_orbit(&motion, self.orders)
                 })
             }
         });
-        Steady {
+        SteadyData {
             period: orbit.is_settled().then(|| Period {
                 cycles: orbit.period() as usize,
                 symmetric: orbit.is_symmetric(),

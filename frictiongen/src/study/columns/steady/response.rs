@@ -1,6 +1,6 @@
 //! Rows and columns of responses.
 
-use super::{Motion, is_stuck};
+use super::{MotionGroups, is_stuck};
 use crate::study::columns::builder::Columns;
 use crate::study::columns::column::{Column, Head, Row, Shown};
 use crate::study::columns::measure::Dimension;
@@ -24,7 +24,7 @@ pub struct ResponseRow {
     pub answer: &'static str,
     /// Offset, marginal, from rest: of a response.
     known: Option<(f64, bool, bool)>,
-    motions: Vec<Motion>,
+    motions: Vec<MotionGroups>,
 }
 
 /// The table of responses over frequency and friction.
@@ -58,7 +58,7 @@ impl AtFriction for ResponseRow {
 
 impl Moving for ResponseRow {
     fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
-        self.motions.get(part).map(Motion::view)
+        self.motions.get(part).map(MotionGroups::view)
     }
 }
 
@@ -97,9 +97,9 @@ impl<'a> ResponseTable<'a> {
         let measure = &self.setting.measure;
         let motions = self.setting.parts.iter().map(|part| {
             let Some(response) = &response else {
-                return Motion::default();
+                return MotionGroups::default();
             };
-            let mut motion = Motion::of_response(response, part.of, self.orders);
+            let mut motion = MotionGroups::of_response(response, part.of, self.orders);
             if measure.turns(part.of) {
                 motion.turn(response.reversed_contact_phase());
             }
