@@ -15,6 +15,7 @@ const COEFFICIENTS: usize = 4;
 
 /// The constants of a step of one length, in vectors: the propagation of each mode while the contact slides and while
 /// it sticks.
+#[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct SystemStepTables<S> {
     pace: Pace<S>,
@@ -69,6 +70,7 @@ where
 
 /// The state of a stepper, in vectors: displacement and velocity of each mode while the contact slides and while it
 /// sticks.
+#[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct SystemStepStore<S> {
     modes: Vec<[S; 2]>,
@@ -117,6 +119,7 @@ impl<S> Store<S, COEFFICIENTS> for SystemStepStore<S> {
 type KernelStepper<'a, S> = Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>>;
 
 /// The state of a system's stepper, as [`save`](Stepper::save) returns it.
+#[doc(hidden)]
 pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 
 /// The motion of a system in steps of one length, under any input.
