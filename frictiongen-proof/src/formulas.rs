@@ -4,13 +4,13 @@
 use crate::force;
 use crate::series::IntervalSeries;
 use crate::stage::{ChainStage, IntervalChain, singular};
-use crate::tests::{random, scene};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::oscillator::decay::{Damped, Decay, Instant};
 use frictiongen_kernel::response::At;
 use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
+use frictiongen_model::samples::{random, scene};
 
 /// Kind, number of masses and ζ of the compared chains. They have each kind of damping, and undamped modes among damped
 /// ones.

@@ -180,8 +180,8 @@ fn least(stage: &ChainStage<1>, level: f64, mut t: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::random;
     use super::*;
+    use frictiongen_model::samples::random;
 
     /// The instant must be in the region for every position of the witness, and for every share up to the returned one.
     /// A slightly larger share must leave the region.

@@ -10,71 +10,10 @@ use crate::{early, force, of_pieces, prove, prove_piece};
 use frictiongen_kernel::Float;
 use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{
-    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
-    Side, Spring, Stepping,
-};
+use frictiongen_model::samples::{random, request, scene};
+use frictiongen_model::scene::Side;
 use frictiongen_model::table::building::Exact;
 use frictiongen_model::table::{Evidence, Proof, Request, Tables, Work};
-
-/// Returns a chain of equal masses and springs. The last mass rubs on a wall, the first on a moving base, or the first
-/// two on each other.
-pub(crate) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
-    let mass = |place: usize| Mass {
-        name: format!("m{place}"),
-        value: 1.0,
-    };
-    let spring = |place: usize| Spring {
-        from: place.checked_sub(1).map_or(Node::Base, Node::Mass),
-        to: Node::Mass(place),
-        stiffness: 1.0,
-    };
-    let (from, to, excitation) = match kind {
-        "Wall" => (Node::Mass(count - 1), Node::Wall, Excitation::Force(0)),
-        "Base" => (Node::Mass(0), Node::Base, Excitation::Base),
-        _ => (Node::Mass(0), Node::Mass(1), Excitation::Force(count - 1)),
-    };
-    Modal::of(&Scene {
-        name: kind.to_owned(),
-        masses: (0..count).map(mass).collect(),
-        springs: (0..count).map(spring).collect(),
-        contact: Contact { from, to },
-        excitation,
-        damping: if zeta < 0.0 {
-            // Every other mode is damped.
-            let of = (0..count).map(|mode| -zeta * (mode % 2) as f64);
-            Damping::Modal(of.collect())
-        } else if zeta > 0.0 {
-            Damping::Uniform(zeta)
-        } else {
-            Damping::None
-        },
-        stiction,
-        precision: Precision::F64,
-        provide: vec![Provide::Limits],
-        declared: Declared::default(),
-        friction: FrictionLaw::default(),
-        stepping: Stepping::default(),
-    })
-}
-
-pub(crate) fn request(accuracy: f64, side: Side) -> Request {
-    Request {
-        r: (0.2, 2.5),
-        accuracy,
-        side,
-        motion: false,
-        stuck: false,
-    }
-}
-
-/// Returns a random number from 0 to 1.
-pub(crate) fn random(state: &mut u64) -> f64 {
-    *state = state
-        .wrapping_mul(6_364_136_223_846_793_005)
-        .wrapping_add(1_442_695_040_888_963_407);
-    (*state >> 11) as f64 / (1_u64 << 53) as f64
-}
 
 /// Proves the β_lim of tables.
 fn limit_of<S: Float>(tables: &Tables<S>, modal: &Modal, work: Work) -> Proof {

@@ -128,9 +128,9 @@ pub mod answer {
 
 /// Scalars, for functions that are generic over the precision.
 pub mod scalar {
-    pub use frictiongen_kernel::number::dd::Dd;
     #[doc(hidden)]
     pub use frictiongen_kernel::Plain;
+    pub use frictiongen_kernel::number::dd::Dd;
     pub use frictiongen_kernel::{Float, Scalar};
 }
 

@@ -1,6 +1,7 @@
 //! Exact values of the responses while the contact is stuck, and their zeros and poles in double-double.
 
 use super::proportional::Proportional;
+use super::rational::Rational;
 use super::zeros::{EQUAL, NONE, Zero, Zeros, classified, guesses, poles};
 use crate::modal::Modal;
 use crate::roots::{Driven, iterate, to};
@@ -17,13 +18,6 @@ const ON_RESONANCE: f64 = 1e-12;
 /// convergence each correction is about the cube of the previous one, so after 10⁻²³ only rounding is left.
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
-
-/// A rational function of s = ir, given by its zeros and poles up to a constant factor.
-#[derive(Clone, Debug)]
-pub(super) struct Rational {
-    pub zeros: Vec<Zero>,
-    pub poles: Vec<Zero>,
-}
 
 /// Response of a mass, or the contact force, while the contact is stuck.
 #[derive(Clone, Debug)]

@@ -58,8 +58,8 @@ pub fn rounding<S: Float>(
 #[cfg(test)]
 mod tests {
     use super::super::fit::Fitted;
-    use super::super::samples::random;
     use super::rounding;
+    use crate::samples::random;
 
     /// The rounding errors of the emitted evaluation in single precision must stay within the bound, and come near it.
     #[test]

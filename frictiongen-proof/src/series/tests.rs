@@ -4,52 +4,7 @@ use super::IntervalSeries;
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::interval::Interval;
-
-/// A generator of random numbers and intervals.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-    /// Returns a number of either sign over ten decades, and sometimes 0.
-    fn end(&mut self) -> f64 {
-        let size = 10_f64.powf(10.0 * self.next() - 5.0);
-        match (16.0 * self.next()) as u32 {
-            0 => 0.0,
-            even if even % 2 == 0 => size,
-            _ => -size,
-        }
-    }
-    fn interval(&mut self) -> Interval {
-        let (a, b) = (self.end(), self.end());
-        // Two in five intervals are narrow.
-        if self.next() < 0.4 {
-            Interval::new(a, a + a.abs() * 1e-12 * self.next())
-        } else {
-            Interval::new(a.min(b), a.max(b))
-        }
-    }
-    fn within(&mut self, interval: Interval) -> f64 {
-        match (4.0 * self.next()) as u32 {
-            0 => interval.low,
-            1 => interval.high,
-            _ => (interval.low + (interval.high - interval.low) * self.next())
-                .clamp(interval.low, interval.high),
-        }
-    }
-}
-
-/// Returns whether an interval contains a number to about its 31 digits. The slack is far below one rounding of a
-/// double.
-fn holds(interval: Interval, value: Dd) -> bool {
-    let slack = value.abs() * Dd::from(1e-28);
-    !(value + slack < Dd::from(interval.low)) && !(Dd::from(interval.high) < value - slack)
-}
+use frictiongen_model::samples::{Numbers, contains};
 
 /// Evaluates a formula that uses every operation, as a series. `formula_at` evaluates it in double-double.
 fn formula(h: IntervalSeries<6>) -> IntervalSeries<6> {
@@ -74,8 +29,8 @@ fn series_hold_what_they_should() {
     let mut numbers = Numbers(7);
     let mut widest = 0.0_f64;
     for _ in 0..3_000 {
-        let centre = 0.2 * numbers.next() + 0.05;
-        let half = 0.03 * numbers.next();
+        let centre = 0.2 * numbers.unit() + 0.05;
+        let half = 0.03 * numbers.unit();
         let all = Interval::new(centre - half, centre + half);
         let at = formula(IntervalSeries::variable(Interval::point(centre)));
         let over = formula(IntervalSeries::variable(all));
@@ -85,9 +40,9 @@ fn series_hold_what_they_should() {
             let x = numbers.within(all);
             let value = formula_at(Dd::from(x));
             let t = Interval::point(x) - Interval::point(centre);
-            assert!(holds(joined.range(t), value), "at {x} about {centre}");
-            assert!(holds(range, value), "{range:?} at {x}");
-            assert!(holds(over.value(), value));
+            assert!(contains(joined.range(t), value), "at {x} about {centre}");
+            assert!(contains(range, value), "{range:?} at {x}");
+            assert!(contains(over.value(), value));
             widest = widest.max(joined.range(t).high - joined.range(t).low);
         }
     }
@@ -100,7 +55,7 @@ fn series_hold_what_they_should() {
 fn coefficients() {
     let mut numbers = Numbers(9);
     for _ in 0..500 {
-        let low = 0.2 * numbers.next() + 0.05;
+        let low = 0.2 * numbers.unit() + 0.05;
         let step = 0.01;
         let all = Interval::new(low, low + 5.0 * step);
         let over = formula(IntervalSeries::variable(all));
@@ -133,11 +88,11 @@ fn products() {
     let mut bounded = 0;
     for round in 0..20_000 {
         let series = |numbers: &mut Numbers| {
-            let length = (7.0 * numbers.next()) as usize;
+            let length = (7.0 * numbers.unit()) as usize;
             let terms = std::array::from_fn(|place| {
                 if length <= place {
                     Interval::ZERO
-                } else if round % 8 == 0 && numbers.next() < 0.2 {
+                } else if round % 8 == 0 && numbers.unit() < 0.2 {
                     Interval::new(numbers.end(), f64::INFINITY)
                 } else if round % 16 == 1 {
                     // Products of these terms underflow.
@@ -163,8 +118,8 @@ fn products() {
                 let terms = (0..=k).map(|j| Dd::from(x[j]) * Dd::from(y[k - j]));
                 terms.fold(Dd::ZERO, |sum, term| sum + term)
             };
-            assert!(holds(product.term(k), sum(&x, &y)), "{a:?} {b:?} {k}");
-            assert!(holds(square.term(k), sum(&x, &x)), "{a:?} squared, {k}");
+            assert!(contains(product.term(k), sum(&x, &y)), "{a:?} {b:?} {k}");
+            assert!(contains(square.term(k), sum(&x, &x)), "{a:?} squared, {k}");
             bounded += usize::from(product.term(k).size() < f64::INFINITY);
         }
     }
@@ -192,7 +147,7 @@ fn refined() {
     let mut numbers = Numbers(13);
     let mut narrower = 0.0_f64;
     for _ in 0..3_000 {
-        let (low, length) = (0.2 * numbers.next() + 0.05, 0.03 * numbers.next());
+        let (low, length) = (0.2 * numbers.unit() + 0.05, 0.03 * numbers.unit());
         let all = Interval::new(low, low + length);
         let centre = numbers.within(all);
         let at = formula(IntervalSeries::variable(Interval::point(centre)));

@@ -41,13 +41,13 @@ pub use error::{InvalidScene, StudyError, UnknownMass};
 pub use frictiongen_model::scene;
 /// Tables of the response with a declared accuracy.
 pub mod table {
-    pub use frictiongen_model::table::{Report, Request, TableError};
     /// The contents of a table and of its report, for the command that writes them as code.
     #[doc(hidden)]
     pub use frictiongen_model::table::{
         COARSEST, Evidence, FINEST, FINEST_PROVEN, FINEST_SINGLE, FRICTION_SHARES, Fitted, Held,
         HeldForm, Index, Product, Proof, Reach, Tables, Work, Worst,
     };
+    pub use frictiongen_model::table::{Report, Request, TableError};
 }
 pub use frictiongen_model::validate::SceneError;
 pub use frictiongen_syntax::{Diagnostic, Diagnostics};
