@@ -6,6 +6,9 @@ pub mod jacobi;
 pub mod modal;
 pub mod reduced;
 mod roots;
+#[cfg(any(test, feature = "samples"))]
+#[doc(hidden)]
+pub mod samples;
 pub mod scene;
 pub mod sensitivity;
 mod special;

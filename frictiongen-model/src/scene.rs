@@ -165,6 +165,7 @@ pub struct Range {
 /// meet it.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[doc(hidden)]
 pub struct Declared {
     /// The accuracy of the emitted limits, motions and responses.
     pub accuracy: Accuracy,

@@ -130,7 +130,7 @@ impl<S: Float> Steps<S> {
 pub fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDomain> {
     let (modes, held) = (scene.dynamics.modes.len(), scene.dynamics.held.len());
     let inputs = scene.channels();
-    fill::<S, 1>(
+    fill::<S, 1, _>(
         scene,
         step,
         (

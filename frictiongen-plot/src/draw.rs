@@ -9,7 +9,7 @@ use crate::legend::Legend;
 use crate::palette::SOFT;
 use crate::panel::draw_panel;
 use crate::svg::Canvas;
-use crate::text::Style;
+use crate::text::TextStyle;
 
 /// Margin around the page, in pixels.
 const MARGIN: f64 = 14.0;
@@ -90,7 +90,7 @@ fn figure(figure: &Figure) -> (String, Vec<Rect>) {
             &heading,
             MARGIN,
             room,
-            Style::new(TITLE, Anchor::Start),
+            TextStyle::new(TITLE, Anchor::Start),
         );
     let mut legend = Legend::default();
     let frames = rows(figure, columns, room, &mut y);
@@ -107,7 +107,7 @@ fn figure(figure: &Figure) -> (String, Vec<Rect>) {
     }
     y = below(&mut canvas, figure, &legend, room, y);
     if !figure.caption.is_empty() {
-        let style = Style::new(CAPTION, Anchor::Start).coloured(SOFT);
+        let style = TextStyle::new(CAPTION, Anchor::Start).coloured(SOFT);
         y += 6.0 + text(&mut canvas, &figure.caption, y + 6.0, room, style);
     }
     let document = canvas.document(
@@ -202,7 +202,7 @@ fn heading(figure: &Figure) -> Label {
 }
 
 /// Draws a label in wrapped lines and returns its height.
-fn text(canvas: &mut Canvas, label: &Label, top: f64, room: f64, style: Style) -> f64 {
+fn text(canvas: &mut Canvas, label: &Label, top: f64, room: f64, style: TextStyle) -> f64 {
     let lines = label.wrapped(style.size, room / 1.03);
     for (index, line) in lines.iter().enumerate() {
         let baseline = top + style.size + LEADING * style.size * index as f64;

@@ -5,8 +5,8 @@ use crate::figure::Panel;
 use crate::geometry::Rect;
 use crate::layer::{Anchor, Cells, Layer};
 use crate::palette::{FRAME, Fill, GRID, INK};
-use crate::svg::{Canvas, Grid};
-use crate::text::Style;
+use crate::svg::{Canvas, CellGrid};
+use crate::text::TextStyle;
 use crate::ticks::{Tick, ticks};
 
 /// Text size of the title of a panel, in pixels.
@@ -165,9 +165,9 @@ impl Frame {
             canvas.text(
                 &tick.label,
                 place,
-                Style {
+                TextStyle {
                     halo: self.halo,
-                    ..Style::new(tick_size, Anchor::Middle)
+                    ..TextStyle::new(tick_size, Anchor::Middle)
                 },
             );
         }
@@ -180,9 +180,9 @@ impl Frame {
             canvas.text(
                 &tick.label,
                 (rect.left - OFF, y + 0.32 * tick_size),
-                Style {
+                TextStyle {
                     halo: self.halo,
-                    ..Style::new(tick_size, Anchor::End)
+                    ..TextStyle::new(tick_size, Anchor::End)
                 },
             );
         }
@@ -193,18 +193,18 @@ impl Frame {
         canvas.text(
             &panel.x.label,
             (middle.0, under),
-            Style::new(label_size, Anchor::Middle),
+            TextStyle::new(label_size, Anchor::Middle),
         );
         let beside = rect.left - OFF - widest(&self.y_ticks, tick_size) - 0.55 * label_size;
-        let upright = Style {
+        let upright = TextStyle {
             upright: true,
-            ..Style::new(label_size, Anchor::Middle)
+            ..TextStyle::new(label_size, Anchor::Middle)
         };
         canvas.text(&panel.y.label, (beside, middle.1), upright);
         canvas.text(
             &panel.title,
             (rect.left, rect.top - 8.0),
-            Style::new(TITLE, Anchor::Start),
+            TextStyle::new(TITLE, Anchor::Start),
         );
         if let Some(bar) = bar_of(panel) {
             self.bar(canvas, bar);
@@ -228,7 +228,7 @@ impl Frame {
             };
             canvas.cells(
                 &[cell],
-                Grid::PIXELS,
+                CellGrid::PIXELS,
                 Fill::Map((f64::from(step) + 0.5) / f64::from(steps)).rgb(),
             );
         }
@@ -244,14 +244,14 @@ impl Frame {
             canvas.text(
                 &tick.label,
                 (rect.right() + OFF, y + 0.32 * TICK),
-                Style::new(TICK, Anchor::Start),
+                TextStyle::new(TICK, Anchor::Start),
             );
         }
         canvas.path(&marks, INK, 0.9, "");
         let beside = rect.right() + OFF + widest(&ticks, TICK) + LABEL + 2.0;
-        let upright = Style {
+        let upright = TextStyle {
             upright: true,
-            ..Style::new(LABEL, Anchor::Middle)
+            ..TextStyle::new(LABEL, Anchor::Middle)
         };
         canvas.text(&axis.label, (beside, rect.top + 0.5 * rect.height), upright);
     }

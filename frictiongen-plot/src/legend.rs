@@ -7,7 +7,7 @@ use crate::layer::Anchor;
 use crate::palette::{Colour, FRAME, Fill};
 use crate::stroke::{Marker, Stroke};
 use crate::svg::Canvas;
-use crate::text::Style;
+use crate::text::TextStyle;
 
 /// Text size of the legend, in pixels.
 const SIZE: f64 = 14.0;
@@ -22,7 +22,7 @@ const GAP: f64 = 24.0;
 
 /// A legend entry. Curves and markers of the same name share one entry.
 #[derive(Debug)]
-struct Entry {
+struct LegendEntry {
     name: Label,
     line: Option<(Colour, Stroke)>,
     /// True if lines of this name have different strokes. The sample then shows the colour alone.
@@ -34,7 +34,7 @@ struct Entry {
 /// The legend of a figure: one entry for each name in any panel.
 #[derive(Debug, Default)]
 pub(crate) struct Legend {
-    entries: Vec<Entry>,
+    entries: Vec<LegendEntry>,
 }
 
 impl Legend {
@@ -45,7 +45,7 @@ impl Legend {
         }
         let known = self.entries.iter().position(|entry| entry.name == *name);
         let place = known.unwrap_or_else(|| {
-            self.entries.push(Entry {
+            self.entries.push(LegendEntry {
                 name: name.clone(),
                 line: None,
                 mixed: false,
@@ -111,7 +111,7 @@ impl Legend {
                         canvas.text(
                             line,
                             (x + SAMPLE + SPACE, baseline),
-                            Style::new(SIZE, Anchor::Start),
+                            TextStyle::new(SIZE, Anchor::Start),
                         );
                     }
                 }
@@ -136,7 +136,7 @@ impl Legend {
     }
 }
 
-impl Entry {
+impl LegendEntry {
     fn sample(&self, canvas: &mut Canvas, (x, y): (f64, f64)) {
         if let Some(fill) = self.fill {
             let rect = Rect {

@@ -8,7 +8,7 @@ use crate::legend::Legend;
 use crate::palette::{FRAME, PAPER};
 use crate::raster;
 use crate::svg::Canvas;
-use crate::text::Style;
+use crate::text::TextStyle;
 
 /// Largest distance between a curve and its thinned line on paper, in pixels.
 const TOLERANCE: f64 = 0.05;
@@ -161,9 +161,9 @@ fn note(canvas: &mut Canvas, layer: &Note, frame: &Frame, halo: bool) {
     };
     let (highest, lowest) = (frame.rect.top + NOTE, frame.rect.bottom() - 5.0);
     let baseline = (y + 0.32 * NOTE).max(highest).min(lowest);
-    let style = Style {
+    let style = TextStyle {
         halo,
-        ..Style::new(NOTE, layer.anchor).coloured(layer.colour.rgb())
+        ..TextStyle::new(NOTE, layer.anchor).coloured(layer.colour.rgb())
     };
     canvas.text(&layer.text, (left + before, baseline), style);
 }

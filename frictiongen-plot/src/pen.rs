@@ -5,7 +5,7 @@ use crate::label::Label;
 use crate::layer::Anchor;
 use crate::palette::{INK, Rgb, SOFT};
 use crate::svg::Canvas;
-use crate::text::Style;
+use crate::text::TextStyle;
 
 /// Size of the text in a sketch.
 pub(crate) const TEXT: f64 = 14.0;
@@ -48,7 +48,7 @@ impl<'c> Pen<'c> {
     }
 
     pub(crate) fn text(&mut self, label: &Label, (x, y): Point, anchor: Anchor, colour: Rgb) {
-        let style = Style::new(TEXT, anchor).coloured(colour);
+        let style = TextStyle::new(TEXT, anchor).coloured(colour);
         self.canvas
             .text(label, (x + self.left, y + self.top), style);
     }

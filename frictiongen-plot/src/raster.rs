@@ -8,7 +8,7 @@ use crate::geometry::Rect;
 use crate::layer::{Cells, Raster};
 use crate::legend::Legend;
 use crate::palette::Fill;
-use crate::svg::{Canvas, Grid};
+use crate::svg::{Canvas, CellGrid};
 
 /// Fraction of a cell. The frame cuts a cell only if it cuts off more than this fraction.
 const CUT: f64 = 0.01;
@@ -60,7 +60,7 @@ pub(crate) fn draw(
 }
 
 /// Returns the grid of a map on the page. `None` if an axis cannot show an end of the map.
-fn grid(raster: &Raster, frame: &Frame) -> Option<Grid> {
+fn grid(raster: &Raster, frame: &Frame) -> Option<CellGrid> {
     let (columns, rows) = (raster.columns.max(1), raster.rows());
     let (left, right) = (frame.x.at(raster.x.0)?, frame.x.at(raster.x.1)?);
     let (bottom, top) = (frame.y.at(raster.y.0)?, frame.y.at(raster.y.1)?);
@@ -68,14 +68,14 @@ fn grid(raster: &Raster, frame: &Frame) -> Option<Grid> {
         (right - left) / columns as f64,
         (top - bottom) / rows.max(1) as f64,
     );
-    (cell.0 != 0.0 && cell.1 != 0.0).then_some(Grid {
+    (cell.0 != 0.0 && cell.1 != 0.0).then_some(CellGrid {
         origin: (left, bottom),
         cell,
     })
 }
 
 /// Returns the rectangles of neighbouring cells that are shown, within the frame and in units of a cell.
-fn runs(raster: &Raster, shown: &[bool], grid: Grid, frame: &Frame) -> Vec<Rect> {
+fn runs(raster: &Raster, shown: &[bool], grid: CellGrid, frame: &Frame) -> Vec<Rect> {
     let columns = raster.columns.max(1);
     let (outer, mut found) = (frame.rect, Vec::new());
     let within = |index: usize, origin: f64, cell: f64, (low, high): (f64, f64)| {

@@ -15,14 +15,14 @@ const SHARP: &str = " stroke-linejoin=\"miter\"";
 
 /// A grid of cells on the page.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Grid {
+pub(crate) struct CellGrid {
     /// Corner of the first cell of the first row.
     pub(crate) origin: Point,
     /// Width and height of a cell. The height is negative if the rows ascend on the page.
     pub(crate) cell: Point,
 }
 
-impl Grid {
+impl CellGrid {
     /// Grid whose unit is a pixel.
     pub(crate) const PIXELS: Self = Self {
         origin: (0.0, 0.0),
@@ -97,7 +97,7 @@ impl Canvas {
 
     /// Draws rectangles of one colour, which meet without a seam. The rectangles are in units of the cells of a grid,
     /// because most of these numbers are then small integers and the file is a third as long.
-    pub(crate) fn cells(&mut self, cells: &[Rect], grid: Grid, fill: Rgb) {
+    pub(crate) fn cells(&mut self, cells: &[Rect], grid: CellGrid, fill: Rgb) {
         let mut data = String::new();
         let mut pen = (0.0, 0.0);
         for cell in cells {
@@ -113,7 +113,7 @@ impl Canvas {
             pen = (left, top);
         }
         if !data.is_empty() {
-            let Grid { origin, cell } = grid;
+            let CellGrid { origin, cell } = grid;
             let _ = writeln!(
                 self.body,
                 "<path d=\"{data}\" transform=\"matrix({:.4} 0 0 {:.4} {:.2} {:.2})\" fill=\"{fill}\" shape-rendering=\"crispEdges\"/>",
@@ -203,7 +203,7 @@ mod tests {
     use crate::label::Label;
     use crate::layer::Anchor;
     use crate::palette::INK;
-    use crate::text::Style;
+    use crate::text::TextStyle;
 
     #[test]
     fn what_is_not_finite_is_left_out() {
@@ -218,7 +218,7 @@ mod tests {
         canvas.text(
             &Label::new("x"),
             (f64::NAN, 1.0),
-            Style::new(10.0, Anchor::Start),
+            TextStyle::new(10.0, Anchor::Start),
         );
         assert!(!canvas.body.contains("NaN") && !canvas.body.contains("text"));
     }

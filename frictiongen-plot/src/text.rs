@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 
 /// Size, colour and alignment of a text.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Style {
+pub(crate) struct TextStyle {
     pub size: f64,
     pub anchor: Anchor,
     pub colour: Rgb,
@@ -22,7 +22,7 @@ pub(crate) struct Style {
     pub halo: bool,
 }
 
-impl Style {
+impl TextStyle {
     pub(crate) const fn new(size: f64, anchor: Anchor) -> Self {
         Self {
             size,
@@ -46,7 +46,7 @@ const BAR: f64 = 0.8;
 const DASH: f64 = 0.5 * BAR;
 
 /// A piece of text with its offset from the end of the previous piece.
-struct Piece<'a> {
+struct TextPiece<'a> {
     text: &'a str,
     face: Face,
     size: f64,
@@ -57,14 +57,14 @@ struct Piece<'a> {
 }
 
 /// Splits a label into pieces of text at a size. Bars over letters are separate pieces.
-fn pieces(label: &Label, size: f64) -> Vec<Piece<'_>> {
+fn pieces(label: &Label, size: f64) -> Vec<TextPiece<'_>> {
     let mut pieces = Vec::new();
     for Span { text, face, level } in label.spans() {
         let (size, drop) = (level.size() * size, level.drop() * size);
         let mut shift = 0.0;
         let mut rest = text.as_str();
         while let Some((before, after)) = rest.split_once('\u{304}') {
-            pieces.push(Piece {
+            pieces.push(TextPiece {
                 text: before,
                 face: *face,
                 size,
@@ -72,7 +72,7 @@ fn pieces(label: &Label, size: f64) -> Vec<Piece<'_>> {
                 drop,
             });
             let (back, forth, rise) = bar(before.chars().next_back().unwrap_or(' '), *face);
-            pieces.push(Piece {
+            pieces.push(TextPiece {
                 text: "–",
                 face: Face::Regular,
                 size: BAR * size,
@@ -81,7 +81,7 @@ fn pieces(label: &Label, size: f64) -> Vec<Piece<'_>> {
             });
             (shift, rest) = (forth * size, after);
         }
-        pieces.push(Piece {
+        pieces.push(TextPiece {
             text: rest,
             face: *face,
             size,
@@ -119,7 +119,7 @@ fn bar(letter: char, face: Face) -> (f64, f64, f64) {
 
 impl Canvas {
     /// Draws a line of text.
-    pub(crate) fn text(&mut self, label: &Label, (x, y): Point, style: Style) {
+    pub(crate) fn text(&mut self, label: &Label, (x, y): Point, style: TextStyle) {
         if label.is_empty() || !x.is_finite() || !y.is_finite() {
             return;
         }
@@ -187,7 +187,7 @@ impl Canvas {
 
 #[cfg(test)]
 mod tests {
-    use super::{Style, pieces};
+    use super::{TextStyle, pieces};
     use crate::label::Label;
     use crate::layer::Anchor;
     use crate::svg::Canvas;
@@ -198,7 +198,7 @@ mod tests {
         canvas.text(
             &Label::new("*β*_lim < 1"),
             (1.0, 2.0),
-            Style::new(10.0, Anchor::Middle),
+            TextStyle::new(10.0, Anchor::Middle),
         );
         assert_eq!(
             canvas.body,

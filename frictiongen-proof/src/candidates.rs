@@ -2,8 +2,8 @@
 //! largest constraint.
 
 use crate::force;
-use crate::series::Series;
-use crate::stage::{Chain, ORDER, Stage};
+use crate::series::IntervalSeries;
+use crate::stage::{ChainStage, IntervalChain, ORDER};
 use crate::witness::Witness;
 use frictiongen_model::interval::Interval;
 use frictiongen_model::table::building::Exact;
@@ -29,10 +29,10 @@ const START: f64 = 0.05;
 /// Returns the candidates for the largest constraint, from the exact search at several r.
 pub(crate) fn candidates(
     exact: &mut Exact<'_>,
-    chain: &Chain,
+    chain: &IntervalChain,
     (from, to): (f64, f64),
     centre: f64,
-    over: &Stage<ORDER>,
+    over: &ChainStage<ORDER>,
     singular: &[bool],
 ) -> Vec<Witness> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
@@ -44,7 +44,7 @@ pub(crate) fn candidates(
         .map(|mode| PI * mode.x.value().high)
         .fold(PI, f64::max);
     let turned = over.kappa.is_some_and(|kappa| {
-        let own = Stage::<1>::over(chain, Interval::point(middle), singular);
+        let own = ChainStage::<1>::over(chain, Interval::point(middle), singular);
         let own = own.kappa.map_or(1.0, |kappa| kappa.value().middle());
         own * kappa.value().middle() < 0.0
     });
@@ -59,9 +59,9 @@ pub(crate) fn candidates(
         latest = latest.max(t * fastest);
         starts |= t * fastest < START;
         if chain.all_undamped {
-            let own = Stage::<1>::over(chain, Interval::point(r), singular);
+            let own = ChainStage::<1>::over(chain, Interval::point(r), singular);
             let own = if turned { own.turned() } else { own };
-            let at = Series::fixed(Interval::point(t));
+            let at = IntervalSeries::fixed(Interval::point(t));
             let motions = force::motions(&own, &at);
             let force = force::value(&own, &motions, &at.sine_cosine().1);
             if force.value().middle() < 0.0 {

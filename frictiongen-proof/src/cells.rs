@@ -4,9 +4,9 @@
 
 use crate::force;
 use crate::found::Budget;
-use crate::series::Series;
-use crate::stage::{Chain, ORDER, Stage};
-use crate::witness::{Seen, Witness};
+use crate::series::IntervalSeries;
+use crate::stage::{ChainStage, IntervalChain, ORDER};
+use crate::witness::{Witness, WitnessInstant};
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
@@ -29,15 +29,15 @@ pub(crate) const ROUNDING: f64 = 1e-12;
 pub(crate) const BENT: f64 = 0.15;
 
 /// The chain and the witness over an interval of r: at its centre (`at`), and over the whole interval (`over`).
-pub(crate) struct Part<'a> {
-    pub chain: &'a Chain,
+pub(crate) struct CellData<'a> {
+    pub chain: &'a IntervalChain,
     pub witness: &'a Witness,
     /// The interval minus its centre.
     pub away: Interval,
-    pub at: &'a Stage<ORDER>,
-    pub over: &'a Stage<ORDER>,
-    pub seen_at: &'a Seen<ORDER>,
-    pub seen_over: &'a Seen<ORDER>,
+    pub at: &'a ChainStage<ORDER>,
+    pub over: &'a ChainStage<ORDER>,
+    pub seen_at: &'a WitnessInstant<ORDER>,
+    pub seen_over: &'a WitnessInstant<ORDER>,
     /// Margin of N above the witness: √(U² + N²) exceeds its value for the witness's constraint by this fraction.
     pub share: f64,
 }
@@ -51,33 +51,33 @@ pub(crate) enum Flank {
 }
 
 /// The chain and the witness over an interval of r, in the forms that the cells of the half period need.
-pub(crate) struct Cells<'a> {
+pub(crate) struct HalfPeriodCells<'a> {
     /// The chain at the centre of the interval.
-    pub thin: Stage<1>,
+    pub thin: ChainStage<1>,
     /// The chain over the interval, with its slope in r.
-    pub wide: Stage<2>,
+    pub wide: ChainStage<2>,
     /// The chain over the interval, without slope.
-    pub flat: Stage<1>,
+    pub flat: ChainStage<1>,
     /// N, the level just above the witness's constraint: at the centre, and over the interval.
-    pub level_at: Series<1>,
-    pub level_over: Series<2>,
-    pub full_at: Series<ORDER>,
-    pub full_over: Series<ORDER>,
+    pub level_at: IntervalSeries<1>,
+    pub level_over: IntervalSeries<2>,
+    pub full_at: IntervalSeries<ORDER>,
+    pub full_over: IntervalSeries<ORDER>,
     pub path_at: Interval,
-    pub path_over: Series<2>,
-    pub part: &'a Part<'a>,
+    pub path_over: IntervalSeries<2>,
+    pub part: &'a CellData<'a>,
 }
 
 /// Returns κN, where N² + U² is (1 + share)² times its value for the witness's constraint. κ is the product of cosines
 /// in `Stage`.
-fn level<const N: usize>(seen: &Seen<N>, share: f64) -> Series<N> {
+fn level<const N: usize>(seen: &WitnessInstant<N>, share: f64) -> IntervalSeries<N> {
     let share = Interval::point(share);
     let more = share + share + share * share;
     (seen.constraint.squared() + seen.size.times(more)).sqrt()
 }
 
-impl<'a> Cells<'a> {
-    pub fn of(part: &'a Part<'a>) -> Self {
+impl<'a> HalfPeriodCells<'a> {
+    pub fn of(part: &'a CellData<'a>) -> Self {
         let (level_at, level_over) = (
             level(part.seen_at, part.share),
             level(part.seen_over, part.share),
@@ -97,11 +97,11 @@ impl<'a> Cells<'a> {
     }
 
     /// Returns F over intervals of t and r, with its slope in r. Also returns F′, F″ and F‴, then sine and cosine of τ.
-    pub fn boxed(&self, t: Interval) -> (Series<2>, [Interval; 3], (Interval, Interval)) {
-        let at = Series::<2>::fixed(t);
+    pub fn boxed(&self, t: Interval) -> (IntervalSeries<2>, [Interval; 3], (Interval, Interval)) {
+        let at = IntervalSeries::<2>::fixed(t);
         let (sine, cosine) = t.sine_cosine();
         let motions = force::motions(&self.wide, &at);
-        let value = force::value(&self.wide, &motions, &Series::fixed(cosine));
+        let value = force::value(&self.wide, &motions, &IntervalSeries::fixed(cosine));
         let derivatives = force::derivatives(&self.wide, &motions, (sine, cosine));
         (value, derivatives, (sine, cosine))
     }
@@ -109,7 +109,7 @@ impl<'a> Cells<'a> {
     /// Returns F′, F″ and F‴ over intervals of t and r, then sine and cosine of τ.
     pub fn derivatives(&self, t: Interval) -> ([Interval; 3], (Interval, Interval)) {
         let waves = t.sine_cosine();
-        let motions = force::motions(&self.flat, &Series::fixed(t));
+        let motions = force::motions(&self.flat, &IntervalSeries::fixed(t));
         (force::derivatives(&self.flat, &motions, waves), waves)
     }
 

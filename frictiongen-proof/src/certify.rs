@@ -5,11 +5,11 @@
 //! witness as r changes. In each cell the value, the slope and a bound of the second derivative bound D from below.
 //! About the witness, where D nearly vanishes, a single parabola bounds it.
 
-use crate::cells::{BENT, Cells, Flank, Part, ROUNDING};
+use crate::cells::{BENT, CellData, Flank, HalfPeriodCells, ROUNDING};
 use crate::force;
 use crate::found::Budget;
-use crate::ridge::Region;
-use crate::series::Series;
+use crate::ridge::PositiveRegion;
+use crate::series::IntervalSeries;
 use crate::stage::{ModeStage, ORDER};
 use crate::witness::Witness;
 use frictiongen_model::interval::Interval;
@@ -44,16 +44,16 @@ const EARLY_STEPS: usize = 6;
 const EARLY_STEP: f64 = 0.7;
 
 /// Returns true if every velocity constraint over the interval of r is below the witness's constraint plus the margin.
-pub(crate) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
+pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
     // Without damping and with every x ≤ 2, the sum is largest at the start of the half period.
     let slow = |mode: &ModeStage<ORDER>| mode.x.value().high <= 2.0;
     let is_start = matches!(part.witness, Witness::BreakAway);
     if is_start && part.chain.all_undamped && part.over.modes.iter().all(slow) {
         return true;
     }
-    let cells = Cells::of(part);
+    let cells = HalfPeriodCells::of(part);
     // Margin between N and the break-away condition, which is a constraint as well.
-    let spare = Series::joined(
+    let spare = IntervalSeries::joined(
         &(cells.full_at - part.at.break_away),
         &(cells.full_over - part.over.break_away),
     );
@@ -81,7 +81,7 @@ pub(crate) fn certified(part: &Part<'_>, budget: &mut Budget) -> bool {
     cells.side(Flank::Before, before, budget) && cells.side(Flank::After, after, budget)
 }
 
-impl Cells<'_> {
+impl HalfPeriodCells<'_> {
     /// Returns the fraction of each side that the cells still have to certify. A parabola about the witness certifies
     /// the rest. Returns `None` if D is not positive about the witness.
     fn tube(&self, budget: &mut Budget) -> Option<[f64; 2]> {
@@ -128,7 +128,7 @@ impl Cells<'_> {
         let (seen_at, seen_over) = (self.part.seen_at, self.part.seen_over);
         let above = self.above();
         let value = above * seen_over.weight.value();
-        let rise = Series::joined(&seen_at.rise, &seen_over.rise).range(self.part.away);
+        let rise = IntervalSeries::joined(&seen_at.rise, &seen_over.rise).range(self.part.away);
         let rise = rise + above * seen_over.turn.value();
         let bend = Interval::point(bend);
         0.0 < bend.low && 0.0 < (value - rise.squared() / (bend + bend)).low
@@ -138,7 +138,7 @@ impl Cells<'_> {
     /// Before the witness, (D/τ)″ is at least a third of the smallest D‴, because it equals ∫₀¹ s²D‴(sτ) ds.
     fn early(&self, budget: &mut Budget) -> Option<f64> {
         let path = self.part.seen_over.t;
-        let path = Series::joined(&self.part.seen_at.t, &path).range(self.part.away);
+        let path = IntervalSeries::joined(&self.part.seen_at.t, &path).range(self.part.away);
         if !(0.0 < path.low && path.high < 0.5) {
             return None;
         }
@@ -191,8 +191,9 @@ impl Cells<'_> {
             } else {
                 // Near an instant with nearly the same constraint, a cell would have to be as short as the distance
                 // between the two instants.
-                let near = region
-                    .and_then(|region: Region| region.reach(side, from, self.path_over.value()));
+                let near = region.and_then(|region: PositiveRegion| {
+                    region.reach(side, from, self.path_over.value())
+                });
                 if let Some(reach) = near {
                     from = reach.min(up_to);
                     continue;
@@ -229,7 +230,7 @@ impl Cells<'_> {
         let (_, _, t_at) = self.instant(side, middle);
         let (_, _, ends) = self.instant(side, share);
         let half = ((ends - t_at) * Interval::pi()).size();
-        let at = Series::<1>::fixed(t_at);
+        let at = IntervalSeries::<1>::fixed(t_at);
         let (sine, cosine) = at.sine_cosine();
         let motions = force::motions(&self.thin, &at);
         let value = self.level_at * sine - force::value(&self.thin, &motions, &cosine);

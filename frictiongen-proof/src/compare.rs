@@ -1,8 +1,8 @@
 //! Compares the polynomial of a piece with β_lim of a witness, over an interval of r.
 
-use crate::series::Series;
-use crate::stage::{ORDER, Stage};
-use crate::witness::{Seen, polynomial};
+use crate::series::IntervalSeries;
+use crate::stage::{ChainStage, ORDER};
+use crate::witness::{WitnessInstant, polynomial};
 use frictiongen_kernel::Float;
 use frictiongen_model::interval::Interval;
 use frictiongen_model::scene::Side;
@@ -27,7 +27,7 @@ pub(crate) const SMALL: f64 = 0.1;
 
 /// Result of the comparison of a table with the witness over an interval of r.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Compared {
+pub(crate) struct ComparedLimit {
     /// The largest possible error, with the r at which it occurs.
     pub worst: Worst,
     /// The neighbourhood of a zero that the comparison leaves open, as an interval of r.
@@ -35,18 +35,18 @@ pub(crate) struct Compared {
     /// The proven interval, relative to the centre of the series.
     pub away: Interval,
     /// The quotient of the polynomial and β_lim of the witness, squared: at the centre, and over the interval.
-    pub square: [Series<SHORT>; 2],
+    pub square: [IntervalSeries<SHORT>; 2],
     /// Largest relative rounding error of the polynomial's evaluation.
     pub rounding: f64,
 }
 
 /// Returns the series divided by the distance from its centre. The value at the centre is left out, because it is zero.
-pub(crate) fn divided(series: &Series<ORDER>) -> Series<SHORT> {
+pub(crate) fn divided(series: &IntervalSeries<ORDER>) -> IntervalSeries<SHORT> {
     let mut terms = [Interval::ZERO; SHORT];
     for (term, own) in terms.iter_mut().zip(series.terms.iter().skip(1)) {
         *term = *own;
     }
-    Series { terms }
+    IntervalSeries { terms }
 }
 
 /// Compares the emitted polynomial with β_lim. Returns `None` if it is not within the accuracy. β_lim is that of the
@@ -56,10 +56,10 @@ pub(crate) fn compared<S: Float>(
     request: &Request,
     (from, to): (f64, f64),
     zero: Option<f64>,
-    [at, over]: [&Stage<ORDER>; 2],
-    [seen_at, seen_over]: [&Seen<ORDER>; 2],
+    [at, over]: [&ChainStage<ORDER>; 2],
+    [seen_at, seen_over]: [&WitnessInstant<ORDER>; 2],
     share: f64,
-) -> Option<Compared> {
+) -> Option<ComparedLimit> {
     let coefficients: Vec<f64> = piece
         .coefficients
         .first()?
@@ -70,7 +70,8 @@ pub(crate) fn compared<S: Float>(
     let centre = zero.unwrap_or(0.5 * (from + to));
     let r = Interval::new(from.min(centre), to.max(centre));
     let table = |r: Interval| {
-        let t = Series::<ORDER>::variable(r) - Series::fixed(Interval::point(origin));
+        let t =
+            IntervalSeries::<ORDER>::variable(r) - IntervalSeries::fixed(Interval::point(origin));
         polynomial(&coefficients, t)
     };
     let (own_at, own_over) = (table(Interval::point(centre)), table(r));
@@ -105,37 +106,38 @@ pub(crate) fn compared<S: Float>(
             Some(_) => Interval::new(all.low, (-nearest).min(all.high)),
         }
     };
-    let ratio = |own: &Series<ORDER>, stage: &Stage<ORDER>, seen: &Seen<ORDER>| {
-        if zero.is_some() {
-            let part = |series: &Series<ORDER>, first: Interval| {
-                divided(series) + Series::fixed(first / away)
-            };
-            let [re, im] = [0, 1].map(|place| {
-                let of = |stage: &Stage<ORDER>| stage.excitation.get(place).copied();
-                let zero = Series::fixed(Interval::ZERO);
-                let (own, first) = (of(stage).unwrap_or(zero), of(at).unwrap_or(zero));
-                part(&own, first.value())
-            });
-            let own = part(own, own_at.value());
-            own.squared() * seen.size.truncated() / (re.squared() + im.squared())
-        } else {
-            let [re, im] = stage.excitation.map(|part| part.truncated());
-            let own = own.truncated::<SHORT>();
-            own.squared() * seen.size.truncated() / (re.squared() + im.squared())
-        }
-    };
+    let ratio =
+        |own: &IntervalSeries<ORDER>, stage: &ChainStage<ORDER>, seen: &WitnessInstant<ORDER>| {
+            if zero.is_some() {
+                let part = |series: &IntervalSeries<ORDER>, first: Interval| {
+                    divided(series) + IntervalSeries::fixed(first / away)
+                };
+                let [re, im] = [0, 1].map(|place| {
+                    let of = |stage: &ChainStage<ORDER>| stage.excitation.get(place).copied();
+                    let zero = IntervalSeries::fixed(Interval::ZERO);
+                    let (own, first) = (of(stage).unwrap_or(zero), of(at).unwrap_or(zero));
+                    part(&own, first.value())
+                });
+                let own = part(own, own_at.value());
+                own.squared() * seen.size.truncated() / (re.squared() + im.squared())
+            } else {
+                let [re, im] = stage.excitation.map(|part| part.truncated());
+                let own = own.truncated::<SHORT>();
+                own.squared() * seen.size.truncated() / (re.squared() + im.squared())
+            }
+        };
     let squares = [
         ratio(&own_at, at, seen_at),
         ratio(&own_over, over, seen_over),
     ];
     let [square_at, square_over] = &squares;
-    let joined = Series::joined(square_at, square_over);
+    let joined = IntervalSeries::joined(square_at, square_over);
     // `own` is the range of the polynomial's values. Near a zero the polynomial is divided by the distance from the
     // zero.
     let own = match zero {
-        None => Series::joined(&own_at, &own_over).range(away),
+        None => IntervalSeries::joined(&own_at, &own_over).range(away),
         Some(_) => {
-            let own = Series::joined(&divided(&own_at), &divided(&own_over)).range(away);
+            let own = IntervalSeries::joined(&divided(&own_at), &divided(&own_over)).range(away);
             own + own_at.value() / away
         }
     };
@@ -178,7 +180,7 @@ pub(crate) fn compared<S: Float>(
             };
         }
     }
-    Some(Compared {
+    Some(ComparedLimit {
         worst,
         gap,
         away,

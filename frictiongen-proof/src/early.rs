@@ -2,8 +2,8 @@
 //! module uses the Taylor series of F/τ in τ.
 
 use crate::force;
-use crate::series::Series;
-use crate::stage::Stage;
+use crate::series::IntervalSeries;
+use crate::stage::ChainStage;
 use frictiongen_model::interval::Interval;
 
 /// Number of terms of the series of F/τ. [`rest`] bounds the remainder, so fewer terms would only leave more of r open.
@@ -25,12 +25,17 @@ const FAR_UP: f64 = 1.0 + 1e-14;
 
 /// Returns sin τ/τ and its slope, by their power series. [`SINC_REST`] bounds the remainder. Returns `ALL` if |τ| may
 /// exceed [`FARTHEST`].
-pub(crate) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
+pub(crate) fn sinc<const N: usize>(
+    tau: &IntervalSeries<N>,
+) -> (IntervalSeries<N>, IntervalSeries<N>) {
     if !(tau.value().size() <= FARTHEST) {
-        return (Series::fixed(Interval::ALL), Series::fixed(Interval::ALL));
+        return (
+            IntervalSeries::fixed(Interval::ALL),
+            IntervalSeries::fixed(Interval::ALL),
+        );
     }
     let square = tau.squared();
-    let zero = Series::fixed(Interval::ZERO);
+    let zero = IntervalSeries::fixed(Interval::ZERO);
     let (mut value, mut slope) = (zero, zero);
     // The sums run from the highest power down. The coefficient of τ^{2j} is (−1)^j/(2j + 1)!. The coefficient of
     // τ^{2j−1} in the slope is 2j times as large.
@@ -40,21 +45,22 @@ pub(crate) fn sinc<const N: usize>(tau: &Series<N>) -> (Series<N>, Series<N>) {
             weight = weight / Interval::point(factor as f64);
         }
         let weight = if j % 2 == 0 { weight } else { -weight };
-        value = value * square + Series::fixed(weight);
+        value = value * square + IntervalSeries::fixed(weight);
         if j > 0 {
-            slope = slope * square + Series::fixed(weight * Interval::point(2.0 * j as f64));
+            slope =
+                slope * square + IntervalSeries::fixed(weight * Interval::point(2.0 * j as f64));
         }
     }
-    let rest = Series::fixed(Interval::within(SINC_REST));
+    let rest = IntervalSeries::fixed(Interval::within(SINC_REST));
     (value + rest, slope * *tau + rest)
 }
 
 /// Returns F/τ and its slope at τ = πt, up to the remainder of [`rest`].
 pub(crate) fn over_tau<const N: usize>(
-    stage: &Stage<N>,
-    tau: &Series<N>,
-) -> (Series<N>, Series<N>) {
-    let zero = Series::fixed(Interval::ZERO);
+    stage: &ChainStage<N>,
+    tau: &IntervalSeries<N>,
+) -> (IntervalSeries<N>, IntervalSeries<N>) {
+    let zero = IntervalSeries::fixed(Interval::ZERO);
     // At τ = 0 the nth derivative of p is k_n xⁿ⁻¹, with k_n + 2ζk_{n−1} + k_{n−2} = 0. Because x = σ/r, all modes have
     // the same power of r. The code sums κc(1 + g)·k_nσⁿ⁻¹ and κcu/x²·k_{n+1}σⁿ over the modes.
     let mut sums = [(zero, zero); TERMS + 1];
@@ -70,7 +76,7 @@ pub(crate) fn over_tau<const N: usize>(
             (constant, next) = (next, -(two_zeta * next + constant));
         }
     }
-    let (mut power, mut factorial) = (Series::fixed(Interval::ONE), 1.0);
+    let (mut power, mut factorial) = (IntervalSeries::fixed(Interval::ONE), 1.0);
     let mut coefficients = Vec::with_capacity(TERMS);
     for (n, (free, forced)) in sums.iter().enumerate().skip(1) {
         let cosine = OF_COSINE.get(n % 4).copied().unwrap_or(0.0);
@@ -91,10 +97,10 @@ pub(crate) fn over_tau<const N: usize>(
 }
 
 /// Returns bounds on the remainders of [`over_tau`], for F/τ and for its slope, at all τ from 0 to πt.
-pub(crate) fn rest<const N: usize>(stage: &Stage<N>, t: f64) -> [Interval; 2] {
+pub(crate) fn rest<const N: usize>(stage: &ChainStage<N>, t: f64) -> [Interval; 2] {
     let stage = stage.truncated::<1>();
     let all = Interval::new(0.0, t);
-    let motions = force::motions(&stage, &Series::fixed(all));
+    let motions = force::motions(&stage, &IntervalSeries::fixed(all));
     let mut most = 0.0;
     for (mode, (p, slope)) in stage.modes.iter().zip(&motions) {
         let x = mode.x.value();

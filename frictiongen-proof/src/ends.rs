@@ -1,14 +1,14 @@
 //! The first and the last cell of the half period. D vanishes at both ends of the half period.
 
-use crate::cells::{Cells, Flank};
+use crate::cells::{Flank, HalfPeriodCells};
 use crate::force;
 use crate::found::Budget;
-use crate::series::Series;
+use crate::series::IntervalSeries;
 use crate::stage::ORDER;
-use crate::witness::{Seen, Witness};
+use crate::witness::{Witness, WitnessInstant};
 use frictiongen_model::interval::Interval;
 
-impl Cells<'_> {
+impl HalfPeriodCells<'_> {
     /// Returns true if D/τ is positive in the first cell, with D = D′(0)τ + D″(0)τ²/2 + D‴τ³/6.
     pub fn first(&self, share: f64, budget: &mut Budget) -> bool {
         budget.spend(4 * self.wide.modes.len());
@@ -21,7 +21,7 @@ impl Cells<'_> {
             // D′(0) is N − m* − H_c. It is computed as the sum of N − μm* − H_c and (μ − 1)m*.
             let more = Interval::point(part.share);
             let more = more + more + more * more;
-            let above = |seen: &Seen<ORDER>, level: &Series<ORDER>| {
+            let above = |seen: &WitnessInstant<ORDER>, level: &IntervalSeries<ORDER>| {
                 seen.size.times(more) / (*level + seen.constraint)
             };
             (
@@ -35,7 +35,7 @@ impl Cells<'_> {
             )
         };
         let away = part.away;
-        let start = Series::joined(&at, &over).range(away);
+        let start = IntervalSeries::joined(&at, &over).range(away);
         if !(0.0 < start.low) {
             return false;
         }
@@ -58,20 +58,22 @@ impl Cells<'_> {
         // bounded as a function of r.
         let bends = [part.at, part.over].map(|stage| force::bend_at_start(stage).times(-half));
         let [bend_at, bend_over] = bends;
-        let bend = Series::joined(&bend_at, &bend_over).range(away);
+        let bend = IntervalSeries::joined(&bend_at, &bend_over).range(away);
         if 0.0 <= bend.low {
             return true;
         }
         let four = Interval::point(4.0);
-        let lowest = |start: &Series<ORDER>, bend: &Series<ORDER>| {
+        let lowest = |start: &IntervalSeries<ORDER>, bend: &IntervalSeries<ORDER>| {
             *start - bend.squared().times(Interval::ONE / (four * curve))
         };
         let (low_at, low_over) = (lowest(&at, &bend_at), lowest(&over, &bend_over));
-        if 0.0 < Series::joined(&low_at, &low_over).range(away).low {
+        if 0.0 < IntervalSeries::joined(&low_at, &low_over).range(away).low {
             return true;
         }
         let turn = Interval::pi() * Interval::point(share);
-        let at_end = |start: &Series<ORDER>, bend: &Series<ORDER>, path: &Series<ORDER>| {
+        let at_end = |start: &IntervalSeries<ORDER>,
+                      bend: &IntervalSeries<ORDER>,
+                      path: &IntervalSeries<ORDER>| {
             let end = path.times(turn);
             (
                 *start + *bend * end + end.squared().times(curve),
@@ -80,8 +82,14 @@ impl Cells<'_> {
         };
         let (value_at, slope_at) = at_end(&at, &bend_at, &part.seen_at.t);
         let (value_over, slope_over) = at_end(&over, &bend_over, &part.seen_over.t);
-        Series::joined(&slope_at, &slope_over).range(away).high <= 0.0
-            && 0.0 < Series::joined(&value_at, &value_over).range(away).low
+        IntervalSeries::joined(&slope_at, &slope_over)
+            .range(away)
+            .high
+            <= 0.0
+            && 0.0
+                < IntervalSeries::joined(&value_at, &value_over)
+                    .range(away)
+                    .low
     }
 
     /// Returns true if D/(π − τ) is positive in the last cell, up to the end of the half period.

@@ -1,32 +1,35 @@
 //! The sum of the velocity constraint, F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)] over the modes, and its derivatives.
 //! The time is τ = πt.
 
-use crate::series::Series;
-use crate::stage::{Kind, ModeStage, Stage};
+use crate::series::IntervalSeries;
+use crate::stage::{ChainStage, ModeDecay, ModeStage};
 use frictiongen_model::interval::Interval;
 
 /// Returns the free displacement p of a mode and its slope p′.
-fn free<const N: usize>(mode: &ModeStage<N>, t: &Series<N>) -> (Series<N>, Series<N>) {
+fn free<const N: usize>(
+    mode: &ModeStage<N>,
+    t: &IntervalSeries<N>,
+) -> (IntervalSeries<N>, IntervalSeries<N>) {
     let own = &mode.oscillator;
     let turns = mode.x * *t;
     match own.kind {
-        Kind::Undamped => {
+        ModeDecay::Undamped => {
             let (s, c) = turns.sine_cosine();
             (s * mode.slow, c)
         }
-        Kind::Under => {
+        ModeDecay::Under => {
             let decay_factor = turns.times(-(Interval::pi() * own.zeta)).exp();
             let (s, c) = turns.times(own.q).sine_cosine();
             let (s, c) = (decay_factor * s, decay_factor * c);
             let p = (s * mode.slow).times(Interval::ONE / own.q);
             (p, c - s.times(own.zeta_over_q))
         }
-        Kind::Critical => {
+        ModeDecay::Critical => {
             let decay_factor = turns.times(-Interval::pi()).exp();
             let p = (decay_factor * *t).times(Interval::pi());
             (p, decay_factor - p * mode.x)
         }
-        Kind::Over => {
+        ModeDecay::Over => {
             let rates = [Interval::ONE / own.fast, own.fast];
             let [slow, fast] = rates.map(|rate| turns.times(-(Interval::pi() * rate)).exp());
             let half = Interval::ONE / (own.q + own.q);
@@ -40,19 +43,19 @@ fn free<const N: usize>(mode: &ModeStage<N>, t: &Series<N>) -> (Series<N>, Serie
 
 /// Returns p and p′ of all modes at an instant.
 pub(crate) fn motions<const N: usize>(
-    stage: &Stage<N>,
-    t: &Series<N>,
-) -> Vec<(Series<N>, Series<N>)> {
+    stage: &ChainStage<N>,
+    t: &IntervalSeries<N>,
+) -> Vec<(IntervalSeries<N>, IntervalSeries<N>)> {
     stage.modes.iter().map(|mode| free(mode, t)).collect()
 }
 
 /// Returns F at an instant. The instant may depend on r.
 pub(crate) fn value<const N: usize>(
-    stage: &Stage<N>,
-    motions: &[(Series<N>, Series<N>)],
-    cosine: &Series<N>,
-) -> Series<N> {
-    let mut sum = Series::fixed(Interval::ZERO);
+    stage: &ChainStage<N>,
+    motions: &[(IntervalSeries<N>, IntervalSeries<N>)],
+    cosine: &IntervalSeries<N>,
+) -> IntervalSeries<N> {
+    let mut sum = IntervalSeries::fixed(Interval::ZERO);
     for (mode, (p, slope)) in stage.modes.iter().zip(motions) {
         sum = sum + mode.free * *p + mode.forced_slope * (*cosine - *slope);
     }
@@ -61,11 +64,11 @@ pub(crate) fn value<const N: usize>(
 
 /// Returns F′ at an instant. The instant may depend on r.
 pub(crate) fn slope<const N: usize>(
-    stage: &Stage<N>,
-    motions: &[(Series<N>, Series<N>)],
-    sine: &Series<N>,
-) -> Series<N> {
-    let mut sum = Series::fixed(Interval::ZERO);
+    stage: &ChainStage<N>,
+    motions: &[(IntervalSeries<N>, IntervalSeries<N>)],
+    sine: &IntervalSeries<N>,
+) -> IntervalSeries<N> {
+    let mut sum = IntervalSeries::fixed(Interval::ZERO);
     for (mode, (p, slope)) in stage.modes.iter().zip(motions) {
         // −p″ = x(2ζp′ + xp).
         let two_zeta = mode.oscillator.zeta.doubled();
@@ -77,8 +80,8 @@ pub(crate) fn slope<const N: usize>(
 
 /// Returns F′, F″ and F‴ over an interval of r and an interval of τ.
 pub(crate) fn derivatives<const N: usize>(
-    stage: &Stage<N>,
-    motions: &[(Series<N>, Series<N>)],
+    stage: &ChainStage<N>,
+    motions: &[(IntervalSeries<N>, IntervalSeries<N>)],
     (sine, cosine): (Interval, Interval),
 ) -> [Interval; 3] {
     let mut sums = [Interval::ZERO; 3];
@@ -87,7 +90,7 @@ pub(crate) fn derivatives<const N: usize>(
         let square = x.squared();
         let (p, p1) = (p.value(), slope.value());
         let (p2, p3, p4);
-        if mode.oscillator.kind == Kind::Undamped {
+        if mode.oscillator.kind == ModeDecay::Undamped {
             (p2, p3) = (-(square * p), -(square * p1));
             p4 = -(square * p2);
         } else {
@@ -106,9 +109,9 @@ pub(crate) fn derivatives<const N: usize>(
 }
 
 /// Returns F″ at τ = 0, where p′ = 1, p″ = −2ζx and p‴ = x²(4ζ² − 1).
-pub(crate) fn bend_at_start<const N: usize>(stage: &Stage<N>) -> Series<N> {
-    let one = Series::fixed(Interval::ONE);
-    let zero = Series::fixed(Interval::ZERO);
+pub(crate) fn bend_at_start<const N: usize>(stage: &ChainStage<N>) -> IntervalSeries<N> {
+    let one = IntervalSeries::fixed(Interval::ONE);
+    let zero = IntervalSeries::fixed(Interval::ZERO);
     stage.modes.iter().fold(zero, |sum, mode| {
         let two_zeta = mode.oscillator.zeta.doubled();
         let curve = mode.x.times(two_zeta);

@@ -2,15 +2,15 @@
 //! the kernel's.
 
 use crate::force;
-use crate::series::Series;
-use crate::stage::{Chain, Stage, singular};
-use crate::tests::{random, scene};
+use crate::series::IntervalSeries;
+use crate::stage::{ChainStage, IntervalChain, singular};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::oscillator::decay::{Damped, Decay, Instant};
 use frictiongen_kernel::response::At;
 use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
+use frictiongen_model::samples::{random, scene};
 
 /// Contact, number of masses and ζ of the compared chains. The chains have each kind of damping. Some have undamped
 /// modes among damped ones.
@@ -32,12 +32,12 @@ const RATIOS: usize = 300;
 
 /// Counts of compared values, and the width of the widest interval.
 #[derive(Default)]
-struct Compared {
+struct ComparedFormulas {
     values: usize,
     widest: f64,
 }
 
-impl Compared {
+impl ComparedFormulas {
     /// Compares an interval with κ times the kernel's value.
     fn with(&mut self, name: &str, own: Interval, kernel: Dd, kappa: Interval, size: f64) {
         let kernel = Interval::of(kernel) * kappa;
@@ -53,9 +53,9 @@ impl Compared {
 }
 
 /// Compares V, U, G, the constraint at both ends of a sliding phase, and F at one instant.
-fn compare(name: &str, modal: &Modal, r: f64, t: f64, compared: &mut Compared) {
-    let chain = Chain::of(modal);
-    let stage = Stage::<2>::over(&chain, Interval::point(r), &singular(&chain, r));
+fn compare(name: &str, modal: &Modal, r: f64, t: f64, compared: &mut ComparedFormulas) {
+    let chain = IntervalChain::of(modal);
+    let stage = ChainStage::<2>::over(&chain, Interval::point(r), &singular(&chain, r));
     let reduced = modal.reduced(|value| value);
     let at = At::new(&reduced, Dd::from(r)).unwrap();
     let sums = at.contact_sums();
@@ -107,7 +107,7 @@ fn compare(name: &str, modal: &Modal, r: f64, t: f64, compared: &mut Compared) {
             more,
         );
     }
-    let (t, own) = (Dd::from(t), Series::<2>::fixed(Interval::point(t)));
+    let (t, own) = (Dd::from(t), IntervalSeries::<2>::fixed(Interval::point(t)));
     let (sine, cosine) = t.sin_cos_pi();
     let instant = Instant {
         t,
@@ -131,7 +131,7 @@ fn compare(name: &str, modal: &Modal, r: f64, t: f64, compared: &mut Compared) {
 
 #[test]
 fn agree_with_the_kernel() {
-    let mut compared = Compared::default();
+    let mut compared = ComparedFormulas::default();
     let mut state = 29;
     for (kind, count, zeta) in KINDS {
         let modal = scene(kind, count, zeta, 1.2);
@@ -141,7 +141,7 @@ fn agree_with_the_kernel() {
             compare(&name, &modal, r, t, &mut compared);
         }
     }
-    let Compared { values, widest } = compared;
+    let ComparedFormulas { values, widest } = compared;
     println!("{values} values, {widest:e} wide");
     assert!(values >= RATIOS * (KINDS.len() * 4 + 6 * 3), "{values}");
 }

@@ -1,6 +1,6 @@
 //! Results of a proof up to now, and its remaining work.
 
-use crate::compare::Compared;
+use crate::compare::ComparedLimit;
 use frictiongen_model::table::Worst;
 use frictiongen_model::table::{Evidence, Proof, Work};
 
@@ -29,13 +29,13 @@ impl Budget {
 }
 
 /// Results for one function up to now: its largest error, and the intervals of r that are still open.
-pub(crate) struct Found {
+pub(crate) struct FunctionProof {
     bound: Worst,
     pub open: Vec<(f64, f64)>,
     looked: bool,
 }
 
-impl Found {
+impl FunctionProof {
     pub fn nothing(at: f64) -> Self {
         Self {
             bound: Worst { error: 0.0, at },
@@ -84,17 +84,17 @@ impl Found {
 }
 
 /// Results for a piece of a table: for β_lim, for the motion, and the work.
-pub(crate) struct Piece {
-    pub limit: Found,
-    pub motion: Found,
+pub(crate) struct PieceProof {
+    pub limit: FunctionProof,
+    pub motion: FunctionProof,
     pub work: usize,
 }
 
-impl Piece {
+impl PieceProof {
     pub fn nothing(at: f64) -> Self {
         Self {
-            limit: Found::nothing(at),
-            motion: Found::nothing(at),
+            limit: FunctionProof::nothing(at),
+            motion: FunctionProof::nothing(at),
             work: 0,
         }
     }
@@ -114,7 +114,7 @@ impl Piece {
 }
 
 /// Proven results over an interval of r: for β_lim, and for the motion if the motion is proven too.
-pub(crate) struct Part {
-    pub limit: Compared,
+pub(crate) struct IntervalProof {
+    pub limit: ComparedLimit,
     pub motion: Option<Worst>,
 }

@@ -35,13 +35,13 @@ mod moved;
 #[cfg(test)]
 mod tests;
 
-use found::Piece;
+use found::PieceProof;
 use frictiongen_kernel::Float;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::table::building::{Exact, Landmarks, SIZE, Zeros};
 use frictiongen_model::table::{Evidence, Proof, Tables, Work};
 use prover::Prover;
-use stage::Chain;
+use stage::IntervalChain;
 use std::ops::Range;
 
 /// Estimate of the work to prove a piece, per mode, if every mode is damped. It only decides whether a proof starts
@@ -93,7 +93,7 @@ fn of_pieces<S: Float>(
     places: Range<usize>,
     work: Work,
 ) -> [Proof; 2] {
-    let chain = Chain::of(modal);
+    let chain = IntervalChain::of(modal);
     let ends = (
         S::constant(tables.request.r.0),
         S::constant(tables.request.r.1),
@@ -124,7 +124,7 @@ fn of_pieces<S: Float>(
     };
     let all: Vec<usize> = places.collect();
     let found = side_by_side::answered(&all, most, || Exact::new(modal), one);
-    let mut whole = Piece::nothing(low);
+    let mut whole = PieceProof::nothing(low);
     let mut found = found.into_iter();
     for place in all {
         match found.next() {

@@ -6,10 +6,10 @@
 //! compared with α. β_lim equals the witness's b up to a small margin, and α equals the witness's α up to the same
 //! margin. The margin therefore changes the difference by at most the margin.
 
-use crate::compare::{CELLS, Compared, SHORT, SMALL, divided};
-use crate::series::Series;
-use crate::stage::{ORDER, Stage};
-use crate::witness::{Seen, polynomial};
+use crate::compare::{CELLS, ComparedLimit, SHORT, SMALL, divided};
+use crate::series::IntervalSeries;
+use crate::stage::{ChainStage, ORDER};
+use crate::witness::{WitnessInstant, polynomial};
 use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::interval::Interval;
 use frictiongen_model::table::FRICTION_SHARES;
@@ -36,7 +36,7 @@ const OVER_SINE: f64 = 1.01;
 const UP: f64 = 1.0 + 1e-9;
 
 /// Data for comparing amplitude and phase over an interval of r.
-pub(crate) struct Moving<'a, S> {
+pub(crate) struct MotionProof<'a, S> {
     pub piece: &'a Fitted<S>,
     /// Largest relative error of |V|, if |V| is a product over zeros and poles.
     pub excitation: f64,
@@ -52,7 +52,7 @@ pub(crate) struct Moving<'a, S> {
 }
 
 /// Errors and exact values of the functions over a cell of r.
-struct Cell {
+struct MotionCell {
     /// Errors of a and g (`off`), and their exact values α and γ (`exact`).
     off: [Interval; 2],
     exact: [Interval; 2],
@@ -67,20 +67,20 @@ struct Cell {
 /// Errors and exact values of the functions, as series at the centre of an interval and over it.
 struct Functions {
     /// Error of the table's first function, a·b/β_table − α, and the exact value α = β_lim·U/|V|.
-    quadrature: [Series<SHORT>; 2],
+    quadrature: [IntervalSeries<SHORT>; 2],
     /// Error of the table's second function, g·b/β_table − γ, and the exact value γ = β_lim·G/|V|.
-    displacement: [Series<SHORT>; 2],
+    displacement: [IntervalSeries<SHORT>; 2],
     /// Error of arg V: the table's value minus the exact value, rad.
-    angle: Series<SHORT>,
+    angle: IntervalSeries<SHORT>,
 }
 
-impl<S: Float> Moving<'_, S> {
+impl<S: Float> MotionProof<'_, S> {
     /// Returns the largest error of amplitude and phase over the interval, or `None` if it is not within the accuracy.
     pub fn compared(
         &self,
-        limit: &Compared,
-        [at, over]: [&Stage<ORDER>; 2],
-        [seen_at, seen_over]: [&Seen<ORDER>; 2],
+        limit: &ComparedLimit,
+        [at, over]: [&ChainStage<ORDER>; 2],
+        [seen_at, seen_over]: [&WitnessInstant<ORDER>; 2],
     ) -> Option<Worst> {
         let away = limit.away;
         let (from, to) = self.ends;
@@ -92,22 +92,23 @@ impl<S: Float> Moving<'_, S> {
         let point = Interval::point(self.centre);
         let at = self.functions(at, seen_at, square_at, point, sign, &angle[0]);
         let over = self.functions(over, seen_over, square_over, r, sign, &angle[1]);
-        let joined =
-            |pick: fn(&Functions) -> Series<SHORT>| Series::joined(&pick(&at), &pick(&over));
+        let joined = |pick: fn(&Functions) -> IntervalSeries<SHORT>| {
+            IntervalSeries::joined(&pick(&at), &pick(&over))
+        };
         let quadrature = [joined(|of| of.quadrature[0]), joined(|of| of.quadrature[1])];
         let displacement = [
             joined(|of| of.displacement[0]),
             joined(|of| of.displacement[1]),
         ];
         let angle = joined(|of| of.angle);
-        let ratio = Series::joined(square_at, square_over);
+        let ratio = IntervalSeries::joined(square_at, square_over);
         let mut worst = Worst {
             error: 0.0,
             at: from,
         };
         for cell in away.parts(CELLS) {
             let error = self.error(
-                &Cell {
+                &MotionCell {
                     off: [quadrature[0].range(cell), displacement[0].range(cell)],
                     exact: [quadrature[1].range(cell), displacement[1].range(cell)],
                     size: size.0.range(cell) + Interval::within(size.1),
@@ -127,8 +128,8 @@ impl<S: Float> Moving<'_, S> {
     }
 
     /// Returns the largest error of amplitude and phase over a cell of r.
-    fn error(&self, cell: &Cell, of_limit: f64) -> Option<f64> {
-        let Cell {
+    fn error(&self, cell: &MotionCell, of_limit: f64) -> Option<f64> {
+        let MotionCell {
             off,
             exact,
             size,
@@ -195,22 +196,25 @@ impl<S: Float> Moving<'_, S> {
     }
 
     /// Returns one of the piece's polynomials as a series in r.
-    fn table(&self, function: usize, r: Interval) -> Series<SHORT> {
-        let origin = Series::fixed(Interval::point(self.piece.origin.to_f64()));
-        polynomial(&self.coefficients(function), Series::variable(r) - origin)
+    fn table(&self, function: usize, r: Interval) -> IntervalSeries<SHORT> {
+        let origin = IntervalSeries::fixed(Interval::point(self.piece.origin.to_f64()));
+        polynomial(
+            &self.coefficients(function),
+            IntervalSeries::variable(r) - origin,
+        )
     }
 
     fn functions(
         &self,
-        stage: &Stage<ORDER>,
-        seen: &Seen<ORDER>,
-        square: &Series<SHORT>,
+        stage: &ChainStage<ORDER>,
+        seen: &WitnessInstant<ORDER>,
+        square: &IntervalSeries<SHORT>,
         r: Interval,
         sign: Interval,
-        angle: &Series<SHORT>,
+        angle: &IntervalSeries<SHORT>,
     ) -> Functions {
         let (ratio, size) = (square.sqrt(), seen.size.truncated::<SHORT>().sqrt());
-        let nothing = Series::fixed(Interval::ZERO);
+        let nothing = IntervalSeries::fixed(Interval::ZERO);
         let quadrature = (stage.quadrature.truncated() / size).times(sign);
         let own = [self.table(1, r) / ratio - quadrature, quadrature];
         if !self.is_damped() {
@@ -232,69 +236,77 @@ impl<S: Float> Moving<'_, S> {
     /// series (at the centre and over the interval), and the rounding error of the evaluation.
     fn size(
         &self,
-        stages: [&Stage<ORDER>; 2],
+        stages: [&ChainStage<ORDER>; 2],
         r: Interval,
         away: Interval,
-    ) -> Option<(Series<SHORT>, f64)> {
-        let one = Series::fixed(Interval::ONE);
+    ) -> Option<(IntervalSeries<SHORT>, f64)> {
+        let one = IntervalSeries::fixed(Interval::ONE);
         if self.piece.coefficients.len() <= SIZE {
-            return Some((Series::fixed(Interval::ZERO), 0.0));
+            return Some((IntervalSeries::fixed(Interval::ZERO), 0.0));
         }
         let coefficients = self.coefficients(SIZE);
         let origin = self.piece.origin.to_f64();
         let [at, over] = stages;
         // Near a zero both series are divided by the distance from it.
-        let part = |series: &Series<ORDER>, at: &Series<ORDER>| {
+        let part = |series: &IntervalSeries<ORDER>, at: &IntervalSeries<ORDER>| {
             if self.beside_zero {
-                divided(series) + Series::fixed(at.value() / away)
+                divided(series) + IntervalSeries::fixed(at.value() / away)
             } else {
                 series.truncated()
             }
         };
         let table = |r: Interval| {
-            let t = Series::<ORDER>::variable(r) - Series::fixed(Interval::point(origin));
+            let t = IntervalSeries::<ORDER>::variable(r)
+                - IntervalSeries::fixed(Interval::point(origin));
             polynomial(&coefficients, t)
         };
         let own = table(Interval::point(self.centre));
         let sign = if self.beside_zero { away.sign() } else { 1 };
         let side = Interval::point(f64::from(sign));
         // `Stage` contains V multiplied by r².
-        let ratio = |r: Interval, stage: &Stage<ORDER>| {
+        let ratio = |r: Interval, stage: &ChainStage<ORDER>| {
             let [re, im] = [0, 1].map(|place| {
-                let of = |stage: &Stage<ORDER>| stage.excitation.get(place).copied();
-                let zero = Series::fixed(Interval::ZERO);
+                let of = |stage: &ChainStage<ORDER>| stage.excitation.get(place).copied();
+                let zero = IntervalSeries::fixed(Interval::ZERO);
                 part(&of(stage).unwrap_or(zero), &of(at).unwrap_or(zero))
             });
             let exact = (re.squared() + im.squared()).sqrt();
             let table = part(&table(r), &own).times(side);
-            (table * Series::variable(r).squared() / exact, table)
+            (table * IntervalSeries::variable(r).squared() / exact, table)
         };
         let (first, table_at) = ratio(Interval::point(self.centre), at);
         let (all, table_over) = ratio(r, over);
-        let least = Series::joined(&table_at, &table_over).range(away).low;
+        let least = IntervalSeries::joined(&table_at, &table_over)
+            .range(away)
+            .low;
         if !(0.0 < least) {
             return None;
         }
         let nearest = self.beside_zero.then_some(away);
         let rounded = rounding::<S>(&coefficients, origin, self.ends, nearest) / least;
-        let off = Series::joined(&(first - one), &(all - one));
+        let off = IntervalSeries::joined(&(first - one), &(all - one));
         // The rounding errors are relative to the table's |V|, not to the exact one.
         let most = 1.0 + off.range(away).size();
         (rounded < SMALL).then_some((off, rounded * most * UP))
     }
 
     /// Returns the sign of κV in an undamped chain. a is multiplied by this sign.
-    fn sign(&self, at: &Stage<ORDER>, over: &Stage<ORDER>, away: Interval) -> Option<Interval> {
+    fn sign(
+        &self,
+        at: &ChainStage<ORDER>,
+        over: &ChainStage<ORDER>,
+        away: Interval,
+    ) -> Option<Interval> {
         if self.is_damped() {
             return Some(Interval::ONE);
         }
         let ([own, _], [all, _]) = (at.excitation, over.excitation);
         let sign = if self.beside_zero {
-            let slope = Series::joined(&divided(&own), &divided(&all)).range(away);
+            let slope = IntervalSeries::joined(&divided(&own), &divided(&all)).range(away);
             let first = own.value() / away;
             (slope + first).sign() * away.sign()
         } else {
-            Series::joined(&own, &all).range(away).sign()
+            IntervalSeries::joined(&own, &all).range(away).sign()
         };
         (sign != 0).then(|| Interval::point(f64::from(sign)))
     }
@@ -303,15 +315,15 @@ impl<S: Float> Moving<'_, S> {
     /// position of a zero.
     fn angle(
         &self,
-        at: &Stage<ORDER>,
-        over: &Stage<ORDER>,
+        at: &ChainStage<ORDER>,
+        over: &ChainStage<ORDER>,
         away: Interval,
-    ) -> Option<([Series<SHORT>; 2], f64)> {
+    ) -> Option<([IntervalSeries<SHORT>; 2], f64)> {
         if !self.is_damped() {
-            return Some(([Series::fixed(Interval::ZERO); 2], 0.0));
+            return Some(([IntervalSeries::fixed(Interval::ZERO); 2], 0.0));
         }
         let side = Interval::point(f64::from(away.sign()));
-        let parts = |stage: &Stage<ORDER>| {
+        let parts = |stage: &ChainStage<ORDER>| {
             stage.excitation.map(|part| {
                 if self.beside_zero {
                     divided(&part).times(side)
@@ -321,7 +333,7 @@ impl<S: Float> Moving<'_, S> {
             })
         };
         let (own, all) = (parts(at), parts(over));
-        let size = |parts: &[Series<SHORT>; 2]| {
+        let size = |parts: &[IntervalSeries<SHORT>; 2]| {
             let [re, im] = parts.map(|part| part.value().squared());
             (re + im).sqrt()
         };
@@ -357,9 +369,9 @@ impl<S: Float> Moving<'_, S> {
 }
 
 /// Returns the angle of a complex series, from its value. Its slope is (re·im′ − im·re′)/(re² + im²).
-fn turning([re, im]: [Series<SHORT>; 2], value: Interval) -> Series<SHORT> {
-    let slope = |series: &Series<SHORT>| {
-        let mut slope = Series::fixed(Interval::ZERO);
+fn turning([re, im]: [IntervalSeries<SHORT>; 2], value: Interval) -> IntervalSeries<SHORT> {
+    let slope = |series: &IntervalSeries<SHORT>| {
+        let mut slope = IntervalSeries::fixed(Interval::ZERO);
         let higher = series.terms.iter().enumerate().skip(1);
         for (own, (power, term)) in slope.terms.iter_mut().zip(higher) {
             *own = *term * Interval::point(power as f64);
@@ -367,7 +379,7 @@ fn turning([re, im]: [Series<SHORT>; 2], value: Interval) -> Series<SHORT> {
         slope
     };
     let rate = (re * slope(&im) - im * slope(&re)) / (re.squared() + im.squared());
-    let mut angle = Series::fixed(value);
+    let mut angle = IntervalSeries::fixed(value);
     for (power, (own, term)) in angle.terms.iter_mut().skip(1).zip(&rate.terms).enumerate() {
         *own = *term / Interval::point((power + 1) as f64);
     }

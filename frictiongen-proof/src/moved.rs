@@ -1,11 +1,11 @@
 //! Tests the proof of amplitude and phase against exact values, and with polynomial coefficients that are slightly or
 //! grossly wrong.
 
-use crate::tests::{random, request, scene};
 use crate::{prove, prove_piece};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::ContactTable;
 use frictiongen_model::modal::Modal;
+use frictiongen_model::samples::{random, request, scene};
 use frictiongen_model::scene::Side;
 use frictiongen_model::table::FRICTION_SHARES;
 use frictiongen_model::table::building::Exact;

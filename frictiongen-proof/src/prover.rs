@@ -1,12 +1,12 @@
 //! Proves one piece of a table, interval by interval.
 
 use crate::candidates::candidates;
-use crate::cells::{Part as Asked, ROUNDING};
-use crate::found::{Budget, OF_STAGE, Part, Piece};
-use crate::motion::Moving;
-use crate::series::Series;
-use crate::stage::{Chain, ORDER, Stage, singular};
-use crate::witness::{Seen, Witness};
+use crate::cells::{CellData, ROUNDING};
+use crate::found::{Budget, IntervalProof, OF_STAGE, PieceProof};
+use crate::motion::MotionProof;
+use crate::series::IntervalSeries;
+use crate::stage::{ChainStage, IntervalChain, ORDER, singular};
+use crate::witness::{Witness, WitnessInstant};
 use crate::{certify, compare, early};
 use frictiongen_kernel::Float;
 use frictiongen_model::interval::Interval;
@@ -40,10 +40,10 @@ const VANISHES: f64 = 1e-14;
 /// State of the proof of one piece.
 pub(crate) struct Prover<'a, 'm> {
     exact: &'a mut Exact<'m>,
-    chain: &'a Chain,
+    chain: &'a IntervalChain,
     request: Request,
     budget: Budget,
-    found: Piece,
+    found: PieceProof,
     /// Largest relative error of |V|. `None` if the motion is not compared.
     excitation: Option<f64>,
     /// True if a witness near the start of the half period proved the last interval.
@@ -53,7 +53,7 @@ pub(crate) struct Prover<'a, 'm> {
 impl<'a, 'm> Prover<'a, 'm> {
     pub fn new(
         exact: &'a mut Exact<'m>,
-        chain: &'a Chain,
+        chain: &'a IntervalChain,
         request: Request,
         Work(work): Work,
         excitation: Option<f64>,
@@ -64,7 +64,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             chain,
             request,
             budget: Budget::of(work),
-            found: Piece::nothing(low),
+            found: PieceProof::nothing(low),
             excitation,
             early: true,
         }
@@ -78,7 +78,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         (from, to): (f64, f64),
         kinks: &[f64],
         zero: Option<Edge>,
-    ) -> Piece {
+    ) -> PieceProof {
         if self.request.accuracy < FINEST_PROVEN || !(from < to) {
             if from < to {
                 self.found.leave((from, to));
@@ -145,7 +145,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             let close = long.max(shortest).max(FINER * skip_motion);
             let insists = again <= (place - start).abs() && close < step;
             match self.part(piece, part, zero, insists) {
-                Some(Part { limit, motion }) => {
+                Some(IntervalProof { limit, motion }) => {
                     if let Some(gap) = limit.gap {
                         self.found.leave(gap);
                     }
@@ -190,7 +190,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         (from, to): (f64, f64),
         zero: Option<Edge>,
         insists: bool,
-    ) -> Option<Part> {
+    ) -> Option<IntervalProof> {
         let middle = 0.5 * (from + to);
         let centre = zero.map_or(middle, |zero| zero.at);
         let r = Interval::new(from.min(centre), to.max(centre));
@@ -198,8 +198,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let all = r - Interval::point(centre);
         let singular = singular(self.chain, middle);
         self.budget.spend(OF_STAGE * self.chain.modes.len());
-        let at = Stage::<ORDER>::over(self.chain, Interval::point(centre), &singular);
-        let mut over = Stage::<ORDER>::over(self.chain, r, &singular);
+        let at = ChainStage::<ORDER>::over(self.chain, Interval::point(centre), &singular);
+        let mut over = ChainStage::<ORDER>::over(self.chain, r, &singular);
         over.refine(&at, all);
         let (at, over) = self.oriented(at, over, away, zero)?;
         let mut witnesses =
@@ -214,8 +214,8 @@ impl<'a, 'm> Prover<'a, 'm> {
             } else {
                 [Interval::ZERO; 2]
             };
-            let seen_at = Seen::of(&witness, &at, Interval::ZERO, rest);
-            let mut seen_over = Seen::of(&witness, &over, all, rest);
+            let seen_at = WitnessInstant::of(&witness, &at, Interval::ZERO, rest);
+            let mut seen_over = WitnessInstant::of(&witness, &over, all, rest);
             seen_over.refine(&seen_at, all);
             self.budget.spend(OF_STAGE * self.chain.modes.len());
             // A negative constraint is no witness. In an undamped chain its magnitude is one.
@@ -235,7 +235,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             );
             let Some(limit) = compared else { continue };
             let motion = self.excitation.and_then(|excitation| {
-                let moving = Moving {
+                let moving = MotionProof {
                     piece,
                     excitation,
                     accuracy: self.request.accuracy,
@@ -249,7 +249,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             if insists && self.excitation.is_some() && motion.is_none() {
                 continue;
             }
-            let asked = Asked {
+            let asked = CellData {
                 chain: self.chain,
                 witness: &witness,
                 away: all,
@@ -261,7 +261,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             };
             if certify::certified(&asked, &mut self.budget) {
                 self.early = matches!(witness, Witness::Early(_));
-                return Some(Part { limit, motion });
+                return Some(IntervalProof { limit, motion });
             }
         }
         None
@@ -271,11 +271,11 @@ impl<'a, 'm> Prover<'a, 'm> {
     /// are valid, because F(π − τ) = −F(τ).
     fn oriented(
         &self,
-        at: Stage<ORDER>,
-        over: Stage<ORDER>,
+        at: ChainStage<ORDER>,
+        over: ChainStage<ORDER>,
         away: Interval,
         zero: Option<Edge>,
-    ) -> Option<(Stage<ORDER>, Stage<ORDER>)> {
+    ) -> Option<(ChainStage<ORDER>, ChainStage<ORDER>)> {
         let (Some(own), Some(all)) = (at.kappa, over.kappa) else {
             return Some((at, over));
         };
@@ -294,7 +294,7 @@ impl<'a, 'm> Prover<'a, 'm> {
                 beside.sign()
             }
         } else {
-            Series::joined(&own, &all).range(away).sign()
+            IntervalSeries::joined(&own, &all).range(away).sign()
         };
         match sign {
             1 => Some((at, over)),

@@ -1,11 +1,11 @@
 //! Finds other instants whose velocity constraint is close to that of the witness. Near a kink of β_lim there are two
 //! such instants.
 
-use crate::cells::{BENT, Cells, Flank, ROUNDING};
+use crate::cells::{BENT, Flank, HalfPeriodCells, ROUNDING};
 use crate::force;
 use crate::found::{Budget, OF_STAGE};
-use crate::series::Series;
-use crate::stage::{ORDER, Stage};
+use crate::series::IntervalSeries;
+use crate::stage::{ChainStage, ORDER};
 use crate::witness::polynomial;
 use frictiongen_kernel::Scalar;
 use frictiongen_model::interval::Interval;
@@ -23,12 +23,12 @@ const PARTS: usize = 6;
 
 /// A range of instants about a local minimum of D, in which D is positive for all r of an interval.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Region {
+pub(crate) struct PositiveRegion {
     from: f64,
     to: f64,
 }
 
-impl Region {
+impl PositiveRegion {
     /// Returns the share of a side at which the region ends, if the region contains the position of the given share.
     pub fn reach(&self, side: Flank, share: f64, path: Interval) -> Option<f64> {
         let (begins, end) = match side {
@@ -46,10 +46,10 @@ impl Region {
     }
 }
 
-impl Cells<'_> {
+impl HalfPeriodCells<'_> {
     /// Returns the region about the local minimum of D near an instant. Returns `None` if there is no minimum, or if
     /// the bounds do not show that D is positive.
-    pub fn region(&self, t: f64, budget: &mut Budget) -> Option<Region> {
+    pub fn region(&self, t: f64, budget: &mut Budget) -> Option<PositiveRegion> {
         let part = self.part;
         let (low, high) = (part.away.low, part.away.high);
         let places = [0.0, if high > -low { high } else { low }];
@@ -76,7 +76,8 @@ impl Cells<'_> {
         let slope = (4.0 * b - 3.0 * a - c) / (2.0 * step);
         let bend = (a - 2.0 * b + c) / (2.0 * step * step);
         let coefficients = [a, slope, bend];
-        let path = |away: Interval| polynomial::<ORDER>(&coefficients, Series::variable(away));
+        let path =
+            |away: Interval| polynomial::<ORDER>(&coefficients, IntervalSeries::variable(away));
         let (path_at, path_over) = (path(Interval::ZERO), path(part.away));
         let t = path_over.value();
         if !(0.0 < t.low && t.high < 1.0) {
@@ -90,8 +91,8 @@ impl Cells<'_> {
             return None;
         }
         let (reach, bent) = self.widened(t, curve, BENT, budget);
-        let value = Series::joined(&value_at, &value_over);
-        let rise = Series::joined(&rise_at, &rise_over);
+        let value = IntervalSeries::joined(&value_at, &value_over);
+        let rise = IntervalSeries::joined(&rise_at, &rise_over);
         let twice = Interval::point(bent) + Interval::point(bent);
         for k in 0..PARTS {
             let share = |k: usize| low + (high - low) * (k as f64 / PARTS as f64);
@@ -107,7 +108,7 @@ impl Cells<'_> {
             t.high - before * (1.0 - ROUNDING),
             t.low + after * (1.0 - ROUNDING),
         );
-        (from < to).then_some(Region { from, to })
+        (from < to).then_some(PositiveRegion { from, to })
     }
 
     /// Returns an approximate value of N (the level above the witness) at an r in the interval.
@@ -116,11 +117,12 @@ impl Cells<'_> {
     }
 
     /// Returns the chain at an r in the interval, approximately, from its series.
-    fn shifted(&self, away: f64) -> Stage<1> {
+    fn shifted(&self, away: f64) -> ChainStage<1> {
         let mut stage = self.part.at.truncated::<1>();
         for (mode, full) in stage.modes.iter_mut().zip(&self.part.at.modes) {
-            let of =
-                |series: &Series<ORDER>| Series::fixed(Interval::point(value_at(series, away)));
+            let of = |series: &IntervalSeries<ORDER>| {
+                IntervalSeries::fixed(Interval::point(value_at(series, away)))
+            };
             (mode.x, mode.slow) = (of(&full.x), of(&full.slow));
             (mode.free, mode.forced_slope) = (of(&full.free), of(&full.forced_slope));
         }
@@ -130,10 +132,10 @@ impl Cells<'_> {
 
 /// Returns D and its slope in τ at an instant t. The instant is given as a series in r.
 fn seen(
-    stage: &Stage<ORDER>,
-    level: &Series<ORDER>,
-    t: &Series<ORDER>,
-) -> (Series<ORDER>, Series<ORDER>) {
+    stage: &ChainStage<ORDER>,
+    level: &IntervalSeries<ORDER>,
+    t: &IntervalSeries<ORDER>,
+) -> (IntervalSeries<ORDER>, IntervalSeries<ORDER>) {
     let (sine, cosine) = t.sine_cosine();
     let motions = force::motions(stage, t);
     (
@@ -143,15 +145,15 @@ fn seen(
 }
 
 /// Returns the value of a series at a distance from its centre, approximately.
-fn value_at<const N: usize>(series: &Series<N>, away: f64) -> f64 {
+fn value_at<const N: usize>(series: &IntervalSeries<N>, away: f64) -> f64 {
     let terms = series.terms.iter().rev();
     terms.fold(0.0, |sum, term| sum * away + term.middle())
 }
 
 /// Returns the local minimum of D near an instant, by Newton's method.
-fn least(stage: &Stage<1>, level: f64, mut t: f64) -> Option<f64> {
+fn least(stage: &ChainStage<1>, level: f64, mut t: f64) -> Option<f64> {
     for _ in 0..STEPS {
-        let at = Series::<1>::fixed(Interval::point(t));
+        let at = IntervalSeries::<1>::fixed(Interval::point(t));
         let (sine, cosine) = t.sin_cos_pi();
         let motions = force::motions(stage, &at);
         let [first, second, _] = force::derivatives(
@@ -178,8 +180,8 @@ fn least(stage: &Stage<1>, level: f64, mut t: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::random;
     use super::*;
+    use frictiongen_model::samples::random;
 
     /// Inside the returned share of a side, every instant must lie in the region, for all positions of the witness.
     /// Just outside this share some instant must lie outside the region.
@@ -189,7 +191,7 @@ mod tests {
         for _ in 0..20_000 {
             let mut number = || random(&mut state);
             let (from, width) = (number(), 0.5 * number());
-            let region = Region {
+            let region = PositiveRegion {
                 from,
                 to: (from + width).min(1.0),
             };

@@ -4,7 +4,7 @@
 //! All functions are multiplied by r². Where undamped modes have a pole of U, they are also multiplied by the product κ
 //! of the cosines of these modes. The limits are quotients, in which κ cancels.
 
-use crate::series::Series;
+use crate::series::IntervalSeries;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
@@ -16,7 +16,7 @@ pub(crate) const ORDER: usize = 8;
 
 /// Kind of damping of a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum ModeDecay {
     Undamped,
     Under,
     Critical,
@@ -26,7 +26,7 @@ pub(crate) enum Kind {
 /// The constants of a mode, as intervals.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Oscillator {
-    pub kind: Kind,
+    pub kind: ModeDecay,
     pub sigma: Interval,
     pub zeta: Interval,
     /// √|1 − ζ²|.
@@ -43,7 +43,7 @@ pub(crate) struct Oscillator {
 
 /// The chain in intervals. Each interval contains a number that the modal analysis gives in double-double.
 #[derive(Clone, Debug)]
-pub(crate) struct Chain {
+pub(crate) struct IntervalChain {
     pub modes: Vec<Oscillator>,
     pub all_undamped: bool,
     /// −1 if the contact rubs on a moving base, else 0.
@@ -54,7 +54,7 @@ pub(crate) struct Chain {
     pub stiction: Interval,
 }
 
-impl Chain {
+impl IntervalChain {
     pub fn of(modal: &Modal) -> Self {
         let one = Dd::ONE;
         let mut inverse_mass = Dd::ZERO;
@@ -65,13 +65,13 @@ impl Chain {
                 let q = ((one - zeta) * (one + zeta)).abs().sqrt();
                 inverse_mass = inverse_mass + mode.driven.inverse_mass;
                 let kind = if zeta.is_zero() {
-                    Kind::Undamped
+                    ModeDecay::Undamped
                 } else if zeta < one {
-                    Kind::Under
+                    ModeDecay::Under
                 } else if zeta == one {
-                    Kind::Critical
+                    ModeDecay::Critical
                 } else {
-                    Kind::Over
+                    ModeDecay::Over
                 };
                 Oscillator {
                     kind,
@@ -85,7 +85,7 @@ impl Chain {
                 }
             })
             .collect();
-        let undamped = |mode: &Oscillator| mode.kind == Kind::Undamped;
+        let undamped = |mode: &Oscillator| mode.kind == ModeDecay::Undamped;
         Self {
             all_undamped: modes.iter().all(undamped),
             modes,
@@ -101,33 +101,33 @@ impl Chain {
 pub(crate) struct ModeStage<const N: usize> {
     pub oscillator: Oscillator,
     /// √λ/r, natural frequency over excitation frequency.
-    pub x: Series<N>,
+    pub x: IntervalSeries<N>,
     /// r/√λ, the inverse of `x`.
-    pub slow: Series<N>,
+    pub slow: IntervalSeries<N>,
     /// κc(1 + g), the coefficient of the free displacement p in the velocity constraint.
-    pub free: Series<N>,
+    pub free: IntervalSeries<N>,
     /// κcu/x², the coefficient of cos τ − p′ in the velocity constraint.
-    pub forced_slope: Series<N>,
+    pub forced_slope: IntervalSeries<N>,
 }
 
 /// The chain at the frequency ratios of an interval.
 #[derive(Clone, Debug)]
-pub(crate) struct Stage<const N: usize> {
+pub(crate) struct ChainStage<const N: usize> {
     pub modes: Vec<ModeStage<N>>,
     /// 1/r.
-    pub inverse: Series<N>,
+    pub inverse: IntervalSeries<N>,
     /// κ, the product of cosines by which the functions are multiplied. `None` if it is 1.
-    pub kappa: Option<Series<N>>,
+    pub kappa: Option<IntervalSeries<N>>,
     /// κV, its real and imaginary part.
-    pub excitation: [Series<N>; 2],
+    pub excitation: [IntervalSeries<N>; 2],
     /// κU.
-    pub quadrature: Series<N>,
+    pub quadrature: IntervalSeries<N>,
     /// κG.
-    pub displacement: Series<N>,
+    pub displacement: IntervalSeries<N>,
     /// κ(m* + H_c), where m* + H_c is the velocity constraint for τ → 0.
-    pub start: Series<N>,
+    pub start: IntervalSeries<N>,
     /// κ(μm* + H_c), where μm* + H_c is the break-away condition.
-    pub break_away: Series<N>,
+    pub break_away: IntervalSeries<N>,
 }
 
 /// If the cosine of an undamped mode is below this value, the functions are multiplied by it. Tuned: a quotient by a
@@ -138,38 +138,41 @@ const SINGULAR: f64 = 0.2;
 const RESONANT: f64 = 0.5;
 
 /// Returns, for each mode, true if the functions are multiplied by its cosine near r.
-pub(crate) fn singular(chain: &Chain, r: f64) -> Vec<bool> {
+pub(crate) fn singular(chain: &IntervalChain, r: f64) -> Vec<bool> {
     let modes = chain.modes.iter();
     let cosine = |mode: &Oscillator| {
         let x = mode.sigma.middle() / r;
         Interval::point(0.5 * x).sine_cosine().1.size()
     };
     modes
-        .map(|mode| mode.kind == Kind::Undamped && cosine(mode) < SINGULAR)
+        .map(|mode| mode.kind == ModeDecay::Undamped && cosine(mode) < SINGULAR)
         .collect()
 }
 
-impl<const N: usize> Stage<N> {
+impl<const N: usize> ChainStage<N> {
     /// Returns the chain at the frequency ratios of an interval.
-    pub fn over(chain: &Chain, r: Interval, singular: &[bool]) -> Self {
-        let one = Series::fixed(Interval::ONE);
-        let (ratio, inverse) = (Series::<N>::variable(r), Series::<N>::inverse(r));
+    pub fn over(chain: &IntervalChain, r: Interval, singular: &[bool]) -> Self {
+        let one = IntervalSeries::fixed(Interval::ONE);
+        let (ratio, inverse) = (
+            IntervalSeries::<N>::variable(r),
+            IntervalSeries::<N>::inverse(r),
+        );
         let square = ratio.squared();
         let half = Interval::point(0.5);
         // Sine and cosine of πx/2 are needed for the undamped modes.
-        let waves: Vec<(Series<N>, Series<N>)> = chain
+        let waves: Vec<(IntervalSeries<N>, IntervalSeries<N>)> = chain
             .modes
             .iter()
             .map(|mode| inverse.times(mode.sigma * half).sine_cosine())
             .collect();
-        let cosines: Vec<Series<N>> = waves
+        let cosines: Vec<IntervalSeries<N>> = waves
             .iter()
             .zip(singular)
             .filter(|(_, singular)| **singular)
             .map(|((_, cosine), _)| *cosine)
             .collect();
         let kappa = cosines.iter().copied().reduce(|a, b| a * b);
-        let scaled = |value: Series<N>| kappa.map_or(value, |kappa| kappa * value);
+        let scaled = |value: IntervalSeries<N>| kappa.map_or(value, |kappa| kappa * value);
         // Each mode whose cosine is a factor of κ needs the product of the other factors.
         let mut seen = 0;
         let mut others = || {
@@ -183,22 +186,22 @@ impl<const N: usize> Stage<N> {
         };
         let mut modes = Vec::with_capacity(chain.modes.len());
         let mut excitation = [
-            scaled(Series::fixed(chain.direct) * square),
-            Series::fixed(Interval::ZERO),
+            scaled(IntervalSeries::fixed(chain.direct) * square),
+            IntervalSeries::fixed(Interval::ZERO),
         ];
-        let mut quadrature = Series::fixed(Interval::ZERO);
-        let mut reversal = Series::fixed(Interval::ZERO);
-        let mut displacement = Series::fixed(Interval::ZERO);
+        let mut quadrature = IntervalSeries::fixed(Interval::ZERO);
+        let mut reversal = IntervalSeries::fixed(Interval::ZERO);
+        let mut displacement = IntervalSeries::fixed(Interval::ZERO);
         for ((mode, (sine, cosine)), singular) in chain.modes.iter().zip(&waves).zip(singular) {
             let x = inverse.times(mode.sigma);
-            let detuning = square - Series::fixed(mode.sigma * mode.sigma);
+            let detuning = square - IntervalSeries::fixed(mode.sigma * mode.sigma);
             let slow = ratio.times(Interval::ONE / mode.sigma);
             let c = mode.inverse_mass;
             let (free, forced_slope);
             if *singular {
                 let rest = others();
-                let with = |value: Series<N>| rest.map_or(value, |rest| rest * value);
-                free = scaled(Series::fixed(c));
+                let with = |value: IntervalSeries<N>| rest.map_or(value, |rest| rest * value);
+                free = scaled(IntervalSeries::fixed(c));
                 forced_slope = with(*sine * slow).times(c);
                 let beside = x.value() - Interval::ONE;
                 let term = if beside.size() < RESONANT {
@@ -215,7 +218,7 @@ impl<const N: usize> Stage<N> {
                 forced_slope = scaled(over_forced_slope.times(c));
                 free = scaled(rise.times(c));
                 let [re, im] = &mut excitation;
-                if mode.kind == Kind::Undamped {
+                if mode.kind == ModeDecay::Undamped {
                     *re = *re - scaled(square / detuning).times(mode.residue);
                 } else {
                     let loss = ratio.times(mode.zeta.doubled() * mode.sigma);
@@ -224,9 +227,9 @@ impl<const N: usize> Stage<N> {
                     *re = *re - term * detuning;
                     *im = *im - term * loss;
                 }
-                if mode.kind != Kind::Undamped {
+                if mode.kind != ModeDecay::Undamped {
                     // The terms are c(g + 2ζx·u/x²) for the velocity constraint, and c·g/x² for the displacement.
-                    let own = free - scaled(Series::fixed(c));
+                    let own = free - scaled(IntervalSeries::fixed(c));
                     let carried = x.times(mode.zeta.doubled()) * forced_slope;
                     reversal = reversal + own + carried;
                     let softness = Interval::ONE / (mode.sigma * mode.sigma);
@@ -242,7 +245,7 @@ impl<const N: usize> Stage<N> {
                 forced_slope,
             });
         }
-        let mass = scaled(Series::fixed(chain.inverse_mass));
+        let mass = scaled(IntervalSeries::fixed(chain.inverse_mass));
         Self {
             modes,
             inverse,
@@ -282,7 +285,7 @@ impl<const N: usize> Stage<N> {
     }
 
     /// Returns the first `M` terms.
-    pub fn truncated<const M: usize>(&self) -> Stage<M> {
+    pub fn truncated<const M: usize>(&self) -> ChainStage<M> {
         let modes = self.modes.iter().map(|mode| ModeStage {
             oscillator: mode.oscillator,
             x: mode.x.truncated(),
@@ -290,7 +293,7 @@ impl<const N: usize> Stage<N> {
             free: mode.free.truncated(),
             forced_slope: mode.forced_slope.truncated(),
         });
-        Stage {
+        ChainStage {
             modes: modes.collect(),
             inverse: self.inverse.truncated(),
             kappa: self.kappa.map(|kappa| kappa.truncated()),
@@ -306,16 +309,16 @@ impl<const N: usize> Stage<N> {
 /// Returns 1 + g and u/x² of a mode whose cosine is not a factor of κ.
 fn functions<const N: usize>(
     mode: &Oscillator,
-    x: &Series<N>,
-    slow: &Series<N>,
-    (half_sine, half_cosine): (&Series<N>, &Series<N>),
-) -> (Series<N>, Series<N>) {
-    let one = Series::fixed(Interval::ONE);
+    x: &IntervalSeries<N>,
+    slow: &IntervalSeries<N>,
+    (half_sine, half_cosine): (&IntervalSeries<N>, &IntervalSeries<N>),
+) -> (IntervalSeries<N>, IntervalSeries<N>) {
+    let one = IntervalSeries::fixed(Interval::ONE);
     let (two, four) = (Interval::point(2.0), Interval::point(4.0));
     let half = Interval::point(0.5);
     match mode.kind {
-        Kind::Undamped => (one, *half_sine / *half_cosine * *slow),
-        Kind::Under => {
+        ModeDecay::Undamped => (one, *half_sine / *half_cosine * *slow),
+        ModeDecay::Under => {
             let e = x.times(-(Interval::pi() * mode.zeta)).exp();
             let (s, c) = x.times(mode.q * half).sine_cosine();
             let ec = e * c;
@@ -326,14 +329,14 @@ fn functions<const N: usize>(
             let u = (both / near * *slow).times(four / mode.q);
             (one + g, u)
         }
-        Kind::Critical => {
+        ModeDecay::Critical => {
             let e = x.times(-Interval::pi()).exp();
             let near = (one + e).squared();
             let turned = e.times(two * Interval::pi());
             let g = (one - e.squared() - turned * *x) / near;
             (one + g, turned / near)
         }
-        Kind::Over => {
+        ModeDecay::Over => {
             let (slow_rate, fast_rate) = (Interval::ONE / mode.fast, mode.fast);
             let e_slow = x.times(-(Interval::pi() * slow_rate)).exp();
             let e_fast = x.times(-(Interval::pi() * fast_rate)).exp();

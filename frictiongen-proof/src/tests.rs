@@ -1,80 +1,19 @@
 //! Tests the proof against the exact search, and with faults that the proof has to find.
 
-use crate::cells::Part;
+use crate::cells::CellData;
 use crate::certify::certified;
 use crate::found::Budget;
-use crate::series::Series;
-use crate::stage::{Chain, ORDER, Stage, singular};
-use crate::witness::{Seen, Witness};
+use crate::series::IntervalSeries;
+use crate::stage::{ChainStage, IntervalChain, ORDER, singular};
+use crate::witness::{Witness, WitnessInstant};
 use crate::{early, force, of_pieces, prove, prove_piece};
 use frictiongen_kernel::Float;
 use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{
-    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
-    Side, Spring, Stepping,
-};
+use frictiongen_model::samples::{random, request, scene};
+use frictiongen_model::scene::Side;
 use frictiongen_model::table::building::Exact;
 use frictiongen_model::table::{Evidence, Proof, Request, Tables, Work};
-
-/// Returns a chain of equal masses and springs. `kind` names the contact: the last mass rubs on a wall, the first mass
-/// rubs on a moving base, or the first two masses rub on each other.
-pub(crate) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
-    let mass = |place: usize| Mass {
-        name: format!("m{place}"),
-        value: 1.0,
-    };
-    let spring = |place: usize| Spring {
-        from: place.checked_sub(1).map_or(Node::Base, Node::Mass),
-        to: Node::Mass(place),
-        stiffness: 1.0,
-    };
-    let (from, to, excitation) = match kind {
-        "Wall" => (Node::Mass(count - 1), Node::Wall, Excitation::Force(0)),
-        "Base" => (Node::Mass(0), Node::Base, Excitation::Base),
-        _ => (Node::Mass(0), Node::Mass(1), Excitation::Force(count - 1)),
-    };
-    Modal::of(&Scene {
-        name: kind.to_owned(),
-        masses: (0..count).map(mass).collect(),
-        springs: (0..count).map(spring).collect(),
-        contact: Contact { from, to },
-        excitation,
-        damping: if zeta < 0.0 {
-            // Every other mode is damped.
-            let of = (0..count).map(|mode| -zeta * (mode % 2) as f64);
-            Damping::Modal(of.collect())
-        } else if zeta > 0.0 {
-            Damping::Uniform(zeta)
-        } else {
-            Damping::None
-        },
-        stiction,
-        precision: Precision::F64,
-        provide: vec![Provide::Limits],
-        declared: Declared::default(),
-        friction: FrictionLaw::default(),
-        stepping: Stepping::default(),
-    })
-}
-
-pub(crate) fn request(accuracy: f64, side: Side) -> Request {
-    Request {
-        r: (0.2, 2.5),
-        accuracy,
-        side,
-        motion: false,
-        stuck: false,
-    }
-}
-
-/// Returns a random number from 0 to 1.
-pub(crate) fn random(state: &mut u64) -> f64 {
-    *state = state
-        .wrapping_mul(6_364_136_223_846_793_005)
-        .wrapping_add(1_442_695_040_888_963_407);
-    (*state >> 11) as f64 / (1_u64 << 53) as f64
-}
 
 /// Proves the β_lim of tables.
 fn limit_of<S: Float>(tables: &Tables<S>, modal: &Modal, work: Work) -> Proof {
@@ -257,7 +196,7 @@ fn witnesses_that_are_none() {
         ("Base", 2, 1.5, 1.0),
     ] {
         let modal = scene(kind, count, zeta, stiction);
-        let (chain, mut exact) = (Chain::of(&modal), Exact::new(&modal));
+        let (chain, mut exact) = (IntervalChain::of(&modal), Exact::new(&modal));
         let mut state = 11;
         for turn in 0..400 {
             let r = 0.2 + 1.5 * random(&mut state);
@@ -275,14 +214,14 @@ fn witnesses_that_are_none() {
             };
             let witness = t.map_or(Witness::BreakAway, |t| Witness::Instant(vec![t]));
             let singular = singular(&chain, r);
-            let at = Stage::<ORDER>::over(&chain, Interval::point(r), &singular);
-            let over = Stage::<ORDER>::over(&chain, all, &singular);
+            let at = ChainStage::<ORDER>::over(&chain, Interval::point(r), &singular);
+            let over = ChainStage::<ORDER>::over(&chain, all, &singular);
             let away = all - Interval::point(r);
             let none = [Interval::ZERO; 2];
-            let seen_at = Seen::of(&witness, &at, Interval::ZERO, none);
-            let seen_over = Seen::of(&witness, &over, away, none);
+            let seen_at = WitnessInstant::of(&witness, &at, Interval::ZERO, none);
+            let seen_over = WitnessInstant::of(&witness, &over, away, none);
             let share = 1e-3;
-            let part = Part {
+            let part = CellData {
                 chain: &chain,
                 witness: &witness,
                 away,
@@ -325,16 +264,16 @@ fn early_as_anywhere() {
     let mut widest = 0.0_f64;
     for zeta in [0.0, 0.02, -0.3, 1.0, 1.7] {
         let modal = scene("Pair", 3, zeta, 1.0);
-        let chain = Chain::of(&modal);
+        let chain = IntervalChain::of(&modal);
         for _ in 0..200 {
             let r = 0.6 + 1.9 * random(&mut state);
-            let stage = Stage::<3>::over(&chain, Interval::point(r), &singular(&chain, r));
+            let stage = ChainStage::<3>::over(&chain, Interval::point(r), &singular(&chain, r));
             let fastest = chain.modes.iter().map(|mode| mode.sigma.high / r);
             let fastest = fastest.fold(1.0, f64::max) * (1.0 + zeta.abs());
             let t = (0.05 + 0.1 * random(&mut state)) / fastest;
-            let path = Series::<3>::fixed(Interval::point(t));
+            let path = IntervalSeries::<3>::fixed(Interval::point(t));
             let tau = path.times(Interval::pi());
-            let rest = early::rest(&stage, t).map(Series::fixed);
+            let rest = early::rest(&stage, t).map(IntervalSeries::fixed);
             let (value, slope) = early::over_tau(&stage, &tau);
             let (value, slope) = (value + rest[0], slope + rest[1]);
             let (sine, cosine) = path.sine_cosine();

@@ -1,8 +1,8 @@
 //! A witness: an instant, as a polynomial in r, at which the velocity constraint is nearly largest. The module also
 //! computes β_lim for that constraint.
 
-use crate::series::Series;
-use crate::stage::Stage;
+use crate::series::IntervalSeries;
+use crate::stage::ChainStage;
 use crate::{early, force};
 use frictiongen_model::interval::Interval;
 
@@ -20,20 +20,23 @@ pub(crate) enum Witness {
 
 impl Witness {
     /// Returns t at r₀ + `away`.
-    pub fn path<const N: usize>(&self, away: Interval) -> Series<N> {
+    pub fn path<const N: usize>(&self, away: Interval) -> IntervalSeries<N> {
         let coefficients: &[f64] = match self {
             Self::BreakAway => &[0.5],
             Self::Instant(coefficients) | Self::Early(coefficients) => coefficients,
         };
-        polynomial(coefficients, Series::variable(away))
+        polynomial(coefficients, IntervalSeries::variable(away))
     }
 }
 
 /// Returns the value Σ c_k tᵏ of a polynomial at a series t.
-pub(crate) fn polynomial<const N: usize>(coefficients: &[f64], t: Series<N>) -> Series<N> {
-    let zero = Series::fixed(Interval::ZERO);
+pub(crate) fn polynomial<const N: usize>(
+    coefficients: &[f64],
+    t: IntervalSeries<N>,
+) -> IntervalSeries<N> {
+    let zero = IntervalSeries::fixed(Interval::ZERO);
     coefficients.iter().rev().fold(zero, |sum, coefficient| {
-        sum * t + Series::fixed(Interval::point(*coefficient))
+        sum * t + IntervalSeries::fixed(Interval::point(*coefficient))
     })
 }
 
@@ -42,26 +45,31 @@ pub(crate) fn polynomial<const N: usize>(coefficients: &[f64], t: Series<N>) -> 
 /// D = N sin τ − F must be positive at all other instants, with N slightly above the constraint. For a witness near the
 /// start, D/τ takes the place of D.
 #[derive(Clone, Debug)]
-pub(crate) struct Seen<const N: usize> {
+pub(crate) struct WitnessInstant<const N: usize> {
     /// The instant t = τ/π, in half-turns.
-    pub t: Series<N>,
+    pub t: IntervalSeries<N>,
     /// sin τ, or sin τ/τ for a witness near the start.
-    pub weight: Series<N>,
+    pub weight: IntervalSeries<N>,
     /// The slope in τ of `weight`.
-    pub turn: Series<N>,
+    pub turn: IntervalSeries<N>,
     /// κ times the velocity constraint of the witness. The largest constraint is at least as large.
-    pub constraint: Series<N>,
+    pub constraint: IntervalSeries<N>,
     /// (κU)² + (κ times the constraint)².
-    pub size: Series<N>,
+    pub size: IntervalSeries<N>,
     /// The slope in τ of D, or of D/τ, where N is replaced by the witness's constraint.
-    pub rise: Series<N>,
+    pub rise: IntervalSeries<N>,
 }
 
-impl<const N: usize> Seen<N> {
+impl<const N: usize> WitnessInstant<N> {
     /// Evaluates a witness. `rest` is the result of [`early::rest`] for a witness near the start.
-    pub fn of(witness: &Witness, stage: &Stage<N>, away: Interval, rest: [Interval; 2]) -> Self {
+    pub fn of(
+        witness: &Witness,
+        stage: &ChainStage<N>,
+        away: Interval,
+        rest: [Interval; 2],
+    ) -> Self {
         let t = witness.path::<N>(away);
-        let zero = Series::fixed(Interval::ZERO);
+        let zero = IntervalSeries::fixed(Interval::ZERO);
         let (weight, turn, constraint, rise);
         match witness {
             Witness::BreakAway => {
@@ -77,7 +85,7 @@ impl<const N: usize> Seen<N> {
                 let tau = t.times(Interval::pi());
                 (weight, turn) = early::sinc(&tau);
                 let (value, slope) = early::over_tau(stage, &tau);
-                let [of_value, of_slope] = rest.map(Series::fixed);
+                let [of_value, of_slope] = rest.map(IntervalSeries::fixed);
                 constraint = (value + of_value) / weight;
                 rise = constraint * turn - (slope + of_slope);
             }

@@ -128,8 +128,10 @@ pub mod answer {
 
 /// Scalars, for functions that are generic over the precision.
 pub mod scalar {
+    #[doc(hidden)]
+    pub use frictiongen_kernel::Plain;
     pub use frictiongen_kernel::number::dd::Dd;
-    pub use frictiongen_kernel::{Float, Plain, Scalar};
+    pub use frictiongen_kernel::{Float, Scalar};
 }
 
 /// Items that emitted code names. They may change with every version.

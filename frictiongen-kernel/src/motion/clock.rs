@@ -5,7 +5,7 @@ use crate::number::scalar::Float;
 
 /// A sum of many numbers whose rounding errors do not accumulate (compensated summation).
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Total<S> {
+pub struct Total<S> {
     /// The sum, rounded to the scalar's precision.
     pub value: S,
     /// Rounding error of `value` so far.  The exact sum is `value` + `low`.

@@ -1,6 +1,6 @@
 //! Data of a scene for its motion in time: its modes, and the modes of the chain whose contact sticks.
 
-use super::contact::LOST_MODES;
+use super::contact::ContactChain;
 use crate::contact::sums::Chain;
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
@@ -27,9 +27,9 @@ pub struct HeldMode<S> {
 
 /// Data of a scene for its motion in time.  The data do not depend on r or β.
 #[derive(Clone, Copy, Debug)]
-pub struct Dynamics<'a, S> {
-    /// Constants of the scene other than its modes.
-    pub chain: Chain<S>,
+pub struct Dynamics<'a, S, K = Chain<S>> {
+    /// Constants of the scene other than its modes.  Their type selects the law of the contact.
+    pub chain: K,
     /// All modes, with those that the contact drives first.
     pub modes: &'a [Mode<S>],
     /// Modes of the stuck chain, the chain whose contact sticks.  A rigid contact leaves the stuck chain one mode fewer
@@ -45,11 +45,17 @@ pub struct Dynamics<'a, S> {
     pub rubbing: Option<usize>,
 }
 
-impl<'a, S: Float> Dynamics<'a, S> {
-    /// Returns the number of modes that the contact drives.
+impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
+    /// Constants of the chain that do not belong to the law of its contact.
+    #[inline]
+    pub(crate) fn chain(&self) -> &Chain<S> {
+        self.chain.chain()
+    }
+
+    /// Number of modes that the contact drives.
     #[must_use]
     pub fn in_contact(&self) -> usize {
-        self.held.len() + LOST_MODES
+        self.held.len() + K::LOST_MODES
     }
 
     /// Returns the number of oscillators: all modes of the chain, and all modes of the stuck chain.
@@ -80,7 +86,7 @@ impl<'a, S: Float> Dynamics<'a, S> {
 
     /// Returns true if this mass moves exactly as the contact does, because it rubs on a support at rest.
     pub(crate) fn moves_as_contact(&self, mass: usize) -> bool {
-        self.chain.on_moving_base.is_none() && self.rubbing == Some(mass)
+        self.chain().on_moving_base.is_none() && self.rubbing == Some(mass)
     }
 
     /// Returns the modes of the stuck chain, each with the participation factors of all modes that the contact drives.

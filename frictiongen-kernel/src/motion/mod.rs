@@ -25,9 +25,9 @@ pub use series::MAX_STEPS;
 pub use setting::Setting;
 
 pub(crate) use clock::{Clock, Total, phase};
-pub(crate) use contact::kinetic::{Line, line, line_at, steepest};
-pub(crate) use contact::{ContactState, Rigid, STUCK_MULTIPLIERS, Sought, carry_deviations};
+pub(crate) use contact::kinetic::{KineticLine, line, line_at, steepest};
+pub(crate) use contact::{ContactChain, ContactState, Law, Sought};
 pub(crate) use dynamics::{lift, rotated};
 pub(crate) use segment::{ended, leap, seek, span};
-pub(crate) use series::{Power, ROUNDINGS as SUM_ROUNDINGS, Sum, TERMS, WALK};
-pub(crate) use walk::{Start, Walk, first_reach, first_zero};
+pub(crate) use series::{OscillatorSum, Power, ROUNDINGS as SUM_ROUNDINGS, TERMS, WALK};
+pub(crate) use walk::{Walk, WalkStart, first_reach, first_zero};

@@ -1,17 +1,17 @@
 //! One segment of the motion, from one event of the contact to the next.
 
 use super::clock::{moved, phase};
-use super::contact::{Contact, ContactState, End, Event, Outcome, Sought};
+use super::contact::{Contact, ContactChain, ContactState, Law, Outcome, SegmentEnd, Sought};
 use super::oscillator::{Part, advanced};
-use super::series::Sum;
+use super::series::OscillatorSum;
 use super::setting::Setting;
-use super::walk::{Start, Walk, first_reach, first_zero};
+use super::walk::{Walk, WalkStart, first_reach, first_zero};
 use crate::number::scalar::Float;
 
 /// Searches for the next event from a contact state, over at most the time `reach` in τ. Sets the oscillators to their
 /// state at the start of the segment.
-pub(crate) fn seek<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn seek<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
     stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
@@ -22,9 +22,9 @@ pub(crate) fn seek<S: Float>(
     if contact_state.contact == Contact::Stuck {
         let (sum, offset) = setting.start_sticking(modes, stuck_modes, &contact_state, reach);
         let start = if contact_state.wedged {
-            Start::Wedged
+            WalkStart::Wedged
         } else {
-            Start::Anywhere
+            WalkStart::Anywhere
         };
         let grip = setting.law().grip();
         let walk = first_reach(&sum, grip, zero, start, &mut sought.steps);
@@ -44,7 +44,9 @@ pub(crate) fn seek<S: Float>(
         sought.slope = sum.local(sought.tau).slope;
     } else {
         let sum = setting.start_sliding(modes, &contact_state, reach);
-        let start = contact_state.departing.map_or(Start::Anywhere, Start::Zero);
+        let start = contact_state
+            .departing
+            .map_or(WalkStart::Anywhere, WalkStart::Zero);
         (sought.tau, sought.outcome) = match first_zero(&sum, start, &mut sought.steps) {
             Walk::Zero(tau, _) => (tau, Outcome::Halts),
             Walk::Until(tau) => (tau, Outcome::Goes),
@@ -61,7 +63,7 @@ pub(crate) fn seek<S: Float>(
 /// Adds derivatives to the instant at which a sum reaches its level, for a scalar that carries derivatives.  One step
 /// of Newton's method from the instant that the search found gives the derivatives.  Without a level no event ends the
 /// segment.  The reach then keeps its own derivatives, and an instant before the reach has none.
-fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
+fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {
             tau.primal()
@@ -76,8 +78,8 @@ fn carried<S: Float>(sum: &Sum<'_, S>, tau: S, level: Option<S>) -> S {
 
 /// Sets the oscillators to their state a time τ after the segment's start.  `to` is sine and cosine of the excitation
 /// at that instant.
-pub(crate) fn place<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn place<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     (modes, stuck_modes): (&mut [Part<S>], &mut [Part<S>]),
     sought: &Sought<S>,
     tau: S,
@@ -97,13 +99,12 @@ pub(crate) fn place<S: Float>(
 
 /// Returns the end of a segment: its event, and the contact state after the event.  The oscillators must already be at
 /// the end.
-pub(crate) fn ended<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn ended<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &[Part<S>],
     sought: &Sought<S>,
     to: (S, S),
-) -> End<S> {
-    let law = setting.law();
+) -> SegmentEnd<S> {
     let mut end = quiet(sought.tau, sought.contact_state, sought.steps);
     match sought.outcome {
         Outcome::Goes => {}
@@ -112,37 +113,18 @@ pub(crate) fn ended<S: Float>(
             end.contact_state.wedged = true;
         }
         Outcome::Breaks(contact) => {
-            let slide = law.break_away(contact);
-            end.event = Some(Event::Slip);
-            end.contact_state = setting.sliding_away(end.contact_state.t, slide);
             end.slope = sought.slope;
-            end.jump = contact.sign::<S>() * slide.excess;
+            K::break_away(setting, contact, &mut end);
         }
-        Outcome::Halts => {
-            let before = sought.contact_state.contact;
-            let force = setting.holding(modes, to);
-            end.slope = setting.acceleration(force - law.kinetic(before));
-            let Some(slide) = law.leave_rest(force) else {
-                end.event = Some(Event::Stop);
-                end.contact_state.contact = Contact::Stuck;
-                end.jump = law.kinetic(before) - force;
-                return end;
-            };
-            // If the contact continues in the same direction, its velocity only touched zero, which is no event.
-            if slide.contact != before {
-                end.event = Some(Event::Reversal);
-                end.jump = law.kinetic(before) - law.kinetic(slide.contact);
-            }
-            end.contact_state = setting.sliding_away(end.contact_state.t, slide);
-        }
+        Outcome::Halts => K::halt(setting, modes, to, &mut end),
     }
     end
 }
 
 /// Returns the time τ from a contact state to the next event, at most `reach`.  The result is 0 if the contact cannot
 /// leave zero velocity.
-pub(crate) fn span<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn span<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
     stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
@@ -157,13 +139,13 @@ pub(crate) fn span<S: Float>(
 
 /// Advances the oscillators from a contact state to the next event, or over `reach`, and returns the end of the
 /// segment.
-pub(crate) fn leap<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn leap<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
     stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
     reach: S,
-) -> End<S> {
+) -> SegmentEnd<S> {
     let sought = seek(setting, modes, stuck_modes, contact_state, reach);
     let to = phase(moved(contact_state.t, sought.tau));
     if sought.outcome != Outcome::Holds {
@@ -172,10 +154,10 @@ pub(crate) fn leap<S: Float>(
     ended(setting, modes, &sought, to)
 }
 
-/// Returns the [`End`] of a segment of length `tau` in which no event occurs.
-fn quiet<S: Float>(tau: S, contact_state: ContactState<S>, steps: u32) -> End<S> {
+/// Returns the [`SegmentEnd`] of a segment of length `tau` in which no event occurs.
+fn quiet<S: Float>(tau: S, contact_state: ContactState<S>, steps: u32) -> SegmentEnd<S> {
     let zero = S::constant(0.0);
-    End {
+    SegmentEnd {
         tau,
         event: None,
         contact_state: ContactState {

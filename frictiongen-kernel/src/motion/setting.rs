@@ -1,15 +1,17 @@
 //! A scene at one frequency ratio and one friction ratio, which all segments of its motion share.
 
+use super::contact::{ContactChain, Law};
 use super::dynamics::Dynamics;
 use super::oscillator::Part;
 use crate::contact::regime::{check_beta, check_ratio};
+use crate::contact::sums::Chain;
 use crate::errors::{Given, OutOfDomain, Slice};
 use crate::number::scalar::Float;
 
 /// A scene at one frequency ratio and one friction ratio.
 #[derive(Clone, Copy, Debug)]
-pub struct Setting<'a, S> {
-    pub(crate) dynamics: Dynamics<'a, S>,
+pub struct Setting<'a, S, K = Chain<S>> {
+    pub(crate) dynamics: Dynamics<'a, S, K>,
     /// Frequency ratio r, within the range in which the formulas are evaluated.
     pub(crate) r: S,
     /// Friction ratio β.
@@ -25,7 +27,7 @@ pub struct Setting<'a, S> {
     pub(crate) drag: S,
 }
 
-impl<'a, S: Float> Setting<'a, S> {
+impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
     /// Creates the setting of a scene at r and β, and fills `parts`: one oscillator for each mode, then one for each
     /// mode of the stuck chain.
     ///
@@ -33,7 +35,7 @@ impl<'a, S: Float> Setting<'a, S> {
     /// [`OutOfDomain`] for NaN, negative, zero and infinite r, and for r so near to 0 or ∞ that the formulas leave the
     /// scalar's range.  NaN, negative and infinite β and μβ, and a wrong number of `parts` give the same error.
     pub fn new(
-        dynamics: Dynamics<'a, S>,
+        dynamics: Dynamics<'a, S, K>,
         r: S,
         beta: S,
         parts: &mut [Part<S>],
@@ -49,8 +51,8 @@ impl<'a, S: Float> Setting<'a, S> {
             return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)));
         }
         let beta = check_beta(beta)?;
-        check_beta(dynamics.chain.stiction * beta)?;
-        let base = if dynamics.chain.on_moving_base.is_some() {
+        check_beta(dynamics.chain.law(beta).grip())?;
+        let base = if dynamics.chain().on_moving_base.is_some() {
             one
         } else {
             zero
@@ -155,12 +157,12 @@ impl<'a, S: Float> Setting<'a, S> {
             let lambda = mode.resonance * mode.resonance;
             sum - mode.contact * lambda * (part.y + two * mode.zeta * part.u)
         });
-        sum / self.dynamics.chain.inverse_mass
+        sum / self.dynamics.chain().inverse_mass
     }
 
     /// Returns the relative acceleration z̄″.  `excess` is the contact force minus the force that would keep the
     /// relative velocity constant.
     pub(crate) fn acceleration(&self, excess: S) -> S {
-        self.dynamics.chain.inverse_mass * excess / (self.r * self.r)
+        self.dynamics.chain().inverse_mass * excess / (self.r * self.r)
     }
 }

@@ -1,46 +1,69 @@
 //! Computes the steady state of a scene at r and β.
 
-use super::candidate::{Found, ON_CIRCLE};
+use super::candidate::{FoundState, ON_CIRCLE};
 use super::cycle_map::CycleMap;
-use super::newton::{Map, Workspace, multipliers, same};
-use super::record::{Record, Recorded};
+use super::newton::{PeriodMap, Workspace, multipliers, same};
+use super::question::OrbitQuestion;
+use super::record::{Record, RecordedPeriod};
 use super::shooting::{Settled, settle};
 use super::start::Start;
 use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain, Slice};
-use crate::motion::{ContactState, Dynamics, Part, STUCK_MULTIPLIERS, Setting, leap};
+use crate::motion::{ContactChain, ContactState, Dynamics, Law, Part, Setting, leap};
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Plain};
 use crate::oscillator::mode::{Kind, Mode};
 use core::f64::consts::FRAC_PI_4;
 
-impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
+impl<'a, S, P, V, C, K> Orbit<'a, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
-    /// Computes the steady state at r and β that is reached from a start at a maximum of the excitation.  `sliding` is
-    /// β*_lim, from which on the motion may end with the contact stuck.
-    ///
-    /// `last` decides the result where the motion does not settle.  If `last` is true, the result is the motion's last
-    /// [`MAX_PERIOD`](super::MAX_PERIOD) cycles, and [`Self::is_settled`] is false.  If `last` is false, the result is
-    /// an error.
+    /// Computes a steady state as [`answer`](Self::answer) does, for emitted code.
     ///
     /// # Errors
-    /// [`NoOrbit`] gives the reason why there is no steady state.  Slices of a wrong length give `OutOfDomain`.
+    /// Same errors as [`answer`](Self::answer).
+    #[inline]
     #[allow(
         clippy::too_many_arguments,
-        reason = "one question and the room for its answer"
+        reason = "emitted code names as few types as possible"
     )]
     pub fn new(
-        dynamics: Dynamics<'a, S>,
+        dynamics: Dynamics<'a, S, K>,
         r: S,
         beta: S,
         sliding: S,
         start: Start<'_, S>,
         last: bool,
+        parts: P,
+        numbers: V,
+        multipliers: C,
+    ) -> Result<Self, NoOrbit>
+    where
+        S: Plain,
+    {
+        let question = OrbitQuestion {
+            dynamics,
+            r,
+            beta,
+            sliding,
+            start,
+            last,
+        };
+        Self::answer(&question, parts, numbers, multipliers)
+    }
+
+    /// Computes the steady state at r and β that is reached from a start at a maximum of the excitation.
+    /// [`Self::is_settled`] is false for the last cycles of a motion that does not settle.
+    ///
+    /// # Errors
+    /// [`NoOrbit`] gives the reason why there is no steady state.  Slices of a wrong length give `OutOfDomain`.
+    pub fn answer(
+        question: &OrbitQuestion<'a, '_, S, K>,
         mut parts: P,
         mut numbers: V,
         mut multipliers: C,
@@ -49,52 +72,28 @@ where
         S: Plain,
     {
         let zero = S::constant(0.0);
-        let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
-        let driven = dynamics.in_contact();
-        for (found, needed, slice) in [
-            (
-                numbers.as_ref().len(),
-                super::numbers(dynamics.modes.len(), driven),
-                Slice::Storage,
-            ),
-            (multipliers.as_ref().len(), 2 * driven, Slice::Multipliers),
-        ] {
-            if found != needed {
-                return Err(OutOfDomain::Length(slice).into());
-            }
+        let (dynamics, beta, start) = (question.dynamics, question.beta, question.start);
+        let setting = Setting::new(dynamics, question.r, beta, parts.as_mut())?;
+        let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
+        if numbers.as_ref().len() != super::numbers(modes, driven) {
+            return Err(OutOfDomain::Length(Slice::Storage).into());
+        }
+        if multipliers.as_ref().len() != 2 * driven {
+            return Err(OutOfDomain::Length(Slice::Multipliers).into());
         }
         // From β*_lim on a stuck state exists.  The motion decides whether it reaches that state.
-        let holding = (!(beta < sliding)).then_some(setting.law_at(sliding).grip());
-        let mut unbounded = None;
-        for (index, mode) in dynamics.modes.iter().enumerate() {
-            settles(&dynamics, mode, index)?;
-            unbounded = unbounded.or(bounded(mode, r, beta).err());
-        }
+        let holding =
+            (!(beta < question.sliding)).then_some(setting.law_at(question.sliding).grip());
+        let unbounded = unbounded(&dynamics, question.r, beta)?;
         if let (Some(error), None) = (unbounded, holding) {
             return Err(error);
         }
         let clean = parts.clone();
-        let (modes, stuck_modes) = setting.split(parts.as_mut());
-        let mut cycle_map = CycleMap {
-            contact_state: setting.contact_state(modes, zero),
-            setting: &setting,
-            modes,
-            stuck_modes,
-            middle: zero,
-            stuck: zero,
-            step_budget: MAX_STEPS,
-        };
-        let workspace = numbers.as_mut();
-        let (states, rest) =
-            workspace.split_at_mut(workspace.len().min(MAX_SEGMENTS * 2 * dynamics.modes.len()));
-        let (matrix, rest) = rest.split_at_mut(rest.len().min(4 * driven * driven));
-        let (state, other) = rest.split_at_mut(rest.len() / 2);
-        let mut workspace = Workspace {
-            matrix,
-            state,
-            other,
-            multipliers: multipliers.as_mut(),
-        };
+        let (own, stuck_modes) = setting.split(parts.as_mut());
+        let contact_state = setting.contact_state(own, zero);
+        let mut cycle_map = CycleMap::new(&setting, (own, stuck_modes), contact_state);
+        let (states, mut workspace) =
+            Workspace::divided(numbers.as_mut(), multipliers.as_mut(), (modes, driven));
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         start
             .checked(holding.is_some())?
@@ -109,29 +108,14 @@ where
                 settle(&mut cycle_map, &mut workspace, holding, most, spare)?
             }
         };
-        let mut record = Record::new(&mut marks, states, 2 * dynamics.modes.len());
-        let found = if let Settled::Stuck(offset) = settled {
-            let found = stuck(&mut cycle_map, &mut workspace, offset)?;
-            record.stuck(&cycle_map, offset);
-            found
-        } else {
-            let found = match (settled, unbounded) {
-                (Settled::Not(_), Some(error)) => return Err(error),
-                (Settled::Not(error), None) if !last => return Err(error),
-                (Settled::Found(found), _) => found,
-                _ => Found::NONE,
-            };
-            // The search may have used up its steps.  The recording of the period gets a new budget of the same size.
-            cycle_map.step_budget = MAX_STEPS;
-            to_event(&mut cycle_map, found.period)?;
-            let at = cycle_map.contact_state.t.sin_cos_pi();
-            settle_free(&mut cycle_map, at)?;
-            record.follow(&mut cycle_map, found.period)?;
-            let symmetric =
-                found.symmetric || is_symmetric(&mut cycle_map, &mut workspace, found.period)?;
-            Found { symmetric, ..found }
+        let settled = match (settled, unbounded) {
+            (Settled::Not(_), Some(error)) => return Err(error),
+            (Settled::Not(error), None) if !question.last => return Err(error),
+            (settled, _) => settled,
         };
-        let Recorded {
+        let mut record = Record::new(&mut marks, states, 2 * modes);
+        let found = followed(&mut cycle_map, &mut workspace, settled, &mut record)?;
+        let RecordedPeriod {
             count,
             stops,
             reversals,
@@ -161,9 +145,61 @@ where
     }
 }
 
+/// Follows and records a period from where the search ended.
+fn followed<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
+    workspace: &mut Workspace<'_, S>,
+    settled: Settled<S>,
+    record: &mut Record<'_, S>,
+) -> Result<FoundState<S>, NoOrbit> {
+    let found = match settled {
+        Settled::Stuck(offset) => {
+            let found = stuck(cycle_map, workspace, offset)?;
+            record.stuck(cycle_map, offset);
+            return Ok(found);
+        }
+        Settled::Found(found) => found,
+        Settled::Not(_) => FoundState::NONE,
+    };
+    // The search may have used up the steps.  The record of the period may take as many again.
+    cycle_map.step_budget = MAX_STEPS;
+    record_period(cycle_map, record, found.period)?;
+    let symmetric = found.symmetric || is_symmetric(cycle_map, workspace, found.period)?;
+    Ok(FoundState { symmetric, ..found })
+}
+
+/// Records a period from its first event on.
+pub(super) fn record_period<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
+    record: &mut Record<'_, S>,
+    period: u32,
+) -> Result<(), NoOrbit> {
+    to_event(cycle_map, period)?;
+    let at = cycle_map.contact_state.t.sin_cos_pi();
+    settle_free(cycle_map, at)?;
+    record.follow(cycle_map, period)
+}
+
+/// The error of a sliding motion that grows without bound, if it does.
+///
+/// # Errors
+/// [`NoOrbit::Undamped`] if the load drives a mode for ever that neither damping nor the contact dissipates.
+fn unbounded<S: Float, K: ContactChain<S>>(
+    dynamics: &Dynamics<'_, S, K>,
+    r: S,
+    beta: S,
+) -> Result<Option<NoOrbit>, NoOrbit> {
+    let mut unbounded = None;
+    for (index, mode) in dynamics.modes.iter().enumerate() {
+        settles(dynamics, mode, index)?;
+        unbounded = unbounded.or(bounded(mode, r, beta).err());
+    }
+    Ok(unbounded)
+}
+
 /// Fails if the load drives a mode for ever that neither damping nor the contact dissipates.
-fn settles<S: Float>(
-    dynamics: &Dynamics<'_, S>,
+fn settles<S: Float, K: ContactChain<S>>(
+    dynamics: &Dynamics<'_, S, K>,
     mode: &Mode<S>,
     index: usize,
 ) -> Result<(), NoOrbit> {
@@ -190,11 +226,11 @@ fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
 
 /// Sets the state in which the contact never slides (6.11, 6.27, 6.33).  Every mode of the stuck chain is in its steady
 /// motion, and z̄ stays at `offset`.
-pub(super) fn stuck<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn stuck<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     offset: S,
-) -> Result<Found<S>, NoOrbit> {
+) -> Result<FoundState<S>, NoOrbit> {
     let zero = S::constant(0.0);
     let at = (zero, S::constant(1.0));
     for part in cycle_map.stuck_modes.iter_mut() {
@@ -214,8 +250,8 @@ pub(super) fn stuck<S: Float>(
     let mut out = workspace.multipliers.iter_mut();
     // `zip` takes an item of its first argument before it finds the second one empty.  The array therefore comes first,
     // so that no multiplier is lost.
-    for (re, out) in STUCK_MULTIPLIERS.into_iter().zip(out.by_ref()) {
-        *out = Complex::new(S::constant(re), zero);
+    for (re, out) in K::STUCK_MULTIPLIERS.iter().zip(out.by_ref()) {
+        *out = Complex::new(S::constant(*re), zero);
     }
     for part in cycle_map.stuck_modes.iter() {
         for multiplier in part.multipliers(two_pi) {
@@ -224,7 +260,7 @@ pub(super) fn stuck<S: Float>(
             }
         }
     }
-    Ok(Found {
+    Ok(FoundState {
         settled: true,
         period: 1,
         symmetric: offset.is_zero(),
@@ -234,10 +270,10 @@ pub(super) fn stuck<S: Float>(
 }
 
 /// Sets every mode to its steady motion without friction, for β = 0.
-fn linear<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn linear<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
-) -> Result<Found<S>, NoOrbit> {
+) -> Result<FoundState<S>, NoOrbit> {
     let at = (S::constant(0.0), S::constant(1.0));
     let driven = cycle_map.setting.dynamics.in_contact();
     for part in cycle_map.modes.iter_mut().take(driven) {
@@ -247,8 +283,8 @@ fn linear<S: Float>(
     cycle_map.contact_state = cycle_map
         .setting
         .contact_state(cycle_map.modes, S::constant(0.0));
-    let largest = multipliers(cycle_map, workspace, Map::HALF_CYCLE)?;
-    Ok(Found {
+    let largest = multipliers(cycle_map, workspace, PeriodMap::HALF_CYCLE)?;
+    Ok(FoundState {
         settled: true,
         period: 1,
         symmetric: true,
@@ -258,8 +294,8 @@ fn linear<S: Float>(
 }
 
 /// Sets the modes that the contact does not drive to their steady motion.
-pub(super) fn settle_free<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn settle_free<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     at: (S, S),
 ) -> Result<(), NoOrbit> {
     let driven = cycle_map.setting.dynamics.in_contact();
@@ -271,8 +307,8 @@ pub(super) fn settle_free<S: Float>(
 
 /// Advances to the next event of a period.  If there is no event up to the end of the period, the contact state does
 /// not change.
-pub(super) fn to_event<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn to_event<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     period: u32,
 ) -> Result<(), NoOrbit> {
     let section: ContactState<S> = cycle_map.contact_state;
@@ -302,8 +338,8 @@ pub(super) fn to_event<S: Float>(
 
 /// Returns true if the state after half a period is the opposite of the state now.  For a period of an even number of
 /// cycles the load has the same sign half a period later, so that no state is opposite.
-fn is_symmetric<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn is_symmetric<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     period: u32,
 ) -> Result<bool, NoOrbit> {

@@ -1,11 +1,11 @@
 //! Tests whether a motion is near a fixed point of the half-period or period map, and whether the motion tends to that
 //! point.
 
-use super::cycle_map::{CycleMap, Pattern};
-use super::newton::{Map, Workspace, multipliers, newton, same};
+use super::cycle_map::{CycleMap, EventPattern};
+use super::newton::{PeriodMap, Workspace, multipliers, newton, same};
 use super::{closed, continuum};
 use crate::errors::NoOrbit;
-use crate::motion::ContactState;
+use crate::motion::{ContactChain, ContactState};
 use crate::number::scalar::Float;
 
 /// Distance from the unit circle, in roundings, below which a multiplier counts as lying on the circle.
@@ -40,7 +40,7 @@ const HARDLY_MOVES: f64 = 1e-6;
 const LEAST_FOLLOWED: u32 = 64;
 
 /// Events of half a cycle of continuous motion: one reversal.
-const ONE_REVERSAL: Pattern = Pattern {
+const ONE_REVERSAL: EventPattern = EventPattern {
     stops: 0,
     reversals: 1,
     slips: 0,
@@ -48,7 +48,7 @@ const ONE_REVERSAL: Pattern = Pattern {
 
 /// Properties of a steady state that the search has found.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Found<S> {
+pub(super) struct FoundState<S> {
     /// True if the motion repeats.
     pub settled: bool,
     /// Period in cycles of the excitation.
@@ -61,7 +61,7 @@ pub(super) struct Found<S> {
     pub reach: Option<S>,
 }
 
-impl<S> Found<S> {
+impl<S> FoundState<S> {
     /// Properties of a motion that does not repeat, of which only the last cycles are known.
     pub(super) const NONE: Self = Self {
         settled: false,
@@ -73,19 +73,19 @@ impl<S> Found<S> {
 }
 
 /// Result of the test of a fixed point.
-pub(super) enum Verdict<S> {
-    Found(Found<S>),
+pub(super) enum CandidateVerdict<S> {
+    Found(FoundState<S>),
     /// The fixed point belongs to a continuum, and the motion must be followed further to select the member.
     Wait,
     No,
 }
 
 pub(super) struct Candidate<S> {
-    pub map: Map,
+    pub map: PeriodMap,
     /// Events of the motion during the last map.
-    pub wanted: Pattern,
+    pub wanted: EventPattern,
     /// Events of the motion in the last cycle.
-    pub recent: Pattern,
+    pub recent: EventPattern,
     /// Number of successive half cycles with the same events as a cycle before.
     pub alike: u32,
     /// True if μ = 1.
@@ -97,13 +97,13 @@ pub(super) struct Candidate<S> {
 }
 
 impl<S: Float> Candidate<S> {
-    pub fn try_from(
+    pub fn try_from<K: ContactChain<S>>(
         &mut self,
-        cycle_map: &mut CycleMap<'_, '_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
         workspace: &mut Workspace<'_, S>,
-    ) -> Result<Verdict<S>, NoOrbit> {
+    ) -> Result<CandidateVerdict<S>, NoOrbit> {
         let Some(pattern) = newton(cycle_map, workspace, self.map)? else {
-            return Ok(Verdict::No);
+            return Ok(CandidateVerdict::No);
         };
         let scale = cycle_map.scale();
         let far = cycle_map.distance(workspace.state);
@@ -125,7 +125,7 @@ impl<S: Float> Candidate<S> {
             if self.map.symmetric && self.map.period == 1 && pattern == ONE_REVERSAL {
                 closed::set(cycle_map, cycle_map.setting.beta);
             }
-            return Ok(Verdict::Found(Found {
+            return Ok(CandidateVerdict::Found(FoundState {
                 settled: true,
                 period: self.map.period,
                 symmetric: self.map.symmetric,
@@ -133,15 +133,15 @@ impl<S: Float> Candidate<S> {
                 reach: None,
             }));
         }
-        Ok(Verdict::No)
+        Ok(CandidateVerdict::No)
     }
 
     /// Returns true if the motion keeps its events and approaches the fixed point as fast as the multipliers predict.
     /// With μ > 1 other steady states may be close.  The cycle map is at the fixed point before and after a true
     /// result.
-    fn attracts(
+    fn attracts<K: ContactChain<S>>(
         &mut self,
-        cycle_map: &mut CycleMap<'_, '_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
         workspace: &mut Workspace<'_, S>,
         largest: S,
     ) -> Result<bool, NoOrbit> {
@@ -161,7 +161,7 @@ impl<S: Float> Candidate<S> {
             // Each turn of the loop follows one whole period.
             let maps = if self.map.symmetric { 2 } else { 1 };
             for _ in 0..maps {
-                let mut pattern = Pattern::default();
+                let mut pattern = EventPattern::default();
                 for _ in 0..self.map.halves() {
                     pattern = pattern.and(cycle_map.advance_half(None)?);
                 }
@@ -186,16 +186,16 @@ impl<S: Float> Candidate<S> {
     }
 
     /// Tests a steady state whose neighbours are steady too.  The motion itself must select one of them.
-    fn marginal(
+    fn marginal<K: ContactChain<S>>(
         &self,
-        cycle_map: &mut CycleMap<'_, '_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
         workspace: &mut Workspace<'_, S>,
         far: S,
         scale: S,
         cycles: u32,
-    ) -> Result<Verdict<S>, NoOrbit> {
+    ) -> Result<CandidateVerdict<S>, NoOrbit> {
         let found = |symmetric, reach| {
-            Ok(Verdict::Found(Found {
+            Ok(CandidateVerdict::Found(FoundState {
                 settled: true,
                 period: self.map.period,
                 symmetric,
@@ -207,25 +207,25 @@ impl<S: Float> Candidate<S> {
             return found(self.map.symmetric, None);
         }
         if self.map.period != 1 {
-            return Ok(Verdict::No);
+            return Ok(CandidateVerdict::No);
         }
         // A motion may be so large that friction is below rounding.  Every state then seems steady.
         let own = workspace.state.iter();
         let own = own.fold(S::constant(1.0), |most, value| most.max(value.abs()));
         if own * S::constant(MOST_GROWN) < scale {
-            return Ok(Verdict::No);
+            return Ok(CandidateVerdict::No);
         }
         // With μ > 1 a stop does not become shorter.  A motion with stops is then no member of the continuum, and does
         // not tend to one.
         if !self.monotone && self.recent.stops > 0 {
-            return Ok(Verdict::No);
+            return Ok(CandidateVerdict::No);
         }
         // Where the contact hardly moves, rounding decides its motion.  Any distance below the limit then counts as
         // reached.
         let turns = self.recent.stops + self.recent.reversals;
         let calm = far <= S::constant(HARDLY_MOVES) || (turns <= 2 && CALM <= self.alike);
         if !self.map.symmetric || cycles < LEAST_FOLLOWED || !calm {
-            return Ok(Verdict::Wait);
+            return Ok(CandidateVerdict::Wait);
         }
         let reach = continuum::member(cycle_map, workspace, self.monotone)?;
         found(false, Some(reach))

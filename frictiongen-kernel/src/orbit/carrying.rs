@@ -5,14 +5,14 @@
 //! Newton's method then adds (1 − DP)⁻¹b to the derivative of x.  A second pass follows the segments from the resulting
 //! x and carries derivatives into every result.
 
-use super::build::{settle_free, stuck, to_event};
+use super::build::{record_period, stuck};
 use super::closed;
 use super::cycle_map::CycleMap;
-use super::newton::{Map, Workspace, newton};
-use super::record::{Record, Recorded};
+use super::newton::{PeriodMap, Workspace, newton};
+use super::record::{Record, RecordedPeriod};
 use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain, Ratio, Slice};
-use crate::motion::{Contact, Dynamics, Part, SUM_ROUNDINGS, Setting};
+use crate::motion::{Contact, ContactChain, Dynamics, Law, Part, SUM_ROUNDINGS, Setting};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
@@ -88,21 +88,22 @@ pub struct CarryingStorage<'m, S, P, V, C> {
     pub multipliers: C,
 }
 
-impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
+impl<'a, S, P, V, C, K> Orbit<'a, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     /// Computes the steady state `plain` over a scalar that carries derivatives.  `dynamics`, r and β belong to the
     /// same scene, and their values equal those of `plain`.
     ///
     /// # Errors
     /// [`NoDerivative`] gives the reason why no derivatives exist.  Slices of a wrong length give `OutOfDomain`.
-    pub fn carrying<T, Q, W, D>(
-        plain: &Orbit<'_, T, Q, W, D>,
-        dynamics: Dynamics<'a, S>,
+    pub fn carrying<T, Q, W, D, J>(
+        plain: &Orbit<'_, T, Q, W, D, J>,
+        dynamics: Dynamics<'a, S, K>,
         (r, beta): (S, S),
         storage: CarryingStorage<'_, S, P, V, C>,
     ) -> Result<Self, NoDerivative>
@@ -111,6 +112,7 @@ where
         Q: AsRef<[Part<T>]> + Clone + AsMut<[Part<T>]>,
         W: AsRef<[T]> + AsMut<[T]>,
         D: AsRef<[Complex<T>]> + AsMut<[Complex<T>]>,
+        J: ContactChain<T>,
     {
         let CarryingStorage {
             mut parts,
@@ -121,43 +123,20 @@ where
         if !plain.settled {
             return Err(NoDerivative::Unsettled);
         }
-        for (given, known, ratio) in [
-            (r, plain.setting.r, Ratio::Frequency),
-            (beta, plain.setting.beta, Ratio::Friction),
-        ] {
-            let known = S::constant(known.to_f64());
-            if !((given - known).abs() <= known * S::constant(SAME)) {
-                return Err(OutOfDomain::OtherPoint(ratio).into());
-            }
-        }
-        let zero = S::constant(0.0);
+        check_same(r, plain.setting.r, Ratio::Frequency)?;
+        check_same(beta, plain.setting.beta, Ratio::Friction)?;
         let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
-        if numbers.as_ref().len() != super::numbers(modes, driven) || masses.len() != 2 * modes {
+        let room = numbers.as_ref().len();
+        if room != super::numbers(modes, driven) || masses.len() != 2 * modes {
             return Err(OutOfDomain::Length(Slice::Storage).into());
         }
         let clean = parts.clone();
-        let (own, stuck_modes) = setting.split(parts.as_mut());
-        let mut cycle_map = CycleMap {
-            contact_state: SegmentStart::empty().contact_state,
-            setting: &setting,
-            modes: own,
-            stuck_modes,
-            middle: zero,
-            stuck: zero,
-            step_budget: MAX_STEPS,
-        };
-        let (states, rest) = numbers
-            .as_mut()
-            .split_at_mut((MAX_SEGMENTS * 2 * modes).min(super::numbers(modes, driven)));
-        let (matrix, rest) = rest.split_at_mut(rest.len().min(4 * driven * driven));
-        let (state, other) = rest.split_at_mut(rest.len() / 2);
-        let mut workspace = Workspace {
-            matrix,
-            state,
-            other,
-            multipliers: &mut [],
-        };
+        let oscillators = setting.split(parts.as_mut());
+        let contact_state = SegmentStart::empty().contact_state;
+        let mut cycle_map = CycleMap::new(&setting, oscillators, contact_state);
+        let (states, mut workspace) =
+            Workspace::divided(numbers.as_mut(), &mut [], (modes, driven));
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         let mut record = Record::new(&mut marks, states, 2 * modes);
         if plain.never_slides() {
@@ -165,25 +144,11 @@ where
             stuck(&mut cycle_map, &mut workspace, offset)?;
             record.stuck(&cycle_map, offset);
         } else {
-            if plain.is_closed() {
-                closed::set(&mut cycle_map, beta);
-            } else if plain.marginal {
-                return Err(NoDerivative::Marginal);
-            } else {
-                let map = Map {
-                    period: plain.period,
-                    symmetric: plain.symmetric,
-                };
-                plain.set_state(&mut cycle_map, masses)?;
-                closed_in(&mut cycle_map, &mut workspace, map)?;
-            }
+            plain.close(&mut cycle_map, &mut workspace, (beta, masses))?;
             cycle_map.step_budget = MAX_STEPS;
-            to_event(&mut cycle_map, plain.period)?;
-            let at = cycle_map.contact_state.t.sin_cos_pi();
-            settle_free(&mut cycle_map, at)?;
-            record.follow(&mut cycle_map, plain.period)?;
+            record_period(&mut cycle_map, &mut record, plain.period)?;
         }
-        let Recorded {
+        let RecordedPeriod {
             count,
             stops,
             reversals,
@@ -215,7 +180,29 @@ where
         Ok(orbit)
     }
 
-    /// Returns true if the contact sticks during the whole period.
+    /// Sets a cycle map over a scalar that carries derivatives to a state of this motion that closes over its period.
+    fn close<U: Float, J: ContactChain<U>>(
+        &self,
+        cycle_map: &mut CycleMap<'_, '_, U, J>,
+        workspace: &mut Workspace<'_, U>,
+        (beta, masses): (U, &mut [U]),
+    ) -> Result<(), NoDerivative> {
+        if self.is_closed() {
+            closed::set(cycle_map, beta);
+            return Ok(());
+        }
+        if self.marginal {
+            return Err(NoDerivative::Marginal);
+        }
+        let map = PeriodMap {
+            period: self.period,
+            symmetric: self.symmetric,
+        };
+        self.set_state(cycle_map, masses)?;
+        closed_in(cycle_map, workspace, map)
+    }
+
+    /// Returns true if the contact never slides.
     pub fn never_slides(&self) -> bool {
         let mut marks = self.marks().iter();
         self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
@@ -240,9 +227,9 @@ where
 
     /// Sets a cycle map to this steady state, at the middle of the longest sliding segment.  The cycle map may have
     /// another scalar.  `masses` has room for displacements and velocities.
-    fn set_state<U: Float>(
+    fn set_state<U: Float, J: ContactChain<U>>(
         &self,
-        cycle_map: &mut CycleMap<'_, '_, U>,
+        cycle_map: &mut CycleMap<'_, '_, U, J>,
         masses: &mut [U],
     ) -> Result<(), NoDerivative> {
         let (half, two) = (S::constant(0.5), S::constant(2.0));
@@ -315,12 +302,22 @@ where
     }
 }
 
-/// Makes the state of the cycle map periodic, derivatives included, over a scalar that carries derivatives.  The first
-/// Newton step gives the derivative the precision of the value.  The second step gives the precision of the scalar.
-fn closed_in<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+/// Fails if r or β differs from that of the known steady state by more than rounding.
+fn check_same<S: Float>(given: S, known: impl Float, ratio: Ratio) -> Result<(), OutOfDomain> {
+    let known = S::constant(known.to_f64());
+    if (given - known).abs() <= known * S::constant(SAME) {
+        Ok(())
+    } else {
+        Err(OutOfDomain::OtherPoint(ratio))
+    }
+}
+
+/// Closes the cycle over a scalar that carries derivatives, from the state of the cycle map.  The first Newton step
+/// brings the derivative to the value's precision, and the second to the scalar's.
+fn closed_in<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
-    map: Map,
+    map: PeriodMap,
 ) -> Result<(), NoDerivative> {
     let alike = S::constant(ALIKE);
     for last in [false, true] {

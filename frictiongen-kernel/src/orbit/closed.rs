@@ -6,14 +6,14 @@ use super::cycle_map::CycleMap;
 use crate::contact::dominant::Partner;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::wave::Sum;
-use crate::motion::{Contact, Dynamics};
+use crate::motion::{Contact, ContactChain, Dynamics};
 use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Damped;
 use crate::oscillator::mode::Mode;
 
 /// The modes that the contact drives, evaluated at one frequency ratio.
-struct Driven<'a, S> {
+struct DrivenChain<'a, S> {
     chain: Chain<S>,
     modes: &'a [Mode<S>],
     inverse_r: S,
@@ -21,11 +21,11 @@ struct Driven<'a, S> {
     single: bool,
 }
 
-impl<'a, S: Float> Driven<'a, S> {
-    fn new(dynamics: &Dynamics<'a, S>, inverse_r: S) -> Self {
+impl<'a, S: Float> DrivenChain<'a, S> {
+    fn new<K: ContactChain<S>>(dynamics: &Dynamics<'a, S, K>, inverse_r: S) -> Self {
         let modes = dynamics.driven();
         Self {
-            chain: dynamics.chain,
+            chain: *dynamics.chain(),
             modes,
             inverse_r,
             scale: Chain::scale_at(modes, inverse_r),
@@ -45,23 +45,23 @@ impl<'a, S: Float> Driven<'a, S> {
 }
 
 /// Sets the cycle map to the state of the closed form for a friction ratio, at a maximum of the relative motion.
-pub(super) fn set<S: Float>(cycle_map: &mut CycleMap<'_, '_, S>, beta: S) {
+pub(super) fn set<S: Float, K: ContactChain<S>>(cycle_map: &mut CycleMap<'_, '_, S, K>, beta: S) {
     let one = S::constant(1.0);
     let dynamics = &cycle_map.setting.dynamics;
-    let driven = Driven::new(dynamics, one / cycle_map.setting.r);
+    let driven = DrivenChain::new(dynamics, one / cycle_map.setting.r);
     let contact = driven.contact();
-    let friction = dynamics.chain.friction(&contact, driven.inverse_r, beta);
+    let friction = dynamics.chain().friction(&contact, driven.inverse_r, beta);
     let known = driven.modes.iter().map(|mode| (mode, driven.at(mode)));
     let dominant =
         dynamics
-            .chain
+            .chain()
             .dominant_sums(known.clone(), Partner::U, &contact, driven.inverse_r);
     for (index, (part, (mode, at))) in cycle_map.modes.iter_mut().zip(known).enumerate() {
         let alone = core::iter::once((index, one, mode, at));
         let fundamental = dynamics
-            .chain
+            .chain()
             .fundamental_of(alone, &dominant, &contact, &friction);
-        let wave = dynamics.chain.mass_wave::<Damped<S>>(
+        let wave = dynamics.chain().mass_wave::<Damped<S>>(
             mode,
             one,
             &at,

@@ -6,9 +6,10 @@
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
-use super::matrix::Matrix;
+use super::matrix::SquareMatrix;
 use super::newton::Workspace;
 use crate::errors::NoOrbit;
+use crate::motion::ContactChain;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
@@ -27,8 +28,8 @@ const SHIFT: f64 = 1e-8;
 /// The *share* of a member is its amount of the free vibration.  The result is the share of the last member over the
 /// share of this member.  `monotone` states that μ = 1.  With μ > 1 a stop does not become shorter, because the contact
 /// sticks until the force has grown.  Only a motion without a stop is then a member.
-pub(super) fn member<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn member<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     monotone: bool,
 ) -> Result<S, NoOrbit> {
@@ -54,7 +55,7 @@ pub(super) fn member<S: Float>(
             *other = *state;
         }
         let shift = one + S::constant(SHIFT.max(ROUNDINGS * S::EPSILON));
-        if !Matrix::new(workspace.matrix, size).solve_shifted(shift, workspace.other) {
+        if !SquareMatrix::new(workspace.matrix, size).solve_shifted(shift, workspace.other) {
             return Err(NoOrbit::Unsettled);
         }
         // (shift − D)⁻¹ divides the eigenvector's component by shift − 1, and hardly changes the other components.  The
@@ -66,8 +67,8 @@ pub(super) fn member<S: Float>(
     }
     // The bisection finds the largest share without a stop, up to the motion's own share.
     cycle_map.save(workspace.other);
-    let shifted = |cycle_map: &mut CycleMap<'_, '_, S>, share: S| -> Result<bool, NoOrbit> {
-        let set = |cycle_map: &mut CycleMap<'_, '_, S>| {
+    let shifted = |cycle_map: &mut CycleMap<'_, '_, S, K>, share: S| -> Result<bool, NoOrbit> {
+        let set = |cycle_map: &mut CycleMap<'_, '_, S, K>| {
             let states = pairs(workspace.other).zip(pairs(workspace.state));
             for (part, (from, along)) in cycle_map.modes.iter_mut().zip(states) {
                 if let ([y, u], [dy, du]) = (from, along) {

@@ -1,8 +1,9 @@
 //! Follows the motion over half a cycle or a whole cycle of the excitation.  It starts from a *section*, a fixed phase
 //! of the excitation.
 
+use super::types::MAX_STEPS;
 use crate::errors::{NoOrbit, OutOfDomain};
-use crate::motion::{Contact, ContactState, Event, Part, Setting, carry_deviations, leap};
+use crate::motion::{Contact, ContactChain, ContactState, Event, Part, Setting, leap};
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
@@ -11,13 +12,13 @@ const MOST_EVENTS: u32 = 4096;
 
 /// Numbers of events of each kind in half a cycle, or in several half cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Pattern {
+pub(super) struct EventPattern {
     pub stops: u32,
     pub reversals: u32,
     pub slips: u32,
 }
 
-impl Pattern {
+impl EventPattern {
     fn note(&mut self, event: Event) {
         match event {
             Event::Stop => self.stops += 1,
@@ -50,8 +51,8 @@ impl Pattern {
 }
 
 /// State of the motion at the section (the fixed phase at which the map starts), with the data that advance the state.
-pub(super) struct CycleMap<'f, 'a, S> {
-    pub setting: &'f Setting<'a, S>,
+pub(super) struct CycleMap<'f, 'a, S, K> {
+    pub setting: &'f Setting<'a, S, K>,
     pub modes: &'f mut [Part<S>],
     pub stuck_modes: &'f mut [Part<S>],
     pub contact_state: ContactState<S>,
@@ -63,8 +64,26 @@ pub(super) struct CycleMap<'f, 'a, S> {
     pub step_budget: u32,
 }
 
-impl<S: Float> CycleMap<'_, '_, S> {
-    /// Returns the number of scalars in a state: y and u of each mode that the contact drives.
+impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
+    /// Creates the map from the oscillators of the modes and of the stuck chain, with all steps of its budget left.
+    pub(super) fn new(
+        setting: &'f Setting<'a, S, K>,
+        (modes, stuck_modes): (&'f mut [Part<S>], &'f mut [Part<S>]),
+        contact_state: ContactState<S>,
+    ) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            setting,
+            modes,
+            stuck_modes,
+            contact_state,
+            middle: zero,
+            stuck: zero,
+            step_budget: MAX_STEPS,
+        }
+    }
+
+    /// Number of scalars in a state.
     pub(super) fn size(&self) -> usize {
         2 * self.setting.dynamics.in_contact()
     }
@@ -79,7 +98,10 @@ impl<S: Float> CycleMap<'_, '_, S> {
     }
 
     /// Advances half a cycle, and advances the deviations in `columns` with the linearised motion.
-    pub(super) fn advance_half(&mut self, columns: Option<&mut [S]>) -> Result<Pattern, NoOrbit> {
+    pub(super) fn advance_half(
+        &mut self,
+        columns: Option<&mut [S]>,
+    ) -> Result<EventPattern, NoOrbit> {
         let start = self.contact_state.t;
         let pattern = self.advance(S::pi(), columns)?;
         // The phase advances by exactly half a cycle, without the rounding in the sum of segment lengths.
@@ -94,9 +116,9 @@ impl<S: Float> CycleMap<'_, '_, S> {
         &mut self,
         tau: S,
         mut columns: Option<&mut [S]>,
-    ) -> Result<Pattern, NoOrbit> {
+    ) -> Result<EventPattern, NoOrbit> {
         let zero = S::constant(0.0);
-        let mut pattern = Pattern::default();
+        let mut pattern = EventPattern::default();
         let (mut left, mut longest) = (tau, zero);
         self.stuck = zero;
         for _ in 0..MOST_EVENTS {
@@ -113,7 +135,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
                 self.middle = (tau - left + end.tau * S::constant(0.5)) * S::inverse_pi();
             }
             if let Some(columns) = &mut columns {
-                carry_deviations(
+                K::carry_deviations(
                     self.setting,
                     (&*self.modes, &mut *self.stuck_modes),
                     &contact_state,

@@ -2,16 +2,17 @@
 
 use super::motion::OrbitMotion;
 use super::types::Orbit;
-use crate::motion::Part;
+use crate::motion::{ContactChain, Part};
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
-impl<S, P, V, C> Orbit<'_, S, P, V, C>
+impl<S, P, V, C, K> Orbit<'_, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     /// Returns the middle of the contact's relative motion, (max z̄ + min z̄)/2, over P/k₁, for base motion over Y. It
     /// is 0 for a symmetric state, and z̄ itself for a contact that sticks with an offset.
@@ -24,12 +25,13 @@ where
     }
 }
 
-impl<S, P, V, C> OrbitMotion<'_, '_, S, P, V, C>
+impl<S, P, V, C, K> OrbitMotion<'_, '_, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     /// Returns the smallest and the largest x̄ of the period, over P/k₁, for base motion over Y.
     pub fn extremes(&self) -> (S, S) {

@@ -4,9 +4,9 @@
 //! Three forces act in a stuck contact: V/H of the forced motion, the constant force of an offset, and the force of the
 //! stuck chain's free vibration.  The contact never slides again where their sum cannot exceed μβ.
 
-use super::cycle_map::{CycleMap, Pattern};
+use super::cycle_map::{CycleMap, EventPattern};
 use super::types::MAX_CYCLES;
-use crate::motion::{Contact, phase};
+use crate::motion::{Contact, ContactChain, Law, phase};
 use crate::number::scalar::Float;
 
 /// Number of half cycles without an event after which a contact counts as stuck.  Without damping the free vibration
@@ -53,16 +53,19 @@ impl<S: Float> Hold<S> {
     }
 
     /// Counts another half cycle.
-    pub(super) fn note(&mut self, half: Pattern) {
+    pub(super) fn note(&mut self, half: EventPattern) {
         self.halves = self.halves.saturating_add(1);
-        let calm = half == Pattern::default();
+        let calm = half == EventPattern::default();
         self.quiet = if calm { self.quiet + 1 } else { 0 };
         self.resting = self.resting.filter(|_| calm);
     }
 
     /// Returns z̄ of a contact that sticks and never slides again.  Returns `None` as long as that is neither certain
     /// nor [counts as certain](QUIET).
-    pub(super) fn lasting_offset(&mut self, cycle_map: &mut CycleMap<'_, '_, S>) -> Option<S> {
+    pub(super) fn lasting_offset<K: ContactChain<S>>(
+        &mut self,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
+    ) -> Option<S> {
         let setting = cycle_map.setting;
         let contact_state = cycle_map.contact_state;
         let far = S::constant(f64::MAX);

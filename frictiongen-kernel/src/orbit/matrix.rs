@@ -4,12 +4,12 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
 /// A square matrix in a slice, column after column.
-pub(super) struct Matrix<'a, S> {
+pub(super) struct SquareMatrix<'a, S> {
     entries: &'a mut [S],
     size: usize,
 }
 
-impl<'a, S: Float> Matrix<'a, S> {
+impl<'a, S: Float> SquareMatrix<'a, S> {
     /// Creates a matrix from the first size² entries of a slice.
     pub(super) fn new(entries: &'a mut [S], size: usize) -> Self {
         Self { entries, size }
@@ -319,7 +319,7 @@ mod tests {
             let (second, mut work) = (product(&m, &m), m.clone());
             let third = product(&second, &m);
             let mut out = vec![Complex::new(0.0, 0.0); size];
-            Matrix::new(&mut work, size).eigenvalues(&mut out);
+            SquareMatrix::new(&mut work, size).eigenvalues(&mut out);
             let sum = |power: u32| out.iter().map(|value| value.powu(power).re).sum::<f64>();
             for (power, want) in [(1, trace(&m)), (2, trace(&second)), (3, trace(&third))] {
                 let got = sum(power);
@@ -338,7 +338,7 @@ mod tests {
             let m: Vec<f64> = (0..size * size).map(|_| 0.5 * random.signed()).collect();
             let b: Vec<f64> = (0..size).map(|_| 0.5 * random.signed()).collect();
             let (mut work, mut x) = (m.clone(), b.clone());
-            assert!(Matrix::new(&mut work, size).solve_shifted(2.0, &mut x));
+            assert!(SquareMatrix::new(&mut work, size).solve_shifted(2.0, &mut x));
             for i in 0..size {
                 let image: f64 = (0..size).map(|j| m[j * size + i] * x[j]).sum();
                 assert!((2.0 * x[i] - image - b[i]).abs() < 1e-14);

@@ -21,6 +21,7 @@ mod matrix;
 mod motion;
 mod newton;
 mod provides;
+mod question;
 mod rates;
 mod record;
 mod relaxed;
@@ -34,13 +35,14 @@ mod types;
 pub use candidate::MAX_PERIOD;
 pub use carrying::{CarryingStorage, NoDerivative};
 pub use motion::OrbitMotion;
+pub use question::OrbitQuestion;
 pub use scene::{Known, ProvidesOrbit};
 pub use start::Start;
 pub use states::States;
 pub use types::{MAX_CYCLES, MAX_SEGMENTS, MAX_STEPS, Orbit};
 
 use crate::combination::Combination;
-use crate::motion::{Contact, Part};
+use crate::motion::{Contact, ContactChain, Law, Part};
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 use segments::Segments;
@@ -66,19 +68,20 @@ pub type FixedOrbitMotion<
     const MULTIPLIERS: usize,
 > = OrbitMotion<'o, 'static, S, [Part<S>; PARTS], [S; NUMBERS], [Complex<S>; MULTIPLIERS]>;
 
-impl<'a, S, P, V, C> Orbit<'a, S, P, V, C>
+impl<'a, S, P, V, C, K> Orbit<'a, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     fn marks(&self) -> &[SegmentStart<S>] {
         self.marks.get(..self.count).unwrap_or_default()
     }
 
     /// Returns the segments of the period, one after the other.
-    fn segments(&self) -> Segments<'_, 'a, S, P, V, C> {
+    fn segments(&self) -> Segments<'_, 'a, S, P, V, C, K> {
         Segments::from(self, 0)
     }
 
@@ -265,12 +268,12 @@ where
     }
 
     /// Returns the relative motion in the contact.
-    pub fn contact(&self) -> OrbitMotion<'_, 'a, S, P, V, C> {
+    pub fn contact(&self) -> OrbitMotion<'_, 'a, S, P, V, C, K> {
         OrbitMotion::of_contact(self)
     }
 
     /// Returns the motion of a mass, by its index in the description.  An index without a mass gives rest.
-    pub fn mass(&self, index: usize) -> OrbitMotion<'_, 'a, S, P, V, C> {
+    pub fn mass(&self, index: usize) -> OrbitMotion<'_, 'a, S, P, V, C, K> {
         let dynamics = &self.setting.dynamics;
         if dynamics.moves_as_contact(index) {
             self.contact()
@@ -284,7 +287,7 @@ where
     }
 
     /// Returns the relative motion in the contact with the opposite sign.
-    pub fn reversed_contact(&self) -> OrbitMotion<'_, 'a, S, P, V, C> {
+    pub fn reversed_contact(&self) -> OrbitMotion<'_, 'a, S, P, V, C, K> {
         OrbitMotion::of_reversed_contact(self)
     }
 
@@ -299,12 +302,12 @@ where
     pub fn combination<'o>(
         &'o self,
         combination: Combination<'o, S>,
-    ) -> OrbitMotion<'o, 'a, S, P, V, C> {
+    ) -> OrbitMotion<'o, 'a, S, P, V, C, K> {
         OrbitMotion::of_combination(self, combination)
     }
 
     /// Returns the motion of a mass, by its index in the description, or `None` if there is no such mass.
-    pub fn mass_at(&self, index: usize) -> Option<OrbitMotion<'_, 'a, S, P, V, C>> {
+    pub fn mass_at(&self, index: usize) -> Option<OrbitMotion<'_, 'a, S, P, V, C, K>> {
         let known = !self.setting.dynamics.shape(index).is_empty();
         known.then(|| self.mass(index))
     }

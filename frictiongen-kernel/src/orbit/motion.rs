@@ -5,7 +5,8 @@ use super::rates;
 use super::segments::Segments;
 use super::types::{Orbit, SegmentStart};
 use crate::combination::Combination;
-use crate::motion::{Contact, Part, Sum, lift, rotated};
+use crate::contact::sums::Chain;
+use crate::motion::{Contact, ContactChain, OscillatorSum, Part, lift, rotated};
 use crate::number::complex::{self, Complex};
 use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
@@ -18,38 +19,39 @@ const SAME_LAG: f64 = 1e-9;
 
 /// The steady motion of the contact or of a mass, in an [`Orbit`].
 #[derive(Debug)]
-pub struct OrbitMotion<'o, 'a, S, P, V, C> {
-    orbit: &'o Orbit<'a, S, P, V, C>,
+pub struct OrbitMotion<'o, 'a, S, P, V, C, K = Chain<S>> {
+    orbit: &'o Orbit<'a, S, P, V, C, K>,
     /// The combination of masses and base that moves, or `None` for the contact.
     combination: Option<Combination<'o, S>>,
     /// True for the contact's motion with the opposite sign.
     reversed: bool,
 }
 
-impl<S: Copy, P, V, C> Clone for OrbitMotion<'_, '_, S, P, V, C> {
+impl<S: Copy, P, V, C, K> Clone for OrbitMotion<'_, '_, S, P, V, C, K> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<S: Copy, P, V, C> Copy for OrbitMotion<'_, '_, S, P, V, C> {}
+impl<S: Copy, P, V, C, K> Copy for OrbitMotion<'_, '_, S, P, V, C, K> {}
 
 /// Upper bound on the panels into which the quadrature of a harmonic divides a segment.
 const MOST_PANELS: f64 = (1_u32 << 14) as f64;
 
 /// The largest |x̄| found so far, and its lag.
-struct Best<S> {
+struct LargestDisplacement<S> {
     value: S,
     lag: Option<S>,
 }
 
-impl<'o, 'a, S, P, V, C> OrbitMotion<'o, 'a, S, P, V, C>
+impl<'o, 'a, S, P, V, C, K> OrbitMotion<'o, 'a, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
-    pub(super) fn of_contact(orbit: &'o Orbit<'a, S, P, V, C>) -> Self {
+    pub(super) fn of_contact(orbit: &'o Orbit<'a, S, P, V, C, K>) -> Self {
         Self {
             orbit,
             combination: None,
@@ -57,7 +59,7 @@ where
         }
     }
 
-    pub(super) fn of_reversed_contact(orbit: &'o Orbit<'a, S, P, V, C>) -> Self {
+    pub(super) fn of_reversed_contact(orbit: &'o Orbit<'a, S, P, V, C, K>) -> Self {
         Self {
             reversed: true,
             ..Self::of_contact(orbit)
@@ -65,7 +67,7 @@ where
     }
 
     pub(super) fn of_combination(
-        orbit: &'o Orbit<'a, S, P, V, C>,
+        orbit: &'o Orbit<'a, S, P, V, C, K>,
         combination: Combination<'o, S>,
     ) -> Self {
         Self {
@@ -193,9 +195,9 @@ where
         complex::scale(total, S::inverse_pi() * factor / self.orbit.cycles())
     }
 
-    fn best(&self) -> Best<S> {
+    fn best(&self) -> LargestDisplacement<S> {
         let zero = S::constant(0.0);
-        let mut best = Best {
+        let mut best = LargestDisplacement {
             value: zero,
             lag: None,
         };
@@ -219,7 +221,7 @@ where
 
     /// Notes the relative motion at all events, because the motion is largest where its velocity is zero.  The end of a
     /// stop is left out, because the motion reaches its largest displacement at the beginning of the stop.
-    fn at_events(&self, best: &mut Best<S>) {
+    fn at_events(&self, best: &mut LargestDisplacement<S>) {
         let (mut first, mut stuck) = (None, false);
         for mark in self.orbit.segments() {
             if first.is_none() {
@@ -264,14 +266,14 @@ where
         if self.reversed { -value } else { value }
     }
 
-    fn evaluate(&self, tau: S, question: impl Fn(&Sum<'_, S>, S) -> S) -> S {
+    fn evaluate(&self, tau: S, question: impl Fn(&OscillatorSum<'_, S>, S) -> S) -> S {
         let Some((mut segments, mark, since)) = Segments::at(self.orbit, tau) else {
             return S::constant(0.0);
         };
         question(&self.segment_sum(segments.parts(), &mark), since)
     }
 
-    pub(super) fn each(&self, mut question: impl FnMut(&SegmentStart<S>, &Sum<'_, S>)) {
+    pub(super) fn each(&self, mut question: impl FnMut(&SegmentStart<S>, &OscillatorSum<'_, S>)) {
         let mut segments = self.orbit.segments();
         while let Some(mark) = segments.next() {
             let sum = self.segment_sum(segments.parts(), &mark);
@@ -281,7 +283,11 @@ where
 
     /// Returns the motion in one segment as a sum over oscillators.  The oscillators are in the state at the segment's
     /// start.
-    fn segment_sum<'p>(&self, parts: &'p mut [Part<S>], mark: &SegmentStart<S>) -> Sum<'p, S> {
+    fn segment_sum<'p>(
+        &self,
+        parts: &'p mut [Part<S>],
+        mark: &SegmentStart<S>,
+    ) -> OscillatorSum<'p, S> {
         let zero = S::constant(0.0);
         let (setting, contact_state, reach) =
             (&self.orbit.setting, &mark.contact_state, mark.length);
@@ -346,11 +352,11 @@ where
         let (sine, cosine) = at;
         let cosines = rotated(fundamental, sine, cosine);
         let sines = -(fundamental.re * sine) - fundamental.im * cosine;
-        Sum::new(parts, constant, (cosines, sines), at, reach)
+        OscillatorSum::new(parts, constant, (cosines, sines), at, reach)
     }
 }
 
-impl<S: Float> Best<S> {
+impl<S: Float> LargestDisplacement<S> {
     /// Notes a value at an instant, which is in half-turns of the excitation.
     fn note(&mut self, t: S, value: S) {
         let (one, two) = (S::constant(1.0), S::constant(2.0));

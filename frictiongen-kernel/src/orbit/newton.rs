@@ -1,9 +1,10 @@
 //! Newton's method on the map of half a period or of a whole period, and the multipliers of that map.
 
-use super::cycle_map::{CycleMap, Pattern, unit};
-use super::matrix::Matrix;
+use super::cycle_map::{CycleMap, EventPattern, unit};
+use super::matrix::SquareMatrix;
+use super::types::MAX_SEGMENTS;
 use crate::errors::NoOrbit;
-use crate::motion::{Contact, ContactState};
+use crate::motion::{Contact, ContactChain, ContactState};
 use crate::number::complex::{self, Complex};
 use crate::number::pairs::pairs_mut;
 use crate::number::scalar::Float;
@@ -47,16 +48,37 @@ pub(super) struct Workspace<'m, S> {
     pub multipliers: &'m mut [Complex<S>],
 }
 
-/// Map of a state over half a period, or over a whole period.
+impl<'m, S: Float> Workspace<'m, S> {
+    /// Divides the memory of an orbit ([`numbers`](super::numbers)) into the states of its segments and the workspace.
+    pub fn divided(
+        numbers: &'m mut [S],
+        multipliers: &'m mut [Complex<S>],
+        (modes, driven): (usize, usize),
+    ) -> (&'m mut [S], Self) {
+        let states = numbers.len().min(MAX_SEGMENTS * 2 * modes);
+        let (states, rest) = numbers.split_at_mut(states);
+        let (matrix, rest) = rest.split_at_mut(rest.len().min(4 * driven * driven));
+        let (state, other) = rest.split_at_mut(rest.len() / 2);
+        let workspace = Self {
+            matrix,
+            state,
+            other,
+            multipliers,
+        };
+        (states, workspace)
+    }
+}
+
+/// Map of a state over half a period, or over a whole one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Map {
+pub(super) struct PeriodMap {
     /// Period in cycles of the excitation.
     pub period: u32,
     /// True if the map goes over half a period and changes the sign of the state.
     pub symmetric: bool,
 }
 
-impl Map {
+impl PeriodMap {
     /// Map of a symmetric state that repeats after one cycle.
     pub const HALF_CYCLE: Self = Self {
         period: 1,
@@ -75,11 +97,11 @@ impl Map {
 
 /// Applies Newton's method from the state of the cycle map.  Returns the events during the map, with the cycle map at
 /// the fixed point.  Returns `None` if the method does not converge.
-pub(super) fn newton<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn newton<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
-    map: Map,
-) -> Result<Option<Pattern>, NoOrbit> {
+    map: PeriodMap,
+) -> Result<Option<EventPattern>, NoOrbit> {
     let symmetric = map.symmetric;
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let size = cycle_map.size();
@@ -117,7 +139,7 @@ pub(super) fn newton<S: Float>(
         if symmetric {
             negate(workspace.matrix);
         }
-        if !Matrix::new(workspace.matrix, size).solve_shifted(one, workspace.other) {
+        if !SquareMatrix::new(workspace.matrix, size).solve_shifted(one, workspace.other) {
             return Ok(None);
         }
         let mut step = zero;
@@ -149,12 +171,12 @@ pub(super) fn newton<S: Float>(
 }
 
 /// Applies the map to the state and its deviations.  Returns the contact's state after the map, and the events.
-pub(super) fn mapped<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn mapped<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     columns: &mut [S],
-    map: Map,
-) -> Result<(Contact, Pattern), NoOrbit> {
-    let mut pattern = Pattern::default();
+    map: PeriodMap,
+) -> Result<(Contact, EventPattern), NoOrbit> {
+    let mut pattern = EventPattern::default();
     for _ in 0..map.halves() {
         pattern = pattern.and(cycle_map.advance_half(Some(columns))?);
     }
@@ -175,10 +197,10 @@ pub(super) fn negate<S: Float>(numbers: &mut [S]) {
 
 /// Computes the multipliers of the period, for a cycle map at a fixed point.  The cycle map stays there.  Returns the
 /// largest modulus of the map's multipliers.
-pub(super) fn multipliers<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn multipliers<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
-    map: Map,
+    map: PeriodMap,
 ) -> Result<S, NoOrbit> {
     let size = cycle_map.size();
     let start: ContactState<S> = cycle_map.contact_state;
@@ -186,7 +208,7 @@ pub(super) fn multipliers<S: Float>(
     unit(workspace.matrix, size);
     mapped(cycle_map, workspace.matrix, map)?;
     cycle_map.restore(workspace.other, &start);
-    Matrix::new(workspace.matrix, size).eigenvalues(workspace.multipliers);
+    SquareMatrix::new(workspace.matrix, size).eigenvalues(workspace.multipliers);
     let mut largest = S::constant(0.0);
     for multiplier in workspace.multipliers.iter_mut() {
         largest = largest.max(complex::modulus(*multiplier, true));

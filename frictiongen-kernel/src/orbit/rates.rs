@@ -4,7 +4,7 @@
 //! It can only miss an extreme that lies within one sampling step of another extreme.  Two such extremes differ by less
 //! than a thousandth of their value.
 
-use crate::motion::Sum;
+use crate::motion::OscillatorSum;
 use crate::number::scalar::Float;
 
 /// Number of sampled instants in a half-turn of the fastest motion.
@@ -18,17 +18,17 @@ const MOST: f64 = 4096.0;
 const STEPS: usize = 40;
 
 /// Returns the largest |f′| over the searched length.
-pub(super) fn largest_slope<S: Float>(sum: &Sum<'_, S>) -> S {
+pub(super) fn largest_slope<S: Float>(sum: &OscillatorSum<'_, S>) -> S {
     largest(sum, |tau| sum.local(tau).slope.abs())
 }
 
 /// Returns the largest |f″| over the searched length.
-pub(super) fn largest_curve<S: Float>(sum: &Sum<'_, S>) -> S {
+pub(super) fn largest_curve<S: Float>(sum: &OscillatorSum<'_, S>) -> S {
     largest(sum, |tau| sum.local(tau).curve.abs())
 }
 
 /// Returns the largest value of `size` over the searched length of a sum.
-fn largest<S: Float>(sum: &Sum<'_, S>, size: impl Fn(S) -> S) -> S {
+fn largest<S: Float>(sum: &OscillatorSum<'_, S>, size: impl Fn(S) -> S) -> S {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let wanted = sum.rate * sum.reach * S::inverse_pi() * S::constant(PLACES);
     let places = -(-wanted.max(S::constant(FEWEST)).min(S::constant(MOST))).floor();

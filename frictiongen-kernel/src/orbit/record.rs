@@ -8,7 +8,7 @@ use super::cycle_map::CycleMap;
 use super::newton::agreement;
 use super::types::{MAX_SEGMENTS, SegmentStart};
 use crate::errors::NoOrbit;
-use crate::motion::{Contact, ContactState, Event, leap};
+use crate::motion::{Contact, ContactChain, ContactState, Event, leap};
 use crate::number::scalar::Float;
 
 /// A record in progress.
@@ -31,7 +31,7 @@ pub(super) struct Record<'s, S> {
 }
 
 /// Result of a recording.
-pub(super) struct Recorded<S> {
+pub(super) struct RecordedPeriod<S> {
     pub count: usize,
     pub stops: usize,
     pub reversals: usize,
@@ -61,7 +61,11 @@ impl<'s, S: Float> Record<'s, S> {
     }
 
     /// Records a contact that sticks during the whole cycle, with z̄ at `offset`.
-    pub(super) fn stuck(&mut self, cycle_map: &CycleMap<'_, '_, S>, offset: S) {
+    pub(super) fn stuck<K: ContactChain<S>>(
+        &mut self,
+        cycle_map: &CycleMap<'_, '_, S, K>,
+        offset: S,
+    ) {
         if let Some(first) = self.marks.first_mut() {
             first.length = S::pi() + S::pi();
             first.relative = offset;
@@ -71,9 +75,9 @@ impl<'s, S: Float> Record<'s, S> {
     }
 
     /// Follows the motion from event to event through a period of `period` cycles, and records its segments.
-    pub(super) fn follow(
+    pub(super) fn follow<K: ContactChain<S>>(
         &mut self,
-        cycle_map: &mut CycleMap<'_, '_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
         period: u32,
     ) -> Result<(), NoOrbit> {
         let zero = S::constant(0.0);
@@ -107,7 +111,11 @@ impl<'s, S: Float> Record<'s, S> {
 
     /// Returns the start of the segment that now begins.  Stores the oscillators' state if the segment will have a
     /// mark.
-    fn begin(&mut self, cycle_map: &CycleMap<'_, '_, S>, cycle: S) -> SegmentStart<S> {
+    fn begin<K: ContactChain<S>>(
+        &mut self,
+        cycle_map: &CycleMap<'_, '_, S, K>,
+        cycle: S,
+    ) -> SegmentStart<S> {
         if self.is_due() {
             if self.count == MAX_SEGMENTS {
                 self.thin();
@@ -182,19 +190,19 @@ impl<'s, S: Float> Record<'s, S> {
         self.stride += self.stride;
     }
 
-    fn save(&mut self, cycle_map: &CycleMap<'_, '_, S>, index: usize) {
+    fn save<K: ContactChain<S>>(&mut self, cycle_map: &CycleMap<'_, '_, S, K>, index: usize) {
         let size = self.size;
         if let Some(state) = self.states.get_mut(index * size..(index + 1) * size) {
             cycle_map.save(state);
         }
     }
 
-    pub(super) fn done(self) -> Recorded<S> {
+    pub(super) fn done(self) -> RecordedPeriod<S> {
         let zero = S::constant(0.0);
         if let (Some(first), Some(stuck_at)) = (self.marks.first_mut(), self.stuck_at) {
             first.relative = stuck_at;
         }
-        Recorded {
+        RecordedPeriod {
             count: self.count,
             stops: self.stops,
             reversals: self.reversals,

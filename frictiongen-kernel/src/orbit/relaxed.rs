@@ -8,10 +8,10 @@
 //! step is.
 
 use super::cycle_map::{CycleMap, unit};
-use super::matrix::Matrix;
-use super::newton::{Map, Workspace, mapped, negate};
+use super::matrix::SquareMatrix;
+use super::newton::{PeriodMap, Workspace, mapped, negate};
 use crate::errors::NoOrbit;
-use crate::motion::Contact;
+use crate::motion::{Contact, ContactChain};
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
@@ -33,8 +33,8 @@ const LARGEST_SHIFT: f64 = 64.0;
 const NEAR: f64 = 1e-11;
 
 /// Moves the cycle map towards the symmetric state that repeats after one cycle.  `last` has room for a state.
-pub(super) fn relax<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn relax<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     last: &mut [S],
 ) -> Result<(), NoOrbit> {
@@ -61,8 +61,8 @@ pub(super) fn relax<S: Float>(
 }
 
 /// Makes one Euler step from `last`.  Returns false if Newton's method does not find the new state.
-fn step<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn step<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     last: &[S],
     shift: S,
@@ -72,7 +72,7 @@ fn step<S: Float>(
     for _ in 0..NEWTON_STEPS {
         cycle_map.save(workspace.other);
         unit(workspace.matrix, size);
-        let (image, _) = mapped(cycle_map, workspace.matrix, Map::HALF_CYCLE)?;
+        let (image, _) = mapped(cycle_map, workspace.matrix, PeriodMap::HALF_CYCLE)?;
         if (image == Contact::Stuck) != (start.contact == Contact::Stuck) {
             return Ok(false);
         }
@@ -88,7 +88,7 @@ fn step<S: Float>(
             }
         }
         negate(workspace.matrix);
-        if !Matrix::new(workspace.matrix, size).solve_shifted(one + shift, workspace.other) {
+        if !SquareMatrix::new(workspace.matrix, size).solve_shifted(one + shift, workspace.other) {
             return Ok(false);
         }
         let mut change = zero;

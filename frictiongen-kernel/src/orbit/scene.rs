@@ -3,7 +3,7 @@
 use super::start::Start;
 use super::types::Orbit;
 use crate::errors::NoOrbit;
-use crate::motion::Part;
+use crate::motion::{ContactChain, Part};
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 use crate::response::{At, Scene};
@@ -29,12 +29,13 @@ pub trait Known {
     fn print(&self) -> Print<Self::Scalar>;
 }
 
-impl<S, P, V, C> Known for Orbit<'_, S, P, V, C>
+impl<S, P, V, C, K> Known for Orbit<'_, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     type Scalar = S;
 

@@ -5,14 +5,14 @@
 
 use super::record::{passed, slack, within};
 use super::types::{Orbit, SegmentStart};
-use crate::motion::{Part, leap, span};
+use crate::motion::{ContactChain, Part, leap, span};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
 
 /// Iterator over the segments of a steady state.
-pub(super) struct Segments<'o, 'a, S, P, V, C> {
-    orbit: &'o Orbit<'a, S, P, V, C>,
+pub(super) struct Segments<'o, 'a, S, P, V, C, K> {
+    orbit: &'o Orbit<'a, S, P, V, C, K>,
     /// The oscillators for the segment returned last, once the caller has requested them.
     parts: Option<P>,
     /// True if the oscillators have the state at the start of the segment returned last.
@@ -24,15 +24,16 @@ pub(super) struct Segments<'o, 'a, S, P, V, C> {
     more: u32,
 }
 
-impl<'o, 'a, S, P, V, C> Segments<'o, 'a, S, P, V, C>
+impl<'o, 'a, S, P, V, C, K> Segments<'o, 'a, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     /// Creates an iterator that starts at the mark with this index.
-    pub(super) fn from(orbit: &'o Orbit<'a, S, P, V, C>, mark: usize) -> Self {
+    pub(super) fn from(orbit: &'o Orbit<'a, S, P, V, C, K>, mark: usize) -> Self {
         Self {
             orbit,
             parts: None,
@@ -46,7 +47,7 @@ where
     /// Returns the segment that contains the instant τ after the orbit's origin.  Also returns the time from the
     /// segment's start to the instant.
     pub(super) fn at(
-        orbit: &'o Orbit<'a, S, P, V, C>,
+        orbit: &'o Orbit<'a, S, P, V, C, K>,
         tau: S,
     ) -> Option<(Self, SegmentStart<S>, S)> {
         let two = S::constant(2.0);
@@ -143,12 +144,13 @@ where
     }
 }
 
-impl<S, P, V, C> Iterator for Segments<'_, '_, S, P, V, C>
+impl<S, P, V, C, K> Iterator for Segments<'_, '_, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     type Item = SegmentStart<S>;
 

@@ -1,14 +1,15 @@
 //! Searches for the steady state as a fixed point of the half-period map times −1, or of the period map.  The period is
 //! one cycle of the excitation, or several cycles.
 
-use super::candidate::{Candidate, Found, MAX_PERIOD, Verdict};
-use super::cycle_map::{CycleMap, Pattern};
+use super::candidate::{Candidate, CandidateVerdict, FoundState, MAX_PERIOD};
+use super::cycle_map::{CycleMap, EventPattern};
 use super::hold::Hold;
-use super::newton::{Map, Workspace, same};
+use super::newton::{PeriodMap, Workspace, same};
 use super::relaxed::relax;
 use super::start::Start;
 use super::types::MAX_CYCLES;
 use crate::errors::NoOrbit;
+use crate::motion::{ContactChain, Law};
 use crate::number::scalar::Float;
 
 /// Upper bound on the cycles followed from a start that may be near a steady state.  Such starts are the stuck state,
@@ -37,7 +38,7 @@ impl<S> Start<'_, S> {
 
 /// Result of following a motion.
 pub(super) enum Settled<S> {
-    Found(Found<S>),
+    Found(FoundState<S>),
     /// The contact sticks for ever, with this value of z̄.
     Stuck(S),
     /// The search reached its upper bound on cycles without a steady state.  The value is the reason.
@@ -49,8 +50,8 @@ pub(super) enum Settled<S> {
 ///
 /// `holding` is |V/H| if β is large enough for a stuck state, and `None` otherwise.  The search follows at most `most`
 /// cycles.  `spare` has room for two states.
-pub(super) fn settle<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+pub(super) fn settle<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     holding: Option<S>,
     most: u32,
@@ -66,7 +67,7 @@ pub(super) fn settle<S: Float>(
     }
     let mut failure = NoOrbit::Unsettled;
     let (mut cycles, mut wanted) = (0, 2);
-    let mut halves = [Pattern::default(); 4];
+    let mut halves = [EventPattern::default(); 4];
     // Numbers of successive half cycles with unchanged events.  The first number compares with the half cycle before,
     // the second with the cycle before.
     let mut settled = [0u32; 2];
@@ -103,7 +104,7 @@ pub(super) fn settle<S: Float>(
             }
             cycle_map.save(workspace.state);
             let mut candidate = Candidate {
-                map: Map {
+                map: PeriodMap {
                     period: 1,
                     symmetric,
                 },
@@ -117,12 +118,12 @@ pub(super) fn settle<S: Float>(
             let verdict = candidate.try_from(cycle_map, workspace);
             cycles = candidate.cycles;
             match verdict {
-                Ok(Verdict::Found(found)) => return Ok(Settled::Found(found)),
-                Ok(Verdict::Wait) => {
+                Ok(CandidateVerdict::Found(found)) => return Ok(Settled::Found(found)),
+                Ok(CandidateVerdict::Wait) => {
                     cycle_map.restore(workspace.state, &candidate.here);
                     break;
                 }
-                Ok(Verdict::No) => {}
+                Ok(CandidateVerdict::No) => {}
                 Err(error) => failure = error,
             }
             cycle_map.restore(workspace.state, &candidate.here);
@@ -148,17 +149,17 @@ pub(super) fn settle<S: Float>(
 
 /// Finds the only steady state of a scene with μ = 1 that the motion approaches too slowly.  Without success the cycle
 /// map stays on the motion.
-fn slow<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn slow<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
-    [last, before, ..]: [Pattern; 4],
+    [last, before, ..]: [EventPattern; 4],
     spare: &mut [S],
-) -> Option<Found<S>> {
+) -> Option<FoundState<S>> {
     let here = cycle_map.contact_state;
     let (motion, taken) = spare.split_at_mut(spare.len() / 2);
     cycle_map.save(motion);
     let mut candidate = Candidate {
-        map: Map::HALF_CYCLE,
+        map: PeriodMap::HALF_CYCLE,
         wanted: last,
         recent: last.and(before),
         alike: 0,
@@ -169,7 +170,7 @@ fn slow<S: Float>(
     if relax(cycle_map, workspace, taken).is_ok() {
         cycle_map.save(workspace.state);
         candidate.here = cycle_map.contact_state;
-        if let Ok(Verdict::Found(found)) = candidate.try_from(cycle_map, workspace) {
+        if let Ok(CandidateVerdict::Found(found)) = candidate.try_from(cycle_map, workspace) {
             return Some(found);
         }
     }
@@ -179,8 +180,8 @@ fn slow<S: Float>(
 
 /// Finds a steady state near the motion that repeats after several cycles.  Without success the cycle map stays on the
 /// motion.
-fn several<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn several<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     cycles: &mut u32,
     mut failure: NoOrbit,
@@ -197,7 +198,7 @@ fn several<S: Float>(
             };
             cycle_map.save(workspace.state);
             let mut candidate = Candidate {
-                map: Map { period, symmetric },
+                map: PeriodMap { period, symmetric },
                 wanted,
                 recent: total,
                 alike: 0,
@@ -206,7 +207,7 @@ fn several<S: Float>(
                 here: cycle_map.contact_state,
             };
             let mut verdict = candidate.try_from(cycle_map, workspace);
-            if matches!(verdict, Ok(Verdict::Found(_)))
+            if matches!(verdict, Ok(CandidateVerdict::Found(_)))
                 && let Some(sooner) = repeats_sooner(cycle_map, workspace, period)?
             {
                 // The search tries the same state again with the smaller number of cycles.
@@ -219,12 +220,12 @@ fn several<S: Float>(
                         candidate.wanted = wanted;
                         candidate.try_from(cycle_map, workspace)
                     }
-                    None => Ok(Verdict::No),
+                    None => Ok(CandidateVerdict::No),
                 };
             }
             *cycles = candidate.cycles;
             match verdict {
-                Ok(Verdict::Found(found)) => return Ok(Settled::Found(found)),
+                Ok(CandidateVerdict::Found(found)) => return Ok(Settled::Found(found)),
                 Ok(_) => {}
                 Err(error) => failure = error,
             }
@@ -238,8 +239,8 @@ fn several<S: Float>(
 /// Returns the smallest number of cycles, below `period`, after which the fixed point already repeats, if there is one.
 /// A free vibration that decays slowly comes back to itself and looks like a longer period.  The cycle map is at the
 /// fixed point before and after the call.
-fn repeats_sooner<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn repeats_sooner<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     period: u32,
 ) -> Result<Option<u32>, NoOrbit> {
@@ -261,14 +262,14 @@ fn repeats_sooner<S: Float>(
 /// Finds the number of cycles, more than `after` and at most `most`, after which the motion comes back close to its
 /// present state.  After fewer cycles the motion must not be as close.  Returns that number, and the events during
 /// these cycles.
-fn comes_back<S: Float>(
-    cycle_map: &mut CycleMap<'_, '_, S>,
+fn comes_back<S: Float, K: ContactChain<S>>(
+    cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     cycles: &mut u32,
     after: u32,
     most: u32,
-) -> Result<Option<(u32, Pattern)>, NoOrbit> {
-    let mut total = Pattern::default();
+) -> Result<Option<(u32, EventPattern)>, NoOrbit> {
+    let mut total = EventPattern::default();
     cycle_map.save(workspace.state);
     let mut near = cycle_map.scale() * S::constant(NEARLY_BACK);
     for period in 1..=most {
@@ -288,7 +289,7 @@ fn comes_back<S: Float>(
 /// Returns the events that a map should have if a whole period has the events `total`.  A symmetric map has half of
 /// them.  If the period has an even number of cycles, the load has the same sign after half a period.  No symmetric map
 /// exists then, and the result is `None`.
-fn wanted(total: Pattern, symmetric: bool, period: u32) -> Option<Pattern> {
+fn wanted(total: EventPattern, symmetric: bool, period: u32) -> Option<EventPattern> {
     if !symmetric {
         return Some(total);
     }

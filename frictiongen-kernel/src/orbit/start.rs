@@ -5,6 +5,7 @@ use super::cycle_map::CycleMap;
 use super::newton::Workspace;
 use super::types::MAX_STEPS;
 use crate::errors::{NoOrbit, OutOfDomain};
+use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
 /// Number of cycles that a motion runs at a neighbouring friction ratio before β takes its own value.
@@ -27,9 +28,9 @@ pub enum Start<'s, S> {
 
 impl<S: Float> Start<'_, S> {
     /// Sets the oscillators and the contact of the cycle map to this initial state.  For `Stuck` the caller sets them.
-    pub(super) fn set_start(
+    pub(super) fn set_start<K: ContactChain<S>>(
         self,
-        cycle_map: &mut CycleMap<'_, '_, S>,
+        cycle_map: &mut CycleMap<'_, '_, S, K>,
         workspace: &mut Workspace<'_, S>,
     ) -> Result<(), NoOrbit> {
         let (zero, setting) = (S::constant(0.0), cycle_map.setting);

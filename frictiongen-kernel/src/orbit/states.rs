@@ -3,7 +3,7 @@
 use super::scene::{Known, Print, ProvidesOrbit};
 use super::start::Start;
 use crate::errors::OutOfDomain;
-use crate::motion::Rigid;
+use crate::motion::{ContactChain, Law};
 use crate::number::scalar::{Float, Scalar};
 use crate::response::{At, Scene};
 use core::fmt;
@@ -44,7 +44,7 @@ impl<T: ProvidesOrbit> States<T> {
         add(Some(Start::Rest));
         let zero = T::Scalar::constant(0.0);
         // With μ = 1 the distance of two motions never grows, so that all starts lead to the same state.
-        let law = Rigid::on_chain(&at.scene().numbers().chain, beta);
+        let law = at.scene().numbers().chain.law(beta);
         if law.is_contraction() || beta.is_zero() {
             return Ok(Self::from_starts(at, beta, starts));
         }

@@ -1,5 +1,6 @@
 //! A steady state, its segments, and the bounds of the search for it.
 
+use crate::contact::sums::Chain;
 use crate::motion::{Contact, ContactState, Setting};
 use crate::number::scalar::Float;
 
@@ -54,8 +55,8 @@ impl<S: Float> SegmentStart<S> {
 /// `P` owns the oscillators, `V` the scalars of memory ([`numbers`](super::numbers)), and `C` the multipliers, two for
 /// each mode that the contact drives.  All three are arrays in emitted code and vectors at run time.
 #[derive(Clone, Debug)]
-pub struct Orbit<'a, S, P, V, C> {
-    pub(super) setting: Setting<'a, S>,
+pub struct Orbit<'a, S, P, V, C, K = Chain<S>> {
+    pub(super) setting: Setting<'a, S, K>,
     pub(super) parts: P,
     pub(super) numbers: V,
     pub(super) multipliers: C,

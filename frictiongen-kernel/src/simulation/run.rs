@@ -1,9 +1,10 @@
 //! A simulation that advances in time, segment by segment.
 
+use crate::contact::sums::Chain;
 use crate::errors::{Given, OutOfDomain};
 use crate::motion::{
-    Clock, Constant, Contact, ContactState, Dynamics, Event, Level, Lines, Part, Setting, Sought,
-    Total, ended, phase, seek,
+    Clock, Constant, Contact, ContactChain, ContactState, Dynamics, Event, Level, Lines, Part,
+    Setting, Sought, Total, ended, phase, seek,
 };
 use crate::number::scalar::{Float, Plain};
 
@@ -47,10 +48,10 @@ impl<S: Float> Moment<S> {
 /// for a cycle is returned in pieces of a cycle.
 ///
 /// `P` owns the oscillators: an array in emitted code, a vector at run time.  `L` is the kinetic friction:
-/// [`Constant`], or [`Lines`] over the speed.
+/// [`Constant`], or [`Lines`] over the speed.  `K`, the constants of the chain, selects the law of the contact.
 #[derive(Clone, Debug)]
-pub struct Simulation<'a, S, P, L = Constant> {
-    setting: Setting<'a, S>,
+pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
+    setting: Setting<'a, S, K>,
     parts: P,
     level: L,
     /// State of the contact at the start of the segment.
@@ -77,7 +78,9 @@ pub type FixedLinesSimulation<S, const PARTS: usize> =
 /// segment.
 pub const MAX_STRETCHES: u32 = 4096;
 
-impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> {
+impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
+    Simulation<'a, S, P, Constant, K>
+{
     /// Creates a simulation from a state at a maximum of the excitation, τ = 0.  The state has the displacements x̄ of
     /// the masses and their velocities dx̄/dτ.  Without a state the motion starts from rest.  `parts` has one
     /// [`Part::empty`] for each mode and each mode of the stuck chain.
@@ -87,7 +90,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     /// state without one finite displacement and velocity for each mass, and a wrong number of `parts`, give the same
     /// error.
     pub fn new(
-        dynamics: Dynamics<'a, S>,
+        dynamics: Dynamics<'a, S, K>,
         r: S,
         beta: S,
         state: Option<(&[S], &[S])>,
@@ -100,7 +103,9 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P> 
     }
 }
 
-impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P, Lines<'a, S>> {
+impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
+    Simulation<'a, S, P, Lines<'a, S>, K>
+{
     /// Creates a simulation whose kinetic friction changes with the speed, in straight `lines`.
     ///
     /// # Errors
@@ -108,7 +113,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P, 
     /// leave the scalar's range.  [`OutOfDomain::Steepness`] for a law that changes the motion more than
     /// [`MAX_STEEPNESS`](super::MAX_STEEPNESS) times as fast as the fastest mode does.
     pub fn along(
-        dynamics: Dynamics<'a, S>,
+        dynamics: Dynamics<'a, S, K>,
         r: S,
         beta: S,
         lines: Lines<'a, S>,
@@ -129,11 +134,11 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>> Simulation<'a, S, P, 
     }
 }
 
-impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
-    Simulation<'a, S, P, L>
+impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: ContactChain<S>>
+    Simulation<'a, S, P, L, K>
 {
     fn under(
-        dynamics: Dynamics<'a, S>,
+        dynamics: Dynamics<'a, S, K>,
         (r, beta, level): (S, S, L),
         state: Option<(&[S], &[S])>,
         mut parts: P,
@@ -189,7 +194,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     pub fn relative(&self) -> (S, S) {
         let at = phase(self.now.t);
         let velocity = if self.contact_state.contact == Contact::Stuck {
-            S::constant(0.0)
+            K::stuck_velocity(&self.setting, self.parts.as_ref(), at)
         } else {
             self.setting.relative_velocity(self.parts.as_ref(), at).0
         };
@@ -201,9 +206,9 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     /// positive sliding.
     #[must_use]
     pub fn friction(&self) -> S {
-        let (contact, at) = (self.contact_state.contact, phase(self.now.t));
+        let at = phase(self.now.t);
         self.setting
-            .contact_force(&self.level, self.parts.as_ref(), contact, at)
+            .contact_force(&self.level, self.parts.as_ref(), &self.contact_state, at)
     }
 
     fn sum(&self, shape: &[S], of: impl Fn(&Part<S>) -> S) -> S {
@@ -318,8 +323,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>>
     }
 }
 
-impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>> Iterator
-    for Simulation<'a, S, P, L>
+impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: ContactChain<S>>
+    Iterator for Simulation<'a, S, P, L, K>
 {
     type Item = Segment<S>;
 

@@ -1,5 +1,6 @@
 //! Work and energy of a stepper's run. They are the terms of its energy balance.
 
+use super::law::StepContact;
 use super::state::Store;
 use super::table::Tables;
 use super::types::Stepper;
@@ -22,7 +23,9 @@ pub struct Work<S> {
     pub stored: S,
 }
 
-impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
+impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+    Stepper<'_, S, D, T, V, K>
+{
     /// Returns the energy balance since the start.
     #[must_use]
     pub fn work(&self) -> Work<S> {

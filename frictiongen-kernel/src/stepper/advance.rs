@@ -1,14 +1,15 @@
 //! Advances through one sub-interval of a step.  The stepper uses its tables if the contact certainly has no event, and
 //! searches for events otherwise.
 
-use super::interval::Interval;
+use super::interval::StepInterval;
+use super::law::StepContact;
 use crate::motion::Contact;
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// Advances the modes and the contact through the whole sub-interval.
     pub(super) fn advance(&mut self) {
-        if self.status.law.level.is_zero() {
+        if self.status.level.is_zero() {
             return self.advance_without_friction();
         }
         self.advance_by_tables(self.driven());

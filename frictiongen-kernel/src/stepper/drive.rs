@@ -3,7 +3,7 @@
 use super::input::Input;
 use super::scene::StepScene;
 use crate::errors::{Given, OutOfDomain};
-use crate::motion::Rigid;
+use crate::motion::{ContactChain, Law};
 use crate::number::scalar::Float;
 
 /// The input at one instant, in the scene's units.
@@ -20,7 +20,11 @@ pub struct Sample<'i, S> {
 
 impl<S: Float> Sample<'_, S> {
     /// Fails if the sample is outside the scene's domain.
-    pub(super) fn check(&self, scene: &StepScene<'_, S>, law: Rigid<S>) -> Result<(), OutOfDomain> {
+    pub(super) fn check<K: ContactChain<S>>(
+        &self,
+        scene: &StepScene<'_, S, K>,
+        stiction: S,
+    ) -> Result<(), OutOfDomain> {
         let (_, limit) = S::inverse_ratio_range();
         let most = limit * scene.units.stiffness;
         let energy = limit * limit * scene.units.stiffness;
@@ -45,10 +49,7 @@ impl<S: Float> Sample<'_, S> {
             return Err(OutOfDomain::BaseMotion(Given::of(velocity)));
         }
         let friction = self.friction;
-        let law = Rigid {
-            level: friction,
-            ..law
-        };
+        let law = scene.dynamics.chain.law_with(friction, stiction);
         if !(S::constant(0.0) <= friction && sound(friction) && sound(law.grip())) {
             return Err(OutOfDomain::Friction(Given::of(friction)));
         }
@@ -58,14 +59,14 @@ impl<S: Float> Sample<'_, S> {
 
 /// A sub-interval of a step, in fractions of the step.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stretch<S> {
+pub(super) struct SubInterval<S> {
     /// Start of the sub-interval, from 0 to 1.
     pub start: S,
     /// Length of the sub-interval, as a fraction of the step.
     pub length: S,
 }
 
-impl<S: Float> Stretch<S> {
+impl<S: Float> SubInterval<S> {
     pub(super) fn nth(place: u32, parts: u32) -> Self {
         let parts = S::constant(f64::from(parts));
         Self {

@@ -1,11 +1,12 @@
 //! One sub-interval of a step in which the stepper searches for events, and advances from event to event.
 
-use super::interval::{Departure, Interval, ROUNDINGS};
+use super::interval::{Departure, ROUNDINGS, StepInterval};
+use super::law::StepContact;
 use super::{MAX_EVENTS, MAX_STRETCHES};
-use crate::motion::{Contact, line_at};
+use crate::motion::{Contact, Law, line_at};
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// Advances from event to event to the end of the sub-interval.
     pub(super) fn follow_events(&mut self) {
         let one = S::constant(1.0);
@@ -52,7 +53,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             return;
         }
         let force = self.stuck_force();
-        let law = self.status.law;
+        let law = self.law();
         // The acceleration of a moving base is unknown before the first step.  Only the first step decides whether the
         // contact breaks away.
         self.status.contact_force = law.limited(force);

@@ -4,6 +4,7 @@ use super::drive::shift;
 use super::scene::StepScene;
 use super::state::{Status, StoreMut};
 use super::table::View;
+use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
 /// Bound on the rounding error of a sum over modes, in roundings of the sum of its terms' absolute values.
@@ -13,8 +14,8 @@ pub(super) const ROUNDINGS: f64 = 8.0;
 pub(super) const OFF_CHORD: f64 = 0.125;
 
 /// Data of a stepper during one sub-interval of a step. Times count in sub-intervals.
-pub(super) struct Interval<'t, 'a, S, const D: usize> {
-    pub scene: &'t StepScene<'a, S>,
+pub struct StepInterval<'t, 'a, S, const D: usize, K> {
+    pub scene: &'t StepScene<'a, S, K>,
     pub table: View<'t, S, D>,
     pub store: StoreMut<'t, S, D>,
     pub status: &'t mut Status<S>,
@@ -37,9 +38,15 @@ pub(super) struct Departure<S> {
     pub stuck: Option<S>,
 }
 
-impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K> {
     pub(super) fn driven(&self) -> usize {
         self.scene.dynamics.in_contact().min(self.store.modes.len())
+    }
+
+    /// The law of the contact, with forces over k₁.
+    #[inline]
+    pub(super) fn law(&self) -> K::Law {
+        self.status.law(self.scene)
     }
 
     pub(super) fn terms(&self) -> usize {

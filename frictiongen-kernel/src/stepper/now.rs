@@ -2,13 +2,16 @@
 
 use super::cost::Cost;
 use super::interval::ROUNDINGS;
+use super::law::StepContact;
 use super::state::Store;
 use super::table::Tables;
 use super::types::{ContactNow, MassNow, Stepper};
-use crate::motion::{Contact, line};
+use crate::motion::{Contact, Law, line};
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
+impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+    Stepper<'_, S, D, T, V, K>
+{
     /// Returns upper bounds on the cost of a step, in floating-point operations.
     #[must_use]
     pub fn cost(&self) -> Cost {
@@ -50,7 +53,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
     /// Returns μ, the ratio of static to kinetic friction force.
     #[must_use]
     pub fn stiction(&self) -> S {
-        self.status.law.stiction
+        self.status.stiction
     }
 
     /// Derives the contact's state from its velocity.  A velocity no larger than the rounding of its terms counts as
@@ -189,7 +192,9 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
             } else {
                 zero
             };
-            status.law.kinetic_at(&line, status.contact, speed)
+            status
+                .law(&self.scene)
+                .kinetic_at(&line, status.contact, speed)
         } else {
             status.contact_force
         };

@@ -1,14 +1,15 @@
 //! Advances a stepper from sample to sample.
 
 use super::Input;
-use super::drive::{Sample, Stretch, base_motion};
-use super::interval::Interval;
+use super::drive::{Sample, SubInterval, base_motion};
+use super::interval::StepInterval;
+use super::law::StepContact;
 use super::scene::StepScene;
 use super::state::{Status, Store};
 use super::table::Tables;
 use super::types::{Stepped, Stepper};
 use crate::errors::{Given, OutOfDomain};
-use crate::motion::{Contact, Rigid, steepest};
+use crate::motion::{Contact, steepest};
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
@@ -16,7 +17,9 @@ use core::marker::PhantomData;
 /// law a power series would converge over only a small fraction of the sub-interval.
 const STEEPEST: f64 = 16.0;
 
-impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, S, D, T, V> {
+impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+    Stepper<'a, S, D, T, V, K>
+{
     /// Creates a stepper at rest under no load, or in a given state: displacements and velocities of the masses.
     ///
     /// `store` must be at rest.
@@ -24,17 +27,16 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// # Errors
     /// [`OutOfDomain`] for a state that does not have one finite displacement and velocity for each mass.
     pub fn new(
-        scene: StepScene<'a, S>,
+        scene: StepScene<'a, S, K>,
         tables: T,
         store: V,
         state: Option<(&[S], &[S])>,
     ) -> Result<Self, OutOfDomain> {
-        let law = Rigid::on_chain(&scene.dynamics.chain, S::constant(0.0));
         let mut stepper = Self {
             scene,
             tables,
             store,
-            status: Status::new(law),
+            status: Status::new(scene.dynamics.chain().stiction),
             inputs: PhantomData,
         };
         if let Some((displacements, velocities)) = state {
@@ -88,7 +90,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// # Errors
     /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
     pub fn begin(&mut self, sample: Sample<'_, S>) -> Result<(), OutOfDomain> {
-        sample.check(&self.scene, self.status.law)?;
+        sample.check(&self.scene, self.status.stiction)?;
         if self.status.steps != 0 {
             return Err(OutOfDomain::Begun);
         }
@@ -97,12 +99,12 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         self.status.unknown = true;
         self.status.contact = self.direction();
         self.status.contact_force = S::constant(0.0);
-        if !self.status.law.level.is_zero() {
+        if !self.status.level.is_zero() {
             let [place, velocity] = sample.base;
             let zero = S::constant(0.0);
             let motion = [place, velocity * self.dt(), zero, zero];
             let parts = self.tables.view().pace.parts;
-            self.interval(&sample, motion, Stretch::nth(0, parts))
+            self.interval(&sample, motion, SubInterval::nth(0, parts))
                 .begin();
         }
         Ok(())
@@ -118,7 +120,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         if self.scene.on_base {
             self.status.base = sample.base;
         }
-        self.status.law.level = sample.friction / self.scene.units.stiffness;
+        self.status.level = sample.friction / self.scene.units.stiffness;
     }
 
     /// Takes one step.  A linear input reaches this sample at the end of the step.  With zero-order hold the input has
@@ -135,7 +137,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     /// - [`Work`](OutOfDomain::Work) once the work exceeds the square of the largest permitted input, so that another
     ///   step could overflow.
     pub fn advance(&mut self, sample: Sample<'_, S>) -> Result<Stepped<S>, OutOfDomain> {
-        sample.check(&self.scene, self.status.law)?;
+        sample.check(&self.scene, self.status.stiction)?;
         self.check_work()?;
         let pace = self.tables.view().pace;
         let steep = steepest(self.scene.law);
@@ -153,7 +155,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         if hold {
             self.jump_base(sample.base);
         }
-        self.status.law.level = sample.friction / self.scene.units.stiffness;
+        self.status.level = sample.friction / self.scene.units.stiffness;
         let step = pace.step;
         let per_step = |[place, velocity]: [S; 2]| [place, velocity * step];
         let motion = base_motion(self.scene.input, per_step(from), per_step(sample.base));
@@ -165,7 +167,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         };
         for part in 0..pace.parts {
             let (events, exceeded) =
-                self.advance_interval(&sample, motion, Stretch::nth(part, pace.parts));
+                self.advance_interval(&sample, motion, SubInterval::nth(part, pace.parts));
             stepped.events += events;
             stepped.exceeded |= exceeded;
         }
@@ -174,7 +176,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
             let [place, velocity] = sample.base;
             self.status.base = [place + velocity * step, velocity];
         }
-        if self.status.law.level.is_zero() {
+        if self.status.level.is_zero() {
             self.status.contact = self.direction();
         }
         self.status.given = S::constant(0.0);
@@ -194,7 +196,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         &mut self,
         sample: &Sample<'_, S>,
         motion: [S; 4],
-        stretch: Stretch<S>,
+        stretch: SubInterval<S>,
     ) -> (u32, bool) {
         let mut interval = self.interval(sample, motion, stretch);
         interval.advance();
@@ -207,10 +209,10 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         &mut self,
         sample: &Sample<'_, S>,
         motion: [S; 4],
-        stretch: Stretch<S>,
-    ) -> Interval<'_, 'a, S, D> {
+        stretch: SubInterval<S>,
+    ) -> StepInterval<'_, 'a, S, D, K> {
         let base = self.write_inputs(sample, motion, stretch);
-        Interval {
+        StepInterval {
             scene: &self.scene,
             table: self.tables.view(),
             store: self.store.change(),
@@ -253,7 +255,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         &mut self,
         sample: &Sample<'_, S>,
         motion: [S; 4],
-        stretch: Stretch<S>,
+        stretch: SubInterval<S>,
     ) -> [S; 4] {
         let on_base = self.scene.on_base;
         let hold = self.scene.input == Input::Hold;
@@ -286,7 +288,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         if !(S::constant(1.0) <= mu && mu <= most) {
             return Err(OutOfDomain::Stiction(Given::of(mu)));
         }
-        self.status.law.stiction = mu;
+        self.status.stiction = mu;
         Ok(())
     }
 }

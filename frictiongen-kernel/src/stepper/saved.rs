@@ -1,6 +1,7 @@
 //! Saving and restoring the state of a stepper.
 
 use super::input::Input;
+use super::law::StepContact;
 use super::state::{Status, Store};
 use super::table::{Tables, View};
 use super::types::Stepper;
@@ -16,7 +17,9 @@ pub struct Saved<S, V> {
     mark: u64,
 }
 
-impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D, T, V> {
+impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+    Stepper<'_, S, D, T, V, K>
+{
     /// Returns the state from which [`restore`](Self::restore) continues the run.
     #[must_use]
     pub fn save(&self) -> Saved<S, V>
@@ -67,7 +70,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'_, S, D
         hash.count(usize::from(scene.input == Input::Linear));
         hash.number(units.stiffness).number(units.rate);
         hash.number(units.support).number(pace.step);
-        hash.number(scene.dynamics.chain.inverse_mass);
+        hash.number(scene.dynamics.chain().inverse_mass);
         for mass in scene.forces {
             hash.count(*mass);
         }

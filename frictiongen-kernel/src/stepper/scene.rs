@@ -3,7 +3,8 @@
 use super::cost::{Cost, Extent};
 use super::input::Input;
 use super::pace::Pace;
-use crate::motion::{Dynamics, TERMS};
+use crate::contact::sums::Chain;
+use crate::motion::{ContactChain, Dynamics, TERMS};
 use crate::number::scalar::Float;
 
 /// Factors that convert non-dimensional groups to the units of the scene.
@@ -19,9 +20,9 @@ pub struct Units<S> {
 
 /// Data of a scene that a stepper needs.
 #[derive(Clone, Copy, Debug)]
-pub struct StepScene<'a, S> {
+pub struct StepScene<'a, S, K = Chain<S>> {
     /// The modes of the chain, and the modes of the chain whose contact sticks.
-    pub dynamics: Dynamics<'a, S>,
+    pub dynamics: Dynamics<'a, S, K>,
     /// Factors to the units of the scene.
     pub units: Units<S>,
     /// True if the base moves.
@@ -35,7 +36,7 @@ pub struct StepScene<'a, S> {
     pub law: &'a [[S; 2]],
 }
 
-impl<S: Float> StepScene<'_, S> {
+impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
     /// Returns the number of inputs: the base's motion if the base moves, and a force for each loaded mass.
     #[must_use]
     pub fn channels(&self) -> usize {
@@ -117,11 +118,11 @@ impl<S: Float> StepScene<'_, S> {
 
     /// Returns the contact's acceleration under `force`, in units of length per squared sub-interval.
     pub(super) fn acceleration(&self, pace: &Pace<S>, force: S) -> S {
-        self.dynamics.chain.inverse_mass * force * pace.span * pace.span
+        self.dynamics.chain().inverse_mass * force * pace.span * pace.span
     }
 
     /// Returns true if the contact rubs on the moving base.
     pub(super) fn rubs_on_base(&self) -> bool {
-        self.on_base && self.dynamics.chain.on_moving_base.is_some()
+        self.on_base && self.dynamics.chain().on_moving_base.is_some()
     }
 }

@@ -3,16 +3,17 @@
 
 use super::dot::add;
 use super::drive::{at, derived, growth};
-use super::interval::{Departure, Interval, OFF_CHORD, ROUNDINGS, integral, product};
+use super::interval::{Departure, OFF_CHORD, ROUNDINGS, StepInterval, integral, product};
+use super::law::StepContact;
 use super::rows::{moments, next};
-use crate::motion::{Line, Power, Start, Walk, first_zero, line};
+use crate::motion::{KineticLine, Law, Power, Walk, WalkStart, first_zero, line};
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// Returns the straight line of the friction law on which the speed lies.  The line's speeds are in units of length
     /// per sub-interval.
     #[inline]
-    pub(super) fn line(&self) -> Line<S> {
+    pub(super) fn line(&self) -> KineticLine<S> {
         let mut line = line(self.scene.law, self.status.line);
         if self.scene.law.is_empty() {
             return line;
@@ -54,7 +55,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         }
         let contact = self.status.contact;
         let sign: S = contact.sign();
-        let [force, _] = self.status.law.kinetic_on(&line, contact);
+        let [force, _] = self.law().kinetic_on(&line, contact);
         let [from, to] = self.base_velocities();
         let (mut start, mut rise) = (-from, from - to);
         let mut bend = if self.scene.rubs_on_base() {
@@ -114,11 +115,13 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         let contact = self.status.contact;
         let sign: S = contact.sign();
         let line = self.line();
-        let kinetic = self.status.law.kinetic_on(&line, contact);
+        let kinetic = self.law().kinetic_on(&line, contact);
         let velocity = self.velocity_series(kinetic);
         let reach = self.series_reach(kinetic[1]);
         let mut steps = 0;
-        let start = departing.map_or(Start::Anywhere, |departure| Start::Zero(departure.slope));
+        let start = departing.map_or(WalkStart::Anywhere, |departure| {
+            WalkStart::Zero(departure.slope)
+        });
         let seen = velocity.seen(sign, line.low, reach);
         let (mut tau, mut halts) = match first_zero(&seen, start, &mut steps) {
             Walk::Zero(tau, _) => (tau, true),
@@ -133,7 +136,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         // A piece of motion of length zero has no earlier crossing.
         if let Some(high) = line.high.filter(|_| zero < tau) {
             let seen = velocity.seen(-sign, -high, tau);
-            match first_zero(&seen, Start::Anywhere, &mut steps) {
+            match first_zero(&seen, WalkStart::Anywhere, &mut steps) {
                 Walk::Zero(at, _) => (tau, halts, rises) = (at, false, true),
                 Walk::Until(at) if at < tau => (tau, halts) = (at, false),
                 _ => {}
@@ -154,7 +157,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             return None;
         }
         self.events += 1;
-        let Some(slide) = self.status.law.leave_rest(self.holding()) else {
+        let Some(slide) = self.law().leave_rest(self.holding()) else {
             self.start_sticking(None);
             return None;
         };
@@ -196,7 +199,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             let lambda = mode.resonance * mode.resonance;
             sum = sum - mode.contact * lambda * (*y + two * mode.zeta * *u);
         }
-        sum / self.scene.dynamics.chain.inverse_mass
+        sum / self.scene.dynamics.chain().inverse_mass
     }
 
     /// Returns the relative velocity as a power series about the present instant.  The friction force is level +

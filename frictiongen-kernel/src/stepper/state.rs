@@ -1,7 +1,7 @@
 //! The state of a stepper.
 
 use super::scene::StepScene;
-use crate::motion::{Contact, Rigid, Total};
+use crate::motion::{Contact, ContactChain, Total};
 use crate::number::scalar::Float;
 
 /// Mutable view of a stepper's numbers.
@@ -22,7 +22,12 @@ pub struct StoreMut<'s, S, const D: usize> {
 impl<S: Float, const D: usize> StoreMut<'_, S, D> {
     /// Writes the state of the modes that the contact drives, from the state of the stuck chain and from the
     /// displacement and velocity of the sticking contact.
-    pub(super) fn release(&mut self, scene: &StepScene<'_, S>, receptance: S, lifted: (S, S)) {
+    pub(super) fn release<K: ContactChain<S>>(
+        &mut self,
+        scene: &StepScene<'_, S, K>,
+        receptance: S,
+        lifted: (S, S),
+    ) {
         let held = self.held.iter().copied();
         let modes = self.modes.iter_mut().map(|[y, u]| (y, u));
         scene.dynamics.release(receptance, held, lifted, modes);
@@ -110,7 +115,7 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
 
 /// State of a stepper apart from its oscillators.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Status<S> {
+pub struct Status<S> {
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
     /// True while the contact's state must still be derived from its velocity and from the force in it.
@@ -124,8 +129,10 @@ pub(super) struct Status<S> {
     pub line: usize,
     /// Displacement and velocity of the base at the end of the last step.
     pub base: [S; 2],
-    /// The law of the contact, with forces over k₁.
-    pub law: Rigid<S>,
+    /// The kinetic friction force over k₁.
+    pub level: S,
+    /// Ratio μ of the static to the kinetic friction force.
+    pub stiction: S,
     pub steps: u64,
     /// Number of steps in which a sub-interval reached the bound on events or pieces of motion.
     pub exceeded: u64,
@@ -143,7 +150,13 @@ pub(super) struct Status<S> {
 }
 
 impl<S: Float> Status<S> {
-    pub(super) fn new(law: Rigid<S>) -> Self {
+    /// The law of the contact, with forces over k₁.
+    #[inline]
+    pub(super) fn law<K: ContactChain<S>>(&self, scene: &StepScene<'_, S, K>) -> K::Law {
+        scene.dynamics.chain.law_with(self.level, self.stiction)
+    }
+
+    pub(super) fn new(stiction: S) -> Self {
         let zero = S::constant(0.0);
         Self {
             contact: Contact::Stuck,
@@ -152,7 +165,8 @@ impl<S: Float> Status<S> {
             stuck_at: zero,
             line: 0,
             base: [zero; 2],
-            law,
+            level: zero,
+            stiction,
             steps: 0,
             exceeded: 0,
             contact_force: zero,

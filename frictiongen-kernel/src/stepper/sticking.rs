@@ -2,12 +2,13 @@
 //! event.
 
 use super::drive::at;
-use super::interval::{Departure, Interval, OFF_CHORD, ROUNDINGS};
+use super::interval::{Departure, OFF_CHORD, ROUNDINGS, StepInterval};
+use super::law::StepContact;
 use super::rows::moments;
-use crate::motion::{Contact, Start, Walk, first_reach, lift};
+use crate::motion::{Contact, Law, Walk, WalkStart, first_reach, lift};
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// Advances by the tables if the contact certainly keeps sticking.  Returns true if it did.
     pub(super) fn stick_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);
@@ -37,7 +38,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
                 *to = next;
             }
         }
-        let grip = self.status.law.grip();
+        let grip = self.law().grip();
         let most = start.abs().max(end.abs());
         let room =
             bend * S::constant(OFF_CHORD) + (size + grip) * S::constant(ROUNDINGS * S::EPSILON);
@@ -58,7 +59,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         let zero = S::constant(0.0);
         let left = S::constant(1.0) - self.progress;
         let force = self.force_series();
-        let grip = self.status.law.grip();
+        let grip = self.law().grip();
         let now = force.term(0);
         let noise = (force.size + grip) * S::constant(ROUNDINGS * S::EPSILON);
         let wedged = self.status.wedged;
@@ -67,9 +68,9 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             (zero, Some(Contact::along(now)))
         } else {
             let start = if wedged {
-                Start::Wedged
+                WalkStart::Wedged
             } else {
-                Start::Anywhere
+                WalkStart::Anywhere
             };
             let mut steps = 0;
             match first_reach(
@@ -89,7 +90,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         }
         let contact = breaks?;
         // The force has just reached μF, except if it was already beyond μF at the start.
-        let law = self.status.law;
+        let law = self.law();
         let slide = if zero < tau {
             law.break_away(contact)
         } else {

@@ -2,13 +2,14 @@
 
 use super::dot::add;
 use super::drive::{derived, growth};
-use super::interval::{Interval, product};
+use super::interval::{StepInterval, product};
+use super::law::StepContact;
 use super::rows::{HeldStep, next};
 use super::table::HeldLoad;
 use crate::motion::Power;
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// Returns the rates that the inputs add to y and u of a stuck chain's mode, as polynomials.  The base on which the
     /// contact sticks counts as an input.
     #[inline]
@@ -52,34 +53,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
     /// Returns the force in the sticking contact without the contribution of the stuck chain's modes.  The result is a
     /// polynomial, with an upper bound on its second derivative over the sub-interval.
     pub(super) fn force_without_modes(&self) -> ([S; 4], S) {
-        let (zero, one) = (S::constant(0.0), S::constant(1.0));
-        let pace = &self.table.pace;
-        let mass = one / self.scene.dynamics.chain.inverse_mass;
-        let mut sum = [zero; 4];
-        for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
-            for (sum, term) in sum.iter_mut().zip(drive) {
-                *sum = *sum + channel.residue * *term;
-            }
-        }
-        for term in &mut sum {
-            *term = *term * mass;
-        }
-        sum[0] = sum[0] - self.status.stuck_at / pace.receptance;
-        if self.scene.rubs_on_base() {
-            let velocity = derived(self.base);
-            let acceleration = derived(velocity);
-            let inverse = one / pace.span;
-            let of_place = one / pace.receptance;
-            let of_velocity = pace.drag * inverse * mass;
-            let of_acceleration = inverse * inverse * mass;
-            let motions = self.base.iter().zip(velocity).zip(acceleration);
-            for (sum, ((place, velocity), acceleration)) in sum.iter_mut().zip(motions) {
-                *sum = *sum
-                    - *place * of_place
-                    - of_velocity * velocity
-                    - of_acceleration * acceleration;
-            }
-        }
+        let sum = K::stuck_force_terms(self);
         let [_, _, c, d] = sum;
         let (two, six) = (S::constant(2.0), S::constant(6.0));
         (sum, two * c.abs() + six * d.abs())

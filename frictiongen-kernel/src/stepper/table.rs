@@ -5,7 +5,7 @@ use super::pace::Pace;
 use super::rows::{HeldStep, ModeStep};
 use super::scene::StepScene;
 use crate::errors::{Given, OutOfDomain, Slice};
-use crate::motion::{TERMS, lift};
+use crate::motion::{ContactChain, TERMS, lift};
 use crate::number::scalar::Float;
 
 /// A power series ends where its next term is this factor below a rounding.
@@ -103,7 +103,10 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
     ///
     /// # Errors
     /// Same errors as [`fill`].
-    pub fn new(scene: &StepScene<'_, S>, step: S) -> Result<Self, OutOfDomain> {
+    pub fn new<K: ContactChain<S>>(
+        scene: &StepScene<'_, S, K>,
+        step: S,
+    ) -> Result<Self, OutOfDomain> {
         let mut tables = Self {
             pace: Pace::zero(),
             modes: [ModeStep::zero(); MODES],
@@ -157,8 +160,8 @@ impl<S, const D: usize, T: Tables<S, D>> Tables<S, D> for &T {
 /// # Errors
 /// [`OutOfDomain::Step`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
 /// than [`MAX_PARTS`] radians.  [`OutOfDomain::Length`] for slices of another length.
-pub fn fill<S: Float, const D: usize>(
-    scene: &StepScene<'_, S>,
+pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
+    scene: &StepScene<'_, S, K>,
     step: S,
     (modes, held): (&mut [ModeStep<S, D>], &mut [HeldStep<S, D>]),
     (loads, held_loads, channels): (&mut [S], &mut [HeldLoad<S>], &mut [Channel<S>]),
@@ -242,7 +245,10 @@ pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
 }
 
 /// Divides a step into sub-intervals.
-fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDomain> {
+fn pace<S: Float, K: ContactChain<S>>(
+    scene: &StepScene<'_, S, K>,
+    step: S,
+) -> Result<Pace<S>, OutOfDomain> {
     let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
     let dynamics = &scene.dynamics;
     let rate = scene.turning();

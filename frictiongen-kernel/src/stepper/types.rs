@@ -3,6 +3,7 @@
 use super::scene::StepScene;
 use super::state::{FixedStore, Status};
 use super::table::FixedTables;
+use crate::contact::sums::Chain;
 use crate::motion::Contact;
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
@@ -10,10 +11,10 @@ use core::marker::PhantomData;
 /// The motion under an input that is known step by step.
 ///
 /// `T` owns the tables and `V` the state: arrays or constants in emitted code, vectors at run time.  `D` is the number
-/// of coefficients of an input's polynomial over a step.
+/// of coefficients of an input's polynomial over a step.  `K`, the constants of the chain, selects the law of the contact.
 #[derive(Clone, Debug)]
-pub struct Stepper<'a, S, const D: usize, T, V> {
-    pub(super) scene: StepScene<'a, S>,
+pub struct Stepper<'a, S, const D: usize, T, V, K = Chain<S>> {
+    pub(super) scene: StepScene<'a, S, K>,
     pub(super) tables: T,
     pub(super) store: V,
     pub(super) status: Status<S>,

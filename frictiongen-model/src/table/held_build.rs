@@ -4,8 +4,9 @@
 use super::check::{GOLDEN, ROUNDINGS};
 use super::errors::or_infinite;
 use super::held::{Held, HeldForm};
-use super::held_zeros::{HeldAt, Rational, Response, responses};
+use super::held_zeros::{HeldAt, Response, responses};
 use super::product::Product;
+use super::rational::Rational;
 use super::worst::Worst;
 use super::zeros::Zero;
 use crate::modal::Modal;

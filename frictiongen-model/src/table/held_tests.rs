@@ -2,7 +2,7 @@
 //! of wrong numbers.
 
 use super::held::{Held, HeldForm};
-use super::samples::scene;
+use crate::samples::scene;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::{Factor, Root};

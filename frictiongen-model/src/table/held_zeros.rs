@@ -1,6 +1,7 @@
 //! Exact values of the responses while the contact is stuck, and their zeros and poles in double-double.
 
 use super::proportional::Proportional;
+use super::rational::Rational;
 use super::zeros::{EQUAL, NONE, Zero, Zeros, classified, guesses, poles};
 use crate::modal::Modal;
 use crate::roots::{Driven, iterate, to};
@@ -18,13 +19,6 @@ const ON_RESONANCE: f64 = 1e-12;
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
 /// The same two bounds for the iteration in double-double.
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
-
-/// A rational function of s = ir, given by its zeros and poles up to a constant factor.
-#[derive(Clone, Debug)]
-pub(super) struct Rational {
-    pub zeros: Vec<Zero>,
-    pub poles: Vec<Zero>,
-}
 
 /// Response of a mass, or the contact force, while the contact is stuck.
 #[derive(Clone, Debug)]

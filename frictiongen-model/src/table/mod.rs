@@ -21,6 +21,7 @@ mod kinks;
 mod product;
 mod proportional;
 mod quotients;
+mod rational;
 mod reach;
 mod request;
 mod rounding;
@@ -54,7 +55,5 @@ pub mod building {
 
 #[cfg(test)]
 mod held_tests;
-#[cfg(test)]
-mod samples;
 #[cfg(test)]
 mod tests;

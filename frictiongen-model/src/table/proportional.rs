@@ -5,7 +5,7 @@
 //! undamped chain. The force of a spring carries the factor 1 + bs. So s = −1/b is a zero whose order is the number of
 //! springs that the force passes. No iteration finds such a zero to its last digits.
 
-use super::held_zeros::Rational;
+use super::rational::Rational;
 use super::zeros::{EQUAL, Zero};
 use crate::modal::Modal;
 use frictiongen_kernel::Scalar;

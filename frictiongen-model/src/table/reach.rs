@@ -169,8 +169,8 @@ fn value<S: Float>(factor: &Factor<S>, r: Interval) -> Interval {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{random, request, scene};
     use super::super::{Reach, Request, Tables};
+    use crate::samples::{random, request, scene};
     use crate::scene::Side;
     use frictiongen_kernel::Float;
 

@@ -60,8 +60,8 @@ pub fn rounding<S: Float>(
 #[cfg(test)]
 mod tests {
     use super::super::fit::Fitted;
-    use super::super::samples::random;
     use super::rounding;
+    use crate::samples::random;
 
     /// Checks that the rounding errors of the emitted evaluation in single precision stay within the bound, and come
     /// close to it.

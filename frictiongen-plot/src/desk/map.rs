@@ -51,7 +51,7 @@ pub fn map_panel(
     scales: &Scales,
 ) -> Panel {
     let r: Vec<f64> = map.columns.iter().map(|column| column.r).collect();
-    let (across, up) = (Spread::of(&r), Spread::of(&map.beta));
+    let (across, up) = (AxisCells::of(&r), AxisCells::of(&map.beta));
     let ends = |ends: (f64, f64), scale: &dyn Fn(f64) -> f64| (scale(ends.0), scale(ends.1));
     let x = ends(across.ends, &|r| scales.frequency(r));
     let y = ends(up.ends, &|beta| scales.friction(beta));
@@ -114,14 +114,14 @@ pub fn map_panel(
 }
 
 /// Assigns the sampled values of an axis to cells of equal width.
-struct Spread {
+struct AxisCells {
     /// Lower and upper end of the range that the cells cover.
     ends: (f64, f64),
     /// For each cell, the index of the sampled value nearest to the middle of the cell.
     places: Vec<usize>,
 }
 
-impl Spread {
+impl AxisCells {
     fn of(values: &[f64]) -> Self {
         let (Some(first), Some(last)) = (values.first(), values.last()) else {
             return Self {
@@ -157,9 +157,9 @@ impl Spread {
     }
 }
 
-type Places<'a> = [Option<&'a Result<MapPoint, Error>>];
+type SampledPlaces<'a> = [Option<&'a Result<MapPoint, Error>>];
 
-fn values(places: &Places<'_>, read: impl Fn(&MapPoint) -> f64) -> Vec<f64> {
+fn values(places: &SampledPlaces<'_>, read: impl Fn(&MapPoint) -> f64) -> Vec<f64> {
     let value = |place: &Option<&Result<MapPoint, Error>>| match place {
         Some(Ok(point)) => read(point),
         _ => f64::NAN,
@@ -187,7 +187,7 @@ fn upper(cells: &[f64]) -> (f64, f64) {
     (if 0.0 < end { end } else { 1.0 }, most)
 }
 
-fn classes(places: &Places<'_>) -> Cells {
+fn classes(places: &SampledPlaces<'_>) -> Cells {
     let mut names: Vec<String> = ["continuous", "stick-slip: 2 stops", "stuck"]
         .map(str::to_owned)
         .into();
@@ -230,7 +230,7 @@ const STOPS: [(&str, usize); 8] = [
     ("stuck", 2),
 ];
 
-fn stops(places: &Places<'_>) -> Cells {
+fn stops(places: &SampledPlaces<'_>) -> Cells {
     let class = |pattern: Pattern| match (pattern.regime, pattern.period, pattern.stops) {
         (Regime::Continuous, ..) => 0,
         (Regime::Stuck, ..) => 7,

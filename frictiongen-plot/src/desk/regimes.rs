@@ -48,10 +48,10 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
     let mut panel = Panel::new(title, x, y);
     let beyond = 4.0 * top;
     for (name, fill, lower, upper) in [
-        ("continuous", 0, Edge::Zero, Edge::Least),
-        ("stick-slip", 1, Edge::Least, Edge::Sliding),
-        (BISTABLE, 3, Edge::Sliding, Edge::Most),
-        ("stuck", 2, Edge::Most, Edge::Beyond),
+        ("continuous", 0, AreaEdge::Zero, AreaEdge::Least),
+        ("stick-slip", 1, AreaEdge::Least, AreaEdge::Sliding),
+        (BISTABLE, 3, AreaEdge::Sliding, AreaEdge::Most),
+        ("stuck", 2, AreaEdge::Most, AreaEdge::Beyond),
     ] {
         let places: Vec<(f64, f64, f64)> = lines
             .points
@@ -86,7 +86,7 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
 
 /// The lower or the upper boundary curve of an area.
 #[derive(Clone, Copy)]
-enum Edge {
+enum AreaEdge {
     Zero,
     Least,
     Sliding,
@@ -94,7 +94,7 @@ enum Edge {
     Beyond,
 }
 
-impl Edge {
+impl AreaEdge {
     fn of(self, limits: &frictiongen::Limits<f64>, beyond: f64) -> f64 {
         let beta = match self {
             Self::Zero => 0.0,

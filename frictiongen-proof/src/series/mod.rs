@@ -12,7 +12,7 @@ use frictiongen_model::interval::{Interval, TINY};
 /// t^{N−1} times a number. The last coefficient over an interval that contains both r₀ and r₀ + t contains that number.
 /// [`joined`](Self::joined) uses this.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Series<const N: usize> {
+pub struct IntervalSeries<const N: usize> {
     /// The Taylor coefficients f⁽ᵏ⁾/k!. The first is the value of f.
     pub terms: [Interval; N],
 }
@@ -22,7 +22,7 @@ const SINC_TERMS: usize = 21;
 /// Bound on the neglected terms of a derivative over k!, for k below the number of terms of a series.
 const SINC_REST: f64 = 1e-17;
 
-impl<const N: usize> Series<N> {
+impl<const N: usize> IntervalSeries<N> {
     /// Returns the series of a constant.
     #[inline]
     #[must_use]
@@ -73,12 +73,12 @@ impl<const N: usize> Series<N> {
 
     /// Returns the series with its first `M` coefficients only.
     #[must_use]
-    pub fn truncated<const M: usize>(&self) -> Series<M> {
+    pub fn truncated<const M: usize>(&self) -> IntervalSeries<M> {
         let mut terms = [Interval::ZERO; M];
         for (term, own) in terms.iter_mut().zip(&self.terms) {
             *term = *own;
         }
-        Series { terms }
+        IntervalSeries { terms }
     }
 
     /// Returns the series times a number.

@@ -1,10 +1,10 @@
 //! Arithmetic operators of series.
 
-use super::Series;
+use super::IntervalSeries;
 use frictiongen_model::interval::Interval;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-impl<const N: usize> Add for Series<N> {
+impl<const N: usize> Add for IntervalSeries<N> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         let mut series = self;
@@ -17,7 +17,7 @@ impl<const N: usize> Add for Series<N> {
     }
 }
 
-impl<const N: usize> Sub for Series<N> {
+impl<const N: usize> Sub for IntervalSeries<N> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         let mut series = self;
@@ -30,7 +30,7 @@ impl<const N: usize> Sub for Series<N> {
     }
 }
 
-impl<const N: usize> Neg for Series<N> {
+impl<const N: usize> Neg for IntervalSeries<N> {
     type Output = Self;
     fn neg(self) -> Self {
         Self {
@@ -39,7 +39,7 @@ impl<const N: usize> Neg for Series<N> {
     }
 }
 
-impl<const N: usize> Mul for Series<N> {
+impl<const N: usize> Mul for IntervalSeries<N> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let mut terms = [Interval::ZERO; N];
@@ -59,7 +59,7 @@ impl<const N: usize> Mul for Series<N> {
     }
 }
 
-impl<const N: usize> Div for Series<N> {
+impl<const N: usize> Div for IntervalSeries<N> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let mut quotient = Self::fixed(Interval::ZERO);

@@ -1,59 +1,14 @@
 //! Tests interval series against double-double.
 
-use super::Series;
+use super::IntervalSeries;
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::interval::Interval;
-
-/// A generator of random numbers and intervals.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-    /// Returns a random number of either sign over ten decades, and sometimes 0.
-    fn end(&mut self) -> f64 {
-        let size = 10_f64.powf(10.0 * self.next() - 5.0);
-        match (16.0 * self.next()) as u32 {
-            0 => 0.0,
-            even if even % 2 == 0 => size,
-            _ => -size,
-        }
-    }
-    fn interval(&mut self) -> Interval {
-        let (a, b) = (self.end(), self.end());
-        // Two in five intervals are narrow.
-        if self.next() < 0.4 {
-            Interval::new(a, a + a.abs() * 1e-12 * self.next())
-        } else {
-            Interval::new(a.min(b), a.max(b))
-        }
-    }
-    fn within(&mut self, interval: Interval) -> f64 {
-        match (4.0 * self.next()) as u32 {
-            0 => interval.low,
-            1 => interval.high,
-            _ => (interval.low + (interval.high - interval.low) * self.next())
-                .clamp(interval.low, interval.high),
-        }
-    }
-}
-
-/// Returns true if an interval contains a number, up to the number's rounding at 31 digits. This slack is far below one
-/// rounding of a double.
-fn holds(interval: Interval, value: Dd) -> bool {
-    let slack = value.abs() * Dd::from(1e-28);
-    !(value + slack < Dd::from(interval.low)) && !(Dd::from(interval.high) < value - slack)
-}
+use frictiongen_model::samples::{Numbers, contains};
 
 /// Evaluates a formula that uses every operation, as a series. `formula_at` evaluates it in double-double.
-fn formula(h: Series<6>) -> Series<6> {
-    let one = Series::fixed(Interval::ONE);
+fn formula(h: IntervalSeries<6>) -> IntervalSeries<6> {
+    let one = IntervalSeries::fixed(Interval::ONE);
     let (sine, cosine) = h.sine_cosine();
     let root = (h.squared() + one).sqrt();
     (sine * h - cosine.squared()) / root + (-(h * h)).exp() - h.times(Interval::point(3.0)).sinc()
@@ -74,20 +29,20 @@ fn series_hold_what_they_should() {
     let mut numbers = Numbers(7);
     let mut widest = 0.0_f64;
     for _ in 0..3_000 {
-        let centre = 0.2 * numbers.next() + 0.05;
-        let half = 0.03 * numbers.next();
+        let centre = 0.2 * numbers.unit() + 0.05;
+        let half = 0.03 * numbers.unit();
         let all = Interval::new(centre - half, centre + half);
-        let at = formula(Series::variable(Interval::point(centre)));
-        let over = formula(Series::variable(all));
-        let joined = Series::joined(&at, &over);
+        let at = formula(IntervalSeries::variable(Interval::point(centre)));
+        let over = formula(IntervalSeries::variable(all));
+        let joined = IntervalSeries::joined(&at, &over);
         let range = joined.range(all - Interval::point(centre));
         for _ in 0..8 {
             let x = numbers.within(all);
             let value = formula_at(Dd::from(x));
             let t = Interval::point(x) - Interval::point(centre);
-            assert!(holds(joined.range(t), value), "at {x} about {centre}");
-            assert!(holds(range, value), "{range:?} at {x}");
-            assert!(holds(over.value(), value));
+            assert!(contains(joined.range(t), value), "at {x} about {centre}");
+            assert!(contains(range, value), "{range:?} at {x}");
+            assert!(contains(over.value(), value));
             widest = widest.max(joined.range(t).high - joined.range(t).low);
         }
     }
@@ -100,10 +55,10 @@ fn series_hold_what_they_should() {
 fn coefficients() {
     let mut numbers = Numbers(9);
     for _ in 0..500 {
-        let low = 0.2 * numbers.next() + 0.05;
+        let low = 0.2 * numbers.unit() + 0.05;
         let step = 0.01;
         let all = Interval::new(low, low + 5.0 * step);
-        let over = formula(Series::variable(all));
+        let over = formula(IntervalSeries::variable(all));
         let mut differences: Vec<Dd> = (0..6)
             .map(|k| formula_at(Dd::from(low + step * f64::from(k))))
             .collect();
@@ -133,11 +88,11 @@ fn products() {
     let mut bounded = 0;
     for round in 0..20_000 {
         let series = |numbers: &mut Numbers| {
-            let length = (7.0 * numbers.next()) as usize;
+            let length = (7.0 * numbers.unit()) as usize;
             let terms = std::array::from_fn(|place| {
                 if length <= place {
                     Interval::ZERO
-                } else if round % 8 == 0 && numbers.next() < 0.2 {
+                } else if round % 8 == 0 && numbers.unit() < 0.2 {
                     Interval::new(numbers.end(), f64::INFINITY)
                 } else if round % 16 == 1 {
                     // Products of these terms underflow.
@@ -147,11 +102,11 @@ fn products() {
                     numbers.interval()
                 }
             });
-            Series::<6> { terms }
+            IntervalSeries::<6> { terms }
         };
         let (a, b) = (series(&mut numbers), series(&mut numbers));
         let (product, square) = (a * b, a.squared());
-        let within = |numbers: &mut Numbers, series: &Series<6>| {
+        let within = |numbers: &mut Numbers, series: &IntervalSeries<6>| {
             series.terms.map(|term| {
                 let end = term.high.min(1e6_f64.max(term.low));
                 numbers.within(Interval::new(term.low, end))
@@ -163,8 +118,8 @@ fn products() {
                 let terms = (0..=k).map(|j| Dd::from(x[j]) * Dd::from(y[k - j]));
                 terms.fold(Dd::ZERO, |sum, term| sum + term)
             };
-            assert!(holds(product.term(k), sum(&x, &y)), "{a:?} {b:?} {k}");
-            assert!(holds(square.term(k), sum(&x, &x)), "{a:?} squared, {k}");
+            assert!(contains(product.term(k), sum(&x, &y)), "{a:?} {b:?} {k}");
+            assert!(contains(square.term(k), sum(&x, &x)), "{a:?} squared, {k}");
             bounded += usize::from(product.term(k).size() < f64::INFINITY);
         }
     }
@@ -174,13 +129,13 @@ fn products() {
 /// A term that is exactly 0 stays exactly 0, because sums leave such terms out.
 #[test]
 fn products_with_nothing() {
-    let nothing = Series::<6>::fixed(Interval::ZERO);
-    let all = Series::<6> {
+    let nothing = IntervalSeries::<6>::fixed(Interval::ZERO);
+    let all = IntervalSeries::<6> {
         terms: [Interval::ALL; 6],
     };
     let product = nothing * all;
     assert!(product.terms.iter().all(Interval::is_nothing));
-    let line = Series::<6>::variable(Interval::new(1.0, 2.0));
+    let line = IntervalSeries::<6>::variable(Interval::new(1.0, 2.0));
     let square = line * line;
     assert!(square.terms.iter().skip(3).all(Interval::is_nothing));
     assert!(!square.term(2).is_nothing());
@@ -193,13 +148,15 @@ fn refined() {
     let mut numbers = Numbers(13);
     let mut narrower = 0.0_f64;
     for _ in 0..3_000 {
-        let (low, length) = (0.2 * numbers.next() + 0.05, 0.03 * numbers.next());
+        let (low, length) = (0.2 * numbers.unit() + 0.05, 0.03 * numbers.unit());
         let all = Interval::new(low, low + length);
         let centre = numbers.within(all);
-        let at = formula(Series::variable(Interval::point(centre)));
-        let over = formula(Series::variable(all));
+        let at = formula(IntervalSeries::variable(Interval::point(centre)));
+        let over = formula(IntervalSeries::variable(all));
         let refined = over.refined(&at, all - Interval::point(centre));
-        let there = formula(Series::variable(Interval::point(numbers.within(all))));
+        let there = formula(IntervalSeries::variable(Interval::point(
+            numbers.within(all),
+        )));
         for k in 0..6 {
             let (plain, own, there) = (over.term(k), refined.term(k), there.term(k));
             narrower = narrower.max((plain.high - plain.low) / (own.high - own.low));

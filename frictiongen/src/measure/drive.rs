@@ -36,29 +36,29 @@ pub struct Inputs<'r> {
     len: usize,
     base: Option<Vec<[f64; 2]>>,
     /// The recorded force on the excited mass, if there is one.
-    force: Option<Track<'r>>,
+    force: Option<SiChannel<'r>>,
     /// The recorded forces on other masses, each with the name of the mass.
-    others: Vec<(&'r str, Track<'r>)>,
-    friction: Friction<'r>,
+    others: Vec<(&'r str, SiChannel<'r>)>,
+    friction: DriveFriction<'r>,
 }
 
 /// A channel whose samples are converted to SI units.
 #[derive(Clone, Copy, Debug)]
-struct Track<'r> {
+struct SiChannel<'r> {
     samples: &'r [f64],
     scale: f64,
 }
 
-impl Track<'_> {
+impl SiChannel<'_> {
     fn at(&self, sample: usize) -> f64 {
         self.samples.get(sample).copied().unwrap_or(0.0) * self.scale
     }
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Friction<'r> {
+enum DriveFriction<'r> {
     Constant(f64),
-    Recorded(Track<'r>),
+    Recorded(SiChannel<'r>),
 }
 
 impl<'r> Inputs<'r> {
@@ -83,7 +83,7 @@ impl<'r> Inputs<'r> {
             base: None,
             force: None,
             others: Vec::new(),
-            friction: Friction::Constant(friction.unwrap_or(0.0)),
+            friction: DriveFriction::Constant(friction.unwrap_or(0.0)),
         };
         let mut recorded = None;
         for channel in recording.channels() {
@@ -106,7 +106,7 @@ impl<'r> Inputs<'r> {
             }
         }
         match (recorded, friction) {
-            (Some(track), None) => inputs.friction = Friction::Recorded(track),
+            (Some(track), None) => inputs.friction = DriveFriction::Recorded(track),
             (None, Some(_)) => {}
             (None, None) => return Err(MeasureError::NoFriction),
             (Some(_), Some(_)) => return Err(MeasureError::TwoFrictions),
@@ -149,17 +149,17 @@ impl<'r> Inputs<'r> {
             input = input.on(name, track.at(sample));
         }
         input.friction(match self.friction {
-            Friction::Constant(force) => force,
-            Friction::Recorded(track) => track.at(sample),
+            DriveFriction::Constant(force) => force,
+            DriveFriction::Recorded(track) => track.at(sample),
         })
     }
 }
 
-fn force(channel: &Channel) -> Result<Track<'_>, MeasureError> {
+fn force(channel: &Channel) -> Result<SiChannel<'_>, MeasureError> {
     if channel.unit.dimension() != Dimension::Force {
         return Err(wrong(channel));
     }
-    Ok(Track {
+    Ok(SiChannel {
         samples: &channel.samples,
         scale: channel.unit.scale(),
     })

@@ -1,7 +1,7 @@
 //! The steady motion of a scene in a recording: driving frequency, transmissibilities, phases and harmonics.
 
 use super::recording::Dimension;
-use super::tone::{Basis, FEWEST_CYCLES, HARMONICS, Tone, frequency};
+use super::tone::{FEWEST_CYCLES, HARMONICS, Tone, ToneBasis, frequency};
 use super::{Channel, MeasureError, Recording, steady};
 use crate::Complex;
 use crate::study::scene::{Excitation, Scene};
@@ -111,7 +111,7 @@ impl Measured {
         if per_sample * (driven.len() as f64) < FEWEST_CYCLES {
             return Err(MeasureError::NotSteady(drive.name.clone()));
         }
-        let basis = Basis::new(driven.len(), per_sample, HARMONICS);
+        let basis = ToneBasis::new(driven.len(), per_sample, HARMONICS);
         let omega = TAU * per_sample * rate;
         let tone = |channel: &Channel, samples: &[f64]| {
             let tone = basis.tone(samples);
@@ -178,12 +178,15 @@ impl Measured {
 }
 
 /// The channels of a recording, assigned to the excitation and to the masses of a scene.
-struct Places<'r> {
+struct AssignedChannels<'r> {
     drive: (&'r Channel, Dimension),
     masses: Vec<(usize, &'r Channel)>,
 }
 
-fn places<'r>(recording: &'r Recording, scene: &Scene) -> Result<Places<'r>, MeasureError> {
+fn places<'r>(
+    recording: &'r Recording,
+    scene: &Scene,
+) -> Result<AssignedChannels<'r>, MeasureError> {
     let drive_name = match scene.excitation {
         Excitation::Base => "base",
         Excitation::Force(_) => "force",
@@ -222,7 +225,7 @@ fn places<'r>(recording: &'r Recording, scene: &Scene) -> Result<Places<'r>, Mea
         return Err(MeasureError::NoMass);
     }
     let drive = drive.ok_or(MeasureError::NoDrive(drive_name))?;
-    Ok(Places { drive, masses })
+    Ok(AssignedChannels { drive, masses })
 }
 
 /// Converts mean and harmonics of a channel to displacements in m, or to a force in N.

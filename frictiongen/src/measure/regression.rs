@@ -8,7 +8,7 @@
 //! position would be too small, and the mass would be too large by the same factor.
 
 use super::identify::Estimate;
-use super::recording::Dimension;
+use super::recording::{Channel, Dimension};
 use super::statistics::student;
 use super::{MeasureError, Recording};
 use nalgebra::{DMatrix, DVector};
@@ -47,29 +47,9 @@ impl Recording {
     /// samples. [`MeasureError`] also for fewer than 12 windows, and for a motion that does not separate the four
     /// unknowns.
     pub fn regression(&self, axis: &str, seconds: f64) -> Result<Regression, MeasureError> {
-        let channel = |name: &str, dimension: Dimension| {
-            let found = self
-                .channel(name)
-                .ok_or_else(|| MeasureError::NoSuchPlace {
-                    channel: name.to_owned(),
-                    known: self
-                        .channels()
-                        .iter()
-                        .map(|channel| channel.name.clone())
-                        .collect(),
-                })?;
-            if found.unit.dimension() == dimension {
-                Ok(found)
-            } else {
-                Err(MeasureError::WrongDimension {
-                    channel: name.to_owned(),
-                    unit: found.unit.name(),
-                })
-            }
-        };
         let (position, force) = (
-            channel(axis, Dimension::Displacement)?,
-            channel("force", Dimension::Force)?,
+            self.channel_of(axis, Dimension::Displacement)?,
+            self.channel_of("force", Dimension::Force)?,
         );
         let length = (seconds * self.rate()).round();
         if !(5.0..=1e6).contains(&length) {
@@ -79,63 +59,15 @@ impl Recording {
         }
         let length = length as usize;
         let step = 1.0 / self.rate();
-        // The bump function is φ = (1 − s²)⁵ over s from −1 to 1. It is so flat at both ends that sums are as accurate
-        // as integrals.
-        let half = 0.5 * length as f64 * step;
-        let places = (0..length).map(|i| (2.0 * i as f64 + 1.0) / length as f64 - 1.0);
-        let bump: Vec<[f64; 3]> = places
-            .map(|s| {
-                let rest = 1.0 - s * s;
-                let slope = -10.0 * s * rest.powi(4);
-                let bend = 10.0 * rest.powi(3) * (9.0 * s * s - 1.0);
-                [
-                    rest.powi(5) * step,
-                    slope * step / half,
-                    bend * step / (half * half),
-                ]
-            })
-            .collect();
-        let sum = |samples: &[f64], order: usize| -> f64 {
-            let weights = bump.iter().filter_map(|weights| weights.get(order));
-            samples
-                .iter()
-                .zip(weights)
-                .map(|(value, weight)| value * weight)
-                .sum()
-        };
-        let whole: f64 = bump.iter().map(|[weight, ..]| weight).sum();
+        let bump = bump(length, step);
         let windows = position
             .samples
             .chunks_exact(length)
             .zip(force.samples.chunks_exact(length));
         let fitted: Vec<Window> = windows
             .map(|(motion, push)| {
-                // The mean position is subtracted, because the absolute position has no meaning here and would add
-                // rounding errors.
-                let mean = motion.iter().sum::<f64>() / length as f64;
-                let motion: Vec<f64> = motion
-                    .iter()
-                    .map(|q| (q - mean) * position.unit.scale())
-                    .collect();
-                let quarters = motion.chunks(length.div_ceil(4));
-                let means: Vec<f64> = quarters
-                    .map(|part| part.iter().sum::<f64>() / part.len() as f64)
-                    .collect();
-                let steps = means
-                    .windows(2)
-                    .filter_map(|pair| Some(pair.last()? - pair.first()?));
-                let steps: Vec<f64> = steps.collect();
-                let least = steps
-                    .iter()
-                    .map(|step| step.abs())
-                    .fold(f64::INFINITY, f64::min);
-                let side = steps.first().map_or(0.0, |step| step.signum());
-                let one_way = steps.iter().all(|step| step.signum() == side);
-                Window {
-                    columns: [sum(&motion, 2), -sum(&motion, 1), side * whole, whole],
-                    force: sum(&force_in_newtons(push, force.unit.scale()), 0),
-                    slowest: if one_way { least } else { 0.0 },
-                }
+                let motion = (motion, position.unit.scale());
+                Window::of(motion, (push, force.unit.scale()), &bump)
             })
             .collect();
         let fastest = fitted
@@ -157,6 +89,44 @@ impl Recording {
         }
         solve(&kept)
     }
+
+    /// The channel of a name, whose quantity must be the given one.
+    fn channel_of(&self, name: &str, dimension: Dimension) -> Result<&Channel, MeasureError> {
+        let known = || self.channels().iter().map(|channel| channel.name.clone());
+        let found = self
+            .channel(name)
+            .ok_or_else(|| MeasureError::NoSuchPlace {
+                channel: name.to_owned(),
+                known: known().collect(),
+            })?;
+        if found.unit.dimension() == dimension {
+            Ok(found)
+        } else {
+            Err(MeasureError::WrongDimension {
+                channel: name.to_owned(),
+                unit: found.unit.name(),
+            })
+        }
+    }
+}
+
+/// Weights of the samples of a window: the bump function φ = (1 − s²)⁵ over s from −1 to 1, φ̇ and φ̈, times the step.
+/// The bump function is so flat at both ends that sums are as accurate as integrals.
+fn bump(length: usize, step: f64) -> Vec<[f64; 3]> {
+    let half = 0.5 * length as f64 * step;
+    let places = (0..length).map(|i| (2.0 * i as f64 + 1.0) / length as f64 - 1.0);
+    places
+        .map(|s| {
+            let rest = 1.0 - s * s;
+            let slope = -10.0 * s * rest.powi(4);
+            let bend = 10.0 * rest.powi(3) * (9.0 * s * s - 1.0);
+            [
+                rest.powi(5) * step,
+                slope * step / half,
+                bend * step / (half * half),
+            ]
+        })
+        .collect()
 }
 
 /// The equation of motion of the axis, integrated over one window.
@@ -167,6 +137,49 @@ struct Window {
     /// Smallest distance between the mean positions of two neighbouring quarters of the window. It is 0 if the axis
     /// reverses its direction within the window.
     slowest: f64,
+}
+
+impl Window {
+    /// Integrates the equation over the samples of position and force, each with the factor to its SI unit.
+    fn of(
+        (motion, metres): (&[f64], f64),
+        (push, newtons): (&[f64], f64),
+        bump: &[[f64; 3]],
+    ) -> Self {
+        let sum = |samples: &[f64], order: usize| -> f64 {
+            let weights = bump.iter().filter_map(|weights| weights.get(order));
+            samples
+                .iter()
+                .zip(weights)
+                .map(|(value, weight)| value * weight)
+                .sum()
+        };
+        let whole: f64 = bump.iter().map(|[weight, ..]| weight).sum();
+        let length = motion.len();
+        // The mean position is subtracted, because the absolute position has no meaning here and would add rounding
+        // errors.
+        let mean = motion.iter().sum::<f64>() / length as f64;
+        let motion: Vec<f64> = motion.iter().map(|q| (q - mean) * metres).collect();
+        let quarters = motion.chunks(length.div_ceil(4));
+        let means: Vec<f64> = quarters
+            .map(|part| part.iter().sum::<f64>() / part.len() as f64)
+            .collect();
+        let steps: Vec<f64> = means
+            .windows(2)
+            .filter_map(|pair| Some(pair.last()? - pair.first()?))
+            .collect();
+        let least = steps
+            .iter()
+            .map(|step| step.abs())
+            .fold(f64::INFINITY, f64::min);
+        let side = steps.first().map_or(0.0, |step| step.signum());
+        let one_way = steps.iter().all(|step| step.signum() == side);
+        Self {
+            columns: [sum(&motion, 2), -sum(&motion, 1), side * whole, whole],
+            force: sum(&force_in_newtons(push, newtons), 0),
+            slowest: if one_way { least } else { 0.0 },
+        }
+    }
 }
 
 fn force_in_newtons(samples: &[f64], scale: f64) -> Vec<f64> {

@@ -1,7 +1,7 @@
 //! Finds the interval of a recording in which the motion is steady, and checks that its excitation is steady.
 
 use super::MeasureError;
-use super::tone::Basis;
+use super::tone::ToneBasis;
 use crate::Complex;
 use std::f64::consts::TAU;
 
@@ -32,7 +32,7 @@ struct Blocks {
 }
 
 fn blocks(samples: &[f64], per_sample: f64, length: usize) -> Option<Blocks> {
-    let basis = Basis::new(length, per_sample, 3);
+    let basis = ToneBasis::new(length, per_sample, 3);
     let mut values = Vec::new();
     let mut deviations = Vec::new();
     for (index, part) in samples.chunks_exact(length).enumerate() {

@@ -46,7 +46,7 @@ impl Tone {
 }
 
 /// The Hann window and the rotations e^{iωt} of a frequency over a number of samples.
-pub(super) struct Basis {
+pub(super) struct ToneBasis {
     /// Weights w_t of the Hann window, one for each sample.
     window: Vec<f64>,
     /// Rotations e^{iωt}, one for each sample.
@@ -58,7 +58,7 @@ pub(super) struct Basis {
     cycles: f64,
 }
 
-impl Basis {
+impl ToneBasis {
     /// Prepares a fit to `count` samples, of the frequency `per_sample` in cycles per sample, with at most `most`
     /// harmonics.
     pub(super) fn new(count: usize, per_sample: f64, most: usize) -> Self {
@@ -255,7 +255,7 @@ pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
     let (first, second) = samples.split_at(middle);
     for _ in 0..STEPS {
         let phase = |part: &[f64]| {
-            let basis = Basis::new(part.len(), found, 2);
+            let basis = ToneBasis::new(part.len(), found, 2);
             let (_, harmonics) = basis.components(part)?;
             harmonics.first().map(|x| x.im.atan2(x.re))
         };

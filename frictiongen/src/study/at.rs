@@ -9,7 +9,7 @@ use crate::{Complex, NoOrbit, OutOfDomain};
 use frictiongen_kernel::contact::regime::Limits;
 use frictiongen_kernel::contact::sums::{ContactAt, ModeAt};
 use frictiongen_kernel::modal_sum::wave::Wave;
-use frictiongen_kernel::orbit::{self, Orbit, ProvidesOrbit, Start};
+use frictiongen_kernel::orbit::{self, Orbit, OrbitQuestion, ProvidesOrbit, Start};
 use frictiongen_kernel::oscillator::decay::Damped;
 use frictiongen_kernel::response::{
     At, Numbers, ProvidesMotion, ProvidesStuck, Scene, limits_of_sums,
@@ -147,13 +147,16 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
         let dynamics = system.dynamics_in_time()?;
         let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
         let zero = S::constant(0.0);
-        let orbit = Orbit::new(
+        let question = OrbitQuestion {
             dynamics,
-            at.frequency_ratio(),
+            r: at.frequency_ratio(),
             beta,
-            at.sliding_limit(),
+            sliding: at.sliding_limit(),
             start,
             last,
+        };
+        let orbit = Orbit::answer(
+            &question,
             system.parts(),
             vec![zero; orbit::numbers(modes, driven)],
             vec![Complex::new(zero, zero); 2 * driven],

@@ -22,7 +22,7 @@ const FUNCTIONS: usize = 5;
 
 /// The polynomial pieces of a table, in one variant for each polynomial degree.
 #[derive(Clone, Debug)]
-enum Pieces<S> {
+enum TablePieces<S> {
     Cubic(Vec<Piece<S, FUNCTIONS, 4>>),
     Quintic(Vec<Piece<S, FUNCTIONS, 6>>),
     Septic(Vec<Piece<S, FUNCTIONS, 8>>),
@@ -56,7 +56,7 @@ enum Pieces<S> {
 pub struct CompiledSystem<'s, S: Float = f64> {
     system: &'s System<S>,
     tables: Tables<S>,
-    pieces: Pieces<S>,
+    pieces: TablePieces<S>,
 }
 
 impl<S: Float> System<S> {
@@ -85,7 +85,7 @@ impl<S: Float> System<S> {
     /// Same errors as [`compile`](Self::compile).
     pub fn compile_for(&self, request: Request) -> Result<CompiledSystem<'_, S>, TableError> {
         let tables = Tables::build(self.modal(), request)?;
-        let pieces = Pieces::of(&tables);
+        let pieces = TablePieces::of(&tables);
         Ok(CompiledSystem {
             system: self,
             tables,
@@ -112,7 +112,7 @@ fn arrays<S: Float, const C: usize>(pieces: &[Fitted<S>]) -> Vec<Piece<S, FUNCTI
     pieces.iter().map(array).collect()
 }
 
-impl<S: Float> Pieces<S> {
+impl<S: Float> TablePieces<S> {
     fn of(tables: &Tables<S>) -> Self {
         let pieces = &tables.pieces;
         match tables.terms {
@@ -219,10 +219,10 @@ impl<S: Float> Tabled for &CompiledSystem<'_, S> {
     }
     fn tabled_limit(&self, r: S) -> S {
         match &self.pieces {
-            Pieces::Cubic(pieces) => self.table(pieces).first(r),
-            Pieces::Quintic(pieces) => self.table(pieces).first(r),
-            Pieces::Septic(pieces) => self.table(pieces).first(r),
-            Pieces::Nonic(pieces) => self.table(pieces).first(r),
+            TablePieces::Cubic(pieces) => self.table(pieces).first(r),
+            TablePieces::Quintic(pieces) => self.table(pieces).first(r),
+            TablePieces::Septic(pieces) => self.table(pieces).first(r),
+            TablePieces::Nonic(pieces) => self.table(pieces).first(r),
         }
     }
     fn tabled_sliding_limit(&self, r: S) -> Option<S> {
@@ -241,10 +241,10 @@ impl<'a, S: Float> TabledMotion for &'a CompiledSystem<'a, S> {
             return None;
         }
         let values = match &self.pieces {
-            Pieces::Cubic(pieces) => self.table(pieces).values(r),
-            Pieces::Quintic(pieces) => self.table(pieces).values(r),
-            Pieces::Septic(pieces) => self.table(pieces).values(r),
-            Pieces::Nonic(pieces) => self.table(pieces).values(r),
+            TablePieces::Cubic(pieces) => self.table(pieces).values(r),
+            TablePieces::Quintic(pieces) => self.table(pieces).values(r),
+            TablePieces::Septic(pieces) => self.table(pieces).values(r),
+            TablePieces::Nonic(pieces) => self.table(pieces).values(r),
         };
         let [limit, quadrature, displacement, direction, _] = values;
         Some(
@@ -312,6 +312,7 @@ impl<'a, S: Float> Deref for CompiledAt<'a, S> {
 pub struct CompiledMotion<'a, S: Float = f64>(Moving<&'a CompiledSystem<'a, S>>);
 
 /// The relative motion of the contact of a [`CompiledSystem`], from tables, while the contact slides all the time.
+#[doc(hidden)]
 pub type CompiledContact<'a, S = f64> = SteadyContact<&'a CompiledSystem<'a, S>>;
 
 impl<'a, S: Float> CompiledMotion<'a, S> {

@@ -44,15 +44,13 @@ pub use frictiongen_model::scene;
 pub use naming::UnknownMotion;
 /// Tables of the response with a declared accuracy.
 pub mod table {
-    pub use frictiongen_model::table::{
-        COARSEST, Evidence, FINEST, FINEST_PROVEN, FINEST_SINGLE, Proof, Reach, Report, Request,
-        TableError, Work, Worst,
-    };
-    /// The contents of a table, for the command that writes them as code.
+    /// The contents of a table and of its report, for the command that writes them as code.
     #[doc(hidden)]
     pub use frictiongen_model::table::{
-        FRICTION_SHARES, Fitted, Held, HeldForm, Index, Product, Tables,
+        COARSEST, Evidence, FINEST, FINEST_PROVEN, FINEST_SINGLE, FRICTION_SHARES, Fitted, Held,
+        HeldForm, Index, Product, Proof, Reach, Tables, Work, Worst,
     };
+    pub use frictiongen_model::table::{Report, Request, TableError};
 }
 pub use frictiongen_model::validate::SceneError;
 pub use frictiongen_syntax::{Diagnostic, Diagnostics};

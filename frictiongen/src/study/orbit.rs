@@ -10,6 +10,7 @@ use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 use std::ops::Deref;
 
 /// The kernel's steady state, with vectors, that a [`SystemOrbit`] derefs to.
+#[doc(hidden)]
 pub type SystemOrbitState<'a, S = f64> = Orbit<'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>>;
 
 /// The steady motion of the contact or of a mass, in any regime.

@@ -52,7 +52,7 @@ pub struct ResponseSensitivities {
 }
 
 /// Amplitude, phase, β_lim and β*_lim at one operating point, each with its derivative with respect to one parameter.
-struct Answers {
+struct PointAnswers {
     amplitude: Sensitive,
     phase: Option<Sensitive>,
     continuous_limit: Sensitive,
@@ -61,7 +61,7 @@ struct Answers {
 
 /// Frequency ratio r and friction ratio β of an operating point, with the units of length and force of the
 /// non-dimensional amplitudes and limits. All four have derivatives.
-struct Groups {
+struct PhysicalGroups {
     r: Sensitive,
     beta: Sensitive,
     length: Sensitive,
@@ -182,16 +182,16 @@ impl System {
     fn answers(
         &self,
         varied: &Varied,
-        groups: &Groups,
+        groups: &PhysicalGroups,
         response: &SystemResponse<'_>,
         (point, of): (OperatingPoint, Of),
-    ) -> Result<Answers, StudyError> {
-        let Groups { r, beta, .. } = *groups;
+    ) -> Result<PointAnswers, StudyError> {
+        let PhysicalGroups { r, beta, .. } = *groups;
         let at = varied.at(r)?;
         let physical = matches!(point, OperatingPoint::Physical { .. });
         let turned = physical && of == Of::Contact && self.contact_is_reversed();
         let (amplitude, phase) = swing(varied, response, (r, beta), of, turned)?;
-        Ok(Answers {
+        Ok(PointAnswers {
             amplitude,
             phase,
             continuous_limit: at.continuous_limit(),
@@ -258,7 +258,12 @@ fn stuck_swing(
 
 /// Returns r, β, and the units of length and force of an operating point. All four have derivatives with respect to
 /// `parameter`.
-fn groups(system: &System, varied: &Varied, point: OperatingPoint, parameter: Parameter) -> Groups {
+fn groups(
+    system: &System,
+    varied: &Varied,
+    point: OperatingPoint,
+    parameter: Parameter,
+) -> PhysicalGroups {
     let number = |value: f64, own: bool| {
         let value = Dd::from(value);
         if own {
@@ -268,7 +273,7 @@ fn groups(system: &System, varied: &Varied, point: OperatingPoint, parameter: Pa
         }
     };
     match point {
-        OperatingPoint::Groups { r, beta } => Groups {
+        OperatingPoint::Groups { r, beta } => PhysicalGroups {
             r: number(r, parameter == Parameter::Frequency),
             beta: number(beta, parameter == Parameter::Friction),
             length: number(1.0, false),
@@ -298,7 +303,7 @@ fn groups(system: &System, varied: &Varied, point: OperatingPoint, parameter: Pa
                     (length, stiffness * length)
                 }
             };
-            Groups {
+            PhysicalGroups {
                 r: varied.frequency_ratio(angular_frequency(hertz)),
                 beta: friction / force,
                 length,

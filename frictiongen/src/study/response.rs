@@ -1,7 +1,9 @@
 //! The steady response in any regime: continuous, stick-slip or stuck.
 
 pub use super::held::SystemHeld;
-pub use super::motion::{SystemMotion, SystemSteady, SystemStuck};
+#[doc(hidden)]
+pub use super::motion::SystemSteady;
+pub use super::motion::{SystemMotion, SystemStuck};
 use super::orbit::SystemOrbit;
 use super::system::System;
 use super::units::{fundamental_phase, polar, reversed_phase};

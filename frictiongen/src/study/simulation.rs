@@ -11,11 +11,11 @@ use frictiongen_kernel::{Float, Plain};
 #[derive(Clone, Debug)]
 pub struct SystemSimulation<'a, S = f64> {
     pub(super) system: &'a System<S>,
-    run: Inner<'a, S>,
+    run: KernelSimulation<'a, S>,
 }
 
 /// The kernel's simulation with vectors, for any friction law.
-type Inner<'a, S> = Simulation<'a, S, Vec<Part<S>>, Lines<'a, S>>;
+type KernelSimulation<'a, S> = Simulation<'a, S, Vec<Part<S>>, Lines<'a, S>>;
 
 impl<S: Plain> System<S> {
     pub(super) fn dynamics(&self) -> Dynamics<'_, S> {
@@ -187,7 +187,7 @@ impl<'a, S: Float> SystemSimulation<'a, S> {
 
     /// Returns the kernel's simulation, which gives phase, cycles, relative motion and friction force.
     #[must_use]
-    pub fn run(&self) -> &Inner<'a, S> {
+    pub fn run(&self) -> &KernelSimulation<'a, S> {
         &self.run
     }
 
@@ -209,7 +209,7 @@ impl<S: Float> Iterator for SystemSimulation<'_, S> {
 }
 
 impl<'a, S> std::ops::Deref for SystemSimulation<'a, S> {
-    type Target = Inner<'a, S>;
+    type Target = KernelSimulation<'a, S>;
 
     fn deref(&self) -> &Self::Target {
         &self.run

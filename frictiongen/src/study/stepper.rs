@@ -15,6 +15,7 @@ const COEFFICIENTS: usize = 4;
 
 /// The constants of steps of one length, as vectors: the propagation of each mode while the contact slides and while it
 /// sticks.
+#[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct SystemStepTables<S> {
     pace: Pace<S>,
@@ -69,6 +70,7 @@ where
 
 /// The state of a stepper, as vectors: displacement and velocity of each mode while the contact slides and while it
 /// sticks.
+#[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct SystemStepStore<S> {
     modes: Vec<[S; 2]>,
@@ -114,16 +116,17 @@ impl<S> Store<S, COEFFICIENTS> for SystemStepStore<S> {
 }
 
 /// The kernel's stepper, with vectors for its constants and its state.
-type Inner<'a, S> = Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>>;
+type KernelStepper<'a, S> = Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>>;
 
 /// The state of a system's stepper, as [`save`](Stepper::save) returns it.
+#[doc(hidden)]
 pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 
 /// The motion of a system in steps of one length, under any input.
 #[derive(Clone, Debug)]
 pub struct SystemStepper<'a, S = f64> {
     pub(super) system: &'a System<S>,
-    stepper: Inner<'a, S>,
+    stepper: KernelStepper<'a, S>,
     /// One force for each mass, because every mass of a run-time system can carry a load. The excited mass comes
     /// first.
     forces: Vec<S>,
@@ -141,14 +144,14 @@ pub struct SystemStepper<'a, S = f64> {
 #[derive(Clone, Debug, PartialEq)]
 #[must_use = "an input acts in a step of a stepper"]
 pub struct SystemInput<'n, S = f64> {
-    excitation: Acting<S>,
+    excitation: ExcitationLoad<S>,
     more: Vec<(&'n str, S)>,
     friction: S,
 }
 
 /// The load at the excitation of the scene: a force on a mass, or displacement and velocity of the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Acting<S> {
+enum ExcitationLoad<S> {
     Force(S),
     Base([S; 2]),
 }
@@ -156,15 +159,15 @@ enum Acting<S> {
 impl<'n, S: Float> SystemInput<'n, S> {
     /// Creates an input with a force on the excited mass.
     pub fn force(force: S) -> Self {
-        Self::new(Acting::Force(force))
+        Self::new(ExcitationLoad::Force(force))
     }
 
     /// Creates an input with a displacement and a velocity of the base.
     pub fn base(displacement: S, velocity: S) -> Self {
-        Self::new(Acting::Base([displacement, velocity]))
+        Self::new(ExcitationLoad::Base([displacement, velocity]))
     }
 
-    fn new(excitation: Acting<S>) -> Self {
+    fn new(excitation: ExcitationLoad<S>) -> Self {
         Self {
             excitation,
             more: Vec::new(),
@@ -291,13 +294,13 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         let steps = self.system.steps();
         self.forces.fill(S::constant(0.0));
         let base = match (input.excitation, self.forces.first_mut()) {
-            (Acting::Base(base), _) if steps.on_base => base,
-            (Acting::Force(force), Some(excited)) if !steps.on_base => {
+            (ExcitationLoad::Base(base), _) if steps.on_base => base,
+            (ExcitationLoad::Force(force), Some(excited)) if !steps.on_base => {
                 *excited = force;
                 [S::constant(0.0); 2]
             }
-            (Acting::Base(_), _) => return Err(OutOfDomain::BaseAtRest.into()),
-            (Acting::Force(_), _) => return Err(OutOfDomain::Forces.into()),
+            (ExcitationLoad::Base(_), _) => return Err(OutOfDomain::BaseAtRest.into()),
+            (ExcitationLoad::Force(_), _) => return Err(OutOfDomain::Forces.into()),
         };
         for (name, force) in &input.more {
             let mass = self.system.mass_index(name)?;

@@ -96,18 +96,21 @@ impl<S: Float> LoadScale<S> {
 }
 
 /// Converts a frequency in Hz to an angular frequency in rad/s.
+#[doc(hidden)]
 #[must_use]
 pub fn angular_frequency<S: Float>(hertz: S) -> S {
     S::constant(2.0) * S::pi() * hertz
 }
 
 /// Converts an angular frequency in rad/s to a frequency in Hz.
+#[doc(hidden)]
 #[must_use]
 pub fn hertz<S: Float>(omega: S) -> S {
     omega / (S::constant(2.0) * S::pi())
 }
 
 /// Converts a phase τ = ωt to a time in seconds, at the angular frequency ω in rad/s.
+#[doc(hidden)]
 #[must_use]
 pub fn seconds<S: Float>(tau: S, omega: S) -> S {
     tau / omega
@@ -118,6 +121,7 @@ pub fn seconds<S: Float>(tau: S, omega: S) -> S {
 /// The result is not exact for a contact that stops at its largest displacement, because the contact keeps that
 /// displacement during the whole stop. Use
 /// [`SystemOrbit::reversed_contact_phase`](super::orbit::SystemOrbit::reversed_contact_phase) for such a contact.
+#[doc(hidden)]
 #[must_use]
 pub fn reversed_phase<S: Float>(lag: S) -> S {
     if S::constant(0.0) < lag {
@@ -129,6 +133,7 @@ pub fn reversed_phase<S: Float>(lag: S) -> S {
 
 /// Returns the lag of the fundamental component X₁ of a motion, rad, in (−π, π]. `centred` is the centred amplitude of
 /// the motion. `None` where X₁ is 0 or only rounding.
+#[doc(hidden)]
 #[must_use]
 pub fn fundamental_phase(x1: Complex<f64>, centred: f64) -> Option<f64> {
     let (size, lag) = polar(x1);
@@ -136,6 +141,7 @@ pub fn fundamental_phase(x1: Complex<f64>, centred: f64) -> Option<f64> {
 }
 
 /// Returns the amplitude |X| of Re X e^{iτ}, and its lag −arg X behind cos τ, in (−π, π].
+#[doc(hidden)]
 #[must_use]
 pub fn polar(x: Complex<f64>) -> (f64, f64) {
     let lag = -x.im.atan2(x.re);

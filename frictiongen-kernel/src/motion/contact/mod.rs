@@ -1,25 +1,32 @@
 //! The law of the contact: what decides when it sticks and slides, and under which force.
 //!
-//! The law answers the questions of this table.  CONTRIBUTING.md lists the files that depend on the answers, under “Add
-//! a friction law”.
+//! [`Law`] has the forces and decisions of a law, and [`ContactChain`] their meaning for the modes of a chain.
+//! CONTRIBUTING.md says how to add a law, under “Add a friction law”.
 //!
 //! | question | answered by |
 //! |---|---|
-//! | which force keeps it stuck, and how it breaks away | [`Rigid::grip`], [`Rigid::break_away`] |
-//! | what follows at zero relative velocity | [`Rigid::leave_rest`] |
-//! | which force acts while it slides | [`Rigid::kinetic`], [`Rigid::kinetic_on`], [`Rigid::kinetic_at`] |
-//! | how the oscillators start to slide and to stick | `Setting::start_sliding`, `Setting::start_sticking` |
-//! | how many modes the stuck chain has, and how states change to them and back | [`LOST_MODES`], `Dynamics::project`, `Dynamics::release` |
-//! | how a deviation grows, and how it jumps at an event | [`carry_deviations`], [`STUCK_MULTIPLIERS`] |
+//! | which force keeps it stuck | [`Law::grip`], [`ContactChain::stuck_force`], [`ContactChain::steady_stuck_force`] |
+//! | what follows where the stuck contact breaks away | [`ContactChain::break_away`], [`Law::break_away`] |
+//! | what follows at zero relative velocity | [`ContactChain::halt`], [`Law::leave_rest`] |
+//! | which force acts while it slides | [`Law::kinetic`], [`Law::kinetic_on`], [`Law::kinetic_at`] |
+//! | what stays constant while it sticks, and its velocity then | [`ContactChain::stuck_place`], [`ContactChain::stuck_velocity`] |
+//! | how many modes the stuck chain has | [`ContactChain::LOST_MODES`] |
+//! | how a deviation grows, and how it jumps at an event | [`ContactChain::carry_deviations`], [`ContactChain::STUCK_MULTIPLIERS`] |
+//!
+//! Every law shares the transformation between the modes of the chain and those of the stuck chain (`stuck_chain`), and
+//! the oscillators while the contact sticks and slides (`sticking`, `sliding`).
 
 pub(crate) mod kinetic;
+mod law;
 mod rigid;
 mod sliding;
 mod state;
+mod sticking;
+mod stuck_chain;
 
 pub use kinetic::{Constant, Level, Lines, MAX_STEEPNESS};
 pub use rigid::LOST_MODES;
 pub use state::{Contact, Event};
 
-pub(crate) use rigid::{Rigid, STUCK_MULTIPLIERS, carry_deviations};
-pub(crate) use state::{ContactState, End, Outcome, Sought};
+pub(crate) use law::{ContactChain, Law};
+pub(crate) use state::{ContactState, Outcome, SegmentEnd, Sought};

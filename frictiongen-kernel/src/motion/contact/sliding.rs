@@ -1,11 +1,11 @@
 //! The chain while its contact slides under a constant friction force.
 
-use super::rigid::{Rigid, Slide};
+use super::law::{ContactChain, Law, Slide};
 use super::state::{Contact, ContactState};
 use crate::motion::clock::phase;
 use crate::motion::dynamics::rotated;
 use crate::motion::oscillator::Part;
-use crate::motion::series::Sum;
+use crate::motion::series::OscillatorSum;
 use crate::motion::setting::Setting;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
@@ -13,17 +13,17 @@ use crate::number::scalar::Float;
 /// Rounding bound of a velocity that vanishes, in roundings of the sum of its terms' sizes.
 const ROUNDINGS: f64 = 8.0;
 
-impl<S: Float> Setting<'_, S> {
+impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     /// The law of the contact, with forces over P.
     #[inline]
-    pub(crate) fn law(&self) -> Rigid<S> {
+    pub(crate) fn law(&self) -> K::Law {
         self.law_at(self.beta)
     }
 
     /// The law of the contact at another friction ratio, with forces over P.
     #[inline]
-    pub(crate) fn law_at(&self, beta: S) -> Rigid<S> {
-        Rigid::on_chain(&self.dynamics.chain, beta)
+    pub(crate) fn law_at(&self, beta: S) -> K::Law {
+        self.dynamics.chain.law(beta)
     }
 
     /// State of a contact that leaves zero relative velocity at the phase `t`.
@@ -64,7 +64,7 @@ impl<S: Float> Setting<'_, S> {
         modes: &'p mut [Part<S>],
         contact_state: &ContactState<S>,
         reach: S,
-    ) -> Sum<'p, S> {
+    ) -> OscillatorSum<'p, S> {
         let at = phase(contact_state.t);
         let sign: S = contact_state.contact.sign();
         let force = self.law().kinetic(contact_state.contact);
@@ -86,6 +86,6 @@ impl<S: Float> Setting<'_, S> {
         let (sine, cosine) = at;
         let cosines = rotated(fundamental, sine, cosine);
         let sines = -(fundamental.re * sine) - fundamental.im * cosine;
-        Sum::new(modes, zero, (cosines, sines), at, reach)
+        OscillatorSum::new(modes, zero, (cosines, sines), at, reach)
     }
 }

@@ -67,7 +67,7 @@ pub enum Event {
 
 /// State of the contact at an instant.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ContactState<S> {
+pub struct ContactState<S> {
     /// The excitation's phase in half-turns, in [0, 2).
     pub t: S,
     /// State of the contact: stuck, or its direction of sliding.
@@ -92,7 +92,7 @@ impl<S: Float> ContactState<S> {
 
 /// End of a segment: its length, its event, and the state of the contact after the event.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct End<S> {
+pub struct SegmentEnd<S> {
     /// Length of the segment, in τ.
     pub tau: S,
     /// Event that ends the segment, or `None` at the reach.

@@ -2,7 +2,7 @@
 //! the bound on the third derivative.
 
 use super::*;
-use crate::motion::series::Sum;
+use crate::motion::series::OscillatorSum;
 use fuzzing::Random;
 
 fn part(zeta: f64, x: f64) -> Part<f64> {
@@ -93,7 +93,7 @@ fn slope_and_curve_are_derivatives() {
         part.start(phase);
         part.aim();
         let parts = [part];
-        let sum = Sum::new(&parts, 0.3, (random.signed(), random.signed()), phase, 6.0);
+        let sum = OscillatorSum::new(&parts, 0.3, (random.signed(), random.signed()), phase, 6.0);
         for _ in 0..10 {
             let tau = 0.1 + 5.0 * random.unit();
             let (local, before, after) =

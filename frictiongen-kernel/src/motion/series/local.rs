@@ -28,13 +28,13 @@ pub(crate) const ORDER: usize = 9;
 
 /// A function of time, given by its derivatives at the start.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Series<S> {
+pub(crate) struct LocalSeries<S> {
     terms: [S; ORDER],
     /// Length in τ up to which the neglected terms are below rounding.
     pub reach: S,
 }
 
-impl<S: Float> Series<S> {
+impl<S: Float> LocalSeries<S> {
     /// Creates a series from the derivatives at the start.  Beyond `reach` the neglected terms exceed rounding.
     pub(crate) fn new(terms: [S; ORDER], reach: S) -> Self {
         Self { terms, reach }
@@ -104,7 +104,7 @@ pub(crate) trait Walked<S> {
     fn local(&self, tau: S) -> Local<S>;
     /// Returns the series of the function from the start.  The caller gives value and slope at the start, which it
     /// knows more accurately than by evaluation.
-    fn series(&self, value: S, slope: S) -> Series<S>;
+    fn series(&self, value: S, slope: S) -> LocalSeries<S>;
     /// Returns the rounding error of a value of the function.
     fn noise(&self) -> S;
     /// Returns the length in τ over which the function is searched.

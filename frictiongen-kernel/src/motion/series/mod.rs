@@ -7,6 +7,6 @@ mod sum;
 
 pub use local::MAX_STEPS;
 
-pub(crate) use local::{Local, ROUNDINGS, Series, Walked};
+pub(crate) use local::{Local, LocalSeries, ROUNDINGS, Walked};
 pub(crate) use power::{Power, TERMS, WALK};
-pub(crate) use sum::Sum;
+pub(crate) use sum::OscillatorSum;

@@ -1,6 +1,6 @@
 //! A function of the contact as a power series about an instant, in the form that a search for its zeros needs.
 
-use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series, Walked};
+use super::local::{Local, LocalSeries, ORDER, ROUNDINGS, SERIES_REACH, Walked};
 use crate::number::scalar::Float;
 
 /// Upper bound on the number of terms of a power series.  1/24! is below the rounding of every scalar that has a table.
@@ -41,7 +41,7 @@ impl<S: Float> Power<S> {
     }
 
     /// Returns the function sign·f − level, where f is this series, for a search over the length `reach`.
-    pub(crate) fn seen(&self, sign: S, level: S, reach: S) -> Seen<'_, S> {
+    pub(crate) fn seen(&self, sign: S, level: S, reach: S) -> PowerUpTo<'_, S> {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let mut bound = S::constant(0.0);
         let count = u32::try_from(self.count).unwrap_or(u32::MAX);
@@ -51,7 +51,7 @@ impl<S: Float> Power<S> {
             bound = bound * reach + term.abs() * n * (n - one) * (n - two);
         }
         let noise = (self.size + level.abs()) * S::constant(ROUNDINGS * S::EPSILON);
-        Seen {
+        PowerUpTo {
             power: self,
             sign,
             level,
@@ -65,7 +65,7 @@ impl<S: Float> Power<S> {
 /// A function for a search: sign·f − level, where f is a power series.  It has a length over which it is searched, and
 /// a bound on its third derivative.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Seen<'p, S> {
+pub(crate) struct PowerUpTo<'p, S> {
     power: &'p Power<S>,
     sign: S,
     level: S,
@@ -74,7 +74,7 @@ pub(crate) struct Seen<'p, S> {
     noise: S,
 }
 
-impl<S: Float> Walked<S> for Seen<'_, S> {
+impl<S: Float> Walked<S> for PowerUpTo<'_, S> {
     const MOST: u32 = WALK;
 
     fn local(&self, tau: S) -> Local<S> {
@@ -96,7 +96,7 @@ impl<S: Float> Walked<S> for Seen<'_, S> {
         }
     }
 
-    fn series(&self, value: S, slope: S) -> Series<S> {
+    fn series(&self, value: S, slope: S) -> LocalSeries<S> {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let mut terms = [zero; ORDER];
         let (mut factorial, mut order) = (self.sign, one);
@@ -109,7 +109,7 @@ impl<S: Float> Walked<S> for Seen<'_, S> {
         let [first, second, ..] = &mut terms;
         (*first, *second) = (value, slope);
         // The neglected terms are below rounding.  A motion that turns by at most a radian has terms that fall as 1/n!.
-        Series::new(terms, S::constant(SERIES_REACH))
+        LocalSeries::new(terms, S::constant(SERIES_REACH))
     }
 
     fn noise(&self) -> S {

@@ -2,14 +2,14 @@
 //! component at the excitation's frequency plus a sum over oscillators.  The oscillators are the modes of the free
 //! chain or of the stuck chain.
 
-use super::local::{Local, ORDER, ROUNDINGS, SERIES_REACH, Series, Walked};
+use super::local::{Local, LocalSeries, ORDER, ROUNDINGS, SERIES_REACH, Walked};
 use crate::motion::oscillator::Part;
 use crate::number::scalar::Float;
 
 /// The function constant + cosine·cos τ + sine·sin τ + Σ of the oscillators' free motions.  An oscillator near its
 /// resonance also adds its forced motion, which grows from zero.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Sum<'a, S> {
+pub(crate) struct OscillatorSum<'a, S> {
     pub parts: &'a [Part<S>],
     pub constant: S,
     pub cosine: S,
@@ -27,7 +27,7 @@ pub(crate) struct Sum<'a, S> {
     bound: S,
 }
 
-impl<'a, S: Float> Sum<'a, S> {
+impl<'a, S: Float> OscillatorSum<'a, S> {
     /// Creates the sum.  [`Part::aim`] must have prepared each of `parts`.
     pub(crate) fn new(
         parts: &'a [Part<S>],
@@ -101,7 +101,7 @@ impl<'a, S: Float> Sum<'a, S> {
     }
 }
 
-impl<S: Float> Walked<S> for Sum<'_, S> {
+impl<S: Float> Walked<S> for OscillatorSum<'_, S> {
     #[inline]
     fn local(&self, tau: S) -> Local<S> {
         self.local(tau)
@@ -109,7 +109,7 @@ impl<S: Float> Walked<S> for Sum<'_, S> {
 
     /// Returns the series from the start, with the given value and slope.  Its reach is the largest τ at which the
     /// series is exact to rounding.
-    fn series(&self, value: S, slope: S) -> Series<S> {
+    fn series(&self, value: S, slope: S) -> LocalSeries<S> {
         let mut terms = [S::constant(0.0); ORDER];
         let (mut cosine, mut sine) = (self.cosine, self.sine);
         for (order, term) in terms.iter_mut().enumerate() {
@@ -132,7 +132,7 @@ impl<S: Float> Walked<S> for Sum<'_, S> {
         }
         let [first, second, ..] = &mut terms;
         (*first, *second) = (value, slope);
-        Series::new(terms, S::constant(SERIES_REACH) / self.rate)
+        LocalSeries::new(terms, S::constant(SERIES_REACH) / self.rate)
     }
 
     fn noise(&self) -> S {

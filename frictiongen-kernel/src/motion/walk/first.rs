@@ -3,7 +3,7 @@
 //! shrink as they approach the zero, so that the walk also locates the zero.
 
 use super::step;
-use crate::motion::series::{Local, ROUNDINGS, Series, Walked};
+use crate::motion::series::{Local, LocalSeries, ROUNDINGS, Walked};
 use crate::number::scalar::Float;
 
 /// Margin by which a force must exceed the break-away level after the contact has just failed to slide, in units of the
@@ -25,7 +25,7 @@ pub(crate) enum Walk<S> {
 
 /// Value of the function at the start of a walk.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Start<S> {
+pub(crate) enum WalkStart<S> {
     /// Any value.  The walk evaluates the function at its start.
     Anywhere,
     /// Exactly zero, with this slope.
@@ -37,14 +37,14 @@ pub(crate) enum Start<S> {
 /// Finds the first zero of a function that starts positive.  Adds the number of steps to `steps`.
 pub(crate) fn first_zero<S: Float, F: Walked<S>>(
     sum: &F,
-    start: Start<S>,
+    start: WalkStart<S>,
     steps: &mut u32,
 ) -> Walk<S> {
     let zero = S::constant(0.0);
     let mut tau = zero;
     let mut local = sum.local(tau);
-    let mut series: Option<Series<S>> = None;
-    if let Start::Zero(slope) = start {
+    let mut series: Option<LocalSeries<S>> = None;
+    if let WalkStart::Zero(slope) = start {
         let terms = sum.series(zero, slope);
         local = terms.at(zero, local.bound);
         if !(zero < slope || zero < terms.term(2)) {
@@ -57,9 +57,9 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
         *steps = steps.saturating_add(1);
         let noise = if exact { zero } else { sum.noise() };
         let h = match verdict(&local, noise, tau, exact) {
-            Verdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), false),
-            Verdict::Past(step) => step,
-            Verdict::Above => step::safe(
+            RootVerdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), false),
+            RootVerdict::Past(step) => step,
+            RootVerdict::Above => step::safe(
                 local.value.max(zero),
                 local.slope,
                 local.curve,
@@ -95,13 +95,13 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     sum: &F,
     level: S,
     from: S,
-    start: Start<S>,
+    start: WalkStart<S>,
     steps: &mut u32,
 ) -> Walk<S> {
     let zero = S::constant(0.0);
     let noise = sum.noise() + level * S::constant(ROUNDINGS * S::EPSILON);
     let level = match start {
-        Start::Wedged => level + noise * S::constant(WEDGED),
+        WalkStart::Wedged => level + noise * S::constant(WEDGED),
         _ => level,
     };
     let mut tau = from;
@@ -113,9 +113,9 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
             let gap = gap(&local, level, negative);
             let most = sum.reach() - tau;
             let h = match verdict(&gap, noise, tau, false) {
-                Verdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), negative),
-                Verdict::Past(step) => step.min(most),
-                Verdict::Above => {
+                RootVerdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), negative),
+                RootVerdict::Past(step) => step.min(most),
+                RootVerdict::Above => {
                     step::safe(gap.value.max(zero), gap.slope, gap.curve, gap.bound, most)
                 }
             };
@@ -154,7 +154,7 @@ fn gap<S: Float>(local: &Local<S>, level: S, negative: bool) -> Local<S> {
     }
 }
 
-enum Verdict<S> {
+enum RootVerdict<S> {
     /// The function is positive.
     Above,
     /// The function has a zero at this distance from the present instant.
@@ -163,7 +163,7 @@ enum Verdict<S> {
     Past(S),
 }
 
-fn verdict<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> Verdict<S> {
+fn verdict<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> RootVerdict<S> {
     let zero = S::constant(0.0);
     let Local {
         value,
@@ -172,13 +172,13 @@ fn verdict<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> Verdict
         ..
     } = *local;
     if noise < value || !(slope < zero) || (exact && tau.is_zero()) {
-        return Verdict::Above;
+        return RootVerdict::Above;
     }
     if zero < curve {
         let bottom = -(slope / curve);
         let least = value + slope * bottom * S::constant(0.5);
         if -noise < least {
-            return Verdict::Past(bottom + bottom + tau * S::constant(PAST * S::EPSILON));
+            return RootVerdict::Past(bottom + bottom + tau * S::constant(PAST * S::EPSILON));
         }
     }
     let mut shift = -(value / slope);
@@ -188,5 +188,5 @@ fn verdict<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> Verdict
         let root = (slope * slope - two * value * curve).sqrt();
         shift = two * value / (root - slope);
     }
-    Verdict::Zero(if shift.is_finite() { shift } else { zero })
+    RootVerdict::Zero(if shift.is_finite() { shift } else { zero })
 }

@@ -1,8 +1,8 @@
 //! Finds the largest absolute value of a sum over oscillators between two events.  The search for events also finds
 //! peaks.
 
-use super::first::{Start, Walk, first_reach};
-use crate::motion::series::Sum;
+use super::first::{Walk, WalkStart, first_reach};
+use crate::motion::series::OscillatorSum;
 use crate::number::scalar::Float;
 
 /// Difference, in roundings, below which two values count as equal.
@@ -23,7 +23,7 @@ const AT_SUMMIT: f64 = 1e-3;
 /// Shortest step that rounding allows, in roundings.
 const LEAST_ROUNDINGS: f64 = 4.0;
 
-impl<S: Float> Sum<'_, S> {
+impl<S: Float> OscillatorSum<'_, S> {
     /// Calls `note` with the instant and the value of every local extreme whose size reaches `level` within rounding.
     /// `note` returns the new level.
     pub(crate) fn peaks(&self, mut level: S, mut note: impl FnMut(S, S) -> S) {
@@ -48,7 +48,8 @@ impl<S: Float> Sum<'_, S> {
             }
         }
         for _ in 0..MAX_CLIMBS {
-            let Walk::Zero(tau, _) = first_reach(self, level * near, from, Start::Anywhere, &mut 0)
+            let Walk::Zero(tau, _) =
+                first_reach(self, level * near, from, WalkStart::Anywhere, &mut 0)
             else {
                 return;
             };

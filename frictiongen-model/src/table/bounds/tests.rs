@@ -2,11 +2,11 @@
 
 use super::super::evidence::Evidence;
 use super::super::exact::Exact;
-use super::super::samples::{random, request, scene};
 use super::super::tables::Tables;
 use super::super::zeros::Zeros;
 use super::{Cell, Known, Product, Proof, Receptances, plain};
 use crate::modal::Modal;
+use crate::samples::{random, request, scene};
 use crate::scene::Side;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::complex;

@@ -30,12 +30,12 @@ impl Row for QuantityLine {}
 
 /// A list of lines that is being built.
 #[derive(Default)]
-struct Lines {
+struct QuantityLines {
     recording: Option<usize>,
     all: Vec<QuantityLine>,
 }
 
-impl Lines {
+impl QuantityLines {
     fn number(&mut self, key: &str, label: &str, value: f64, unit: &'static str) {
         self.add((key, label), value.into(), None, unit);
     }
@@ -94,7 +94,7 @@ pub fn line_columns<'a>(system: &System, lines: &[QuantityLine]) -> Vec<Column<'
 /// Returns the result of a free vibration as lines.
 #[must_use]
 pub fn decay_lines(found: &FreeDecay) -> Vec<QuantityLine> {
-    let mut lines = Lines::default();
+    let mut lines = QuantityLines::default();
     lines.estimate("friction_N", "friction force", found.friction, "N");
     lines.estimate("length_m", "F/k", found.length, "m");
     let label = "F/k by the linear decrement";
@@ -110,7 +110,7 @@ pub fn decay_lines(found: &FreeDecay) -> Vec<QuantityLine> {
 /// Returns the result of a fit to `points` points of a sweep as lines.
 #[must_use]
 pub fn fit_lines(system: &System, found: &SweepFit, points: usize) -> Vec<QuantityLine> {
-    let mut lines = Lines::default();
+    let mut lines = QuantityLines::default();
     let scene = system.scene();
     lines.estimate("reference_Hz", "sqrt(k1/m1)", found.reference, "Hz");
     // The following lines give the factors from f in Hz to r, and from ω in rad/s to r.
@@ -148,13 +148,13 @@ pub fn fit_lines(system: &System, found: &SweepFit, points: usize) -> Vec<Quanti
     lines.all
 }
 
-fn natural_frequency(lines: &mut Lines, mode: usize, found: Estimate) {
+fn natural_frequency(lines: &mut QuantityLines, mode: usize, found: Estimate) {
     let key = format!("natural_frequency_{mode}_Hz");
     lines.estimate(&key, &format!("natural frequency {mode}"), found, "Hz");
 }
 
 /// Adds the numbers of the fitted description. Its first mass keeps its value.
-fn described(lines: &mut Lines, system: &System) {
+fn described(lines: &mut QuantityLines, system: &System) {
     let scene = system.scene();
     for mass in &scene.masses {
         let name = &mass.name;
@@ -175,7 +175,7 @@ pub fn identify_lines(
     observations: &[Observation],
     found: &Identified,
 ) -> Vec<QuantityLine> {
-    let mut lines = Lines::default();
+    let mut lines = QuantityLines::default();
     lines.word("verdict", "friction force is", found.verdict.word());
     if 1 < found.levels.len() {
         for (index, level) in (1..).zip(&found.levels) {
@@ -215,7 +215,11 @@ pub fn identify_lines(
 }
 
 /// Adds the lines of one recording.
-fn recording(lines: &mut Lines, system: &System, (seen, point): (&Observation, &Explained)) {
+fn recording(
+    lines: &mut QuantityLines,
+    system: &System,
+    (seen, point): (&Observation, &Explained),
+) {
     let number = lines.recording.unwrap_or_default();
     let label = format!("recording {number}: frequency");
     lines.number("frequency_Hz", &label, seen.hertz, "Hz");
@@ -232,7 +236,7 @@ fn recording(lines: &mut Lines, system: &System, (seen, point): (&Observation, &
 
 /// Adds the lines of the motions of one recording.
 fn motions(
-    lines: &mut Lines,
+    lines: &mut QuantityLines,
     system: &System,
     (seen, point): (&Observation, &Explained),
     residuals: &[crate::Complex<f64>],

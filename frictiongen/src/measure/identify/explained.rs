@@ -1,7 +1,7 @@
 //! Decides whether a scene explains a measurement at all, and pairs each observation with the scene's response.
 
 use super::answer::Explained;
-use super::friction::{PLACES, Problem};
+use super::friction::{IdentifyProblem, PLACES};
 use super::model;
 use super::observation::Using;
 use crate::measure::MeasureError;
@@ -21,7 +21,7 @@ const TINY: f64 = 0.01;
 /// Root mean square of the phase differences, in rad, at or above which phases count as not explained: 15°.
 const TURNED: f64 = PI / 12.0;
 
-impl Problem<'_> {
+impl IdentifyProblem<'_> {
     /// Returns the unexplained fraction of the motion at this friction force. Also returns the mass and the motion with
     /// the largest unexplained amount.
     fn unexplained(&self, friction: f64, factor: f64) -> Option<(f64, usize, f64, f64)> {

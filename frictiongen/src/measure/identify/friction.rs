@@ -21,7 +21,7 @@ const HALVINGS: usize = 40;
 const WIDE: f64 = 1.0;
 
 /// Measurements and the scene that is compared with them.
-pub(super) struct Problem<'a> {
+pub(super) struct IdentifyProblem<'a> {
     pub(super) system: &'a System,
     pub(super) observations: &'a [Observation],
     pub(super) using: Using,
@@ -31,7 +31,7 @@ pub(super) struct Problem<'a> {
     pub(super) stuck_beyond: bool,
 }
 
-impl<'a> Problem<'a> {
+impl<'a> IdentifyProblem<'a> {
     pub(super) fn new(
         system: &'a System,
         observations: &'a [Observation],
@@ -292,11 +292,11 @@ impl Alone {
     }
 
     /// Returns an error unless the best force explains the measurement.
-    pub(super) fn checked(&self, problem: &Problem<'_>) -> Result<(), MeasureError> {
+    pub(super) fn checked(&self, problem: &IdentifyProblem<'_>) -> Result<(), MeasureError> {
         problem.explains(self.best()?.value)
     }
 
-    pub(super) fn answer(self, problem: &Problem<'_>) -> Result<Identified, MeasureError> {
+    pub(super) fn answer(self, problem: &IdentifyProblem<'_>) -> Result<Identified, MeasureError> {
         let mut friction = self.best()?;
         let explained = problem.explained(problem.system, friction.value)?;
         let mut verdict = verdict(&friction, self.levels.len(), &explained);
@@ -342,7 +342,7 @@ pub(super) fn verdict(friction: &Estimate, levels: usize, explained: &[Explained
 }
 
 /// Returns the condition: relative change of the friction force over the relative change of the motion that causes it.
-fn condition(problem: &Problem<'_>, friction: &Estimate, explained: &[Explained]) -> f64 {
+fn condition(problem: &IdentifyProblem<'_>, friction: &Estimate, explained: &[Explained]) -> f64 {
     let Some(along) = Along::new(problem.system, Direction::Friction) else {
         return f64::INFINITY;
     };

@@ -59,7 +59,7 @@ impl System {
         observations: &[Observation],
         request: &IdentifyRequest,
     ) -> Result<Identified, MeasureError> {
-        let problem = friction::Problem::new(self, observations, request)?;
+        let problem = friction::IdentifyProblem::new(self, observations, request)?;
         let alone = problem.friction()?;
         if request.unknowns.is_empty() {
             alone.checked(&problem)?;

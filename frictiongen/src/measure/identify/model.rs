@@ -15,7 +15,7 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
 /// The response of a scene to the load of an observation.
-pub(super) struct Answer {
+pub(super) struct ComputedResponse {
     pub(super) r: f64,
     pub(super) beta: f64,
     pub(super) regime: Regime,
@@ -49,7 +49,11 @@ pub(super) fn force_scale(system: &System, load: Load) -> f64 {
 }
 
 /// Returns the response at a friction force in N, or `None` where there is no steady response.
-pub(super) fn answer(system: &System, seen: &Observation, friction: f64) -> Option<Answer> {
+pub(super) fn answer(
+    system: &System,
+    seen: &Observation,
+    friction: f64,
+) -> Option<ComputedResponse> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let beta = friction / force_scale(system, seen.load);
     let at = system.at(r).ok()?;
@@ -59,7 +63,7 @@ pub(super) fn answer(system: &System, seen: &Observation, friction: f64) -> Opti
         let value = response.harmonic(Of::Mass(datum.mass), datum.harmonic)? * scale;
         (value.re.is_finite() && value.im.is_finite()).then_some(value)
     });
-    Some(Answer {
+    Some(ComputedResponse {
         r,
         beta,
         regime: response.regime(),

@@ -2,7 +2,7 @@
 
 use super::answer::{Estimate, Identified, Verdict};
 use super::data::Weighed;
-use super::friction::{Alone, Problem, verdict};
+use super::friction::{Alone, IdentifyProblem, verdict};
 use super::model::{self, Along, Direction};
 use super::request::Unknown;
 use crate::Complex;
@@ -41,13 +41,13 @@ fn directions(unknown: Unknown, masses: usize) -> Vec<Direction> {
     }
 }
 
-struct Several<'p, 'a> {
-    problem: &'p Problem<'a>,
+struct SeveralFit<'p, 'a> {
+    problem: &'p IdentifyProblem<'a>,
     unknowns: &'p [Unknown],
     weighed: Vec<Weighed<'a>>,
 }
 
-impl Several<'_, '_> {
+impl SeveralFit<'_, '_> {
     fn system(&self, parameters: &[f64]) -> Option<System> {
         model::changed(self.problem.system, self.unknowns, parameters.get(1..)?)
     }
@@ -131,7 +131,7 @@ impl Several<'_, '_> {
 
 /// Fits the friction force and the other unknowns together.
 pub(super) fn fit(
-    problem: &Problem<'_>,
+    problem: &IdentifyProblem<'_>,
     alone: &Alone,
     unknowns: &[Unknown],
 ) -> Result<Identified, MeasureError> {
@@ -175,7 +175,7 @@ pub(super) fn fit(
         )
         .collect();
     let mut best: Option<Fit> = None;
-    let mut several = Several {
+    let mut several = SeveralFit {
         problem,
         unknowns,
         weighed: problem.weighed(problem.system, None)?,
@@ -187,7 +187,7 @@ pub(super) fn fit(
             unknowns: 1 + unknowns.len(),
         });
     }
-    let run = |several: &Several<'_, '_>, start: &[f64]| {
+    let run = |several: &SeveralFit<'_, '_>, start: &[f64]| {
         minimise(
             start,
             &limits,
@@ -218,7 +218,7 @@ pub(super) fn fit(
     answer(&several, fit, data)
 }
 
-fn answer(several: &Several<'_, '_>, fit: Fit, data: usize) -> Result<Identified, MeasureError> {
+fn answer(several: &SeveralFit<'_, '_>, fit: Fit, data: usize) -> Result<Identified, MeasureError> {
     let (problem, unknowns) = (several.problem, several.unknowns);
     let freedom = data - fit.rank;
     let misfit = (freedom > 0).then(|| fit.squares / freedom as f64);
@@ -235,7 +235,7 @@ fn answer(several: &Several<'_, '_>, fit: Fit, data: usize) -> Result<Identified
     };
     let friction = estimate(0);
     let explained = problem.explained(&system, friction.value)?;
-    let changed = Problem {
+    let changed = IdentifyProblem {
         system: &system,
         ..*problem
     };

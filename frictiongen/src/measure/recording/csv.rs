@@ -29,7 +29,7 @@ pub struct Column {
 
 /// A table of numbers as a file contains it, with a name for each column.
 #[derive(Debug)]
-pub(crate) struct Table {
+pub(crate) struct CsvTable {
     pub(crate) names: Vec<String>,
     /// Line number of each row in the file, from 1.
     pub(crate) lines: Vec<usize>,
@@ -37,7 +37,7 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Vec<Option<f64>>>,
 }
 
-impl Table {
+impl CsvTable {
     /// Reads a table: a line of names, optionally a line of units, then numbers. Lines that begin with # are skipped.
     pub(crate) fn read(text: &str) -> Result<Self, MeasureError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -206,7 +206,7 @@ impl Recording {
 
 /// Returns sampling rate and channels of CSV text.
 fn read(text: &str, request: &CsvRequest) -> Result<(f64, Vec<Channel>), MeasureError> {
-    let table = Table::read(text)?;
+    let table = CsvTable::read(text)?;
     let mut time = None;
     let mut channels = Vec::new();
     let mut add = |name: &str, place: usize, unit: Option<Unit>| -> Result<(), MeasureError> {

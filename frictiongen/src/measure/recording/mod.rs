@@ -10,7 +10,7 @@ mod uff58;
 mod unit;
 
 pub use channel::Channel;
-pub(super) use csv::Table;
+pub(super) use csv::CsvTable;
 pub use csv::{Column, CsvRequest};
 pub use series::Recording;
 pub use unit::{Dimension, Unit};

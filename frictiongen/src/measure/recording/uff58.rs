@@ -24,12 +24,12 @@ struct Set {
 }
 
 /// The lines of a file, with their numbers.
-struct Lines<'t> {
+struct FileLines<'t> {
     lines: std::iter::Peekable<std::iter::Enumerate<std::str::Lines<'t>>>,
     last: usize,
 }
 
-impl<'t> Lines<'t> {
+impl<'t> FileLines<'t> {
     fn next(&mut self) -> Result<&'t str, MeasureError> {
         let (index, line) = self.lines.next().ok_or_else(|| MeasureError::Format {
             line: self.last + 1,
@@ -54,7 +54,7 @@ fn field(line: &str, from: usize, to: usize) -> &str {
 }
 
 fn number<T: std::str::FromStr>(
-    lines: &Lines<'_>,
+    lines: &FileLines<'_>,
     text: &str,
     what: &str,
 ) -> Result<T, MeasureError> {
@@ -75,7 +75,7 @@ impl Recording {
     /// [`MeasureError`] for everything that [`new`](Self::new) rejects, and for a data set that is not in this form.
     /// [`MeasureError`] also for a channel without a unit, and for unequal time steps.
     pub fn from_uff58(text: &str, request: &CsvRequest) -> Result<Self, MeasureError> {
-        let mut lines = Lines {
+        let mut lines = FileLines {
             lines: text.lines().enumerate().peekable(),
             last: 0,
         };
@@ -193,7 +193,7 @@ fn exponential(value: f64, digits: usize) -> String {
 }
 
 /// Reads the data set 58 that follows. Returns `None` if its function is not a function of time, or is not requested.
-fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, MeasureError> {
+fn set(lines: &mut FileLines<'_>, request: &CsvRequest) -> Result<Option<Set>, MeasureError> {
     let line = lines.last;
     let title = lines.next()?.trim().to_owned();
     for _ in 0..4 {
@@ -262,7 +262,7 @@ fn set(lines: &mut Lines<'_>, request: &CsvRequest) -> Result<Option<Set>, Measu
 
 /// Reads the numbers up to the end of the data set. A number occupies 13 or 20 characters, mostly with blanks in
 /// between.
-fn values(lines: &mut Lines<'_>) -> Result<Vec<f64>, MeasureError> {
+fn values(lines: &mut FileLines<'_>) -> Result<Vec<f64>, MeasureError> {
     let mut values = Vec::new();
     loop {
         let line = lines.next()?;

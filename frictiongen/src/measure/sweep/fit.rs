@@ -1,6 +1,6 @@
 //! Finds starting points for the fit to a sweep, and fits from them.
 
-use super::model::{Form, Sweep};
+use super::model::{AmplitudeScale, Sweep};
 use crate::measure::MeasureError;
 use crate::measure::least_squares::{Fit, minimise};
 
@@ -67,7 +67,10 @@ impl Sweep<'_> {
                 if let Some(first) = start.first_mut() {
                     *first = *factor;
                 }
-                judged.push((self.compared(&values, Form::Log).norm_squared(), start));
+                judged.push((
+                    self.compared(&values, AmplitudeScale::Log).norm_squared(),
+                    start,
+                ));
             }
         }
         judged.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -90,7 +93,7 @@ impl Sweep<'_> {
             };
             start.iter().enumerate().map(bound).collect()
         };
-        let run = |start: &[f64], form: Form| {
+        let run = |start: &[f64], form: AmplitudeScale| {
             minimise(
                 start,
                 &bounds(start),
@@ -101,8 +104,8 @@ impl Sweep<'_> {
         // Amplitudes have poles, near which the slope of the sum of squares leads nowhere. The slope of their
         // logarithms does lead to the minimum.
         let from = |start: &[f64]| {
-            let rough = run(start, Form::Log)?;
-            run(&rough.parameters, Form::Plain).filter(|fit| fit.settled)
+            let rough = run(start, AmplitudeScale::Log)?;
+            run(&rough.parameters, AmplitudeScale::Plain).filter(|fit| fit.settled)
         };
         let own = from(&self.start());
         let freedom = self.points.len() - self.start().len();
@@ -132,9 +135,9 @@ impl Sweep<'_> {
                         most.max((new - old).abs() / old.abs().max(BACK))
                     });
                     // Most of these fits lead back to the best fit. They end as soon as they have returned to it.
-                    (BACK < back).then(|| self.linearise(at, Form::Plain))?
+                    (BACK < back).then(|| self.linearise(at, AmplitudeScale::Plain))?
                 };
-                let residuals = |at: &[f64]| self.residuals(at, Form::Plain);
+                let residuals = |at: &[f64]| self.residuals(at, AmplitudeScale::Plain);
                 minimise(&start, &bounds(&start), residuals, linearise).filter(|fit| fit.settled)
             });
             let found = found.min_by(|a, b| a.squares.total_cmp(&b.squares));

@@ -124,24 +124,28 @@ impl<'a> Sweep<'a> {
         point.deviation.unwrap_or(point.amplitude)
     }
 
-    pub(super) fn residuals(&self, parameters: &[f64], form: Form) -> Option<DVector<f64>> {
+    pub(super) fn residuals(
+        &self,
+        parameters: &[f64],
+        form: AmplitudeScale,
+    ) -> Option<DVector<f64>> {
         Some(self.compared(&self.values(&self.at(parameters)?, 1.0)?, form))
     }
 
     /// Returns the residuals of the points: measured less computed amplitudes, in the given form.
-    pub(super) fn compared(&self, values: &[Complex<f64>], form: Form) -> DVector<f64> {
+    pub(super) fn compared(&self, values: &[Complex<f64>], form: AmplitudeScale) -> DVector<f64> {
         let residuals = self
             .points
             .iter()
             .zip(values)
             .map(|(point, value)| match form {
-                Form::Plain => (point.amplitude - value.norm()) / Self::weight(point),
-                Form::Log => (point.amplitude / value.norm()).ln().clamp(-FAR, FAR),
+                AmplitudeScale::Plain => (point.amplitude - value.norm()) / Self::weight(point),
+                AmplitudeScale::Log => (point.amplitude / value.norm()).ln().clamp(-FAR, FAR),
             });
         DVector::from_iterator(self.points.len(), residuals)
     }
 
-    pub(super) fn linearise(&self, parameters: &[f64], form: Form) -> Option<Linearised> {
+    pub(super) fn linearise(&self, parameters: &[f64], form: AmplitudeScale) -> Option<Linearised> {
         let system = self.at(parameters)?;
         let values = self.values(&system, 1.0)?;
         let residuals = self.compared(&values, form);
@@ -169,9 +173,9 @@ impl<'a> Sweep<'a> {
                     let size = value.norm();
                     let change = scale * (value.re * re.slope + value.im * im.slope) / size;
                     *jacobian.get_mut((row, index))? -= match form {
-                        Form::Plain => change / Self::weight(point),
-                        Form::Log if far => 0.0,
-                        Form::Log => change / size,
+                        AmplitudeScale::Plain => change / Self::weight(point),
+                        AmplitudeScale::Log if far => 0.0,
+                        AmplitudeScale::Log => change / size,
                     };
                 }
             }
@@ -185,7 +189,7 @@ impl<'a> Sweep<'a> {
 
 /// The form in which amplitudes are compared: the amplitudes themselves, or their logarithms.
 #[derive(Clone, Copy)]
-pub(super) enum Form {
+pub(super) enum AmplitudeScale {
     Plain,
     Log,
 }

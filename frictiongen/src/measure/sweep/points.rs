@@ -1,7 +1,7 @@
 //! Measured amplitudes of a sweep, and the table from which they are read.
 
 use crate::measure::MeasureError;
-use crate::measure::recording::Table;
+use crate::measure::recording::CsvTable;
 use crate::study::System;
 
 /// One measured amplitude of a mass at one frequency, without friction.
@@ -25,7 +25,7 @@ impl SweepPoint {
     /// [`MeasureError`] for a cell that is not a number, and for missing frequencies. [`MeasureError`] also for a mass
     /// that the scene does not have, and for a table without points.
     pub fn read(text: &str, system: &System) -> Result<Vec<Self>, MeasureError> {
-        let table = Table::read(text)?;
+        let table = CsvTable::read(text)?;
         let named = |name: &str| table.names.iter().position(|other| other == name);
         let wrong = |what: String| MeasureError::Sweep { line: 1, what };
         let frequency = named("frequency_Hz")

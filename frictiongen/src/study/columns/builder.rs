@@ -1,7 +1,7 @@
 //! Collects the columns of a table. Each call adds one column.
 
 use super::cell::Cell;
-use super::column::{Axis, Column, Head, Kind, Read, Row, Shown};
+use super::column::{Axis, Column, Head, Kind, ReadCell, Row, Shown};
 use super::measure::{Dimension, Measure};
 use crate::study::features::Sensed;
 
@@ -186,7 +186,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         }
     }
 
-    fn push(&mut self, head: Head, kind: Kind<'a>, read: Read<'a, R>) {
+    fn push(&mut self, head: Head, kind: Kind<'a>, read: ReadCell<'a, R>) {
         let name = match (head.under_load, self.measure.scale()) {
             (Some(name), Some(_)) => name,
             _ => &head.name,

@@ -121,7 +121,7 @@ impl From<&'static str> for Head {
 }
 
 /// Function that reads a column's cell from a row.
-pub(super) type Read<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
+pub(super) type ReadCell<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
 
 /// Function that returns true if an answer printed as lines contains a line for this value.
 type Says<'a, Row> = Box<dyn Fn(&Row) -> bool + 'a>;
@@ -149,7 +149,7 @@ pub struct Column<'a, Row> {
     pub(super) attribute: Option<&'static str>,
     /// Unit of the numbers. For a displacement without a load it is the reference, `P/k1` or `Y`.
     pub(super) of_what: &'static str,
-    pub(super) read: Read<'a, Row>,
+    pub(super) read: ReadCell<'a, Row>,
     pub(super) says: Option<Says<'a, Row>>,
     pub(super) moves: Option<Moves<'a, Row>>,
 }

@@ -54,10 +54,10 @@ impl AtFrequency for LimitsRow {
 }
 
 /// Function that reads a limit from a row.
-type Read = fn(&LimitsRow) -> Option<f64>;
+type ReadLimit = fn(&LimitsRow) -> Option<f64>;
 
 /// The limits in order: name, heading, symbol of the ratio, and the function that reads the limit.
-const LIMITS: [(&str, &str, &str, Read); 4] = [
+const LIMITS: [(&str, &str, &str, ReadLimit); 4] = [
     ("continuous_limit", "continuous limit", "beta_lim", |row| {
         row.continuous
     }),

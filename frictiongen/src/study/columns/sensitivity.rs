@@ -24,11 +24,11 @@ pub struct SensitivityRow {
     pub regime: &'static str,
     /// The word `exact`, or the reason why there are no derivatives.
     pub answer: &'static str,
-    found: Option<Found>,
+    found: Option<FoundSlope>,
 }
 
 #[derive(Clone, Debug)]
-struct Found {
+struct FoundSlope {
     symbol: String,
     unit: &'static str,
     sensitivity: ParameterSensitivity,
@@ -45,7 +45,7 @@ pub struct SensitivityTable<'a> {
 
 /// An answer X, such as an amplitude, whose derivatives the table contains.
 #[derive(Clone, Copy)]
-struct Answer {
+struct SlopedAnswer {
     name: &'static str,
     title: &'static str,
     dimension: Dimension,
@@ -53,26 +53,26 @@ struct Answer {
 }
 
 /// The answers in the order of their columns.
-const ANSWERS: [Answer; 4] = [
-    Answer {
+const ANSWERS: [SlopedAnswer; 4] = [
+    SlopedAnswer {
         name: "amplitude",
         title: "amplitude",
         dimension: Dimension::Length,
         read: |of| Some(of.amplitude),
     },
-    Answer {
+    SlopedAnswer {
         name: "phase",
         title: "phase",
         dimension: Dimension::Angle,
         read: |of| of.phase,
     },
-    Answer {
+    SlopedAnswer {
         name: "continuous_limit",
         title: "continuous limit",
         dimension: Dimension::Force,
         read: |of| of.continuous_limit,
     },
-    Answer {
+    SlopedAnswer {
         name: "sliding_limit",
         title: "sliding limit",
         dimension: Dimension::Force,
@@ -106,11 +106,11 @@ impl SensitivityRow {
     }
 
     /// Returns the parameter. `None` for the row that contains the answers.
-    fn parameter(&self) -> Option<&Found> {
+    fn parameter(&self) -> Option<&FoundSlope> {
         self.found.as_ref().filter(|found| !found.itself)
     }
 
-    fn slope(&self, of: Answer) -> Option<(f64, Slope)> {
+    fn slope(&self, of: SlopedAnswer) -> Option<(f64, Slope)> {
         let sensitivity = &self.found.as_ref()?.sensitivity;
         Some((sensitivity.value, (of.read)(sensitivity)?))
     }
@@ -162,7 +162,7 @@ impl<'a> SensitivityTable<'a> {
         };
         let (point, regime) = (self.point(frequency, friction), words::regime(known.regime));
         let scene = self.setting.system.scene();
-        let found = known.parameters.into_iter().map(|sensitivity| Found {
+        let found = known.parameters.into_iter().map(|sensitivity| FoundSlope {
             symbol: sensitivity.parameter.symbol(scene, &point),
             unit: sensitivity.parameter.unit(&point),
             sensitivity,
@@ -213,7 +213,7 @@ impl<'a> SensitivityTable<'a> {
 
     /// Adds the columns of an answer: value, derivative and relative derivative. Under a load lengths and forces are
     /// already in m and N, but phases are in rad.
-    fn answer(&self, columns: &mut Columns<'a, SensitivityRow>, answer: Answer, title: &str) {
+    fn answer(&self, columns: &mut Columns<'a, SensitivityRow>, answer: SlopedAnswer, title: &str) {
         let measure = self.setting.measure;
         let is_phase = answer.dimension == Dimension::Angle;
         let counted = move |value: f64| match is_phase {

@@ -18,7 +18,7 @@ use crate::{Of, Regime};
 
 /// The motion of the contact or of a mass, in non-dimensional groups. `None` means that a quantity is missing.
 #[derive(Clone, Debug, Default)]
-struct Motion {
+struct MotionGroups {
     swing: Option<Swing>,
     centred: Option<f64>,
     fundamental_phase: Option<f64>,
@@ -27,7 +27,7 @@ struct Motion {
     harmonics: Vec<Complex<f64>>,
 }
 
-impl Motion {
+impl MotionGroups {
     /// Takes the motion of a response in any regime.
     fn of_response(response: &SystemResponse<'_>, part: &Part, orders: &[u32]) -> Self {
         let of = part.of;

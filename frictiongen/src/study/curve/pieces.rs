@@ -2,17 +2,17 @@
 
 use super::answer::{Curve, End, Gap, Piece};
 use super::point::CurvePoint;
-use super::refine::Node;
+use super::refine::CurveNode;
 use super::request::CurveStart;
 use crate::Error;
 
 /// Returns the curve through nodes in ascending order of r. A node is a frequency ratio with its response.
 pub(super) fn curve(
     (beta, start): (f64, CurveStart),
-    nodes: impl Iterator<Item = Node>,
+    nodes: impl Iterator<Item = CurveNode>,
     refined: bool,
 ) -> Curve {
-    let mut builder = Builder::default();
+    let mut builder = PieceBuilder::default();
     for node in nodes {
         match node.answer {
             Ok(point) => builder.point(point),
@@ -34,7 +34,7 @@ pub(super) fn curve(
 
 /// Collects nodes in ascending order into pieces and gaps.
 #[derive(Default)]
-struct Builder {
+struct PieceBuilder {
     pieces: Vec<Piece>,
     gaps: Vec<Gap>,
     open: Vec<CurvePoint>,
@@ -42,7 +42,7 @@ struct Builder {
     in_gap: bool,
 }
 
-impl Builder {
+impl PieceBuilder {
     fn point(&mut self, point: CurvePoint) {
         self.in_gap = false;
         // On a boundary, rounding may put a point into the regime beyond.
@@ -88,7 +88,7 @@ mod tests {
     use super::*;
     use crate::{NoOrbit, Regime};
 
-    fn node(r: f64, answered: bool) -> Node {
+    fn node(r: f64, answered: bool) -> CurveNode {
         let point = CurvePoint {
             r,
             regime: Regime::StickSlip,
@@ -103,7 +103,7 @@ mod tests {
             friction_work: 1.0,
         };
         let reason = Error::NoOrbit(NoOrbit::TooManyEvents);
-        Node {
+        CurveNode {
             r,
             answer: if answered { Ok(point) } else { Err(reason) },
             cut: None,

@@ -18,7 +18,7 @@ const STEPS: usize = 60;
 
 /// A frequency ratio at which a curve is computed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct CurvePlace {
     pub r: f64,
     /// The reason for a cut between this place and the next, if there is one.
     pub cut: Option<End>,
@@ -27,7 +27,7 @@ pub(super) struct Place {
     pub spare: bool,
 }
 
-impl Place {
+impl CurvePlace {
     pub(super) fn at(r: f64) -> Self {
         Self {
             r,
@@ -46,8 +46,8 @@ impl Place {
 
 /// Returns the places of a curve in ascending order: both ends of the range, resonances, their sub-harmonics, a grid,
 /// and both sides of every cut.
-pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<Place> {
-    let search = Search { system, beta };
+pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<CurvePlace> {
+    let search = PlaceSearch { system, beta };
     let (mut poles, mut subharmonics) = (Vec::new(), Vec::new());
     let mut grid = grid(request);
     for resonance in search.resonances() {
@@ -98,12 +98,12 @@ fn grid(request: &CurveRequest) -> Vec<f64> {
     grid
 }
 
-struct Search<'a> {
+struct PlaceSearch<'a> {
     system: &'a System,
     beta: f64,
 }
 
-impl Search<'_> {
+impl PlaceSearch<'_> {
     /// Returns the resonances of the chain, free and with its contact stuck, as frequency ratios.
     fn resonances(&self) -> Vec<f64> {
         let held = self.system.dynamics().held;
@@ -146,7 +146,7 @@ impl Search<'_> {
     }
 
     /// Returns the places, with both sides of every regime boundary and pole.
-    fn cut(&self, grid: &[f64], is_pole: impl Fn(f64, f64) -> bool) -> Vec<Place> {
+    fn cut(&self, grid: &[f64], is_pole: impl Fn(f64, f64) -> bool) -> Vec<CurvePlace> {
         let mut all = grid.to_vec();
         all.extend(self.hidden(grid));
         all.sort_by(f64::total_cmp);
@@ -158,12 +158,12 @@ impl Search<'_> {
                 continue;
             };
             if is_pole(left, right) {
-                places.push(Place::cut(left, End::Pole));
+                places.push(CurvePlace::cut(left, End::Pole));
             } else {
                 self.change(left, right, [*first, *second], &mut places);
             }
         }
-        places.extend(all.last().copied().map(Place::at));
+        places.extend(all.last().copied().map(CurvePlace::at));
         places
     }
 
@@ -173,17 +173,17 @@ impl Search<'_> {
         left: f64,
         right: f64,
         [first, second]: [Option<Regime>; 2],
-        places: &mut Vec<Place>,
+        places: &mut Vec<CurvePlace>,
     ) {
         if first == second {
-            places.push(Place::at(left));
+            places.push(CurvePlace::at(left));
             return;
         }
         let (low, high) = self.boundary(left, right, first);
         if left < low {
-            places.push(Place::at(left));
+            places.push(CurvePlace::at(left));
         }
-        places.push(Place::cut(low, End::Boundary));
+        places.push(CurvePlace::cut(low, End::Boundary));
         if high < right {
             // Stick-slip may lie between the continuous and the stuck regime, so the search continues above this
             // boundary.
@@ -215,7 +215,7 @@ impl Search<'_> {
                 continue;
             };
             for (read, sign) in [
-                (continuous as Read, 1.0),
+                (continuous as MarginOf, 1.0),
                 (continuous, -1.0),
                 (sliding, 1.0),
                 (sliding, -1.0),
@@ -231,7 +231,7 @@ impl Search<'_> {
     }
 
     /// Returns a place between `low` and `high` at which a margin has the opposite sign, if a search finds one.
-    fn beyond(&self, mut low: f64, mut high: f64, read: Read, sign: f64) -> Option<f64> {
+    fn beyond(&self, mut low: f64, mut high: f64, read: MarginOf, sign: f64) -> Option<f64> {
         let value = |r: f64| sign * read(self.margins(r));
         let golden = 0.618_033_988_749_894_8;
         for _ in 0..STEPS {
@@ -249,7 +249,7 @@ impl Search<'_> {
 }
 
 /// A function that selects one of the two margins.
-type Read = fn((f64, f64)) -> f64;
+type MarginOf = fn((f64, f64)) -> f64;
 
 fn continuous(margins: (f64, f64)) -> f64 {
     margins.0

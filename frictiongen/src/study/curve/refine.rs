@@ -5,7 +5,7 @@
 
 use super::answer::{Curve, End};
 use super::pieces;
-use super::places::Place;
+use super::places::CurvePlace;
 use super::point::CurvePoint;
 use super::request::CurveRequest;
 use super::straight::{Straight, alike};
@@ -36,7 +36,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// A frequency ratio with its response.
 #[derive(Clone, Debug)]
-pub(super) struct Node {
+pub(super) struct CurveNode {
     pub r: f64,
     pub answer: Result<CurvePoint, Error>,
     /// The reason for a cut between this node and the next, if there is one.
@@ -46,7 +46,7 @@ pub(super) struct Node {
 
 /// An interval between two nodes that may have to be halved.
 #[derive(Clone, Copy, Debug)]
-struct Interval {
+struct NodeInterval {
     left: usize,
     right: usize,
     /// True if the parent interval was straight. A bend may escape one test, as its middle may be on the line by
@@ -86,9 +86,9 @@ impl<'a> Refine<'a> {
     }
 
     /// Returns the response at a place.
-    pub(super) fn node(&self, place: &Place) -> Node {
+    pub(super) fn node(&self, place: &CurvePlace) -> CurveNode {
         let (answer, work) = self.answer(place.r);
-        Node {
+        CurveNode {
             r: place.r,
             answer,
             cut: place.cut,
@@ -108,7 +108,7 @@ impl<'a> Refine<'a> {
 
     /// Returns for each motion the smallest amplitude at which the curve is refined. It is a fraction of the median
     /// over the first nodes. A pole does not change the median.
-    pub(super) fn scales(&self, nodes: &[Node]) -> Vec<f64> {
+    pub(super) fn scales(&self, nodes: &[CurveNode]) -> Vec<f64> {
         let median = |index: usize| {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
             let sizes =
@@ -126,10 +126,10 @@ impl<'a> Refine<'a> {
 
     /// Returns the nodes of the first grid, and whether the requested work sufficed for all of them. Spare places come
     /// last.
-    fn grid(&self, places: &[Place]) -> (Vec<Node>, bool) {
-        let (spare, needed): (Vec<Place>, Vec<Place>) =
+    fn grid(&self, places: &[CurvePlace]) -> (Vec<CurveNode>, bool) {
+        let (spare, needed): (Vec<CurvePlace>, Vec<CurvePlace>) =
             places.iter().partition(|place| place.spare);
-        let nodes = |places: &[Place]| -> Vec<Node> {
+        let nodes = |places: &[CurvePlace]| -> Vec<CurveNode> {
             places.par_iter().map(|place| self.node(place)).collect()
         };
         let mut found = nodes(&needed);
@@ -143,15 +143,15 @@ impl<'a> Refine<'a> {
     }
 
     /// Returns the curve through the places of the first grid and as many points between as it needs.
-    pub(super) fn refined(mut self, places: &[Place]) -> Curve {
+    pub(super) fn refined(mut self, places: &[CurvePlace]) -> Curve {
         let (mut nodes, mut refined) = self.grid(places);
         let mut left = self.request.work.saturating_sub(spent(&nodes));
         nodes.sort_by(|a, b| a.r.total_cmp(&b.r));
         self.straight.scales = self.scales(&nodes);
         let cut = |part: &usize| nodes.get(*part).is_some_and(|node| node.cut.is_some());
         let parts = (0..nodes.len().saturating_sub(1)).filter(|part| !cut(part));
-        let mut open: Vec<Interval> = parts
-            .map(|part| Interval {
+        let mut open: Vec<NodeInterval> = parts
+            .map(|part| NodeInterval {
                 left: part,
                 right: part + 1,
                 was_straight: false,
@@ -164,9 +164,9 @@ impl<'a> Refine<'a> {
             refined &= kept == halved.len();
             let (halved, given_up) = halved.split_at(kept);
             self.cut_apart(given_up, &mut nodes);
-            let middles: Vec<Node> = halved
+            let middles: Vec<CurveNode> = halved
                 .par_iter()
-                .map(|(_, r)| self.node(&Place::at(*r)))
+                .map(|(_, r)| self.node(&CurvePlace::at(*r)))
                 .collect();
             left = left.saturating_sub(spent(&middles));
             open = Vec::new();
@@ -180,7 +180,11 @@ impl<'a> Refine<'a> {
 
     /// Returns the open intervals that are not yet narrow, with their middles. Cuts narrow intervals whose two points
     /// are on different curves.
-    fn worth_halving(&self, open: &[Interval], nodes: &mut [Node]) -> Vec<(Interval, f64)> {
+    fn worth_halving(
+        &self,
+        open: &[NodeInterval],
+        nodes: &mut [CurveNode],
+    ) -> Vec<(NodeInterval, f64)> {
         let mut in_part = std::collections::HashMap::new();
         for interval in open {
             *in_part.entry(interval.part).or_insert(0_usize) += 1;
@@ -221,7 +225,7 @@ impl<'a> Refine<'a> {
     }
 
     /// Cuts the curve within intervals whose two points are not on one curve.
-    fn cut_apart(&self, intervals: &[(Interval, f64)], nodes: &mut [Node]) {
+    fn cut_apart(&self, intervals: &[(NodeInterval, f64)], nodes: &mut [CurveNode]) {
         for (interval, _) in intervals {
             let ends = [interval.left, interval.right].map(|end| nodes.get(end));
             let apart = match ends.map(|end| end.map(|node| &node.answer)) {
@@ -236,7 +240,12 @@ impl<'a> Refine<'a> {
 
     /// Stores the middle of an interval and returns both halves. Returns none where the interval and its parent are
     /// straight.
-    fn halves(&self, interval: Interval, middle: Node, nodes: &mut Vec<Node>) -> Vec<Interval> {
+    fn halves(
+        &self,
+        interval: NodeInterval,
+        middle: CurveNode,
+        nodes: &mut Vec<CurveNode>,
+    ) -> Vec<NodeInterval> {
         let (Some(a), Some(b)) = (nodes.get(interval.left), nodes.get(interval.right)) else {
             return Vec::new();
         };
@@ -254,7 +263,7 @@ impl<'a> Refine<'a> {
         if straight && interval.was_straight {
             return Vec::new();
         }
-        let half = |left: usize, right: usize| Interval {
+        let half = |left: usize, right: usize| NodeInterval {
             left,
             right,
             was_straight: straight,
@@ -265,13 +274,13 @@ impl<'a> Refine<'a> {
 }
 
 /// Returns the total work of some nodes.
-pub(super) fn spent(nodes: &[Node]) -> usize {
+pub(super) fn spent(nodes: &[CurveNode]) -> usize {
     nodes.iter().map(|node| node.work).sum()
 }
 
 /// Returns the number of intervals, in their order, for which the remaining work suffices. The middle of an interval is
 /// estimated to take as much work as the more expensive of its two points.
-fn affordable(intervals: &[(Interval, f64)], nodes: &[Node], left: usize) -> usize {
+fn affordable(intervals: &[(NodeInterval, f64)], nodes: &[CurveNode], left: usize) -> usize {
     let work = |end: usize| nodes.get(end).map_or(0, |node| node.work);
     let mut sum = 0_usize;
     let within = intervals.iter().take_while(|(interval, _)| {

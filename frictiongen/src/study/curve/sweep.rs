@@ -3,9 +3,9 @@
 
 use super::answer::{Curve, End};
 use super::pieces;
-use super::places::Place;
+use super::places::CurvePlace;
 use super::point::CurvePoint;
-use super::refine::{NARROW, NARROW_PATTERN, NARROW_SCATTERED, Node, Refine, spent};
+use super::refine::{CurveNode, NARROW, NARROW_PATTERN, NARROW_SCATTERED, Refine, spent};
 use super::request::CurveStart;
 use super::straight::alike;
 use crate::study::settled::Carried;
@@ -17,17 +17,17 @@ const MOST_JUMPS: u32 = 4;
 
 /// A point of a sweep, with the state from which the next point starts.
 struct Step {
-    node: Node,
+    node: CurveNode,
     carried: Option<Carried>,
 }
 
 impl Refine<'_> {
     /// Returns the curve through the places, swept in the requested direction.
-    pub(super) fn swept(mut self, places: &[Place]) -> Curve {
+    pub(super) fn swept(mut self, places: &[CurvePlace]) -> Curve {
         let down = self.request.start == CurveStart::Down;
         // A sweep follows every motion twice, so it leaves out spare places.
         let places = places.iter().filter(|place| !place.spare);
-        let mut places: Vec<Place> = places.copied().collect();
+        let mut places: Vec<CurvePlace> = places.copied().collect();
         if down {
             places.reverse();
         }
@@ -50,7 +50,7 @@ impl Refine<'_> {
         for (place, pole) in places.iter().skip(1).zip(poles) {
             sweep.reach(place.r, pole, &mut steps, &mut left);
         }
-        let mut nodes: Vec<Node> = steps.into_iter().map(|step| step.node).collect();
+        let mut nodes: Vec<CurveNode> = steps.into_iter().map(|step| step.node).collect();
         if down {
             nodes.reverse();
             // After the reversal each cut belongs to the lower of its two nodes.
@@ -64,7 +64,7 @@ impl Refine<'_> {
     }
 
     /// Returns the nodes at the places alone. Their amplitudes give the scale of each motion.
-    fn coarse(&self, places: &[Place]) -> Vec<Node> {
+    fn coarse(&self, places: &[CurvePlace]) -> Vec<CurveNode> {
         let mut carried = None;
         let nodes = places.iter().map(|place| {
             let step = self.step(place.r, carried.as_ref());
@@ -87,7 +87,7 @@ impl Refine<'_> {
             Err(error) => (Err(error), start.cloned(), work(self.system, r, Err(error))),
         };
         Step {
-            node: Node {
+            node: CurveNode {
                 r,
                 answer,
                 cut: None,
@@ -146,7 +146,7 @@ impl Refine<'_> {
     }
 
     /// Returns the reason for a cut between two neighbouring nodes, if there is one.
-    fn cut(&self, last: &Node, next: &Node, pole: bool) -> Option<End> {
+    fn cut(&self, last: &CurveNode, next: &CurveNode, pole: bool) -> Option<End> {
         match (&last.answer, &next.answer) {
             _ if pole => Some(End::Pole),
             (Ok(a), Ok(b)) if !self.straight.touch(a, b) => Some(End::Jump),
@@ -155,6 +155,6 @@ impl Refine<'_> {
     }
 }
 
-fn settled(node: &Node) -> bool {
+fn settled(node: &CurveNode) -> bool {
     node.answer.as_ref().is_ok_and(|point| point.settled)
 }

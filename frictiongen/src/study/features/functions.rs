@@ -11,7 +11,7 @@ use frictiongen_model::modal::Modal;
 
 /// The data of one mode in the sums V, H and U.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Mode<T> {
+pub(super) struct ModeNumbers<T> {
     pub resonance: T,
     pub zeta: T,
     /// Load φᵀp of the mode.
@@ -24,8 +24,8 @@ pub(super) struct Mode<T> {
 
 /// The data of a chain and of one requested motion, in one number type.
 #[derive(Clone, Debug)]
-pub(super) struct Numbers<T> {
-    pub modes: Vec<Mode<T>>,
+pub(super) struct ChainNumbers<T> {
+    pub modes: Vec<ModeNumbers<T>>,
     /// The static motion wᵀK̄⁻¹p − 1 of the contact relative to the base. `None` unless the contact is with the moving
     /// base.
     pub on_base: Option<T>,
@@ -38,7 +38,7 @@ pub(super) struct Numbers<T> {
     pub damped: bool,
 }
 
-impl<T> Numbers<T> {
+impl<T> ChainNumbers<T> {
     /// Returns the data of a chain for the motion of the contact, or of the mass `mass`. `to` converts each number to
     /// the number type of the data.
     pub fn of<F: Float>(modal: &Modal<F>, mass: Option<usize>, to: impl Fn(F) -> T) -> Self {
@@ -53,7 +53,7 @@ impl<T> Numbers<T> {
                     .get(index)
                     .map_or(none, |shape| at(shape, mass)),
             };
-            Mode {
+            ModeNumbers {
                 resonance: to(at(&modal.resonances, index)),
                 zeta: to(at(&modal.damping_ratios, index)),
                 load: to(at(&modal.loads, index)),
@@ -97,7 +97,7 @@ pub(super) enum Target<T> {
 
 /// A pole p in y of one or more modes. `members` lists each such mode with its odd integer x = √λ y at the pole.
 #[derive(Clone, Debug)]
-pub(super) struct Pole {
+pub(super) struct ModalPole {
     pub y: f64,
     pub members: Vec<(usize, f64)>,
 }
@@ -113,7 +113,7 @@ pub(super) struct Near<T> {
 
 /// Selects a sum over the modes: V, H, U, or a combination.
 #[derive(Clone, Copy)]
-enum Sum<T> {
+enum ModalSum<T> {
     V,
     H,
     FreeOf,
@@ -124,21 +124,21 @@ enum Sum<T> {
     Against(T),
 }
 
-impl<T: Number> Numbers<T> {
-    fn sum(&self, which: Sum<T>, y: T, near: Option<&Near<T>>) -> [T; 2] {
+impl<T: Number> ChainNumbers<T> {
+    fn sum(&self, which: ModalSum<T>, y: T, near: Option<&Near<T>>) -> [T; 2] {
         let (one, two, zero) = (T::number(1.0), T::number(2.0), T::number(0.0));
         let mut sum = [zero; 2];
         for (index, mode) in self.modes.iter().enumerate() {
             let share = match which {
-                Sum::V => mode.contact * mode.load,
-                Sum::H | Sum::U => mode.contact * mode.contact,
-                Sum::Against(level) => mode.contact * (mode.load - level * mode.contact),
-                Sum::FreeOf => mode.shape * mode.load,
-                Sum::HOf | Sum::UOf => mode.shape * mode.contact,
+                ModalSum::V => mode.contact * mode.load,
+                ModalSum::H | ModalSum::U => mode.contact * mode.contact,
+                ModalSum::Against(level) => mode.contact * (mode.load - level * mode.contact),
+                ModalSum::FreeOf => mode.shape * mode.load,
+                ModalSum::HOf | ModalSum::UOf => mode.shape * mode.contact,
             };
             let x = mode.resonance * y;
             let own = near.and_then(|near| near.own.get(index).copied().flatten());
-            let friction = matches!(which, Sum::U | Sum::UOf);
+            let friction = matches!(which, ModalSum::U | ModalSum::UOf);
             let [re, im] = match (own, friction) {
                 (Some([_, tangent]), true) => [tangent, zero],
                 (Some([rational, _]), false) => [rational, zero],
@@ -160,7 +160,7 @@ impl<T: Number> Numbers<T> {
             // Next to the static motion the sum contains v − 1 = (1 − 2iζx)/d instead of v, so that nothing cancels
             // for large r.
             let [re, im] = match (which, self.on_base.is_some()) {
-                (Sum::V, true) => {
+                (ModalSum::V, true) => {
                     let turn = two * mode.zeta * x;
                     let weight = one / (x * x);
                     [(re + turn * im) * weight, (im - turn * re) * weight]
@@ -173,11 +173,11 @@ impl<T: Number> Numbers<T> {
             };
             sum = [sum[0] + share * re * outside, sum[1] + share * im * outside];
         }
-        if let (Sum::V, Some(at_rest)) = (which, self.on_base) {
+        if let (ModalSum::V, Some(at_rest)) = (which, self.on_base) {
             let gap = near.map_or(one, |near| near.gap);
             sum[0] = sum[0] + at_rest / (y * y) * gap;
         }
-        if let (Sum::Against(_), Some(_)) = (which, self.on_base) {
+        if let (ModalSum::Against(_), Some(_)) = (which, self.on_base) {
             let gap = near.map_or(one, |near| near.gap);
             sum[0] = sum[0] - one / (y * y) * gap;
         }
@@ -191,43 +191,46 @@ impl<T: Number> Numbers<T> {
         let real = |which| sum(which)[0];
         let two_over_pi = || T::number(2.0) / T::pi();
         match target {
-            Target::Free if self.is_contact => real(Sum::V),
-            Target::Free => real(Sum::FreeOf),
-            Target::FreeContact => real(Sum::V),
-            Target::Receptance => real(Sum::HOf),
-            Target::Quadrature => real(Sum::UOf),
+            Target::Free if self.is_contact => real(ModalSum::V),
+            Target::Free => real(ModalSum::FreeOf),
+            Target::FreeContact => real(ModalSum::V),
+            Target::Receptance => real(ModalSum::HOf),
+            Target::Quadrature => real(ModalSum::UOf),
             Target::Estimate => {
-                let crossed = real(Sum::FreeOf) * real(Sum::U);
-                real(Sum::V) * real(Sum::UOf) - (crossed + crossed)
+                let crossed = real(ModalSum::FreeOf) * real(ModalSum::U);
+                real(ModalSum::V) * real(ModalSum::UOf) - (crossed + crossed)
             }
-            Target::Fundamental if self.is_contact => real(Sum::U) + two_over_pi() * real(Sum::H),
+            Target::Fundamental if self.is_contact => {
+                real(ModalSum::U) + two_over_pi() * real(ModalSum::H)
+            }
             Target::Fundamental => {
-                real(Sum::FreeOf) * real(Sum::U) + two_over_pi() * real(Sum::HOf) * real(Sum::V)
+                real(ModalSum::FreeOf) * real(ModalSum::U)
+                    + two_over_pi() * real(ModalSum::HOf) * real(ModalSum::V)
             }
             Target::Sliding(beta) => {
                 let level = beta * self.stiction;
                 if self.damped {
-                    let ([v, turned], [h, lost]) = (sum(Sum::V), sum(Sum::H));
+                    let ([v, turned], [h, lost]) = (sum(ModalSum::V), sum(ModalSum::H));
                     v.squared() + turned.squared()
                         - level.squared() * (h.squared() + lost.squared())
                 } else {
-                    real(Sum::Against(level))
+                    real(ModalSum::Against(level))
                 }
             }
             Target::Continuous(beta) => {
                 let gap = near.map_or(T::number(1.0), |near| near.gap);
                 let start = self.stiction * self.inverse_mass * gap;
-                let limit = real(Sum::U).squared() + start.squared();
-                real(Sum::V).squared() - beta.squared() * limit
+                let limit = real(ModalSum::U).squared() + start.squared();
+                real(ModalSum::V).squared() - beta.squared() * limit
             }
         }
     }
 }
 
-impl Numbers<Interval> {
+impl ChainNumbers<Interval> {
     /// Returns the distance y − p over an interval of y, and the singular functions of the pole's modes times this
     /// distance. `None` if the interval is too wide for finite bounds.
-    pub fn near(&self, y: Interval, pole: &Pole) -> Option<Near<Interval>> {
+    pub fn near(&self, y: Interval, pole: &ModalPole) -> Option<Near<Interval>> {
         let two_over_pi = Interval::rounded(std::f64::consts::FRAC_2_PI);
         let half_pi = Interval::rounded(std::f64::consts::FRAC_PI_2);
         let one = Interval::point(1.0);
@@ -261,7 +264,7 @@ const SAME: f64 = 4e-15;
 
 impl Target<Dd> {
     /// Returns two flags: whether a mode has a pole at x = 1, and whether it has poles at the other odd x.
-    fn poles_of(&self, numbers: &Numbers<Dd>, mode: &Mode<Dd>) -> [bool; 2] {
+    fn poles_of(&self, numbers: &ChainNumbers<Dd>, mode: &ModeNumbers<Dd>) -> [bool; 2] {
         let drives = |a: Dd, b: Dd| !(a.is_zero() || b.is_zero());
         let undamped = mode.zeta.is_zero();
         let v = undamped && drives(mode.contact, mode.load);
@@ -282,8 +285,9 @@ impl Target<Dd> {
     }
 
     /// Returns true if the target function is 0 at every frequency.
-    pub fn vanishes(&self, numbers: &Numbers<Dd>) -> bool {
-        let none = |share: fn(&Mode<Dd>) -> Dd| numbers.modes.iter().all(|m| share(m).is_zero());
+    pub fn vanishes(&self, numbers: &ChainNumbers<Dd>) -> bool {
+        let none =
+            |share: fn(&ModeNumbers<Dd>) -> Dd| numbers.modes.iter().all(|m| share(m).is_zero());
         match self {
             Self::Free if !numbers.is_contact => none(|mode| mode.shape * mode.load),
             Self::Free | Self::FreeContact => {
@@ -301,10 +305,10 @@ impl Target<Dd> {
     /// `most` poles.
     pub fn poles(
         &self,
-        numbers: &Numbers<Dd>,
+        numbers: &ChainNumbers<Dd>,
         [low, high]: [f64; 2],
         most: usize,
-    ) -> Option<Vec<Pole>> {
+    ) -> Option<Vec<ModalPole>> {
         let mut all: Vec<(f64, usize, f64)> = Vec::new();
         for (index, mode) in numbers.modes.iter().enumerate() {
             let [first, others] = self.poles_of(numbers, mode);
@@ -328,11 +332,11 @@ impl Target<Dd> {
             }
         }
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut poles: Vec<Pole> = Vec::new();
+        let mut poles: Vec<ModalPole> = Vec::new();
         for (y, index, odd) in all {
             match poles.last_mut() {
                 Some(last) if (y - last.y).abs() <= SAME * y => last.members.push((index, odd)),
-                _ => poles.push(Pole {
+                _ => poles.push(ModalPole {
                     y,
                     members: vec![(index, odd)],
                 }),

@@ -2,7 +2,7 @@
 //! frequencies at which the motion vanishes without friction. All three exist only for chains without damping.
 
 use super::functions::Target;
-use super::isolate::{Crowded, Function, Zero};
+use super::isolate::{Crowded, FunctionZero, MotionFunction};
 use super::sensed::Sensed;
 use super::{FeatureError, Features, check_range};
 use crate::Of;
@@ -125,7 +125,7 @@ impl Features<'_> {
     ) -> Result<Vec<Antiresonance>, FeatureError> {
         let function = self.function(of, range, Target::Free)?;
         let zeros = function.zeros(range)?;
-        let of = |zero: Zero| Antiresonance {
+        let of = |zero: FunctionZero| Antiresonance {
             r: zero.r(),
             frequency: self.variations.of_zero(&function, &zero, None),
         };
@@ -202,7 +202,7 @@ impl Features<'_> {
         for (_, target) in all {
             functions.push(function(*target)?);
         }
-        if functions.iter().any(Function::vanishes) {
+        if functions.iter().any(MotionFunction::vanishes) {
             return Ok(Vec::new());
         }
         let mut edges: Vec<(f64, Edge)> = Vec::new();
@@ -282,18 +282,21 @@ impl Features<'_> {
         of: Of,
         range: [f64; 2],
         target: Target<Dd>,
-    ) -> Result<Function<'_>, FeatureError> {
+    ) -> Result<MotionFunction<'_>, FeatureError> {
         check_range(range)?;
         let mass = self.mass_of(of)?;
         let modal = self.system.modal();
         if modal.is_damped() {
             return Err(FeatureError::Damped);
         }
-        Ok(Function::new(modal, mass, target))
+        Ok(MotionFunction::new(modal, mass, target))
     }
 }
 
 /// Returns the frequency ratios at which a function is zero.
-fn places(function: &Function<'_>, range: [f64; 2]) -> Result<impl Iterator<Item = f64>, Crowded> {
+fn places(
+    function: &MotionFunction<'_>,
+    range: [f64; 2],
+) -> Result<impl Iterator<Item = f64>, Crowded> {
     Ok(function.zeros(range)?.into_iter().map(|zero| zero.r()))
 }

@@ -6,7 +6,7 @@
 //! show whether it has one. With one pole p, the search encloses the function times y − p, which is finite. An
 //! undecided interval is cut in two. Every zero therefore lies in an interval that was kept.
 
-use super::functions::{Numbers, Pole, Target};
+use super::functions::{ChainNumbers, ModalPole, Target};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::interval::{Interval, Jet};
@@ -35,19 +35,19 @@ const NEAR: f64 = 1e-6;
 pub(super) struct Crowded;
 
 /// A function of frequency for one motion of a chain, in the number types that the search needs.
-pub(super) struct Function<'m> {
+pub(super) struct MotionFunction<'m> {
     pub target: Target<Dd>,
     modal: &'m Modal,
     mass: Option<usize>,
-    exact: Numbers<Dd>,
-    plain: Numbers<f64>,
-    held: Numbers<Interval>,
-    sloped: Numbers<Jet>,
+    exact: ChainNumbers<Dd>,
+    plain: ChainNumbers<f64>,
+    held: ChainNumbers<Interval>,
+    sloped: ChainNumbers<Jet>,
 }
 
 /// A zero of a function of y = 1/r.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Zero {
+pub(super) struct FunctionZero {
     /// Position of the zero, as y = 1/r.
     pub y: Dd,
     /// Slope df/dy at the zero.
@@ -57,7 +57,7 @@ pub(super) struct Zero {
     pub crosses: bool,
 }
 
-impl Zero {
+impl FunctionZero {
     pub fn r(&self) -> f64 {
         (Dd::ONE / self.y).to_f64()
     }
@@ -86,17 +86,17 @@ fn enclosed(value: Dd) -> Interval {
     }
 }
 
-impl<'m> Function<'m> {
+impl<'m> MotionFunction<'m> {
     pub fn new(modal: &'m Modal, mass: Option<usize>, target: Target<Dd>) -> Self {
         let to_jet = |value: Dd| Jet::fixed(enclosed(value));
         Self {
             target,
             modal,
             mass,
-            exact: Numbers::of(modal, mass, |value: Dd| value),
-            plain: Numbers::of(modal, mass, |value: Dd| value.to_f64()),
-            held: Numbers::of(modal, mass, enclosed),
-            sloped: Numbers::of(modal, mass, to_jet),
+            exact: ChainNumbers::of(modal, mass, |value: Dd| value),
+            plain: ChainNumbers::of(modal, mass, |value: Dd| value.to_f64()),
+            held: ChainNumbers::of(modal, mass, enclosed),
+            sloped: ChainNumbers::of(modal, mass, to_jet),
         }
     }
 
@@ -128,14 +128,14 @@ impl<'m> Function<'m> {
     }
 
     /// Returns an enclosure of the function times y − p over an interval of y that contains the pole p.
-    fn without_pole(&self, y: Interval, pole: &Pole) -> Option<Interval> {
+    fn without_pole(&self, y: Interval, pole: &ModalPole) -> Option<Interval> {
         let near = self.held.near(y, pole)?;
         let target = converted(self.target, enclosed);
         Some(self.held.value(target, y, Some(&near)))
     }
 
     /// Returns the poles of the function between two frequency ratios, as values of y = 1/r, ascending in y.
-    pub fn poles(&self, [from, to]: [f64; 2]) -> Result<Vec<Pole>, Crowded> {
+    pub fn poles(&self, [from, to]: [f64; 2]) -> Result<Vec<ModalPole>, Crowded> {
         let poles = self
             .target
             .poles(&self.exact, [1.0 / to, 1.0 / from], MOST_POLES);
@@ -143,20 +143,20 @@ impl<'m> Function<'m> {
     }
 
     /// Returns all zeros of the function between two frequency ratios, ascending in r.
-    pub fn zeros(&self, range: [f64; 2]) -> Result<Vec<Zero>, Crowded> {
+    pub fn zeros(&self, range: [f64; 2]) -> Result<Vec<FunctionZero>, Crowded> {
         if self.vanishes() {
             return Ok(Vec::new());
         }
         let poles = self.poles(range)?;
         let [from, to] = range;
-        let mut search = Search {
+        let mut search = ZeroSearch {
             function: self,
             poles: &poles,
             zeros: Vec::new(),
             touches: Vec::new(),
         };
         search.run([1.0 / to, 1.0 / from])?;
-        let Search {
+        let ZeroSearch {
             mut zeros,
             mut touches,
             ..
@@ -179,18 +179,18 @@ impl<'m> Function<'m> {
 
     /// Returns the function and its slope at y in double-double arithmetic.
     fn exactly(&self, y: Dd) -> Dual<Dd> {
-        let numbers = Numbers::of(self.modal, self.mass, Dual::fixed);
+        let numbers = ChainNumbers::of(self.modal, self.mass, Dual::fixed);
         let target = converted(self.target, Dual::fixed);
         numbers.value(target, Dual::variable(y), None)
     }
 
-    fn zero(&self, y: Dd, crosses: bool) -> Zero {
+    fn zero(&self, y: Dd, crosses: bool) -> FunctionZero {
         let slope = self.exactly(y).slope;
-        Zero { y, slope, crosses }
+        FunctionZero { y, slope, crosses }
     }
 
     /// Returns the zero that agrees with y to rounding, refined in double-double arithmetic.
-    fn polished(&self, y: f64) -> Zero {
+    fn polished(&self, y: f64) -> FunctionZero {
         let mut place = Dd::from(y);
         for _ in 0..3 {
             let found = self.exactly(place);
@@ -203,7 +203,7 @@ impl<'m> Function<'m> {
     }
 
     /// Returns the zero between two values of y, between which the function only rises or only falls.
-    fn refined(&self, [low, high]: [f64; 2], rising: bool) -> Zero {
+    fn refined(&self, [low, high]: [f64; 2], rising: bool) -> FunctionZero {
         let target = converted(self.target, |beta| beta.to_f64());
         let above = |y: f64| (0.0 < self.plain.value(target, y, None)) == rising;
         let (mut a, mut b) = (low, high);
@@ -242,7 +242,7 @@ impl<'m> Function<'m> {
                 break;
             }
         }
-        Zero {
+        FunctionZero {
             y,
             slope,
             crosses: true,
@@ -251,8 +251,8 @@ impl<'m> Function<'m> {
 
     /// Returns ∂f/∂p, the derivative of the function at a zero with respect to a parameter p. The modal analysis
     /// `along` and `beta` carry derivatives with respect to p.
-    pub fn moved(&self, zero: &Zero, along: &Modal<Dual<Dd>>, beta: Dual<Dd>) -> Dd {
-        let numbers = Numbers::of(along, self.mass, |value| value);
+    pub fn moved(&self, zero: &FunctionZero, along: &Modal<Dual<Dd>>, beta: Dual<Dd>) -> Dd {
+        let numbers = ChainNumbers::of(along, self.mass, |value| value);
         let target = match self.target {
             Target::Sliding(value) => {
                 // The friction ratio keeps the sign that it has in the target function.
@@ -266,14 +266,14 @@ impl<'m> Function<'m> {
     }
 }
 
-struct Search<'f, 'm> {
-    function: &'f Function<'m>,
-    poles: &'f [Pole],
-    zeros: Vec<Zero>,
+struct ZeroSearch<'f, 'm> {
+    function: &'f MotionFunction<'m>,
+    poles: &'f [ModalPole],
+    zeros: Vec<FunctionZero>,
     touches: Vec<f64>,
 }
 
-impl Search<'_, '_> {
+impl ZeroSearch<'_, '_> {
     fn run(&mut self, range: [f64; 2]) -> Result<(), Crowded> {
         let mut open = vec![range];
         let mut count = 0;
@@ -303,7 +303,7 @@ impl Search<'_, '_> {
     }
 
     /// Handles an interval that contains one pole: records a zero, discards the interval, or cuts it into `open`.
-    fn about(&self, pole: &Pole, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
+    fn about(&self, pole: &ModalPole, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
         let value = self.function.without_pole(Interval::new(low, high), pole);
         let excluded = value.is_some_and(|value| !value.holds_zero());
         if excluded || high - low <= CANCELLED * pole.y {

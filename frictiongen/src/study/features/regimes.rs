@@ -1,7 +1,7 @@
 //! The regimes along frequency at a given friction ratio.
 
 use super::functions::Target;
-use super::isolate::Function;
+use super::isolate::MotionFunction;
 use super::places::{changes, merge, samples, steps};
 use super::sensed::Sensed;
 use super::sliding::Bound;
@@ -111,7 +111,7 @@ impl Features<'_> {
         let closed = if modal.is_damped() { to } else { 0.5 * fastest };
         let mut bounds = Vec::new();
         // Above the frequency ratio `closed`, β_lim equals β_lim without search.
-        let function = Function::new(modal, None, Target::Continuous(exact(beta)));
+        let function = MotionFunction::new(modal, None, Target::Continuous(exact(beta)));
         let mut edges = vec![from];
         let mut marks = Vec::new();
         if !modal.is_damped() {
@@ -126,7 +126,7 @@ impl Features<'_> {
                     edges.push(r);
                 }
             }
-            let still = Function::new(modal, None, Target::FreeContact);
+            let still = MotionFunction::new(modal, None, Target::FreeContact);
             marks.extend(still.zeros(range)?.iter().map(|zero| zero.r()));
             marks.extend(function.poles(range)?.iter().map(|pole| 1.0 / pole.y));
         } else {

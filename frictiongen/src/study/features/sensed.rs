@@ -1,7 +1,7 @@
 //! Derivatives of a feature with respect to every parameter, from zeros by implicit differentiation and from closed
 //! forms.
 
-use super::isolate::{Function, Zero};
+use super::isolate::{FunctionZero, MotionFunction};
 use crate::study::parameter::{OperatingPoint, Parameter, parameters_of};
 use crate::study::sensitivity::{Sensitive, Varied};
 use crate::study::system::System;
@@ -197,7 +197,12 @@ impl Variations {
     }
 
     /// Returns the frequency of a zero of a function f, with derivatives: dr/dp = r² (∂f/∂p)/(∂f/∂y), where y = 1/r.
-    pub fn of_zero(&self, function: &Function<'_>, zero: &Zero, beta: Option<f64>) -> Sensed {
+    pub fn of_zero(
+        &self,
+        function: &MotionFunction<'_>,
+        zero: &FunctionZero,
+        beta: Option<f64>,
+    ) -> Sensed {
         self.of_frequency(zero.r(), beta, |variation| {
             if !zero.crosses {
                 return None;

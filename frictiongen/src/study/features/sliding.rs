@@ -1,7 +1,7 @@
 //! The resonances of the chain with its contact stuck, and the ranges in which the contact slides at a given friction.
 
 use super::functions::Target;
-use super::isolate::Function;
+use super::isolate::MotionFunction;
 use super::sensed::Sensed;
 use super::{FeatureError, Features, check_friction, check_range, exact};
 use frictiongen_kernel::number::dd::Dd;
@@ -124,7 +124,7 @@ impl Features<'_> {
         let mut bounds = Vec::new();
         for sign in signs {
             let target = Target::Sliding(beta_exact * *sign);
-            let function = Function::new(modal, None, target);
+            let function = MotionFunction::new(modal, None, target);
             for zero in function.zeros(range)? {
                 bounds.push(Bound {
                     r: zero.r(),

@@ -98,7 +98,7 @@ const MOST_BRANCHES: u32 = 6;
 const BESIDE: f64 = 1.0 / 64.0;
 
 /// A friction ratio β with the pattern of the contact.
-type Known = (f64, Result<Pattern, Error>);
+type KnownPattern = (f64, Result<Pattern, Error>);
 
 /// The search for boundaries between two neighbouring β of a map.
 struct Trace<'s> {
@@ -112,7 +112,7 @@ struct Trace<'s> {
 
 impl Trace<'_> {
     /// Finds the boundaries from one β of a map to the next.
-    fn step(&mut self, limits: &Limits<f64>, below: Known, above: Known) {
+    fn step(&mut self, limits: &Limits<f64>, below: KnownPattern, above: KnownPattern) {
         if [Regime::Continuous, Regime::Stuck]
             .iter()
             .any(|regime| is(below, *regime) && is(above, *regime))
@@ -146,7 +146,7 @@ impl Trace<'_> {
         }
     }
 
-    fn known(&self, beta: f64) -> Known {
+    fn known(&self, beta: f64) -> KnownPattern {
         let response = self.at.response(beta);
         (beta, response.map(|response| Pattern::of(&response)))
     }
@@ -173,7 +173,7 @@ impl Trace<'_> {
     }
 
     /// Finds the boundaries between two β, ascending.
-    fn between(&mut self, low: Known, high: Known, looks: u32) {
+    fn between(&mut self, low: KnownPattern, high: KnownPattern, looks: u32) {
         if low.1 == high.1 && looks == 0 {
             return;
         }
@@ -199,6 +199,6 @@ impl Trace<'_> {
     }
 }
 
-fn is(known: Known, regime: Regime) -> bool {
+fn is(known: KnownPattern, regime: Regime) -> bool {
     known.1.is_ok_and(|pattern| pattern.regime == regime)
 }

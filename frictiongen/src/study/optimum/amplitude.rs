@@ -11,7 +11,7 @@ use std::cell::Cell;
 
 /// The amount of friction: a friction ratio, or so much that the contact never slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::study) enum Friction {
+pub(in crate::study) enum FrictionAmount {
     /// A given friction ratio β.
     Ratio(f64),
     /// Enough friction that the contact never slides.
@@ -56,11 +56,11 @@ impl<'s> Amplitude<'s> {
         self.follows.set(true);
     }
 
-    fn response(&self, r: f64, friction: Friction) -> Result<SystemResponse<'s>, Error> {
+    fn response(&self, r: f64, friction: FrictionAmount) -> Result<SystemResponse<'s>, Error> {
         let at = self.system.at(r)?;
         match friction {
-            Friction::Ratio(beta) => at.response(beta),
-            Friction::Locked => at.locked(),
+            FrictionAmount::Ratio(beta) => at.response(beta),
+            FrictionAmount::Locked => at.locked(),
         }
     }
 
@@ -87,8 +87,8 @@ impl<'s> Amplitude<'s> {
     ///
     /// Below both limits the result is the amplitude of the closed form. With μ > 1, motion from rest may end in
     /// another state, whose amplitude [`followed`](Self::followed) returns.
-    pub(super) fn at(&self, r: f64, friction: Friction) -> f64 {
-        if let Friction::Ratio(beta) = friction
+    pub(super) fn at(&self, r: f64, friction: FrictionAmount) -> f64 {
+        if let FrictionAmount::Ratio(beta) = friction
             && (!self.follows.get() || self.is_spent())
             && let Ok(at) = self.system.at(r)
             && let Ok(motion) = at.motion(beta)
@@ -103,7 +103,7 @@ impl<'s> Amplitude<'s> {
     }
 
     /// Returns the amplitude of the steady state in which motion from rest ends, in any regime.
-    pub(super) fn followed(&self, r: f64, friction: Friction) -> f64 {
+    pub(super) fn followed(&self, r: f64, friction: FrictionAmount) -> f64 {
         self.asked.set(self.asked.get() + 1);
         let found = self.response(r, friction);
         self.spend(r, found.as_ref().map_err(|error| *error));
@@ -128,7 +128,7 @@ impl<'s> Amplitude<'s> {
 
     /// Returns the amplitude on an undamped resonance of the chain with its contact stuck. The amplitude is finite
     /// where the load does not drive that mode.
-    fn beside_resonance(&self, r: f64, friction: Friction) -> f64 {
+    fn beside_resonance(&self, r: f64, friction: FrictionAmount) -> f64 {
         beside(r, |r| {
             let response = self.response(r, friction);
             response.map_or(f64::INFINITY, |response| self.swing(&response))
@@ -136,7 +136,7 @@ impl<'s> Amplitude<'s> {
     }
 
     /// Returns the regime of the response, or `Regime::Stuck` if there is no response.
-    pub(super) fn regime(&self, r: f64, friction: Friction) -> Regime {
+    pub(super) fn regime(&self, r: f64, friction: FrictionAmount) -> Regime {
         self.response(r, friction)
             .map_or(Regime::Stuck, |response| response.regime())
     }
@@ -144,7 +144,7 @@ impl<'s> Amplitude<'s> {
     /// Returns the exact derivatives of the amplitude with respect to r and β. `None` where a derivative does not
     /// exist.
     pub(super) fn slopes(&self, r: f64, beta: f64) -> Option<[f64; 2]> {
-        let response = self.response(r, Friction::Ratio(beta)).ok()?;
+        let response = self.response(r, FrictionAmount::Ratio(beta)).ok()?;
         let (fixed_r, fixed_beta) = (Sensitive::fixed(r.into()), Sensitive::fixed(beta.into()));
         let slope = |r: Sensitive, beta: Sensitive| {
             let known = swing(&self.unvaried, &response, (r, beta), self.of, false);
@@ -160,7 +160,7 @@ impl<'s> Amplitude<'s> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Amplitude, Friction};
+    use super::{Amplitude, FrictionAmount};
     use crate::Of;
     use crate::study::System;
 
@@ -173,10 +173,10 @@ mod tests {
         let system: System = text.parse().unwrap();
         let limits = system.at(0.5).unwrap().limits();
         let amplitude = Amplitude::new(&system, Of::Mass(0));
-        let slides = Friction::Ratio(0.5 * limits.continuous);
+        let slides = FrictionAmount::Ratio(0.5 * limits.continuous);
         assert!(amplitude.at(0.5, slides).is_finite());
         assert_eq!((amplitude.asked.get(), amplitude.silent.get()), (1, 0));
-        let stops = Friction::Ratio(0.5 * (limits.continuous + limits.sliding));
+        let stops = FrictionAmount::Ratio(0.5 * (limits.continuous + limits.sliding));
         for asked in [1, 2] {
             assert!(amplitude.at(0.5, stops).is_nan());
             assert_eq!(

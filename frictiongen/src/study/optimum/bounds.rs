@@ -1,13 +1,13 @@
 //! Finds the frequency ratios of a band at which β_lim or β*_lim equals β, and the extremes of both limits.
 
 use super::line;
-use super::peaks::{Band, PLACE, POLE};
+use super::peaks::{AmplitudeBand, PLACE, POLE};
 use super::places::limits;
 
 /// Number of bisection steps for a frequency ratio at which β_lim or β*_lim equals β.
 const HALVINGS: usize = 36;
 
-impl Band<'_> {
+impl AmplitudeBand<'_> {
     /// Returns the frequency ratios of the band next to those where β_lim or β*_lim equals β: one just below and one
     /// just above each crossing.
     pub(super) fn bounds(&self, beta: f64) -> Vec<f64> {

@@ -15,18 +15,18 @@ pub(super) const HOLDS: f64 = 1e-9;
 
 /// A friction ratio that may be the best, with its largest amplitude over the band.
 #[derive(Clone, Debug)]
-pub(super) struct Candidate {
+pub(super) struct FrictionCandidate {
     pub at: Scanned,
     pub bracket: [f64; 2],
     /// True if the friction ratio is a point of the scan and was not refined.
     pub of_scan: bool,
 }
 
-pub(super) fn of_scan(scan: &[Scanned]) -> Vec<Candidate> {
+pub(super) fn of_scan(scan: &[Scanned]) -> Vec<FrictionCandidate> {
     let beside = |place: Option<usize>| place.and_then(|place| scan.get(place));
     let complete = scan.iter().enumerate();
     let complete = complete.filter(|(_, at)| at.complete && at.value.is_finite());
-    let candidate = |(index, at): (usize, &Scanned)| Candidate {
+    let candidate = |(index, at): (usize, &Scanned)| FrictionCandidate {
         at: at.clone(),
         bracket: [index.checked_sub(1), Some(index + 1)]
             .map(|place| beside(place).map_or(at.beta, |beside| beside.beta)),
@@ -49,8 +49,12 @@ pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
 
 /// Orders candidates by amplitude. Among candidates of equal amplitude, the friction from which on nothing changes
 /// comes first, then the least friction.
-pub(super) fn before(a: &Candidate, b: &Candidate, stays: Option<(f64, f64)>) -> Ordering {
-    let rank = |candidate: &Candidate| {
+pub(super) fn before(
+    a: &FrictionCandidate,
+    b: &FrictionCandidate,
+    stays: Option<(f64, f64)>,
+) -> Ordering {
+    let rank = |candidate: &FrictionCandidate| {
         let Scanned { beta, value, .. } = candidate.at;
         match stays {
             Some((from, last)) if value <= last && (last - value) <= HOLDS * last => {

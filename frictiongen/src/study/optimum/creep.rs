@@ -1,9 +1,9 @@
 //! Finds the friction ratio between two others at which the highest peak is smallest. The search follows each peak as
 //! the peak moves.
 
-use super::amplitude::Friction;
+use super::amplitude::FrictionAmount;
 use super::look::Look;
-use super::peaks::{Band, Peak};
+use super::peaks::{AmplitudeBand, BandPeak};
 use super::scan::{Scanned, slope, with_slope};
 
 /// Largest number of peaks that are followed from each side.
@@ -33,7 +33,7 @@ pub(super) struct Crept {
 }
 
 /// Returns the friction ratio between two others at which the highest of their peaks is smallest.
-pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option<Crept> {
+pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) -> Option<Crept> {
     let (mut below, mut above) = (below.clone(), above.clone());
     let mut best: Option<Scanned> = None;
     let mut next = None;
@@ -70,7 +70,7 @@ pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option
             .filter(|peak| peak.value.is_finite())
             .map(|peak| peak.r)
             .collect();
-        let peaks = band.followed(Friction::Ratio(beta), &distinct(seeds), f64::INFINITY);
+        let peaks = band.followed(FrictionAmount::Ratio(beta), &distinct(seeds), f64::INFINITY);
         let look = Look {
             peaks,
             complete: !band.amplitude.is_spent(),
@@ -88,7 +88,7 @@ pub(super) fn crept(band: &Band<'_>, below: &Scanned, above: &Scanned) -> Option
         // height.
         let other = if falls { &above } else { &below };
         let partner = other.peaks.first().and_then(|known| {
-            let distance = |peak: &&Peak| (peak.r - known.r).abs();
+            let distance = |peak: &&BandPeak| (peak.r - known.r).abs();
             let others = here.peaks.iter().skip(1);
             others.min_by(|a, b| distance(a).total_cmp(&distance(b)))
         });

@@ -1,10 +1,10 @@
 //! Computes the intervals of friction around an optimum, which show how flat the optimum is.
 
-use super::amplitude::Friction;
+use super::amplitude::FrictionAmount;
 use super::answer::Tolerance;
-use super::peaks::Band;
+use super::peaks::AmplitudeBand;
 use super::scan::Scanned;
-use super::search::{End, Least};
+use super::search::{Least, SearchEnd};
 
 /// Largest number of steps towards a bound of an interval.
 const STEPS: usize = 40;
@@ -19,7 +19,7 @@ const WORK: usize = 12_000;
 
 /// Returns the interval of friction around the optimum in which the largest amplitude exceeds the best amplitude by at
 /// most the fraction `excess`.
-pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Tolerance {
+pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) -> Tolerance {
     let level = least.at.value * (1.0 + excess);
     if level == 0.0 {
         // The best amplitude is 0, so any fraction of it is 0 too.
@@ -29,7 +29,7 @@ pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Toleranc
     let within = |scanned: &Scanned| scanned.value <= level;
     let below = least.scan.iter().rev();
     let mut below = below.filter(|scanned| scanned.beta < least.at.beta);
-    let near = if least.end == End::Converged {
+    let near = if least.end == SearchEnd::Converged {
         NEAR
     } else {
         ROUGHLY
@@ -54,7 +54,7 @@ pub(super) fn tolerance(band: &Band<'_>, least: &Least, excess: f64) -> Toleranc
 
 /// Returns the friction ratio at which the amplitude reaches a level, searching from the optimum outwards.
 fn edge<'a>(
-    band: &Band<'_>,
+    band: &AmplitudeBand<'_>,
     best: &'a Scanned,
     outwards: &mut dyn Iterator<Item = &'a Scanned>,
     (level, near): (f64, f64),
@@ -75,7 +75,7 @@ fn edge<'a>(
         .map(|peak| peak.r)
         .collect();
     let above = |beta: f64| {
-        let peaks = band.followed(Friction::Ratio(beta), &seeds, level);
+        let peaks = band.followed(FrictionAmount::Ratio(beta), &seeds, level);
         peaks.first().map_or(f64::INFINITY, |peak| peak.value) - level
     };
     let (mut a, mut at_a) = (inside.beta, inside.value - level);

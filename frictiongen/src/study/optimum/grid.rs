@@ -3,9 +3,9 @@
 //! With μ > 1 motion from rest may end in different steady states at neighbouring frequencies. The amplitude jumps
 //! between these frequencies. Only the motion itself shows where.
 
-use super::amplitude::Friction;
+use super::amplitude::FrictionAmount;
 use super::look::{Look, sorted};
-use super::peaks::{Band, Peak};
+use super::peaks::{AmplitudeBand, BandPeak};
 
 /// Relative distance of neighbouring frequencies of the grid. It is a third of the narrowest known range of stick-slip
 /// states, which a frame of three storeys with μ = 1.2 has.
@@ -20,7 +20,7 @@ const MOST: usize = 3;
 /// friction.
 const SIDE: i32 = 4;
 
-impl Band<'_> {
+impl AmplitudeBand<'_> {
     /// Adds the frequency ratio of a peak and its neighbours on the grid to all later first evaluations of the band.
     pub(super) fn learn_around(&self, r: f64) {
         let [from, to] = self.ends();
@@ -31,12 +31,12 @@ impl Band<'_> {
 
     /// Adds the largest local maxima on the grid to the peaks of an evaluation. The evaluation stays incomplete if the
     /// work ends before the grid does.
-    pub(super) fn add_grid(&self, look: &mut Look, friction: Friction) {
+    pub(super) fn add_grid(&self, look: &mut Look, friction: FrictionAmount) {
         let [from, to] = self.ends();
         let width = (to / from).ln();
         let intervals = (width / FINE).min(MOST_INTERVALS).ceil();
         let mut most = look.peaks.first().map_or(0.0, |peak| peak.value);
-        let mut seen: Vec<Peak> = Vec::new();
+        let mut seen: Vec<BandPeak> = Vec::new();
         for index in 0..=intervals as u32 {
             if self.amplitude.is_spent() {
                 look.complete = false;
@@ -58,7 +58,7 @@ impl Band<'_> {
             let own = value(Some(index));
             value(index.checked_sub(1)) <= own && value(Some(index + 1)) <= own
         };
-        let mut found: Vec<Peak> = seen
+        let mut found: Vec<BandPeak> = seen
             .iter()
             .enumerate()
             .filter(|(index, peak)| WORTH * most <= peak.value && highest(*index))

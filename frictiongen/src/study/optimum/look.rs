@@ -4,9 +4,9 @@
 //! The first look at a friction ratio follows motions at some frequencies of the band only. A whole look evaluates all
 //! of them.
 
-use super::amplitude::Friction;
-use super::peaks::{PLACE, Peak};
-use super::places::Place;
+use super::amplitude::FrictionAmount;
+use super::peaks::{BandPeak, PLACE};
+use super::places::BandPlace;
 
 /// A ratio of two friction ratios, and a factor. While friction changes by at most this ratio, the amplitude is
 /// expected to change by at most this factor.
@@ -29,7 +29,7 @@ pub(super) enum Closely {
 #[derive(Clone, Debug)]
 pub(super) struct Look {
     /// The local maxima that were found, in descending order.
-    pub peaks: Vec<Peak>,
+    pub peaks: Vec<BandPeak>,
     /// True if the evaluation was completed. False if the largest amplitude exceeds the cutoff, or if the work was
     /// spent.
     pub complete: bool,
@@ -37,7 +37,7 @@ pub(super) struct Look {
 
 /// The most recent known amplitude at one frequency, from which the amplitude at another friction ratio is estimated.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Known {
+pub(super) struct KnownAmplitude {
     /// The friction ratio of the last motion that was followed at this frequency. NaN before the first motion.
     pub beta: f64,
     /// The amplitude of the last motion that was followed. Before the first motion, the larger of two amplitudes:
@@ -45,10 +45,10 @@ pub(super) struct Known {
     pub value: f64,
 }
 
-impl Known {
+impl KnownAmplitude {
     /// Returns the largest amplitude that is expected at another amount of friction.
-    pub fn promise(self, friction: Friction, closely: Closely) -> f64 {
-        let Friction::Ratio(beta) = friction else {
+    pub fn promise(self, friction: FrictionAmount, closely: Closely) -> f64 {
+        let FrictionAmount::Ratio(beta) = friction else {
             return self.value;
         };
         let whole = closely == Closely::Whole;
@@ -65,17 +65,17 @@ impl Known {
 
 /// A frequency of the band with its amplitude. The amplitude is NaN before the motion is followed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
-    pub place: Place,
+pub(super) struct SeenFrequency {
+    pub place: BandPlace,
     pub value: f64,
     pub closed: bool,
 }
 
 /// The amplitude over a band at one friction ratio, as far as closed forms give it. No motion has been followed yet.
-pub(super) struct Open {
-    pub friction: Friction,
-    pub seen: Vec<Seen>,
-    pub peaks: Vec<Peak>,
+pub(super) struct OpenBand {
+    pub friction: FrictionAmount,
+    pub seen: Vec<SeenFrequency>,
+    pub peaks: Vec<BandPeak>,
     /// The largest amplitude that a closed form gives. It is a lower bound on the largest amplitude over the band.
     pub floor: f64,
     /// Estimate of the largest amplitude over the band. It is the larger of `floor` and the stuck amplitudes at
@@ -83,7 +83,7 @@ pub(super) struct Open {
     pub expected: f64,
 }
 
-impl Open {
+impl OpenBand {
     /// Returns the largest amplitude that is known at any frequency of the band.
     pub fn most(&self) -> f64 {
         let values = self.seen.iter().map(|seen| seen.value);
@@ -97,17 +97,19 @@ pub(super) type Top = (Option<[f64; 2]>, (f64, f64));
 
 /// Returns the local maxima whose amplitude is at least `least`. If `closed` is true, these are maxima between
 /// frequencies with a closed form. Otherwise these are all other maxima.
-pub(super) fn tops(seen: &[Seen], least: f64, closed: bool) -> Vec<Top> {
+pub(super) fn tops(seen: &[SeenFrequency], least: f64, closed: bool) -> Vec<Top> {
     let mut found = Vec::new();
     for (index, own) in seen.iter().enumerate() {
         let neighbour = |place: Option<usize>| place.and_then(|place| seen.get(place)).copied();
         let sides = [neighbour(index.checked_sub(1)), neighbour(Some(index + 1))];
         let all_closed = own.closed && sides.iter().flatten().all(|side| side.closed);
-        let below = |side: &Option<Seen>| side.is_none_or(|other| !(own.value < other.value));
+        let below =
+            |side: &Option<SeenFrequency>| side.is_none_or(|other| !(own.value < other.value));
         if all_closed != closed || !(least <= own.value) || !sides.iter().all(below) {
             continue;
         }
-        let level = |side: &Option<Seen>| side.is_some_and(|other| other.value == own.value);
+        let level =
+            |side: &Option<SeenFrequency>| side.is_some_and(|other| other.value == own.value);
         let ends = sides.map(|side| side.map_or(own.place.r, |side| side.place.r));
         let plateau = sides.iter().all(level);
         found.push(((!plateau).then_some(ends), (own.place.r, own.value)));
@@ -116,12 +118,12 @@ pub(super) fn tops(seen: &[Seen], least: f64, closed: bool) -> Vec<Top> {
 }
 
 /// Returns the peaks in descending order of amplitude, without duplicates and without NaN.
-pub(super) fn sorted(mut peaks: Vec<Peak>) -> Vec<Peak> {
+pub(super) fn sorted(mut peaks: Vec<BandPeak>) -> Vec<BandPeak> {
     peaks.retain(|peak| !peak.value.is_nan());
     peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
-    let mut kept: Vec<Peak> = Vec::new();
+    let mut kept: Vec<BandPeak> = Vec::new();
     for peak in peaks {
-        let known = |other: &Peak| (other.r - peak.r).abs() <= 64.0 * PLACE * peak.r;
+        let known = |other: &BandPeak| (other.r - peak.r).abs() <= 64.0 * PLACE * peak.r;
         if !kept.iter().any(known) {
             kept.push(peak);
         }

@@ -19,9 +19,9 @@ mod tuned;
 mod verified;
 
 use super::system::System;
-pub(in crate::study) use amplitude::Friction;
+pub(in crate::study) use amplitude::FrictionAmount;
 pub use answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance};
-use problem::Problem;
+use problem::OptimumProblem;
 pub use request::{FrequencyBand, OptimumError, OptimumRequest};
 pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 
@@ -87,6 +87,6 @@ impl System {
         request: &OptimumRequest,
         work: usize,
     ) -> Result<Optimum, OptimumError> {
-        Problem::new(self, request)?.solved(work)
+        OptimumProblem::new(self, request)?.solved(work)
     }
 }

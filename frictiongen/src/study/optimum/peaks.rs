@@ -7,10 +7,10 @@
 //! An evaluation of the band begins with closed forms. If a closed form exceeds the cutoff, no motion is followed.
 //! Every local maximum that may be the largest is refined.
 
-use super::amplitude::{Amplitude, Friction};
+use super::amplitude::{Amplitude, FrictionAmount};
 use super::line;
-use super::look::{Closely, Known, Look, Open, Seen, Top, sorted, tops};
-use super::places::{Place, places};
+use super::look::{Closely, KnownAmplitude, Look, OpenBand, SeenFrequency, Top, sorted, tops};
+use super::places::{BandPlace, places};
 use crate::Of;
 use crate::study::system::System;
 use std::cell::{Cell, RefCell};
@@ -37,7 +37,7 @@ const SAME: f64 = 1e-9;
 
 /// A local maximum of the amplitude over the band.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::study) struct Peak {
+pub(in crate::study) struct BandPeak {
     pub r: f64,
     pub value: f64,
     /// True if the maximum is at a bound of the band.
@@ -45,34 +45,34 @@ pub(in crate::study) struct Peak {
 }
 
 /// A band of frequencies, with all amplitudes that are already known in the band.
-pub(in crate::study) struct Band<'s> {
+pub(in crate::study) struct AmplitudeBand<'s> {
     pub amplitude: Amplitude<'s>,
     from: f64,
     to: f64,
     /// Frequencies that are evaluated at any friction, ascending.
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<BandPlace>,
     /// Amplitude at each of `places` with the contact stuck.
     held: Vec<f64>,
     /// Last known amplitude at each of `places`.
-    known: Vec<Cell<Known>>,
+    known: Vec<Cell<KnownAmplitude>>,
     /// Frequency ratios of peaks that a first, incomplete evaluation of the band had missed.
     learned: RefCell<Vec<f64>>,
 }
 
-impl<'s> Band<'s> {
+impl<'s> AmplitudeBand<'s> {
     pub(in crate::study) fn new(system: &'s System, of: Of, [from, to]: [f64; 2]) -> Self {
         let places = places(system, from, to);
         let amplitude = Amplitude::new(system, of);
-        let all = |friction: Friction| -> Vec<f64> {
+        let all = |friction: FrictionAmount| -> Vec<f64> {
             let values = places.iter();
             values
                 .map(|place| amplitude.at(place.r, friction))
                 .collect()
         };
-        let (held, free) = (all(Friction::Locked), all(Friction::Ratio(0.0)));
+        let (held, free) = (all(FrictionAmount::Locked), all(FrictionAmount::Ratio(0.0)));
         let known = held.iter().zip(&free);
         let known = known.map(|(held, free)| {
-            Cell::new(Known {
+            Cell::new(KnownAmplitude {
                 beta: f64::NAN,
                 value: held.max(*free),
             })
@@ -98,21 +98,21 @@ impl<'s> Band<'s> {
     }
 
     /// Returns the local maxima of the amplitude over the band, in descending order.
-    pub(in crate::study) fn peaks(&self, friction: Friction) -> Vec<Peak> {
+    pub(in crate::study) fn peaks(&self, friction: FrictionAmount) -> Vec<BandPeak> {
         let open = self.open(friction);
         self.look(open, f64::INFINITY, Closely::Whole).peaks
     }
 
     /// Evaluates the band at one friction ratio, but only at frequencies where the response has a closed form.
-    pub(super) fn open(&self, friction: Friction) -> Open {
-        let seen = |place: Place| {
+    pub(super) fn open(&self, friction: FrictionAmount) -> OpenBand {
+        let seen = |place: BandPlace| {
             let closed = place.is_closed(friction);
             let value = if closed {
                 self.amplitude.at(place.r, friction)
             } else {
                 f64::NAN
             };
-            Seen {
+            SeenFrequency {
                 place,
                 value,
                 closed,
@@ -121,19 +121,19 @@ impl<'s> Band<'s> {
         let system = self.amplitude.system;
         let mut places = self.places.clone();
         let learned = self.learned.borrow();
-        places.extend(learned.iter().map(|r| Place::new(system, *r, true)));
+        places.extend(learned.iter().map(|r| BandPlace::new(system, *r, true)));
         let mut expected = 0.0_f64;
-        if let Friction::Ratio(beta) = friction {
+        if let FrictionAmount::Ratio(beta) = friction {
             let bounds = self.bounds(beta);
-            places.extend(bounds.into_iter().map(|r| Place::new(system, r, true)));
+            places.extend(bounds.into_iter().map(|r| BandPlace::new(system, r, true)));
             let held = self.places.iter().zip(&self.held);
             let held = held.filter(|(place, _)| place.limits[1] <= beta);
             expected = held.fold(0.0, |most, (_, held)| most.max(*held));
         }
         places.sort_by(|a, b| a.r.total_cmp(&b.r).then(b.first.cmp(&a.first)));
         places.dedup_by(|a, b| a.r == b.r);
-        let seen: Vec<Seen> = places.into_iter().map(seen).collect();
-        let mut open = Open {
+        let seen: Vec<SeenFrequency> = places.into_iter().map(seen).collect();
+        let mut open = OpenBand {
             friction,
             seen,
             peaks: Vec::new(),
@@ -143,7 +143,7 @@ impl<'s> Band<'s> {
         let most = open.most();
         open.floor = most;
         // On an undamped resonance of the chain with its contact stuck, only rounding bounds the amplitude.
-        let pole = friction == Friction::Locked && POLE <= most;
+        let pole = friction == FrictionAmount::Locked && POLE <= most;
         if most.is_infinite() || pole {
             self.poles(&mut open, most);
         } else {
@@ -162,7 +162,7 @@ impl<'s> Band<'s> {
         open
     }
 
-    fn poles(&self, open: &mut Open, most: f64) {
+    fn poles(&self, open: &mut OpenBand, most: f64) {
         let poles = open.seen.iter().filter(|seen| seen.value == most);
         open.peaks = poles
             .map(|seen| self.peak(seen.place.r, f64::INFINITY))
@@ -171,7 +171,7 @@ impl<'s> Band<'s> {
     }
 
     /// Follows motions at frequencies without a closed form, until an amplitude exceeds `cutoff`.
-    pub(super) fn look(&self, mut open: Open, cutoff: f64, closely: Closely) -> Look {
+    pub(super) fn look(&self, mut open: OpenBand, cutoff: f64, closely: Closely) -> Look {
         let friction = open.friction;
         if open.floor.is_infinite() {
             return Look {
@@ -189,11 +189,11 @@ impl<'s> Band<'s> {
                 complete: false,
             };
         }
-        let above = |peaks: Vec<Peak>, peak: Peak| Look {
+        let above = |peaks: Vec<BandPeak>, peak: BandPeak| Look {
             peaks: sorted(peaks.into_iter().chain([peak]).collect()),
             complete: false,
         };
-        let taken = |seen: &Seen| seen.place.first || closely == Closely::Whole;
+        let taken = |seen: &SeenFrequency| seen.place.first || closely == Closely::Whole;
         let mut most = open.floor;
         for (index, promise) in self.promising(&open, closely, taken) {
             let Some(seen) = open.seen.get_mut(index) else {
@@ -244,7 +244,7 @@ impl<'s> Band<'s> {
 
     /// Follows motion from rest at the largest peaks. With μ > 1 this decides which steady state occurs, also where
     /// the closed form exists.
-    fn follow_largest(&self, peaks: &mut Vec<Peak>, friction: Friction) {
+    fn follow_largest(&self, peaks: &mut Vec<BandPeak>, friction: FrictionAmount) {
         let most = peaks.first().map_or(0.0, |peak| peak.value);
         let largest = peaks.iter_mut().take(MOST_TOPS);
         for peak in largest.filter(|peak| WORTH_FINELY * most <= peak.value) {
@@ -258,8 +258,14 @@ impl<'s> Band<'s> {
 
     /// Refines local maxima between their neighbouring frequencies: all of them roughly, and those that may be the
     /// largest finely.
-    fn refined(&self, tops: Vec<Top>, friction: Friction, finely: f64, cutoff: f64) -> Vec<Peak> {
-        let mut roughly: Vec<([f64; 2], Peak)> = Vec::new();
+    fn refined(
+        &self,
+        tops: Vec<Top>,
+        friction: FrictionAmount,
+        finely: f64,
+        cutoff: f64,
+    ) -> Vec<BandPeak> {
+        let mut roughly: Vec<([f64; 2], BandPeak)> = Vec::new();
         for (ends, start) in tops {
             let Some(ends) = ends else {
                 let peak = self.peak(start.0, start.1);
@@ -276,7 +282,7 @@ impl<'s> Band<'s> {
         }
         let most = roughly.iter().map(|(_, peak)| peak.value);
         let most = most.fold(0.0, f64::max);
-        let finely = |(ends, peak): ([f64; 2], Peak)| {
+        let finely = |(ends, peak): ([f64; 2], BandPeak)| {
             if WORTH_FINELY * most <= peak.value && most <= cutoff {
                 self.climbed(ends, (peak.r, peak.value), friction, finely)
             } else {
@@ -290,13 +296,13 @@ impl<'s> Band<'s> {
     /// descending order of that amplitude.
     fn promising(
         &self,
-        open: &Open,
+        open: &OpenBand,
         closely: Closely,
-        taken: impl Fn(&Seen) -> bool,
+        taken: impl Fn(&SeenFrequency) -> bool,
     ) -> Vec<(usize, f64)> {
         let followed = open.seen.iter().enumerate();
         let followed = followed.filter(|(_, seen)| !seen.closed && taken(seen));
-        let promise = |seen: &Seen| {
+        let promise = |seen: &SeenFrequency| {
             let known = self.nearest(seen.place.r).map(Cell::get);
             known.map_or(f64::INFINITY, |known| known.promise(open.friction, closely))
         };
@@ -307,28 +313,33 @@ impl<'s> Band<'s> {
         order
     }
 
-    fn nearest(&self, r: f64) -> Option<&Cell<Known>> {
+    fn nearest(&self, r: f64) -> Option<&Cell<KnownAmplitude>> {
         let after = self.places.partition_point(|place| place.r < r);
         self.known
             .get(after)
             .or_else(|| self.known.get(after.checked_sub(1)?))
     }
 
-    fn note(&self, r: f64, friction: Friction, value: f64) {
+    fn note(&self, r: f64, friction: FrictionAmount, value: f64) {
         if let Some(known) = self.nearest(r)
-            && let Friction::Ratio(beta) = friction
+            && let FrictionAmount::Ratio(beta) = friction
             && value.is_finite()
         {
-            known.set(Known { beta, value });
+            known.set(KnownAmplitude { beta, value });
         }
     }
 
     /// Returns the amplitudes at both bounds of the band, and the largest local maxima. Each maximum is searched for
     /// from a frequency ratio in `seeds`, its position at a similar friction ratio. The search ends when an amplitude
     /// exceeds `cutoff`.
-    pub(super) fn followed(&self, friction: Friction, seeds: &[f64], cutoff: f64) -> Vec<Peak> {
+    pub(super) fn followed(
+        &self,
+        friction: FrictionAmount,
+        seeds: &[f64],
+        cutoff: f64,
+    ) -> Vec<BandPeak> {
         let value = |r: f64| self.amplitude.at(r, friction);
-        let mut peaks: Vec<Peak> = [self.from, self.to]
+        let mut peaks: Vec<BandPeak> = [self.from, self.to]
             .map(|r| self.peak(r, value(r)))
             .to_vec();
         let mut tops: Vec<Top> = Vec::new();
@@ -366,7 +377,13 @@ impl<'s> Band<'s> {
         sorted(peaks)
     }
 
-    fn climbed(&self, ends: [f64; 2], start: (f64, f64), friction: Friction, near: f64) -> Peak {
+    fn climbed(
+        &self,
+        ends: [f64; 2],
+        start: (f64, f64),
+        friction: FrictionAmount,
+        near: f64,
+    ) -> BandPeak {
         let f = |r: f64| {
             let value = self.amplitude.at(r, friction);
             if value.is_nan() {
@@ -383,9 +400,9 @@ impl<'s> Band<'s> {
         self.peak(r, value)
     }
 
-    pub(super) fn peak(&self, r: f64, value: f64) -> Peak {
+    pub(super) fn peak(&self, r: f64, value: f64) -> BandPeak {
         let edge = self.is_edge(r);
-        Peak { r, value, edge }
+        BandPeak { r, value, edge }
     }
 
     fn is_edge(&self, r: f64) -> bool {

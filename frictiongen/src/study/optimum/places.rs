@@ -3,7 +3,7 @@
 //!
 //! The first evaluation of the band at a friction ratio follows motions only at some of the places.
 
-use super::amplitude::Friction;
+use super::amplitude::FrictionAmount;
 use crate::study::system::System;
 
 /// Smallest relative distance from a pole at which the test for a pole evaluates a function. The function at this
@@ -21,7 +21,7 @@ const APART: f64 = 0.01;
 
 /// A frequency ratio of a band, with β_lim and β*_lim there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct BandPlace {
     pub r: f64,
     /// The limits β_lim and β*_lim at this frequency ratio.
     pub limits: [f64; 2],
@@ -29,7 +29,7 @@ pub(super) struct Place {
     pub first: bool,
 }
 
-impl Place {
+impl BandPlace {
     pub(super) fn new(system: &System, r: f64, first: bool) -> Self {
         let limits = limits(system, r);
         Self { r, limits, first }
@@ -37,11 +37,11 @@ impl Place {
 
     /// Returns true if the response is known without following a motion in time, because the contact slides all the
     /// time or cannot slide.
-    pub(super) fn is_closed(&self, friction: Friction) -> bool {
+    pub(super) fn is_closed(&self, friction: FrictionAmount) -> bool {
         let [continuous, sliding] = self.limits;
         match friction {
-            Friction::Locked => true,
-            Friction::Ratio(beta) => beta == 0.0 || beta < continuous.min(sliding),
+            FrictionAmount::Locked => true,
+            FrictionAmount::Ratio(beta) => beta == 0.0 || beta < continuous.min(sliding),
         }
     }
 }
@@ -76,7 +76,7 @@ pub(super) fn beside(r: f64, function: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Returns the frequencies of a band that are evaluated at any friction, ascending.
-pub(super) fn places(system: &System, from: f64, to: f64) -> Vec<Place> {
+pub(super) fn places(system: &System, from: f64, to: f64) -> Vec<BandPlace> {
     let mut places = vec![(from, true), (to, true)];
     let steps = GRID as f64;
     let ratio = (to / from).ln();
@@ -123,7 +123,7 @@ pub(super) fn places(system: &System, from: f64, to: f64) -> Vec<Place> {
         if first {
             last = r;
         }
-        Place::new(system, r, first)
+        BandPlace::new(system, r, first)
     });
     placed.collect()
 }

@@ -1,12 +1,12 @@
 //! A checked request of an optimum, and the full result for the friction that was found.
 
-use super::amplitude::Friction;
+use super::amplitude::FrictionAmount;
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
 use super::flat;
-use super::peaks::Band;
+use super::peaks::AmplitudeBand;
 use super::request::{FrequencyBand, OptimumError, OptimumRequest};
 use super::scan::{self, Scanned};
-use super::search::{self, End, Kind, Least};
+use super::search::{self, Least, MinimumKind, SearchEnd};
 use crate::study::parameter::{OperatingPoint, Parameter, Slope};
 use crate::study::physical::ResponseSensitivities;
 use crate::study::system::System;
@@ -21,7 +21,7 @@ const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
 const EQUAL: f64 = 1e-9;
 
 /// A request for the best friction after all checks, with the system and the band of frequencies.
-pub(super) struct Problem<'s> {
+pub(super) struct OptimumProblem<'s> {
     pub system: &'s System,
     of: Of,
     load: Option<Load>,
@@ -29,7 +29,7 @@ pub(super) struct Problem<'s> {
     ends: [f64; 2],
 }
 
-impl<'s> Problem<'s> {
+impl<'s> OptimumProblem<'s> {
     pub(super) fn new(system: &'s System, request: &OptimumRequest) -> Result<Self, OptimumError> {
         let ends = match request.band {
             FrequencyBand::Ratio(from, to) => [from, to],
@@ -67,13 +67,13 @@ impl<'s> Problem<'s> {
         })
     }
 
-    pub(super) fn band(&self) -> Band<'s> {
-        Band::new(self.system, self.of, self.ends)
+    pub(super) fn band(&self) -> AmplitudeBand<'s> {
+        AmplitudeBand::new(self.system, self.of, self.ends)
     }
 
     /// Returns the friction at which the largest amplitude is smallest. The search covers all friction within a bound
     /// on work.
-    pub(super) fn least(band: &Band<'_>, work: usize) -> Result<Least, OptimumError> {
+    pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Result<Least, OptimumError> {
         search::least(band, work).ok_or_else(|| {
             if band.amplitude.is_spent() {
                 OptimumError::TooLong
@@ -90,51 +90,55 @@ impl<'s> Problem<'s> {
     }
 
     /// Returns the full result for a friction that was found: peaks, limits, intervals and derivatives.
-    pub(super) fn told(&self, band: &Band<'_>, least: &Least) -> Result<Optimum, OptimumError> {
-        let largest = |friction: Friction| {
+    pub(super) fn told(
+        &self,
+        band: &AmplitudeBand<'_>,
+        least: &Least,
+    ) -> Result<Optimum, OptimumError> {
+        let largest = |friction: FrictionAmount| {
             let peaks = band.peaks(friction);
             peaks.first().map_or(f64::NAN, |peak| peak.value)
         };
-        let without_friction = largest(Friction::Ratio(0.0));
+        let without_friction = largest(FrictionAmount::Ratio(0.0));
         if without_friction == 0.0 {
             return Err(OptimumError::AtRest);
         }
         let beta = least.at.beta;
         let monotone = self.system.scene().stiction <= 1.0;
         band.amplitude.allow(WORK_OF_A_REPORT);
-        let friction = if least.kind == Kind::Held && monotone && least.locked_from <= beta {
-            Friction::Locked
+        let friction = if least.kind == MinimumKind::Held && monotone && least.locked_from <= beta {
+            FrictionAmount::Locked
         } else {
-            Friction::Ratio(beta)
+            FrictionAmount::Ratio(beta)
         };
         let peaks = equal_peaks(band, (&least.at, least.kind), friction);
         let sensitivities = match least.end {
-            End::Converged => self.sensitivities(beta, &peaks).unwrap_or_default(),
+            SearchEnd::Converged => self.sensitivities(beta, &peaks).unwrap_or_default(),
             // The derivatives are valid only for a minimum that moves smoothly with a parameter. A minimum at a jump
             // does not.
-            End::Jump | End::Spent => Vec::new(),
+            SearchEnd::Jump | SearchEnd::Spent => Vec::new(),
         };
         let tolerances = EXCESSES
             .iter()
             .map(|excess| flat::tolerance(band, least, *excess))
             .collect();
-        let with_contact_locked = largest(Friction::Locked);
-        let beyond_jump = (least.end == End::Jump)
+        let with_contact_locked = largest(FrictionAmount::Locked);
+        let beyond_jump = (least.end == SearchEnd::Jump)
             .then(|| beyond(band, least))
             .flatten();
         Ok(Optimum {
             beta,
             amplitude: least.at.value,
             kind: match least.kind {
-                Kind::Crossing => OptimumKind::EqualPeaks,
-                Kind::Smooth => OptimumKind::SinglePeak,
-                Kind::Without => OptimumKind::NoFriction,
-                Kind::Held => OptimumKind::Stuck,
+                MinimumKind::Crossing => OptimumKind::EqualPeaks,
+                MinimumKind::Smooth => OptimumKind::SinglePeak,
+                MinimumKind::Without => OptimumKind::NoFriction,
+                MinimumKind::Held => OptimumKind::Stuck,
             },
             end: match least.end {
-                End::Converged => OptimumEnd::Converged,
-                End::Jump => OptimumEnd::Jump,
-                End::Spent => OptimumEnd::WorkSpent,
+                SearchEnd::Converged => OptimumEnd::Converged,
+                SearchEnd::Jump => OptimumEnd::Jump,
+                SearchEnd::Spent => OptimumEnd::WorkSpent,
             },
             bracket: least.bracket,
             beyond_jump,
@@ -193,7 +197,7 @@ impl<'s> Problem<'s> {
 
 /// Returns the largest amplitude at the ends of the bracket, if it is above that of the best friction. One of the ends
 /// is beyond the jump.
-fn beyond(band: &Band<'_>, least: &Least) -> Option<f64> {
+fn beyond(band: &AmplitudeBand<'_>, least: &Least) -> Option<f64> {
     let others = least
         .bracket
         .into_iter()
@@ -228,12 +232,12 @@ pub(super) fn weights(all: &[ResponseSensitivities]) -> Option<Vec<f64>> {
 
 /// Returns the peaks that are as high as the highest peak, up to rounding.
 pub(super) fn equal_peaks(
-    band: &Band<'_>,
-    (at, kind): (&Scanned, Kind),
-    friction: Friction,
+    band: &AmplitudeBand<'_>,
+    (at, kind): (&Scanned, MinimumKind),
+    friction: FrictionAmount,
 ) -> Vec<OptimumPeak> {
     // A stuck contact may move with the base over a whole range, in which the amplitude is the same everywhere.
-    let most = if kind == Kind::Held { 1 } else { 8 };
+    let most = if kind == MinimumKind::Held { 1 } else { 8 };
     let equal = at.peaks.iter();
     let equal = equal.filter(|peak| at.value * (1.0 - EQUAL) <= peak.value);
     equal

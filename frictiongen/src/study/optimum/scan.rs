@@ -1,9 +1,9 @@
 //! Computes the largest amplitude over a band, and its slope over friction, at friction ratios from none to so much
 //! that nothing slides.
 
-use super::amplitude::Friction;
-use super::look::{Closely, Look, Open};
-use super::peaks::{Band, Peak};
+use super::amplitude::FrictionAmount;
+use super::look::{Closely, Look, OpenBand};
+use super::peaks::{AmplitudeBand, BandPeak};
 use crate::study::system::System;
 
 /// Number of intervals of the scan over friction. The intervals are shorter near zero friction.
@@ -50,7 +50,7 @@ pub(super) struct Scanned {
     pub value: f64,
     /// Derivative of the largest amplitude with respect to β. NaN where the amplitude is unbounded.
     pub slope: f64,
-    pub peaks: Vec<Peak>,
+    pub peaks: Vec<BandPeak>,
     pub complete: bool,
     /// True if the amplitude was evaluated at all frequencies of the band.
     pub whole: bool,
@@ -75,7 +75,7 @@ pub(super) fn best(scan: &[Scanned]) -> f64 {
 }
 
 /// Computes the scan: the largest amplitude over the band at friction ratios from none to so much that nothing slides.
-pub(super) fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
+pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
     let system = band.amplitude.system;
     let unbounded_to = unbounded_to(system, band.ends());
     let mut top = if locked_from.is_finite() {
@@ -111,7 +111,7 @@ pub(super) fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Sc
             }
         }
     } else if system.scene().stiction <= 1.0 {
-        let peaks = band.peaks(Friction::Locked);
+        let peaks = band.peaks(FrictionAmount::Locked);
         scan.push(Scanned {
             beta: top,
             value: peaks.first().map_or(f64::INFINITY, |peak| peak.value),
@@ -129,9 +129,13 @@ pub(super) fn scanned(band: &Band<'_>, free_to: f64, locked_from: f64) -> Vec<Sc
 
 /// Adds friction ratios to the scan, in the order of their expected amplitude. Once a low amplitude is known, closed
 /// forms alone reject most other friction ratios.
-pub(super) fn add(band: &Band<'_>, scan: &mut Vec<Scanned>, betas: impl Iterator<Item = f64>) {
-    let opened = betas.map(|beta| (beta, band.open(Friction::Ratio(beta))));
-    let mut opened: Vec<(f64, Open)> = opened.collect();
+pub(super) fn add(
+    band: &AmplitudeBand<'_>,
+    scan: &mut Vec<Scanned>,
+    betas: impl Iterator<Item = f64>,
+) {
+    let opened = betas.map(|beta| (beta, band.open(FrictionAmount::Ratio(beta))));
+    let mut opened: Vec<(f64, OpenBand)> = opened.collect();
     opened.sort_by(|(_, a), (_, b)| a.expected.total_cmp(&b.expected));
     for (beta, open) in opened {
         if band.amplitude.is_spent() {
@@ -148,7 +152,7 @@ pub(super) fn add(band: &Band<'_>, scan: &mut Vec<Scanned>, betas: impl Iterator
 
 /// Adds friction ratios between neighbours of the scan that may hide a minimum. A minimum is hidden if the amplitude
 /// falls at both neighbours although the second one is higher. The same is true in the opposite direction.
-pub(super) fn closer(band: &Band<'_>, scan: &mut Vec<Scanned>) {
+pub(super) fn closer(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..CLOSER {
         let best = best(scan);
         let hides = |below: &Scanned, above: &Scanned| {
@@ -174,7 +178,7 @@ pub(super) fn closer(band: &Band<'_>, scan: &mut Vec<Scanned>) {
 
 /// Adds friction ratios around the best one, up to its neighbours on both sides. With μ > 1 the amplitude jumps with
 /// friction, so slopes do not predict amplitudes between points of the scan.
-pub(super) fn about_best(band: &Band<'_>, scan: &mut Vec<Scanned>) {
+pub(super) fn about_best(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..ABOUT {
         let best = best(scan);
         let Some(index) = scan
@@ -202,13 +206,13 @@ pub(super) fn about_best(band: &Band<'_>, scan: &mut Vec<Scanned>) {
 
 /// Evaluates the band at one friction ratio and returns the largest amplitude. The evaluation ends when an amplitude
 /// exceeds `cutoff`.
-pub(super) fn scanned_at(band: &Band<'_>, beta: f64, cutoff: f64) -> Scanned {
-    let open = band.open(Friction::Ratio(beta));
+pub(super) fn scanned_at(band: &AmplitudeBand<'_>, beta: f64, cutoff: f64) -> Scanned {
+    let open = band.open(FrictionAmount::Ratio(beta));
     let look = band.look(open, cutoff, Closely::First);
     with_slope(beta, look, |peak| rough_slope(band, beta, peak))
 }
 
-pub(super) fn with_slope(beta: f64, look: Look, slope: impl Fn(&Peak) -> f64) -> Scanned {
+pub(super) fn with_slope(beta: f64, look: Look, slope: impl Fn(&BandPeak) -> f64) -> Scanned {
     let Look { peaks, complete } = look;
     let value = peaks.first().map_or(f64::NAN, |peak| peak.value);
     let slope = peaks
@@ -226,7 +230,7 @@ pub(super) fn with_slope(beta: f64, look: Look, slope: impl Fn(&Peak) -> f64) ->
 }
 
 /// Returns the derivative of a peak's amplitude with respect to β.
-pub(super) fn slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
+pub(super) fn slope(band: &AmplitudeBand<'_>, beta: f64, peak: &BandPeak) -> f64 {
     if let Some([along_r, along_beta]) = band.amplitude.slopes(peak.r, beta)
         && (peak.edge || is_smooth(band, beta, peak, along_r))
     {
@@ -236,8 +240,8 @@ pub(super) fn slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
     // follows the peak.
     let h = DIFFERENCE * beta;
     let at = |beta: f64| {
-        let peaks = band.followed(Friction::Ratio(beta), &[peak.r], f64::INFINITY);
-        let distance = |other: &&Peak| (other.r - peak.r).abs();
+        let peaks = band.followed(FrictionAmount::Ratio(beta), &[peak.r], f64::INFINITY);
+        let distance = |other: &&BandPeak| (other.r - peak.r).abs();
         peaks
             .iter()
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
@@ -248,20 +252,20 @@ pub(super) fn slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
 
 /// Returns true if the amplitude is smooth over frequency at a maximum. At a kink, derivatives do not describe the
 /// peak.
-fn is_smooth(band: &Band<'_>, beta: f64, peak: &Peak, along_r: f64) -> bool {
+fn is_smooth(band: &AmplitudeBand<'_>, beta: f64, peak: &BandPeak, along_r: f64) -> bool {
     if along_r.abs() * peak.r <= 1e-7 * peak.value {
         return true;
     }
     let step = 1e-6 * peak.r;
-    let fall = |r: f64| peak.value - band.amplitude.at(r, Friction::Ratio(beta));
+    let fall = |r: f64| peak.value - band.amplitude.at(r, FrictionAmount::Ratio(beta));
     let fallen = fall(peak.r - step).max(fall(peak.r + step));
     along_r.abs() * step <= 0.1 * fallen
 }
 
 /// Returns the derivative of the amplitude with respect to β from a finite difference at the peak's frequency. NaN
 /// across a jump.
-fn rough_slope(band: &Band<'_>, beta: f64, peak: &Peak) -> f64 {
-    let at = |beta: f64| band.amplitude.at(peak.r, Friction::Ratio(beta));
+fn rough_slope(band: &AmplitudeBand<'_>, beta: f64, peak: &BandPeak) -> f64 {
+    let at = |beta: f64| band.amplitude.at(peak.r, FrictionAmount::Ratio(beta));
     if beta == 0.0 {
         let h = 1e-6;
         return (at(h) - peak.value) / h;

@@ -8,11 +8,11 @@
 //! peaks' heights finds a crossing. The zero of the slope is a peak's own minimum. Where neither is found, golden
 //! sections, which need no slopes, narrow the bracket around the best friction ratio.
 
-use super::amplitude::Friction;
-use super::candidates::{Candidate, HOLDS, before, between, of_scan, stays, valleys};
+use super::amplitude::FrictionAmount;
+use super::candidates::{FrictionCandidate, HOLDS, before, between, of_scan, stays, valleys};
 use super::creep::crept;
 use super::look::{Closely, Look};
-use super::peaks::{Band, Peak};
+use super::peaks::{AmplitudeBand, BandPeak};
 use super::scan::{Scanned, about_best, add, best, closer, scanned, scanned_at, slope, with_slope};
 use super::verified::{raise, verified};
 use crate::Regime;
@@ -42,7 +42,7 @@ const HIGHEST_TOLERANCE: f64 = 1.12;
 
 /// The kind of a minimum of the largest amplitude over friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum MinimumKind {
     /// Two peaks have equal height. With more friction one falls and the other rises.
     Crossing,
     /// One peak is at its own minimum over friction, or at a jump.
@@ -55,7 +55,7 @@ pub(super) enum Kind {
 
 /// The cause that ended the search: convergence, a jump, or spent work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum End {
+pub(super) enum SearchEnd {
     Converged,
     Jump,
     Spent,
@@ -65,8 +65,8 @@ pub(super) enum End {
 #[derive(Clone, Debug)]
 pub(super) struct Least {
     pub at: Scanned,
-    pub kind: Kind,
-    pub end: End,
+    pub kind: MinimumKind,
+    pub end: SearchEnd,
     /// Interval of β that contains the best friction ratio, as far as the search refined it.
     pub bracket: [f64; 2],
     pub scan: Vec<Scanned>,
@@ -77,7 +77,7 @@ pub(super) struct Least {
 
 /// Finds the friction at which the largest amplitude over the band is smallest. `None` if no friction bounds the
 /// amplitude.
-pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
+pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     band.amplitude.allow(work);
     let [free_to, locked_from] = band.limits();
     let mut scan = scanned(band, free_to, locked_from);
@@ -97,7 +97,7 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
             candidates.extend(found);
         }
         for (below, at, above) in valleys(&scan, top) {
-            let inside = |found: &Candidate| {
+            let inside = |found: &FrictionCandidate| {
                 below.beta < found.at.beta && found.at.beta < above.beta && !found.of_scan
             };
             if !candidates.iter().any(inside) {
@@ -121,7 +121,7 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
     let kind = kind(band, &best.at, locked_from);
     Some(Least {
         end: end(&best.at, kind, spent),
-        bracket: if kind == Kind::Without {
+        bracket: if kind == MinimumKind::Without {
             [best.at.beta; 2]
         } else {
             about(best.bracket, best.at.beta)
@@ -136,7 +136,7 @@ pub(super) fn least(band: &Band<'_>, work: usize) -> Option<Least> {
 
 /// Finds the friction, between two nearby friction ratios, at which the largest amplitude is smallest. `None` unless
 /// the amplitude falls from the first and rises to the second.
-pub(super) fn near(band: &Band<'_>, ends: [f64; 2]) -> Option<Least> {
+pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
     band.amplitude.allow(WORK_OF_ONE);
     let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));
     if !(below.slope < 0.0 && 0.0 <= above.slope) {
@@ -164,11 +164,11 @@ fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
 
 /// Returns the best of the candidates, after an evaluation at all frequencies of the band.
 fn checked(
-    band: &Band<'_>,
+    band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,
-    mut candidates: Vec<Candidate>,
+    mut candidates: Vec<FrictionCandidate>,
     spent: bool,
-) -> Option<Candidate> {
+) -> Option<FrictionCandidate> {
     let locked = stays(scan);
     for _ in 0..CHECKS {
         let least = candidates.iter_mut().min_by(|a, b| before(a, b, locked))?;
@@ -176,7 +176,7 @@ fn checked(
             return Some(least.clone());
         }
         let beta = least.at.beta;
-        let open = band.open(Friction::Ratio(beta));
+        let open = band.open(FrictionAmount::Ratio(beta));
         let look = band.look(open, f64::INFINITY, Closely::Whole);
         let found = with_slope(beta, look, |peak| slope(band, beta, peak));
         let holds = found.value <= least.at.value * (1.0 + HOLDS);
@@ -213,11 +213,11 @@ fn checked(
 /// Returns the minimum between two friction ratios, after another evaluation of the whole band. `None` if its
 /// amplitude is not below `best`.
 fn minimum(
-    band: &Band<'_>,
+    band: &AmplitudeBand<'_>,
     mut below: Scanned,
     mut above: Scanned,
     best: f64,
-) -> Option<Candidate> {
+) -> Option<FrictionCandidate> {
     let mut least = None;
     for _ in 0..AGAIN {
         if band.amplitude.is_spent() {
@@ -230,7 +230,7 @@ fn minimum(
         if best <= value && found.done {
             return None;
         }
-        let open = band.open(Friction::Ratio(beta));
+        let open = band.open(FrictionAmount::Ratio(beta));
         let look = band.look(open, best.max(value) * (1.0 + 1e-6), Closely::First);
         let Some(top) = look.peaks.first().copied() else {
             break;
@@ -238,7 +238,7 @@ fn minimum(
         if top.value <= value * (1.0 + 1e-10) {
             let bracket = [found.below.beta, found.above.beta];
             if found.done && look.complete {
-                return Some(Candidate {
+                return Some(FrictionCandidate {
                     at: found.best,
                     bracket,
                     of_scan: false,
@@ -254,12 +254,12 @@ fn minimum(
         };
         let here = with_slope(beta, look, |peak| slope(band, beta, peak));
         if here.complete && here.value < best {
-            let candidate = Candidate {
+            let candidate = FrictionCandidate {
                 at: here.clone(),
                 bracket: [below.beta, above.beta],
                 of_scan: false,
             };
-            let better = |least: &Candidate| candidate.at.value < least.at.value;
+            let better = |least: &FrictionCandidate| candidate.at.value < least.at.value;
             if least.as_ref().is_none_or(better) {
                 least = Some(candidate);
             }
@@ -280,10 +280,10 @@ fn minimum(
 /// Where steady states appear and disappear, peaks cannot be followed and slopes are useless. A friction ratio is
 /// rejected as soon as one amplitude shows that it is not better.
 pub(super) fn narrowed(
-    band: &Band<'_>,
+    band: &AmplitudeBand<'_>,
     (below, above): (&Scanned, &Scanned),
     seen: Option<Scanned>,
-) -> Candidate {
+) -> FrictionCandidate {
     let (mut a, mut b) = (below.beta, above.beta);
     let ends = [below, above].into_iter().filter(|end| end.complete);
     let known = seen.iter().chain(ends);
@@ -321,40 +321,43 @@ pub(super) fn narrowed(
             b = beta;
         }
     }
-    Candidate {
+    FrictionCandidate {
         at: best,
         bracket: [a, b],
         of_scan: false,
     }
 }
 
-fn end(least: &Scanned, kind: Kind, spent: bool) -> End {
+fn end(least: &Scanned, kind: MinimumKind, spent: bool) -> SearchEnd {
     let stationary = (least.slope * least.beta).abs() <= STATIONARY * least.value;
     match kind {
-        _ if spent => End::Spent,
-        Kind::Smooth if !stationary => End::Jump,
-        _ => End::Converged,
+        _ if spent => SearchEnd::Spent,
+        MinimumKind::Smooth if !stationary => SearchEnd::Jump,
+        _ => SearchEnd::Converged,
     }
 }
 
-fn kind(band: &Band<'_>, least: &Scanned, locked_from: f64) -> Kind {
-    let equal: Vec<&Peak> = least
+fn kind(band: &AmplitudeBand<'_>, least: &Scanned, locked_from: f64) -> MinimumKind {
+    let equal: Vec<&BandPeak> = least
         .peaks
         .iter()
         .filter(|peak| least.value * (1.0 - 1e-9) <= peak.value)
         .collect();
-    let stuck =
-        |peak: &&Peak| band.amplitude.regime(peak.r, Friction::Ratio(least.beta)) == Regime::Stuck;
+    let stuck = |peak: &&BandPeak| {
+        band.amplitude
+            .regime(peak.r, FrictionAmount::Ratio(least.beta))
+            == Regime::Stuck
+    };
     let monotone = band.amplitude.system.scene().stiction <= 1.0;
     if least.beta == 0.0 {
-        Kind::Without
+        MinimumKind::Without
     } else if (monotone && locked_from <= least.beta)
         || (least.slope == 0.0 && equal.iter().all(stuck))
     {
-        Kind::Held
+        MinimumKind::Held
     } else if equal.len() > 1 {
-        Kind::Crossing
+        MinimumKind::Crossing
     } else {
-        Kind::Smooth
+        MinimumKind::Smooth
     }
 }

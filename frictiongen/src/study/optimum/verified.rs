@@ -5,10 +5,10 @@
 //! ratio of the least bound. It evaluates the band on the grid at one friction ratio after another, and keeps the least
 //! result.
 
-use super::amplitude::Friction;
-use super::candidates::Candidate;
+use super::amplitude::FrictionAmount;
+use super::candidates::FrictionCandidate;
 use super::look::Closely;
-use super::peaks::Band;
+use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, scanned_at, slope, with_slope};
 use super::search::narrowed;
 
@@ -21,10 +21,13 @@ const BETTER: f64 = 0.999;
 
 /// Returns the least amplitude that the grid verifies. If the work ends before the first friction ratio is verified,
 /// the result is the one with the least lower bound.
-pub(super) fn verified(band: &Band<'_>, mut open: Vec<Candidate>) -> Option<Candidate> {
+pub(super) fn verified(
+    band: &AmplitudeBand<'_>,
+    mut open: Vec<FrictionCandidate>,
+) -> Option<FrictionCandidate> {
     open.retain(|candidate| candidate.at.value.is_finite());
     open.sort_by(|a, b| a.at.value.total_cmp(&b.at.value));
-    let mut best: Option<Candidate> = None;
+    let mut best: Option<FrictionCandidate> = None;
     let mut seen: Vec<f64> = Vec::new();
     for candidate in &open {
         let beta = candidate.at.beta;
@@ -37,7 +40,7 @@ pub(super) fn verified(band: &Band<'_>, mut open: Vec<Candidate>) -> Option<Cand
         }
         seen.push(beta);
         if let Some(at) = evaluated(band, beta, cutoff) {
-            best = Some(Candidate {
+            best = Some(FrictionCandidate {
                 at,
                 ..candidate.clone()
             });
@@ -51,7 +54,7 @@ pub(super) fn verified(band: &Band<'_>, mut open: Vec<Candidate>) -> Option<Cand
 
 /// Evaluates points of the scan whose amplitude is at most `level` again, with the peaks that the grids found. The
 /// amplitudes of these points were lower bounds.
-pub(super) fn raise(band: &Band<'_>, scan: &mut [Scanned], level: f64) {
+pub(super) fn raise(band: &AmplitudeBand<'_>, scan: &mut [Scanned], level: f64) {
     for seen in scan
         .iter_mut()
         .filter(|seen| seen.complete && seen.value <= level)
@@ -65,12 +68,12 @@ pub(super) fn raise(band: &Band<'_>, scan: &mut [Scanned], level: f64) {
 
 /// Evaluates the whole band on the grid at one friction ratio. Returns `None` if the largest amplitude is not below the
 /// cutoff, or if the work ends first.
-fn evaluated(band: &Band<'_>, beta: f64, cutoff: f64) -> Option<Scanned> {
+fn evaluated(band: &AmplitudeBand<'_>, beta: f64, cutoff: f64) -> Option<Scanned> {
     // The peaks of earlier grids reject most friction ratios.
     if cutoff.is_finite() && !scanned_at(band, beta, cutoff).complete {
         return None;
     }
-    let friction = Friction::Ratio(beta);
+    let friction = FrictionAmount::Ratio(beta);
     let mut look = band.look(band.open(friction), f64::INFINITY, Closely::Whole);
     band.add_grid(&mut look, friction);
     for peak in &look.peaks {
@@ -84,7 +87,7 @@ fn evaluated(band: &Band<'_>, beta: f64, cutoff: f64) -> Option<Scanned> {
 }
 
 /// Searches the bracket of the best friction ratio by golden sections, and verifies the result.
-fn refined(band: &Band<'_>, best: Candidate) -> Candidate {
+fn refined(band: &AmplitudeBand<'_>, best: FrictionCandidate) -> FrictionCandidate {
     let [from, to] = best.bracket;
     if !(from < to) {
         return best;
@@ -98,7 +101,7 @@ fn refined(band: &Band<'_>, best: Candidate) -> Candidate {
     if found.at.beta != best.at.beta
         && let Some(at) = evaluated(band, found.at.beta, best.at.value)
     {
-        return Candidate { at, ..found };
+        return FrictionCandidate { at, ..found };
     }
     best
 }

@@ -3,15 +3,16 @@
 //! On one line of the law the friction force is level + slope·velocity, which couples the modes.  A power series gives
 //! their motion over a piece in which modes, excitation and law together turn by at most a radian.
 
-use super::line::Line;
-use super::lines::{Crossing, Lines};
+use super::line::KineticLine;
+use super::lines::{LineCrossing, Lines};
 use crate::errors::OutOfDomain;
 use crate::motion::clock::phase;
+use crate::motion::contact::law::{ContactChain, Law};
 use crate::motion::contact::state::{ContactState, Outcome, Sought};
 use crate::motion::oscillator::{Part, advanced};
 use crate::motion::series::{Power, ROUNDINGS, TERMS};
 use crate::motion::setting::Setting;
-use crate::motion::walk::{Start, Walk, first_zero};
+use crate::motion::walk::{Walk, WalkStart, first_zero};
 use crate::number::scalar::Float;
 
 /// Upper bound on the rate at which the law changes the motion, as a multiple of the fastest mode's rate.
@@ -20,7 +21,7 @@ pub const MAX_STEEPNESS: u32 = 4096;
 /// Length, in roundings, up to which a piece counts as having no length.
 const STILL: f64 = 64.0;
 
-impl<S: Float> Setting<'_, S> {
+impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     /// The largest rate at which modes and excitation turn.
     fn turning(&self, modes: &[Part<S>]) -> S {
         let one = S::constant(1.0);
@@ -36,7 +37,7 @@ impl<S: Float> Setting<'_, S> {
         modes: &[Part<S>],
         lines: &Lines<'_, S>,
     ) -> Result<(), OutOfDomain> {
-        let steep = self.acceleration(self.law().level * lines.steepest());
+        let steep = self.acceleration(self.law().level() * lines.steepest());
         let most = self.turning(modes) * S::constant(f64::from(MAX_STEEPNESS));
         if steep <= most {
             Ok(())
@@ -46,8 +47,8 @@ impl<S: Float> Setting<'_, S> {
     }
 
     /// Length in τ of the piece over which a power series serves.
-    fn stretch(&self, modes: &[Part<S>], line: &Line<S>) -> S {
-        let steep = self.acceleration(self.law().level * line.slope.abs());
+    fn stretch(&self, modes: &[Part<S>], line: &KineticLine<S>) -> S {
+        let steep = self.acceleration(self.law().level() * line.slope.abs());
         S::constant(1.0) / (self.turning(modes) + steep)
     }
 
@@ -57,7 +58,7 @@ impl<S: Float> Setting<'_, S> {
         &self,
         modes: &mut [Part<S>],
         start: &ContactState<S>,
-        (line, stretch): (&Line<S>, S),
+        (line, stretch): (&KineticLine<S>, S),
         to: S,
     ) -> Power<S> {
         let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
@@ -108,8 +109,8 @@ impl<S: Float> Setting<'_, S> {
 }
 
 /// Searches for the end of a piece of sliding on one line of the law: an event, another line, or the end of the series.
-pub(crate) fn seek<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn seek<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
     lines: &mut Lines<'_, S>,
     start: ContactState<S>,
@@ -130,25 +131,25 @@ pub(crate) fn seek<S: Float>(
         None => (one, setting.plateau(modes, &mut sought, &line, reach)),
     };
     sought.tau = at * length;
-    if crossing == Crossing::Slower && line.low.is_zero() {
+    if crossing == LineCrossing::Slower && line.low.is_zero() {
         sought.outcome = Outcome::Halts;
-        lines.leads_to(Crossing::None, true);
+        lines.leads_to(LineCrossing::None, true);
     } else if let Some(short) = lines.leads_to(crossing, S::constant(STILL * S::EPSILON) < at) {
         sought.tau = length * short.min(one);
     }
     sought
 }
 
-impl<S: Float> Setting<'_, S> {
+impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     /// Finds where a piece on a line of bounded speed leads, as a fraction of its length.  `None` if the contact cannot
     /// leave zero velocity.
     fn slope(
         &self,
         modes: &mut [Part<S>],
         sought: &mut Sought<S>,
-        (line, high): (&Line<S>, S),
+        (line, high): (&KineticLine<S>, S),
         stretch: S,
-    ) -> Option<(S, Crossing)> {
+    ) -> Option<(S, LineCrossing)> {
         let start = sought.contact_state;
         let (zero, one, sign) = (S::constant(0.0), S::constant(1.0), start.contact.sign());
         let driven = self.dynamics.in_contact().min(modes.len());
@@ -160,12 +161,12 @@ impl<S: Float> Setting<'_, S> {
             part.start(phase(start.t));
         }
         let velocity = self.velocity_series(modes, &start, (line, stretch), zero);
-        let leaving = |slope| Start::Zero(slope * stretch);
-        let from = start.departing.map_or(Start::Anywhere, leaving);
+        let leaving = |slope| WalkStart::Zero(slope * stretch);
+        let from = start.departing.map_or(WalkStart::Anywhere, leaving);
         let falls = velocity.seen(sign, line.low, one);
         let (at, crossing) = match first_zero(&falls, from, &mut sought.steps) {
-            Walk::Zero(at, _) => (at, Crossing::Slower),
-            Walk::Until(at) => (at, Crossing::None),
+            Walk::Zero(at, _) => (at, LineCrossing::Slower),
+            Walk::Until(at) => (at, LineCrossing::None),
             Walk::NoStart => return None,
         };
         if !(zero < at) {
@@ -173,10 +174,10 @@ impl<S: Float> Setting<'_, S> {
             return Some((at, crossing));
         }
         let rises = velocity.seen(-sign, -high, at);
-        let met = first_zero(&rises, Start::Anywhere, &mut sought.steps);
+        let met = first_zero(&rises, WalkStart::Anywhere, &mut sought.steps);
         Some(match met {
-            Walk::Zero(place, _) => (place, Crossing::Faster),
-            Walk::Until(place) if place < at => (place, Crossing::None),
+            Walk::Zero(place, _) => (place, LineCrossing::Faster),
+            Walk::Until(place) if place < at => (place, LineCrossing::None),
             _ => (at, crossing),
         })
     }
@@ -186,25 +187,25 @@ impl<S: Float> Setting<'_, S> {
         &self,
         modes: &mut [Part<S>],
         sought: &mut Sought<S>,
-        line: &Line<S>,
+        line: &KineticLine<S>,
         reach: S,
-    ) -> (S, Crossing) {
+    ) -> (S, LineCrossing) {
         let mut constant = *self;
         constant.beta = self.beta * line.level;
         let mut sum = constant.start_sliding(modes, &sought.contact_state, reach);
         sum.constant = -line.low;
         sum.noise = sum.noise + line.low * S::constant(ROUNDINGS * S::EPSILON);
-        match first_zero(&sum, Start::Anywhere, &mut sought.steps) {
-            Walk::Zero(at, _) => (at, Crossing::Slower),
-            Walk::Until(at) => (at, Crossing::None),
-            Walk::NoStart => (reach, Crossing::None),
+        match first_zero(&sum, WalkStart::Anywhere, &mut sought.steps) {
+            Walk::Zero(at, _) => (at, LineCrossing::Slower),
+            Walk::Until(at) => (at, LineCrossing::None),
+            Walk::NoStart => (reach, LineCrossing::None),
         }
     }
 }
 
 /// Sets the modes to their state τ after a piece's start.  `to` is the excitation's phase then.
-pub(crate) fn place<S: Float>(
-    setting: &Setting<'_, S>,
+pub(crate) fn place<S: Float, K: ContactChain<S>>(
+    setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
     lines: &Lines<'_, S>,
     (start, tau): (&ContactState<S>, S),

@@ -4,7 +4,7 @@ use crate::number::scalar::Float;
 
 /// One line of the friction law.  Between two speeds the force over F is level + slope·|v|.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Line<S> {
+pub struct KineticLine<S> {
     pub level: S,
     pub slope: S,
     /// The speed at which the line begins.
@@ -15,10 +15,10 @@ pub(crate) struct Line<S> {
 
 /// Returns the line of index `place`.  A law without points has one line, which is Coulomb's law.
 #[inline(always)]
-pub(crate) fn line<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
+pub(crate) fn line<S: Float>(points: &[[S; 2]], place: usize) -> KineticLine<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     if points.is_empty() {
-        return Line {
+        return KineticLine {
             level: one,
             slope: zero,
             low: zero,
@@ -29,14 +29,14 @@ pub(crate) fn line<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
 }
 
 /// Returns the line of index `place` of a law with points.
-fn between<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
+fn between<S: Float>(points: &[[S; 2]], place: usize) -> KineticLine<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [low, first] = match place.checked_sub(1) {
         None => [zero, one],
         Some(before) => points.get(before).copied().unwrap_or([zero, one]),
     };
     match points.get(place) {
-        None => Line {
+        None => KineticLine {
             level: first,
             slope: zero,
             low,
@@ -44,7 +44,7 @@ fn between<S: Float>(points: &[[S; 2]], place: usize) -> Line<S> {
         },
         Some([high, last]) => {
             let slope = (*last - first) / (*high - low);
-            Line {
+            KineticLine {
                 level: first - slope * low,
                 slope,
                 low,

@@ -1,6 +1,6 @@
 //! The friction law of a simulation: one kinetic level, or straight lines over the speed.
 
-use super::line::{self, Line};
+use super::line::{self, KineticLine};
 use crate::errors::{Given, OutOfDomain};
 use crate::number::scalar::Float;
 
@@ -38,7 +38,7 @@ pub struct Lines<'a, S> {
     /// Index of the straight line of the law that contains the speed.
     place: usize,
     /// Crossing at the end of the piece that has been searched.
-    next: Crossing,
+    next: LineCrossing,
     /// Number of successive pieces that ended where they started.  `cut` counts the runs of such pieces that were
     /// broken off.
     still: u32,
@@ -47,7 +47,7 @@ pub struct Lines<'a, S> {
 
 /// Crossing at the end of a piece of motion on one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Crossing {
+pub(crate) enum LineCrossing {
     /// The motion stays on the line.
     None,
     /// The speed rises to the next line.
@@ -85,7 +85,7 @@ impl<'a, S: Float> Lines<'a, S> {
             points,
             unit: S::constant(1.0),
             place: 0,
-            next: Crossing::None,
+            next: LineCrossing::None,
             still: 0,
             cut: 0,
         }
@@ -109,7 +109,7 @@ impl<'a, S: Float> Lines<'a, S> {
     }
 
     /// The line on which the speed lies, for speeds |dz̄/dτ|.
-    pub(crate) fn line(&self) -> Line<S> {
+    pub(crate) fn line(&self) -> KineticLine<S> {
         let mut line = line::line(self.points, self.place);
         line.slope = line.slope * self.unit;
         line.low = line.low / self.unit;
@@ -132,9 +132,9 @@ impl<'a, S: Float> Lines<'a, S> {
     /// At a grazed point of the law, rounding may send the motion to and fro between two lines without end.  After
     /// `STILL` pieces without length the motion therefore continues along its line over the returned length, which is
     /// a fraction of the power series' length.
-    pub(crate) fn leads_to(&mut self, next: Crossing, moves: bool) -> Option<S> {
+    pub(crate) fn leads_to(&mut self, next: LineCrossing, moves: bool) -> Option<S> {
         self.next = next;
-        if moves || next == Crossing::None {
+        if moves || next == LineCrossing::None {
             (self.still, self.cut) = (0, 0);
             return None;
         }
@@ -147,7 +147,7 @@ impl<'a, S: Float> Lines<'a, S> {
             length = length + length;
         }
         (self.still, self.cut) = (0, (self.cut + 1).min(CUTS));
-        self.next = Crossing::None;
+        self.next = LineCrossing::None;
         Some(length)
     }
 
@@ -155,11 +155,11 @@ impl<'a, S: Float> Lines<'a, S> {
     pub(crate) fn pass(&mut self, at_rest: bool) {
         self.place = match self.next {
             _ if at_rest => 0,
-            Crossing::None => self.place,
-            Crossing::Faster => self.place + 1,
-            Crossing::Slower => self.place.saturating_sub(1),
+            LineCrossing::None => self.place,
+            LineCrossing::Faster => self.place + 1,
+            LineCrossing::Slower => self.place.saturating_sub(1),
         };
-        self.next = Crossing::None;
+        self.next = LineCrossing::None;
     }
 }
 
@@ -175,7 +175,7 @@ impl<'a, S: Float> Level<'a, S> for Lines<'a, S> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Crossing, Level, Lines};
+    use super::{Level, LineCrossing, Lines};
 
     const LAW: [[f64; 2]; 2] = [[0.1, 0.8], [0.3, 0.5]];
 
@@ -184,10 +184,10 @@ mod tests {
         let mut lines = Lines::under(&LAW, 0.5, 2.0, 0.1);
         let mut found = Vec::new();
         for next in [
-            Crossing::None,
-            Crossing::Faster,
-            Crossing::Faster,
-            Crossing::Slower,
+            LineCrossing::None,
+            LineCrossing::Faster,
+            LineCrossing::Faster,
+            LineCrossing::Slower,
         ] {
             let line = lines.line();
             found.push((line.low, line.high));
@@ -211,9 +211,9 @@ mod tests {
         let mut went = Vec::new();
         for stretch in 0..400 {
             let next = if stretch % 2 == 0 {
-                Crossing::Faster
+                LineCrossing::Faster
             } else {
-                Crossing::Slower
+                LineCrossing::Slower
             };
             if let Some(length) = lines.leads_to(next, false) {
                 let before = lines.line();
@@ -232,9 +232,9 @@ mod tests {
         );
         assert_eq!(went[99], f64::EPSILON.sqrt() * f64::from(1 << 20));
         // A piece with length resets the count.
-        assert_eq!(lines.leads_to(Crossing::Faster, true), None);
+        assert_eq!(lines.leads_to(LineCrossing::Faster, true), None);
         let next: Vec<_> = (0..4)
-            .map(|_| lines.leads_to(Crossing::Slower, false))
+            .map(|_| lines.leads_to(LineCrossing::Slower, false))
             .collect();
         assert_eq!(next, [None, None, None, Some(f64::EPSILON.sqrt())]);
     }

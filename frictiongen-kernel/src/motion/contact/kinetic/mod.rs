@@ -8,4 +8,4 @@ mod segment;
 pub use coupled::MAX_STEEPNESS;
 pub use lines::{Constant, Level, Lines};
 
-pub(crate) use line::{Line, line, place as line_at, steepest};
+pub(crate) use line::{KineticLine, line, place as line_at, steepest};

@@ -2,13 +2,14 @@
 
 use super::coupled;
 use super::lines::Level;
+use crate::motion::contact::law::{ContactChain, Law};
 use crate::motion::contact::state::{Contact, ContactState, Sought};
 use crate::motion::oscillator::Part;
 use crate::motion::segment;
 use crate::motion::setting::Setting;
 use crate::number::scalar::Float;
 
-impl<'a, S: Float> Setting<'a, S> {
+impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
     /// Searches for the next event from a contact state, as far as `reach`, and sets the oscillators to the segment.
     pub(crate) fn seek_under(
         &self,
@@ -48,11 +49,12 @@ impl<'a, S: Float> Setting<'a, S> {
         &self,
         level: &impl Level<'a, S>,
         parts: &[Part<S>],
-        contact: Contact,
+        contact_state: &ContactState<S>,
         at: (S, S),
     ) -> S {
+        let contact = contact_state.contact;
         if contact == Contact::Stuck {
-            return self.holding(parts, at);
+            return K::stuck_force(self, parts, contact_state, at);
         }
         let Some(lines) = level.lines() else {
             return self.law().kinetic(contact);

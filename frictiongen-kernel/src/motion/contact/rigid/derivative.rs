@@ -1,7 +1,7 @@
 //! Growth of small deviations along a motion.  Between events it has a closed form.  At each event a deviation jumps
 //! (saltation), because the event then occurs a little earlier or later.
 
-use crate::motion::contact::state::{Contact, ContactState, End};
+use crate::motion::contact::state::{Contact, ContactState, SegmentEnd};
 use crate::motion::oscillator::Part;
 use crate::motion::setting::Setting;
 use crate::number::pairs::{pairs, pairs_mut};
@@ -9,11 +9,11 @@ use crate::number::scalar::Float;
 
 /// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.  `modes` and
 /// `stuck_modes` are the oscillators after the segment.  The states in `stuck_modes` are overwritten.
-pub(crate) fn carry_deviations<S: Float>(
+pub(super) fn carry<S: Float>(
     setting: &Setting<'_, S>,
     (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
     contact_state: &ContactState<S>,
-    end: &End<S>,
+    end: &SegmentEnd<S>,
     columns: &mut [S],
 ) {
     let size = 2 * setting.dynamics.in_contact();
@@ -44,7 +44,7 @@ fn stuck<S: Float>(
     setting: &Setting<'_, S>,
     stuck_modes: &mut [Part<S>],
     t: S,
-    end: &End<S>,
+    end: &SegmentEnd<S>,
     column: &mut [S],
 ) {
     let zero = S::constant(0.0);
@@ -74,7 +74,7 @@ fn stuck<S: Float>(
 fn jump<S: Float>(
     setting: &Setting<'_, S>,
     contact_state: &ContactState<S>,
-    end: &End<S>,
+    end: &SegmentEnd<S>,
     column: &mut [S],
 ) {
     if end.jump.is_zero() {

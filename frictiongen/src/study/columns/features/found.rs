@@ -16,7 +16,7 @@ pub(super) struct Named<T> {
 }
 
 /// A feature at one friction ratio.
-pub(super) struct At<T> {
+pub(super) struct FeatureAt<T> {
     /// Friction ratio β = F/P, for base motion F/(k₁Y).
     pub(super) beta: f64,
     /// The feature itself.
@@ -26,7 +26,7 @@ pub(super) struct At<T> {
 /// Lists of features, each in the order of the library.
 pub struct FeatureLists {
     /// Resonances of the chain.
-    pub(super) resonances: Vec<Mode>,
+    pub(super) resonances: Vec<NumberedResonance>,
     /// Resonances of the chain with its contact stuck.
     pub(super) held: Vec<HeldResonance>,
     /// Limits of friction for r → 0 and r → ∞.
@@ -38,31 +38,31 @@ pub struct FeatureLists {
     /// Ranges in which friction enlarges a motion.
     pub(super) inversions: Vec<Named<(Measured, Inversion)>>,
     /// Motion of each mass for r → 0; `None` where the contact is stuck.
-    pub(super) starts: Vec<At<Named<Option<Sensed>>>>,
+    pub(super) starts: Vec<FeatureAt<Named<Option<Sensed>>>>,
     /// Ranges of frequency in which the contact slides.
-    pub(super) sliding: Vec<At<SlidingRange>>,
+    pub(super) sliding: Vec<FeatureAt<SlidingRange>>,
     /// Ranges of frequency with one regime each.
-    pub(super) regimes: Vec<At<(Certainty, RegimeRange)>>,
+    pub(super) regimes: Vec<FeatureAt<(Certainty, RegimeRange)>>,
     /// Largest amplitudes near the resonances.
-    pub(super) peaks: Vec<At<Named<ResonantPeak>>>,
+    pub(super) peaks: Vec<FeatureAt<Named<ResonantPeak>>>,
     /// Frequencies at which two neighbouring friction ratios give the same amplitude. The first number is the other
     /// ratio.
-    pub(super) crossings: Vec<At<Named<(f64, Crossing)>>>,
+    pub(super) crossings: Vec<FeatureAt<Named<(f64, Crossing)>>>,
 }
 
 impl<T> Row for Named<T> {}
 
-impl<T> Row for At<T> {}
+impl<T> Row for FeatureAt<T> {}
 
 impl Row for HeldResonance {}
 
 /// A resonance of the chain, with the number of its mode, counted from 1.
-pub(super) struct Mode {
+pub(super) struct NumberedResonance {
     pub(super) number: usize,
     pub(super) it: Resonance,
 }
 
-impl Row for Mode {}
+impl Row for NumberedResonance {}
 
 /// The limits of friction for r → 0 or for r → ∞.
 pub(super) struct EndRow {
@@ -86,7 +86,7 @@ impl FeatureLists {
         let mut found = Self {
             resonances: (1..)
                 .zip(features.resonances())
-                .map(|(number, it)| Mode { number, it })
+                .map(|(number, it)| NumberedResonance { number, it })
                 .collect(),
             held: features.held_resonances(),
             ends: vec![
@@ -121,13 +121,15 @@ impl FeatureLists {
             for part in parts {
                 let crossings = features.crossings(part.of, [one, other], range)?;
                 let of = part.name.as_str();
-                found.crossings.extend(crossings.into_iter().map(|it| At {
-                    beta: one,
-                    it: Named {
-                        of: of.to_owned(),
-                        it: (other, it),
-                    },
-                }));
+                found
+                    .crossings
+                    .extend(crossings.into_iter().map(|it| FeatureAt {
+                        beta: one,
+                        it: Named {
+                            of: of.to_owned(),
+                            it: (other, it),
+                        },
+                    }));
             }
         }
         Ok(found)
@@ -168,22 +170,22 @@ impl FeatureLists {
         for mass in &features.system().scene().masses {
             let of = mass.name.clone();
             let it = starts.as_mut().and_then(Iterator::next);
-            self.starts.push(At {
+            self.starts.push(FeatureAt {
                 beta,
                 it: Named { of, it },
             });
         }
         let ranges = features.sliding_ranges(beta, range)?;
         self.sliding
-            .extend(ranges.into_iter().map(|it| At { beta, it }));
+            .extend(ranges.into_iter().map(|it| FeatureAt { beta, it }));
         let (regimes, certainty) = features.regimes(beta, range)?;
-        self.regimes.extend(regimes.into_iter().map(|it| At {
+        self.regimes.extend(regimes.into_iter().map(|it| FeatureAt {
             beta,
             it: (certainty, it),
         }));
         for part in parts {
             let peaks = features.resonant_peaks(part.of, beta)?;
-            self.peaks.extend(peaks.into_iter().map(|it| At {
+            self.peaks.extend(peaks.into_iter().map(|it| FeatureAt {
                 beta,
                 it: Named {
                     of: part.name.clone(),

@@ -140,7 +140,7 @@ pub(super) fn lines(
         }
     }
     for beta in frictions {
-        let own = Own {
+        let own = AtOneFriction {
             features,
             friction: measure.force(*beta),
             beta: *beta,
@@ -261,14 +261,14 @@ fn undamped(
 }
 
 /// The features at one friction.
-struct Own<'f, 's> {
+struct AtOneFriction<'f, 's> {
     features: &'f Features<'s>,
     beta: f64,
     friction: f64,
     range: [f64; 2],
 }
 
-impl Own<'_, '_> {
+impl AtOneFriction<'_, '_> {
     /// Returns a line with this friction.
     fn line(&self, feature: &'static str, of: &str, ground: Ground) -> FeatureLine {
         let mut line = FeatureLine::new(feature, of, ground);

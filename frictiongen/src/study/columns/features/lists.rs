@@ -1,6 +1,6 @@
 //! Columns of the lists of features, one list for each kind of feature.
 
-use super::found::{At, EndRow, FeatureLists, Mode, Named};
+use super::found::{EndRow, FeatureAt, FeatureLists, Named, NumberedResonance};
 use super::sheet::Sheet;
 use crate::study::columns::column::{Column, Row};
 use crate::study::columns::setting::Setting;
@@ -54,9 +54,11 @@ impl FeatureLists {
     }
 }
 
-fn resonances<'a>(setting: &Setting<'a>) -> Vec<Column<'a, Mode>> {
+fn resonances<'a>(setting: &Setting<'a>) -> Vec<Column<'a, NumberedResonance>> {
     let mut sheet = Sheet::new(setting);
-    sheet.columns.count("mode", |mode: &Mode| Some(mode.number));
+    sheet
+        .columns
+        .count("mode", |mode: &NumberedResonance| Some(mode.number));
     sheet.places("", |mode| Some(mode.it.r));
     sheet.places_move(|mode| Some(&mode.it.frequency));
     sheet
@@ -132,9 +134,9 @@ fn inversions<'a>(setting: &Setting<'a>) -> Vec<Column<'a, Named<(Measured, Inve
     sheet.columns.done()
 }
 
-fn starts<'a>(setting: &Setting<'a>) -> Vec<Column<'a, At<Named<Option<Sensed>>>>> {
+fn starts<'a>(setting: &Setting<'a>) -> Vec<Column<'a, FeatureAt<Named<Option<Sensed>>>>> {
     let mut sheet = Sheet::new(setting);
-    sheet.friction(|start: &At<Named<Option<Sensed>>>| start.beta);
+    sheet.friction(|start: &FeatureAt<Named<Option<Sensed>>>| start.beta);
     sheet.of(|start| &start.it.of);
     sheet
         .columns
@@ -144,9 +146,9 @@ fn starts<'a>(setting: &Setting<'a>) -> Vec<Column<'a, At<Named<Option<Sensed>>>
     sheet.columns.done()
 }
 
-fn sliding<'a>(setting: &Setting<'a>) -> Vec<Column<'a, At<SlidingRange>>> {
+fn sliding<'a>(setting: &Setting<'a>) -> Vec<Column<'a, FeatureAt<SlidingRange>>> {
     let mut sheet = Sheet::new(setting);
-    sheet.friction(|range: &At<SlidingRange>| range.beta);
+    sheet.friction(|range: &FeatureAt<SlidingRange>| range.beta);
     sheet.places("", |range| Some(range.it.from));
     sheet.places_move(|range| range.it.from_frequency.as_ref());
     sheet.places("to_", |range| Some(range.it.to));
@@ -154,9 +156,9 @@ fn sliding<'a>(setting: &Setting<'a>) -> Vec<Column<'a, At<SlidingRange>>> {
     sheet.columns.done()
 }
 
-fn regimes<'a>(setting: &Setting<'a>) -> Vec<Column<'a, At<(Certainty, RegimeRange)>>> {
+fn regimes<'a>(setting: &Setting<'a>) -> Vec<Column<'a, FeatureAt<(Certainty, RegimeRange)>>> {
     let mut sheet = Sheet::new(setting);
-    sheet.friction(|range: &At<(Certainty, RegimeRange)>| range.beta);
+    sheet.friction(|range: &FeatureAt<(Certainty, RegimeRange)>| range.beta);
     let columns = &mut sheet.columns;
     columns.word("regime", "", |range| Some(words::regime(range.it.1.regime)));
     sheet.places("", |range| Some(range.it.1.from));
@@ -170,9 +172,9 @@ fn regimes<'a>(setting: &Setting<'a>) -> Vec<Column<'a, At<(Certainty, RegimeRan
     sheet.columns.done()
 }
 
-fn peaks<'a>(setting: &Setting<'a>) -> Vec<Column<'a, At<Named<ResonantPeak>>>> {
+fn peaks<'a>(setting: &Setting<'a>) -> Vec<Column<'a, FeatureAt<Named<ResonantPeak>>>> {
     let mut sheet = Sheet::new(setting);
-    sheet.friction(|peak: &At<Named<ResonantPeak>>| peak.beta);
+    sheet.friction(|peak: &FeatureAt<Named<ResonantPeak>>| peak.beta);
     sheet.of(|peak| &peak.it.of);
     sheet
         .columns
@@ -196,7 +198,7 @@ fn peaks<'a>(setting: &Setting<'a>) -> Vec<Column<'a, At<Named<ResonantPeak>>>> 
 
 /// A frequency at which the motion of a part has the same amplitude with two frictions: the other friction, and the
 /// frequency.
-type CrossingRow = At<Named<(f64, Crossing)>>;
+type CrossingRow = FeatureAt<Named<(f64, Crossing)>>;
 
 fn crossings<'a>(setting: &Setting<'a>) -> Vec<Column<'a, CrossingRow>> {
     let mut sheet = Sheet::new(setting);

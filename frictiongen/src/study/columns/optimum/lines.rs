@@ -40,7 +40,7 @@ pub struct Tuned<'a> {
 }
 
 /// Collects the lines of one entry of a list.
-struct Entry<'l> {
+struct LineEntry<'l> {
     lines: &'l mut Vec<OptimumLine>,
     list: Option<&'static str>,
     row: Option<usize>,
@@ -49,7 +49,7 @@ struct Entry<'l> {
     name: &'l str,
 }
 
-impl Entry<'_> {
+impl LineEntry<'_> {
     fn line(&mut self, key: impl Into<String>, label: String, value: Cell<'_>, unit: &'static str) {
         self.lines.push(OptimumLine {
             list: self.list,
@@ -84,7 +84,7 @@ impl<'a> OptimumTable<'a> {
         let once = |lines: &mut Vec<OptimumLine>, columns: Vec<Column<'a, Optimum>>| {
             let (list, row) = (None, None);
             let name = "";
-            Entry {
+            LineEntry {
                 lines,
                 list,
                 row,
@@ -107,7 +107,7 @@ impl<'a> OptimumTable<'a> {
 
     /// Adds a line for the number that was optimised.
     fn tuned(&self, tuned: &Tuned<'_>, lines: &mut Vec<OptimumLine>) {
-        let mut entry = Entry {
+        let mut entry = LineEntry {
             lines,
             list: Some("tuned"),
             row: None,
@@ -140,7 +140,7 @@ impl<'a> OptimumTable<'a> {
             (!is_frequency && !is_flag).then_some(column)
         }));
         for (row, peak) in (1..).zip(self.peaks(optimum)) {
-            let mut entry = Entry {
+            let mut entry = LineEntry {
                 lines: &mut *lines,
                 list: Some("peaks"),
                 row: Some(row),
@@ -162,7 +162,7 @@ impl<'a> OptimumTable<'a> {
             column.title = vec![title.to_owned()];
         }
         for (row, tolerance) in (1..).zip(&optimum.tolerances) {
-            let mut entry = Entry {
+            let mut entry = LineEntry {
                 lines: &mut *lines,
                 list: Some("tolerances"),
                 row: Some(row),
@@ -202,7 +202,7 @@ impl<'a> OptimumTable<'a> {
         let columns = columns.done();
         let name = tuned.of.symbol(self.setting.system.scene());
         for (row, point) in (1..).zip(&tuned.found.scan) {
-            let mut entry = Entry {
+            let mut entry = LineEntry {
                 lines: &mut *lines,
                 list: Some("scan"),
                 row: Some(row),

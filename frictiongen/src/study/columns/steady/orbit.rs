@@ -1,6 +1,6 @@
 //! Rows and columns of the table of steady states.
 
-use super::Motion;
+use super::MotionGroups;
 use crate::study::columns::builder::Columns;
 use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
 use crate::study::columns::measure::Dimension;
@@ -21,12 +21,12 @@ pub struct OrbitRow {
     /// Stable, marginal or unsettled, or the reason why there is no steady state.
     pub state: &'static str,
     /// The steady state, if there is one.
-    steady: Option<Steady>,
+    steady: Option<SteadyData>,
 }
 
 /// A steady state, or the last cycles of a motion that does not settle.
 #[derive(Clone, Debug)]
-struct Steady {
+struct SteadyData {
     /// Cycles, symmetry, stops and reversals of the motion. `None` if the motion does not repeat.
     period: Option<Period>,
     from_rest: bool,
@@ -36,7 +36,7 @@ struct Steady {
     /// Stops of the contact. Each has a start and a length, as phase τ = ωt.
     sticking: Vec<[f64; 2]>,
     multipliers: Vec<Complex<f64>>,
-    motions: Vec<Motion>,
+    motions: Vec<MotionGroups>,
 }
 
 /// Numbers that describe one period of a periodic motion.
@@ -78,11 +78,11 @@ impl AtFriction for OrbitRow {
 impl Moving for OrbitRow {
     fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
         let motions = &self.steady.as_ref()?.motions;
-        motions.get(part).map(Motion::view)
+        motions.get(part).map(MotionGroups::view)
     }
 }
 
-impl Steady {
+impl SteadyData {
     /// Returns the length of the contact's longest stop, as phase τ = ωt. `None` without a stop.
     fn longest_stop(&self) -> Option<f64> {
         let lengths = self.sticking.iter().map(|[_, length]| *length);
@@ -180,17 +180,19 @@ impl<'a> OrbitTable<'a> {
         }
     }
 
-    fn steady(&self, orbit: &SystemOrbit<'_>) -> Steady {
+    fn steady(&self, orbit: &SystemOrbit<'_>) -> SteadyData {
         let measure = &self.setting.measure;
         let motions = self.setting.parts.iter().map(|part| {
-            let motion = orbit.ask_of(part.of, |motion| Motion::of_orbit(motion, self.orders));
+            let motion = orbit.ask_of(part.of, |motion| {
+                MotionGroups::of_orbit(motion, self.orders)
+            });
             let mut motion = motion.unwrap_or_default();
             if measure.turns(part.of) {
                 motion.turn(Some(orbit.reversed_contact_phase()));
             }
             motion
         });
-        Steady {
+        SteadyData {
             period: orbit.is_settled().then(|| Period {
                 cycles: orbit.period() as usize,
                 symmetric: orbit.is_symmetric(),

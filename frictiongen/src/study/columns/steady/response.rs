@@ -1,6 +1,6 @@
 //! Rows and columns of the table of responses.
 
-use super::{Motion, is_stuck};
+use super::{MotionGroups, is_stuck};
 use crate::study::columns::builder::Columns;
 use crate::study::columns::column::{Column, Head, Row, Shown};
 use crate::study::columns::measure::Dimension;
@@ -25,7 +25,7 @@ pub struct ResponseRow {
     /// Three properties of the response: the contact's offset, whether it is marginal, and whether motion from rest
     /// ends in it.
     known: Option<(f64, bool, bool)>,
-    motions: Vec<Motion>,
+    motions: Vec<MotionGroups>,
 }
 
 /// The table of responses over frequency and friction.
@@ -60,7 +60,7 @@ impl AtFriction for ResponseRow {
 
 impl Moving for ResponseRow {
     fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
-        self.motions.get(part).map(Motion::view)
+        self.motions.get(part).map(MotionGroups::view)
     }
 }
 
@@ -99,9 +99,9 @@ impl<'a> ResponseTable<'a> {
         let measure = &self.setting.measure;
         let motions = self.setting.parts.iter().map(|part| {
             let Some(response) = &response else {
-                return Motion::default();
+                return MotionGroups::default();
             };
-            let mut motion = Motion::of_response(response, part, self.orders);
+            let mut motion = MotionGroups::of_response(response, part, self.orders);
             if measure.turns(part.of) {
                 motion.turn(response.reversed_contact_phase());
             }

@@ -9,7 +9,7 @@ use super::{OptimumError, OptimumRequest};
 use crate::study::system::System;
 pub use answer::{TunedOptimum, TunedPoint, Tuning};
 pub use number::{Tunable, UnknownTunable};
-use tried::Search;
+use tried::TunedSearch;
 
 impl System {
     /// Returns the best friction together with the best value of one number of the description. Together they make the
@@ -65,6 +65,6 @@ impl System {
         request: &OptimumRequest,
         tuning: &Tuning,
     ) -> Result<TunedOptimum, OptimumError> {
-        Search::new(self, request, *tuning)?.solved()
+        TunedSearch::new(self, request, *tuning)?.solved()
     }
 }

@@ -1,10 +1,10 @@
 //! Finds the value of one number of the description with which the best friction gives the smallest amplitude.
 
 use super::answer::{TunedOptimum, TunedPoint, Tuning};
-use super::tried::{Groups, Search, Tried, near};
+use super::tried::{GroupRatios, Tried, TunedSearch, near};
 
 use crate::study::optimum::OptimumError;
-use crate::study::optimum::problem::Problem;
+use crate::study::optimum::problem::OptimumProblem;
 use crate::study::optimum::search::{Least, WORK_OF_ONE};
 use std::sync::atomic::Ordering;
 
@@ -23,7 +23,7 @@ const GAIN: f64 = 2e-13;
 /// Largest number of repeated searches. A search repeats if another friction is better at the minimum found.
 const AGAIN: usize = 3;
 
-impl Search<'_> {
+impl TunedSearch<'_> {
     pub(super) fn solved(&self) -> Result<TunedOptimum, OptimumError> {
         let mut tried = self.scan()?;
         let scan = tried.iter().map(|tried| TunedPoint {
@@ -35,10 +35,10 @@ impl Search<'_> {
         for again in 0..=AGAIN {
             let best = self.best(&tried).ok_or(OptimumError::Unbounded)?;
             let varied = self.with(best.value)?;
-            let problem = Problem::new(&varied, &self.request_for(&varied))?;
+            let problem = OptimumProblem::new(&varied, &self.request_for(&varied))?;
             let band = problem.band();
             // This search covers all friction, not only the surroundings of the neighbours' best friction.
-            let mut least = Problem::least(&band, WORK_OF_ONE)?;
+            let mut least = OptimumProblem::least(&band, WORK_OF_ONE)?;
             self.count(band.amplitude.asked.get());
             if let Some(found) = best.found.clone()
                 && found.at.value < least.at.value
@@ -50,7 +50,7 @@ impl Search<'_> {
                     ..found
                 };
             }
-            let groups = Groups::new(self.described, &varied);
+            let groups = GroupRatios::new(self.described, &varied);
             let gained = least.at.value * groups.length < best.amplitude * (1.0 - 1e-9);
             if gained && again < AGAIN {
                 tried.push(self.tried(best.value, None)?);

@@ -2,10 +2,10 @@
 //! respect to that number.
 
 use super::answer::Tuning;
-use crate::study::optimum::amplitude::Friction;
-use crate::study::optimum::peaks::Band;
-use crate::study::optimum::problem::{Problem, equal_peaks, slope, weights};
-use crate::study::optimum::search::{self, Kind, Least};
+use crate::study::optimum::amplitude::FrictionAmount;
+use crate::study::optimum::peaks::AmplitudeBand;
+use crate::study::optimum::problem::{OptimumProblem, equal_peaks, slope, weights};
+use crate::study::optimum::search::{self, Least, MinimumKind};
 use crate::study::optimum::{FrequencyBand, Optimum, OptimumError, OptimumRequest};
 use crate::study::parameter::Parameter;
 use crate::study::system::System;
@@ -22,7 +22,7 @@ const DIFFERENCE: f64 = 1e-5;
 const MARGIN: f64 = 1e-3;
 
 /// A request, after all checks, for the best friction together with one number of the description.
-pub(super) struct Search<'s> {
+pub(super) struct TunedSearch<'s> {
     pub(super) described: &'s System,
     request: &'s OptimumRequest,
     pub(super) tuning: Tuning,
@@ -45,13 +45,13 @@ pub(super) struct Tried {
 
 /// Ratios that convert groups of the scene as it is described to groups of the scene with another value of the number.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Groups {
+pub(super) struct GroupRatios {
     pub r: f64,
     pub beta: f64,
     pub length: f64,
 }
 
-impl Groups {
+impl GroupRatios {
     pub(super) fn new(described: &System, varied: &System) -> Self {
         let first = |system: &System| {
             let first = system.scene().springs.first();
@@ -89,7 +89,7 @@ impl Groups {
     }
 }
 
-impl<'s> Search<'s> {
+impl<'s> TunedSearch<'s> {
     pub(super) fn new(
         described: &'s System,
         request: &'s OptimumRequest,
@@ -103,7 +103,7 @@ impl<'s> Search<'s> {
             described.with_value(of, end).map_err(OptimumError::Scene)?;
         }
         // The other faults of a request do not depend on the value of the number.
-        if let Err(error) = Problem::new(described, request)
+        if let Err(error) = OptimumProblem::new(described, request)
             && !matches!(error, OptimumError::Undamped(_))
         {
             return Err(error);
@@ -127,7 +127,7 @@ impl<'s> Search<'s> {
 
     /// Returns the request with the same band in the groups of the scene with another value of the number.
     pub(super) fn request_for(&self, varied: &System) -> OptimumRequest {
-        let groups = Groups::new(self.described, varied);
+        let groups = GroupRatios::new(self.described, varied);
         let ratio = |r: f64| r / groups.r;
         let hertz = |hertz: f64| ratio(self.described.frequency_ratio(angular_frequency(hertz)));
         let band = match self.request.band {
@@ -180,15 +180,15 @@ impl<'s> Search<'s> {
             found: None,
         };
         let varied = self.with(value)?;
-        let problem = match Problem::new(&varied, &self.request_for(&varied)) {
+        let problem = match OptimumProblem::new(&varied, &self.request_for(&varied)) {
             Err(OptimumError::Undamped(_)) => return Ok(tried),
             problem => problem?,
         };
-        let groups = Groups::new(self.described, &varied);
+        let groups = GroupRatios::new(self.described, &varied);
         let band = problem.band();
         let found = window
             .and_then(|window| search::near(&band, window.map(|beta| beta / groups.beta)))
-            .map_or_else(|| Problem::least(&band, search::WORK_OF_ONE), Ok);
+            .map_or_else(|| OptimumProblem::least(&band, search::WORK_OF_ONE), Ok);
         self.count(band.amplitude.asked.get());
         let least: Least = match found {
             Err(OptimumError::Unbounded) => return Ok(tried),
@@ -211,10 +211,15 @@ impl<'s> Search<'s> {
     }
 
     /// Returns the derivative of the smallest amplitude with respect to the number, while friction stays optimal.
-    fn slope(&self, problem: &Problem<'_>, band: &Band<'_>, least: &Least) -> Option<f64> {
-        let held = least.kind == Kind::Held;
+    fn slope(
+        &self,
+        problem: &OptimumProblem<'_>,
+        band: &AmplitudeBand<'_>,
+        least: &Least,
+    ) -> Option<f64> {
+        let held = least.kind == MinimumKind::Held;
         let beta = least.at.beta;
-        let peaks = equal_peaks(band, (&least.at, least.kind), Friction::Ratio(beta));
+        let peaks = equal_peaks(band, (&least.at, least.kind), FrictionAmount::Ratio(beta));
         // More friction changes nothing for a stuck contact, and makes the regime certain.
         let beta = if held && least.locked_from <= beta {
             2.0 * beta
@@ -235,7 +240,7 @@ impl<'s> Search<'s> {
         let weights = weights(&all)?;
         match weights.as_slice() {
             // A single peak at its own minimum must be stationary in friction. Otherwise there is no derivative.
-            [_] if least.kind == Kind::Smooth => {
+            [_] if least.kind == MinimumKind::Smooth => {
                 if STATIONARY < relative(0, Parameter::Friction)?.abs() {
                     return None;
                 }

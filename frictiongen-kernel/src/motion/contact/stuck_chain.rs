@@ -1,10 +1,11 @@
 //! Transformation between the modes of the chain and the modes of the stuck chain.
 
+use super::law::ContactChain;
 use crate::motion::dynamics::{Dynamics, HeldMode, lift};
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
-impl<S: Float> Dynamics<'_, S> {
+impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
     /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes.  The displacement z of
     /// the contact and its rate in the time t√(k₁/m₁) are subtracted first, with the shape in which they lift the
     /// modes.
@@ -95,7 +96,7 @@ impl<S: Float> Dynamics<'_, S> {
     }
 }
 
-impl<S: Float> Dynamics<'_, S> {
+impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
     /// Returns the largest relative change of a motion of the sliding chain's modes if the contact sticks and is
     /// released at once.  The tested states move two modes and not the contact.  If the modes of the stuck chain are
     /// well separated, the change is of the order of rounding.  If many modes are at or beyond critical damping, the

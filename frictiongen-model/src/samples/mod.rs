@@ -1,15 +1,20 @@
-//! Chains, requests and random numbers for tests of tables.
+//! Chains, requests, random numbers and intervals for the tests of this crate and of the proofs.
 
-use super::request::Request;
+mod intervals;
+
+pub use intervals::{Numbers, contains};
+
 use crate::modal::Modal;
 use crate::scene::{
     Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
     Side, Spring, Stepping,
 };
+use crate::table::Request;
 
 /// Returns a chain of equal masses and springs. The last mass rubs on a wall, the first on a moving base, or the first
 /// two on each other.
-pub(super) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
+#[must_use]
+pub fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
     let mass = |place: usize| Mass {
         name: format!("m{place}"),
         value: 1.0,
@@ -48,7 +53,9 @@ pub(super) fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal
     })
 }
 
-pub(super) fn request(accuracy: f64, side: Side) -> Request {
+/// Returns a request for the tables of the limits from r = 0.2 to 2.5.
+#[must_use]
+pub fn request(accuracy: f64, side: Side) -> Request {
     Request {
         r: (0.2, 2.5),
         accuracy,
@@ -59,7 +66,7 @@ pub(super) fn request(accuracy: f64, side: Side) -> Request {
 }
 
 /// Returns a random number from 0 to 1.
-pub(super) fn random(state: &mut u64) -> f64 {
+pub fn random(state: &mut u64) -> f64 {
     *state = state
         .wrapping_mul(6_364_136_223_846_793_005)
         .wrapping_add(1_442_695_040_888_963_407);

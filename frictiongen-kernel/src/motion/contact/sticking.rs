@@ -1,15 +1,16 @@
-//! The chain while its rigid contact sticks, at one frequency ratio: its state, and the force in the contact.
+//! The chain while its contact sticks, at one frequency ratio: its state, and the force in the contact.
 
+use super::law::{ContactChain, Law};
+use super::state::ContactState;
 use crate::motion::clock::phase;
-use crate::motion::contact::state::ContactState;
 use crate::motion::dynamics::rotated;
 use crate::motion::oscillator::Part;
-use crate::motion::series::Sum;
+use crate::motion::series::OscillatorSum;
 use crate::motion::setting::Setting;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 
-impl<S: Float> Setting<'_, S> {
+impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     /// Computes y and u of this setting's stuck chain, as [`Dynamics::project`] does.
     pub(crate) fn project(
         &self,
@@ -43,10 +44,10 @@ impl<S: Float> Setting<'_, S> {
         stuck_modes: &'p mut [Part<S>],
         contact_state: &ContactState<S>,
         reach: S,
-    ) -> (Sum<'p, S>, S) {
+    ) -> (OscillatorSum<'p, S>, S) {
         let at = phase(contact_state.t);
         let (sine, cosine) = at;
-        let offset = self.relative(modes, at);
+        let offset = K::stuck_place(self, modes, contact_state, at);
         let lifted = self.lifted(offset, at);
         self.project(
             modes.iter().map(|part| [part.y, part.u]),
@@ -54,7 +55,7 @@ impl<S: Float> Setting<'_, S> {
             stuck_modes,
         );
         let zero = S::constant(0.0);
-        let (constant, mut fundamental) = self.stuck_force(offset);
+        let (constant, mut fundamental) = K::steady_stuck_force(self, offset);
         for (part, mode) in stuck_modes.iter_mut().zip(self.dynamics.held) {
             part.start(at);
             part.weight = [-mode.force, zero];
@@ -68,22 +69,8 @@ impl<S: Float> Setting<'_, S> {
         let cosines = rotated(fundamental, sine, cosine);
         let sines = -(fundamental.re * sine) - fundamental.im * cosine;
         (
-            Sum::new(stuck_modes, constant, (cosines, sines), at, reach),
+            OscillatorSum::new(stuck_modes, constant, (cosines, sines), at, reach),
             offset,
-        )
-    }
-
-    /// Constant and fundamental component of the contact force while the contact sticks at z̄ = `offset`, so that wᵀx̄
-    /// = offset + s cos τ_e.  The share of the stuck chain's modes is left out.
-    pub(crate) fn stuck_force(&self, offset: S) -> (S, Complex<S>) {
-        let inverse_mass = self.dynamics.chain.inverse_mass;
-        let base = self.base;
-        (
-            -(offset / self.receptance),
-            Complex::new(
-                self.load / inverse_mass - base / self.receptance,
-                -(self.r * self.drag * base / inverse_mass),
-            ),
         )
     }
 

@@ -1,0 +1,102 @@
+//! The rigid contact of a chain, at one frequency ratio: its force while it sticks, and its events.
+
+use super::{LOST_MODES, Rigid, derivative};
+use crate::contact::sums::Chain;
+use crate::motion::contact::law::{ContactChain, Law};
+use crate::motion::contact::state::{Contact, ContactState, Event, SegmentEnd};
+use crate::motion::oscillator::Part;
+use crate::motion::setting::Setting;
+use crate::number::complex::Complex;
+use crate::number::scalar::Float;
+
+impl<S: Float> ContactChain<S> for Chain<S> {
+    type Law = Rigid<S>;
+
+    const LOST_MODES: usize = LOST_MODES;
+
+    /// A deviation of the contact's displacement stays, and a deviation of its velocity vanishes at once.
+    const STUCK_MULTIPLIERS: &'static [f64] = &[1.0, 0.0];
+
+    #[inline]
+    fn chain(&self) -> &Chain<S> {
+        self
+    }
+
+    #[inline]
+    fn law_with(&self, level: S, stiction: S) -> Rigid<S> {
+        Rigid { level, stiction }
+    }
+
+    /// The relative displacement z̄.
+    fn stuck_place(
+        setting: &Setting<'_, S>,
+        modes: &[Part<S>],
+        _: &ContactState<S>,
+        at: (S, S),
+    ) -> S {
+        setting.relative(modes, at)
+    }
+
+    fn stuck_velocity(_: &Setting<'_, S>, _: &[Part<S>], _: (S, S)) -> S {
+        S::constant(0.0)
+    }
+
+    /// The force that keeps the contact at rest.
+    fn stuck_force(
+        setting: &Setting<'_, S>,
+        modes: &[Part<S>],
+        _: &ContactState<S>,
+        at: (S, S),
+    ) -> S {
+        setting.holding(modes, at)
+    }
+
+    /// At z̄ = `place`, wᵀx̄ is `place` + s cos τ_e.
+    fn steady_stuck_force(setting: &Setting<'_, S>, place: S) -> (S, Complex<S>) {
+        let inverse_mass = setting.dynamics.chain.inverse_mass;
+        let base = setting.base;
+        (
+            -(place / setting.receptance),
+            Complex::new(
+                setting.load / inverse_mass - base / setting.receptance,
+                -(setting.r * setting.drag * base / inverse_mass),
+            ),
+        )
+    }
+
+    fn halt(setting: &Setting<'_, S>, modes: &[Part<S>], at: (S, S), end: &mut SegmentEnd<S>) {
+        let law = setting.law();
+        let before = end.contact_state.contact;
+        let force = setting.holding(modes, at);
+        end.slope = setting.acceleration(force - law.kinetic(before));
+        let Some(slide) = law.leave_rest(force) else {
+            end.event = Some(Event::Stop);
+            end.contact_state.contact = Contact::Stuck;
+            end.jump = law.kinetic(before) - force;
+            return;
+        };
+        // In the direction of sliding, the velocity only touched zero.
+        if slide.contact != before {
+            end.event = Some(Event::Reversal);
+            end.jump = law.kinetic(before) - law.kinetic(slide.contact);
+        }
+        end.contact_state = setting.sliding_away(end.contact_state.t, slide);
+    }
+
+    fn break_away(setting: &Setting<'_, S>, contact: Contact, end: &mut SegmentEnd<S>) {
+        let slide = setting.law().break_away(contact);
+        end.event = Some(Event::Slip);
+        end.contact_state = setting.sliding_away(end.contact_state.t, slide);
+        end.jump = contact.sign::<S>() * slide.excess;
+    }
+
+    fn carry_deviations(
+        setting: &Setting<'_, S>,
+        (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
+        contact_state: &ContactState<S>,
+        end: &SegmentEnd<S>,
+        columns: &mut [S],
+    ) {
+        derivative::carry(setting, (modes, stuck_modes), contact_state, end, columns);
+    }
+}

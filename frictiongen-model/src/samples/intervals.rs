@@ -1,0 +1,56 @@
+//! Random intervals.
+
+use super::random;
+use crate::interval::Interval;
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::number::dd::Dd;
+
+/// A generator of random numbers and intervals.
+#[derive(Clone, Debug)]
+pub struct Numbers(pub u64);
+
+impl Numbers {
+    /// Returns a number from 0 to 1.
+    pub fn unit(&mut self) -> f64 {
+        random(&mut self.0)
+    }
+
+    /// Returns a number of either sign over ten decades, and sometimes 0.
+    pub fn end(&mut self) -> f64 {
+        let size = 10_f64.powf(10.0 * self.unit() - 5.0);
+        match (16.0 * self.unit()) as u32 {
+            0 => 0.0,
+            even if even % 2 == 0 => size,
+            _ => -size,
+        }
+    }
+
+    /// Returns an interval between two such numbers.
+    pub fn interval(&mut self) -> Interval {
+        let (a, b) = (self.end(), self.end());
+        // Two in five intervals are narrow.
+        if self.unit() < 0.4 {
+            Interval::new(a, a + a.abs() * 1e-12 * self.unit())
+        } else {
+            Interval::new(a.min(b), a.max(b))
+        }
+    }
+
+    /// Returns a number of an interval, often one of its ends.
+    pub fn within(&mut self, interval: Interval) -> f64 {
+        match (4.0 * self.unit()) as u32 {
+            0 => interval.low,
+            1 => interval.high,
+            _ => (interval.low + (interval.high - interval.low) * self.unit())
+                .clamp(interval.low, interval.high),
+        }
+    }
+}
+
+/// Returns true if an interval contains a number to about its 31 digits. The slack is far below one rounding of a
+/// double.
+#[must_use]
+pub fn contains(interval: Interval, value: Dd) -> bool {
+    let slack = value.abs() * Dd::from(1e-28);
+    !(value + slack < Dd::from(interval.low)) && !(Dd::from(interval.high) < value - slack)
+}

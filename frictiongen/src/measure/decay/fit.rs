@@ -1,0 +1,181 @@
+//! The fit of a decaying vibration to all samples between the first and the last extreme.
+
+use super::swings::Swings;
+use crate::measure::MeasureError;
+use crate::measure::least_squares::{Linearised, minimise};
+use crate::measure::statistics::student;
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+
+/// Step of a finite difference, relative to the scale of the parameter.
+const DIFFERENCE: f64 = 1e-6;
+/// Index of the half cycle in [`Shape`].
+const HALF: usize = 3;
+/// Index of the decrement of a half cycle in [`Shape`].
+const DECREMENT: usize = 4;
+/// Index of F/k in [`Shape`].
+const LENGTH: usize = 5;
+
+/// Parameters of the decay, in samples and m: position and value of the first extreme, middle, half cycle, its
+/// decrement, F/k.
+type Shape = [f64; 6];
+
+/// Returns the displacement at each sample from the first extreme to the last.
+fn wave(shape: &[f64], from: usize, count: usize) -> Option<Vec<f64>> {
+    let &[start, first, middle, half, decrement, length] = shape else {
+        return None;
+    };
+    let decay = (-decrement).exp();
+    let (mut swing, mut extreme) = (0.0, first);
+    let centre = |extreme: f64| middle + length * (extreme - middle).signum();
+    let values = (0..count).map(|index| {
+        let since = ((from + index) as f64 - start) / half;
+        while swing + 1.0 <= since {
+            let about = centre(extreme);
+            extreme = about - (extreme - about) * decay;
+            swing += 1.0;
+        }
+        let about = centre(extreme);
+        let part = since - swing;
+        let (sin, cos) = (PI * part).sin_cos();
+        about + (extreme - about) * (-decrement * part).exp() * (cos + decrement / PI * sin)
+    });
+    Some(values.collect())
+}
+
+/// A recorded decay, a first guess of its parameters, and the parameters to fit.
+pub(super) struct DecayFit<'s> {
+    /// Index of the first extreme.
+    from: usize,
+    /// The samples from the first extreme to the last.
+    window: &'s [f64],
+    start: Shape,
+    /// Natural scale of each parameter.
+    scales: Shape,
+    /// Indices of the parameters to fit.
+    free: Vec<usize>,
+}
+
+/// Fitted parameters, each as its value and the half width of its interval.
+pub(super) struct DecayParameters {
+    /// Samples of a half cycle.
+    pub(super) half: (f64, f64),
+    /// Decrement of a half cycle.
+    pub(super) decrement: (f64, f64),
+    /// F/k, m.
+    pub(super) length: (f64, f64),
+    /// Standard deviation of the residuals, m.
+    pub(super) deviation: f64,
+}
+
+impl<'s> DecayFit<'s> {
+    /// Derives the first guess from the extremes. `damping` is ζ if it is known.
+    pub(super) fn new(
+        samples: &'s [f64],
+        swings: &Swings,
+        damping: Option<f64>,
+    ) -> Result<Self, MeasureError> {
+        let [first, last] = swings.ends;
+        let half = (last.0 - first.0) as f64 / (swings.turns.len() - 1) as f64;
+        let known = damping.map(|ratio| PI * ratio / (1.0 - ratio * ratio).sqrt());
+        let second = swings.turns.get(1).map_or(first.1, |second| second.1);
+        let middle = first.1 + 0.5 * (second - first.1);
+        let size = swings.largest;
+        Ok(Self {
+            from: first.0,
+            window: samples.get(first.0..=last.0).ok_or(MeasureError::NoFit)?,
+            start: [
+                first.0 as f64,
+                first.1,
+                middle,
+                half,
+                known.unwrap_or(0.0),
+                swings.linear_decrement,
+            ],
+            scales: [half, size, size, half, 1.0, size],
+            free: (0..6)
+                .filter(|index| known.is_none() || *index != DECREMENT)
+                .collect(),
+        })
+    }
+
+    /// Fits the parameters.
+    pub(super) fn solved(&self) -> Result<DecayParameters, MeasureError> {
+        let bounds: Vec<(f64, f64)> = self.free.iter().map(|part| self.bounds(*part)).collect();
+        let free: Vec<f64> = self
+            .free
+            .iter()
+            .filter_map(|part| self.start.get(*part).copied())
+            .collect();
+        let fit = minimise(
+            &free,
+            &bounds,
+            |free| self.residuals(free),
+            |free| self.linearised(free),
+        );
+        let fit = fit.filter(|fit| fit.settled).ok_or(MeasureError::NoFit)?;
+        let freedom = self.window.len().saturating_sub(fit.rank).max(1);
+        let deviation = (fit.squares / freedom as f64).sqrt();
+        let quantile = student(freedom);
+        let shape = self.shape(&fit.parameters).ok_or(MeasureError::NoFit)?;
+        let estimate = |part: usize| {
+            let value = shape.get(part).copied().unwrap_or(f64::NAN);
+            let place = self.free.iter().position(|free| *free == part);
+            let variance = place.map_or(0.0, |at| fit.own_variance(at));
+            (value, quantile * deviation * variance.sqrt())
+        };
+        Ok(DecayParameters {
+            half: estimate(HALF),
+            decrement: estimate(DECREMENT),
+            length: estimate(LENGTH),
+            deviation,
+        })
+    }
+
+    /// Lower and upper bound of a parameter.
+    fn bounds(&self, part: usize) -> (f64, f64) {
+        let [_, _, _, half, _, size] = self.scales;
+        match part {
+            HALF => (0.5 * half, 2.0 * half),
+            DECREMENT => (-1.0, 10.0),
+            LENGTH => (-size, size),
+            _ => (f64::MIN, f64::MAX),
+        }
+    }
+
+    /// All parameters, from those to fit.
+    fn shape(&self, free: &[f64]) -> Option<Shape> {
+        let mut shape = self.start;
+        for (part, value) in self.free.iter().zip(free) {
+            *shape.get_mut(*part)? = *value;
+        }
+        Some(shape)
+    }
+
+    /// Computed less recorded displacements.
+    fn residuals(&self, free: &[f64]) -> Option<DVector<f64>> {
+        let count = self.window.len();
+        let values = wave(&self.shape(free)?, self.from, count)?;
+        let pairs = values.iter().zip(self.window);
+        Some(DVector::from_iterator(count, pairs.map(|(a, b)| a - b)))
+    }
+
+    /// The residuals with their derivatives, by central differences.
+    fn linearised(&self, free: &[f64]) -> Option<Linearised> {
+        let residuals = self.residuals(free)?;
+        let mut jacobian = DMatrix::zeros(self.window.len(), free.len());
+        for (index, part) in self.free.iter().enumerate().take(free.len()) {
+            let step = DIFFERENCE * self.scales.get(*part).copied().unwrap_or(1.0);
+            let moved = |by: f64| {
+                let mut moved = free.to_vec();
+                *moved.get_mut(index)? += by;
+                self.residuals(&moved)
+            };
+            jacobian.set_column(index, &((moved(step)? - moved(-step)?) / (2.0 * step)));
+        }
+        Some(Linearised {
+            residuals,
+            jacobian,
+        })
+    }
+}

@@ -1,0 +1,161 @@
+//! Finds friction and damping from a free vibration of one mass (thesis 4.3.2).
+//!
+//! After its release, a mass swings about one point going up and about another going down, 2F/k apart. Its extremes
+//! fall by 4F/k per cycle (4.2). With viscous damping each half cycle also multiplies the distance from that point by
+//! e^{−πζ/√(1−ζ²)} (Feeny and Liang, J. Sound Vib. 195 (1996) 149). The extremes give a first guess. All samples
+//! between the first and the last extreme are then fitted, because single peaks of a noisy signal come out too high.
+
+mod fit;
+mod swings;
+
+use super::identify::Estimate;
+use super::recording::Dimension;
+use super::{MeasureError, Recording};
+use crate::study::System;
+use crate::study::scene::Damping;
+use fit::DecayFit;
+use std::f64::consts::PI;
+use swings::{Swings, noise};
+
+/// A decrease in a half cycle below this fraction of a swing counts as rounding error.
+const ROUNDING: f64 = 1e-9;
+
+/// Friction, damping and natural frequency found in a free vibration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeDecay {
+    /// Friction force F, N.
+    pub friction: Estimate,
+    /// F/k, m: half the distance between the two points about which the mass swings.
+    pub length: Estimate,
+    /// Damping ratio ζ. Its interval is a single point if ζ was given.
+    pub damping: Estimate,
+    /// Undamped natural frequency, Hz.
+    pub hertz: Estimate,
+    /// F/k by the linear decrement, m: the mean of (x⁽¹⁾ − x⁽²⁾)/4 over the extremes (4.2).
+    pub linear_decrement: f64,
+    /// Extremes that were used, as pairs: time from the first sample in s, and displacement in m.
+    pub extremes: Vec<(f64, f64)>,
+    /// Standard deviation of the residuals over that of the noise. Well above 1, the mass does not move as the model
+    /// says.
+    pub misfit: f64,
+}
+
+impl FreeDecay {
+    /// Returns β for a base motion of amplitude Y in m (4.3).
+    #[must_use]
+    pub fn friction_ratio(&self, amplitude: f64) -> f64 {
+        self.length.value / amplitude
+    }
+}
+
+impl System {
+    /// Returns ζ of the first mode, if the description gives damping ratios. It may serve as the known damping in
+    /// [`free_decay`](Self::free_decay).
+    #[must_use]
+    pub fn described_damping(&self) -> Option<f64> {
+        match &self.scene().damping {
+            Damping::Uniform(ratio) => Some(*ratio),
+            Damping::Modal(ratios) => ratios.first().copied(),
+            _ => None,
+        }
+    }
+
+    /// Finds friction, damping and natural frequency from a free vibration of a scene with one mass.
+    ///
+    /// `damping` is ζ if it is known; otherwise ζ is fitted with the other unknowns.
+    ///
+    /// ```
+    /// use frictiongen::measure::{Channel, Recording, Unit};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let plate: frictiongen::System = "struct Plate {
+    ///     masses: { plate: 2.0 }, springs: { base - plate: 752.0 }, contact: plate - wall, excitation: base,
+    /// }"
+    /// .parse()?;
+    /// // From 20 mm, about ±0.5 mm, at 3 Hz: 2 mm less each cycle.
+    /// let at = |t: f64| {
+    ///     let half = (6.0 * t).floor();
+    ///     let side = if half % 2.0 == 0.0 { 1.0 } else { -1.0 };
+    ///     side * (0.5 + (19.5 - half) * (std::f64::consts::PI * (6.0 * t - half)).cos())
+    /// };
+    /// let samples = (0..2500).map(|i| at(f64::from(i) / 1000.0)).collect();
+    /// let channel = Channel { name: "plate".into(), unit: Unit::MILLIMETRE, samples };
+    /// let found = plate.free_decay(&Recording::new(1000.0, vec![channel])?, None)?;
+    /// assert!((found.length.value - 0.5e-3).abs() < 1e-9 && (found.hertz.value - 3.0).abs() < 1e-6);
+    /// assert!((found.friction.value - 0.5e-3 * 752.0).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`MeasureError`] for more than one mass, a channel that is not the displacement of the mass, too few extremes
+    /// above the noise, and extremes that do not fall.
+    pub fn free_decay(
+        &self,
+        recording: &Recording,
+        damping: Option<f64>,
+    ) -> Result<FreeDecay, MeasureError> {
+        let scene = self.scene();
+        let [mass] = scene.masses.as_slice() else {
+            return Err(MeasureError::Asked(
+                "a free decay gives the friction force only for a scene with one mass, because several masses beat (thesis 6.4.2)",
+            ));
+        };
+        let stiffness: f64 = scene.springs.iter().map(|spring| spring.stiffness).sum();
+        let channel = recording.channel(&mass.name).ok_or(MeasureError::NoMass)?;
+        if channel.unit.dimension() != Dimension::Displacement {
+            return Err(MeasureError::WrongDimension {
+                channel: channel.name.clone(),
+                unit: channel.unit.name(),
+            });
+        }
+        let scale = channel.unit.scale();
+        let samples: Vec<f64> = channel.samples.iter().map(|value| value * scale).collect();
+        of(&samples, recording.rate(), stiffness, damping)
+    }
+}
+
+fn of(
+    samples: &[f64],
+    rate: f64,
+    stiffness: f64,
+    damping: Option<f64>,
+) -> Result<FreeDecay, MeasureError> {
+    let noise = noise(samples);
+    let swings = Swings::of(samples, noise)?;
+    let fit = DecayFit::new(samples, &swings, damping)?.solved()?;
+    // Sampled extremes may seem to fall although the motion between the samples does not.
+    if !(ROUNDING < fit.length.0 / swings.largest + fit.decrement.0) {
+        return Err(MeasureError::NoDecay);
+    }
+    let ratio = |decrement: f64| decrement / PI.hypot(decrement);
+    let undamped = |half: f64| rate / (2.0 * half) / (1.0 - ratio(fit.decrement.0).powi(2)).sqrt();
+    Ok(FreeDecay {
+        friction: between(fit.length, &|length| length * stiffness),
+        length: between(fit.length, &|length| length),
+        damping: between(fit.decrement, &ratio),
+        hertz: between(fit.half, &undamped),
+        linear_decrement: swings.linear_decrement,
+        extremes: swings
+            .turns
+            .iter()
+            .map(|(place, value)| (*place as f64 / rate, *value))
+            .collect(),
+        misfit: fit.deviation / noise.max(f64::MIN_POSITIVE),
+    })
+}
+
+/// Estimate of a monotone function of a fitted parameter, which is given as its value and the half width of its
+/// interval.
+fn between((value, reach): (f64, f64), of: &dyn Fn(f64) -> f64) -> Estimate {
+    let (a, b) = if reach.is_finite() {
+        (of(value - reach), of(value + reach))
+    } else {
+        (f64::NEG_INFINITY, f64::INFINITY)
+    };
+    Estimate {
+        value: of(value),
+        from: a.min(b),
+        to: a.max(b),
+    }
+}
