@@ -8,6 +8,9 @@ use crate::number::scalar::Float;
 impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
     /// Advances through the sub-interval.
     pub(super) fn advance(&mut self) {
+        if self.scene.damped_from_base() {
+            self.account_base();
+        }
         if self.status.law.level.is_zero() {
             return self.advance_without_friction();
         }
@@ -40,6 +43,9 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
 
     /// Advances the modes from index `first` on, which feel no friction, over the whole sub-interval.
     fn advance_by_tables(&mut self, first: usize) {
+        if self.scene.damped_from_base() {
+            self.account_reaction(first..self.store.modes.len(), S::constant(0.0));
+        }
         for index in first..self.store.modes.len() {
             let Some(step) = self.table.modes.get(index) else {
                 continue;

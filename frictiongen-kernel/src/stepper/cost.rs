@@ -20,6 +20,8 @@ pub struct Extent {
     pub parts: u64,
     /// True if the contact rubs on a moving base.
     pub on_moving_base: bool,
+    /// True if damping acts relative to the moving base.
+    pub damped_from_base: bool,
     /// True if the friction law has more lines than the last one.  A second walk then looks for the end of each line.
     pub lines: bool,
 }
@@ -94,8 +96,14 @@ impl Extent {
         } else {
             sliding
         };
+        // The work of the damping load takes every mode once more.
+        let reaction = if self.damped_from_base {
+            modes * (mode + 10) + 2 * d * d + 80
+        } else {
+            0
+        };
         // Inputs, base and work are counted in the constants.
-        (modes - driven) * mode + contact + 80 + 6 * inputs * d
+        (modes - driven) * mode + contact + 80 + 6 * inputs * d + reaction
     }
 
     /// Cost of the force in the sticking contact without the stuck chain's modes, and of the work of the base that
@@ -128,7 +136,8 @@ impl Extent {
         let base = if self.on_moving_base { 8 } else { 0 };
         let series = terms * (driven * (16 + base) + 14) + d * driven * 4 * inputs;
         // The moments advance the oscillators, and the inputs' polynomials are shifted to the end of the piece.
-        let moved = driven * (terms * (14 + 7 * d) + (8 * inputs + 9) * d + 12);
+        let reaction = if self.damped_from_base { 4 * d + 2 } else { 0 };
+        let moved = driven * (terms * (14 + 7 * d) + (8 * inputs + 9) * d + 12 + reaction);
         let rest = 4 * terms + (inputs + 1) * d * d + 60;
         let on_base = if self.on_moving_base { 50 + 20 * d } else { 0 };
         // The last term is the bound on the third derivative.
@@ -159,6 +168,7 @@ mod tests {
         terms: 5,
         parts: 1,
         on_moving_base: true,
+        damped_from_base: false,
         lines: false,
     };
 
@@ -174,6 +184,10 @@ mod tests {
                 ..TWO
             },
             Extent { inputs: 2, ..TWO },
+            Extent {
+                damped_from_base: true,
+                ..TWO
+            },
             Extent { terms: 6, ..TWO },
             Extent { parts: 2, ..TWO },
             Extent { lines: true, ..TWO },

@@ -22,6 +22,7 @@ mod input;
 mod interval;
 mod now;
 mod pace;
+mod reaction;
 mod rows;
 mod run;
 mod saved;

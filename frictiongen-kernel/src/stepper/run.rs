@@ -1,7 +1,7 @@
 //! A stepper that advances from sample to sample.
 
 use super::Input;
-use super::drive::{Sample, Stretch, base_motion};
+use super::drive::{Sample, Stretch, base_motion, derived};
 use super::interval::Interval;
 use super::scene::StepScene;
 use super::state::{Status, Store};
@@ -109,8 +109,8 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
     }
 
     fn keep_sample(&mut self, sample: &Sample<'_, S>) {
-        let moving = usize::from(self.scene.on_base);
         let store = self.store.change();
+        let moving = store.last.len().saturating_sub(sample.forces.len());
         let last = store.last.iter_mut().skip(moving);
         for (last, force) in last.zip(sample.forces) {
             *last = *force / self.scene.units.stiffness;
@@ -268,6 +268,15 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>> Stepper<'a, 
         if on_base && let Some((drive, _)) = channels.next() {
             for (term, from) in drive.iter_mut().zip(base) {
                 *term = from;
+            }
+        }
+        // The velocity of the base is an input of its own if damping acts relative to the base.
+        if sample.forces.len() < channels.len()
+            && let Some((drive, _)) = channels.next()
+        {
+            let inverse = S::constant(1.0) / self.tables.view().pace.span;
+            for (term, rate) in drive.iter_mut().zip(derived(base)) {
+                *term = rate * inverse;
             }
         }
         for ((drive, last), force) in channels.zip(sample.forces) {

@@ -97,6 +97,9 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         } else {
             zero
         };
+        if self.scene.damped_from_base() {
+            self.account_reaction(0..self.driven(), force);
+        }
         self.take_modes();
         self.account(work - force * carried, force * (moved - carried));
         true
@@ -244,6 +247,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
     pub(super) fn move_modes(&mut self, velocity: &Power<S>, [level, slope]: [S; 2], tau: S) {
         let zero = S::constant(0.0);
         let mut work = zero;
+        let reacts = self.scene.damped_from_base();
         for index in 0..self.driven() {
             let load = self.load(index);
             let (Some(step), Some(state)) =
@@ -266,7 +270,10 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
             let first = |rows: &[S; D]| rows.first().copied().unwrap_or(zero);
             *state = [y + first(&rises), u + first(&turns)];
             let done = load.iter().zip(&rises);
-            let done = done.fold(zero, |sum, (term, moment)| sum + *term * *moment);
+            let mut done = done.fold(zero, |sum, (term, moment)| sum + *term * *moment);
+            if reacts {
+                done = done - self.reaction(index, &rises);
+            }
             work = work + done / step.per_force;
         }
         let used = velocity.used();

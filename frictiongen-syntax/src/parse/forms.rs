@@ -1,9 +1,12 @@
 //! Parses the fields for damping and for the items to provide.
 
+use frictiongen_model::scene::DampingFrom;
+
+use super::declared::choice;
 use super::number::{Number, number};
 use super::reader::{Inside, List, Name, Read, Reader};
 use super::suggest;
-use super::syntax::{DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind};
+use super::syntax::{Choice, DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind};
 use super::token::Delimiter;
 use crate::diagnostics::{Place, Problems, Reported};
 
@@ -17,6 +20,15 @@ const PROVIDE: [&str; 6] = [
     "simulation",
     "stepper",
 ];
+
+/// Parses `rest` or `base`.
+pub(crate) fn damping_from(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+) -> Read<Choice<DampingFrom>> {
+    let choices = [("rest", DampingFrom::Rest), ("base", DampingFrom::Base)];
+    choice(reader, problems, "damping_from", choices)
+}
 
 /// Parses `none`, `modal(ζ)`, `modal[ζ₁, …]` or `rayleigh(a, b)`.
 pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<DampingEntry> {

@@ -2,7 +2,9 @@
 
 use crate::stepper::both::Both;
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, advance, begin, loaded, rig, scene};
-use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, WALL, WALL_BASE, sticky};
+use crate::stepper::scenes::{
+    BASE, ONE, ONE_ON_BASE, PAIR, PAIR_BASE, WALL, WALL_BASE, from_base, sticky,
+};
 use frictiongen_kernel::stepper::Input;
 use frictiongen_model::scene::{Excitation, Scene};
 use fuzzing::Random;
@@ -84,6 +86,23 @@ fn any_load() {
             for kind in [LINEAR, HOLD] {
                 compare(&sticky(text, mu), kind, 2000, BAR);
             }
+        }
+    }
+}
+
+/// Damping relative to the moving base: contacts with the base, the wall and another mass, with springs to the wall or
+/// without, both kinds of input, and a kinetic friction force that depends on the speed.
+#[test]
+fn damping_from_the_base() {
+    let law: &[[f64; 2]] = &[[0.02, 0.7], [0.08, 0.5]];
+    for text in [BASE, ONE_ON_BASE, WALL_BASE, PAIR_BASE] {
+        for mu in [1.0, 1.3] {
+            let text = sticky(&from_base(text), mu);
+            for kind in [LINEAR, HOLD] {
+                compare(&text, kind, 2000, BAR);
+            }
+            let input = Input::Linear;
+            compare(&text, Kind { input, law }, 1000, BAR);
         }
     }
 }

@@ -78,12 +78,13 @@ impl<S: Float> Setting<'_, S> {
     pub(crate) fn stuck_force(&self, offset: S) -> (S, Complex<S>) {
         let inverse_mass = self.dynamics.chain.inverse_mass;
         let base = self.base;
+        let mut im = -(self.r * self.drag * base / inverse_mass);
+        if !self.quadrature.vanishes() {
+            im = im + self.quadrature / inverse_mass;
+        }
         (
             -(offset / self.receptance),
-            Complex::new(
-                self.load / inverse_mass - base / self.receptance,
-                -(self.r * self.drag * base / inverse_mass),
-            ),
+            Complex::new(self.load / inverse_mass - base / self.receptance, im),
         )
     }
 
