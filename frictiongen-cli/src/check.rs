@@ -34,6 +34,9 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     let masses = count(scene.masses.len(), "mass", "masses");
     let springs = count(scene.springs.len(), "spring", "springs");
     writeln!(out, "{name}: no errors; {masses}, {springs}")?;
+    if let Some(acts_on) = scene.damping_acts_on() {
+        writeln!(out, "{acts_on}")?;
+    }
     Ok(out.flush()?)
 }
 

@@ -3,7 +3,7 @@
 use crate::measure::{self, Measure};
 use crate::number::computed;
 use frictiongen::System;
-use frictiongen::study::scene::{Damping, Excitation, Scene};
+use frictiongen::study::scene::{Damping, DampingFrom, Excitation, Scene};
 use frictiongen::study::units;
 use std::io::{self, Write};
 
@@ -120,6 +120,13 @@ fn description(scene: &Scene) -> String {
         Damping::Uniform(_) | Damping::Modal(_) => "modal damping",
         Damping::Rayleigh { .. } => "Rayleigh damping",
     };
+    let acts_on = match (scene.damping_acts_on(), scene.damping_from) {
+        (None, _) => "",
+        (Some(_), DampingFrom::Rest) => " on absolute velocities",
+        (Some(_), DampingFrom::Base) => " relative to the base",
+    };
     let stiction = scene.stiction;
-    format!("{masses}, contact {from} - {to}, {excitation}, {damping}, stiction {stiction:?}")
+    format!(
+        "{masses}, contact {from} - {to}, {excitation}, {damping}{acts_on}, stiction {stiction:?}"
+    )
 }

@@ -7,8 +7,8 @@ use crate::diagnostics::{Failure, Partial};
 use crate::lower::{Description, Limits, parse_text, parse_tokens};
 use crate::{Diagnostics, emit};
 use frictiongen_model::scene::{
-    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Provide, Scene, Spring,
-    Stepping,
+    Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Mass, Node, Provide, Scene,
+    Spring, Stepping,
 };
 use proc_macro2::{Ident, Span, TokenStream};
 use std::path::{Path, PathBuf};
@@ -141,6 +141,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
         },
         excitation,
         damping: Damping::None,
+        damping_from: DampingFrom::Rest,
         stiction: 1.0,
         precision,
         provide: vec![

@@ -4,6 +4,7 @@
 pub mod interval;
 pub mod jacobi;
 pub mod modal;
+mod modal_sums;
 pub mod reduced;
 mod roots;
 #[cfg(any(test, feature = "samples"))]

@@ -2,6 +2,7 @@
 //! once, in double-double.
 
 use crate::jacobi::{self, Columns, dot};
+use crate::modal_sums::{cleaned, inertial_drag, projected, static_sums};
 use crate::scene::{Contact, Damping, Excitation, Node, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
@@ -26,6 +27,15 @@ pub struct Modal<T = Dd> {
     pub loads: Vec<T>,
     /// φᵀw, the relative displacement of the contact in each mode, from the contact direction w.
     pub contacts: Vec<T>,
+    /// Γ = φᵀΓ1, the participation factor of each mode in a motion of the base. The list is empty unless damping acts
+    /// on velocities relative to the moving base.
+    pub participations: Vec<T>,
+    /// φᵀK_w1, the force on each mode if all masses move by 1, from the stiffnesses K_w of the springs to the wall. The
+    /// list is empty unless damping acts on velocities relative to the moving base.
+    pub walls: Vec<T>,
+    /// wᵀΓ⁻¹C̄1 over r, the relative acceleration that damping gives the contact if the base moves at unit velocity. It is
+    /// 0 unless damping acts on velocities relative to the moving base.
+    pub inertial_drag: T,
     /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
     pub inverse_mass: T,
     /// wᵀΓ⁻¹p, the relative acceleration that a unit load gives the contact without springs.
@@ -73,6 +83,8 @@ struct Assembled {
     p_scaled: Vec<Dd>,
     /// Contact direction w, with each entry divided by √γ of its mass.
     w_scaled: Vec<Dd>,
+    /// K_w1, the stiffnesses of the springs between each mass and the wall, with each entry divided by √γ of its mass.
+    wall_scaled: Vec<Dd>,
 }
 
 impl Assembled {
@@ -91,7 +103,7 @@ impl Assembled {
             .map(|spring| dd(spring.stiffness) / k1)
             .collect();
         let mut g: Columns = vec![vec![dd(0.0); kappa.len()]; n];
-        let mut p = vec![dd(0.0); n];
+        let (mut p, mut walls) = (vec![dd(0.0); n], vec![dd(0.0); n]);
         for (row, (spring, kappa)) in scene.springs.iter().zip(&kappa).enumerate() {
             let root = kappa.sqrt();
             for (node, sign) in [(spring.from, -1.0), (spring.to, 1.0)] {
@@ -113,6 +125,12 @@ impl Assembled {
             {
                 *p = *p + *kappa;
             }
+            if let (Node::Wall, Node::Mass(mass)) | (Node::Mass(mass), Node::Wall) =
+                (spring.from, spring.to)
+                && let Some(wall) = walls.get_mut(mass)
+            {
+                *wall = *wall + *kappa;
+            }
         }
         if let Excitation::Force(mass) = scene.excitation
             && let Some(p) = p.get_mut(mass)
@@ -132,13 +150,14 @@ impl Assembled {
                 .map(|(value, root)| *value / *root)
                 .collect()
         };
-        let (p_scaled, w_scaled) = (scaled(p), scaled(w));
+        let (p_scaled, w_scaled, wall_scaled) = (scaled(p), scaled(w), scaled(walls));
         Self {
             reference: (k1 / m1).sqrt(),
             root_gamma,
             g,
             p_scaled,
             w_scaled,
+            wall_scaled,
         }
     }
 }
@@ -183,6 +202,7 @@ impl Modal {
             reference,
             p_scaled,
             w_scaled,
+            wall_scaled,
             ..
         } = assembled;
         let reference = *reference;
@@ -190,6 +210,7 @@ impl Modal {
         let n = vectors.len();
         let mut shapes = Vec::with_capacity(n);
         let (mut loads, mut contacts) = (Vec::with_capacity(n), Vec::with_capacity(n));
+        let (mut participations, mut walls) = (Vec::new(), Vec::new());
         for vector in vectors {
             let mut shape: Vec<Dd> = vector
                 .iter()
@@ -213,6 +234,10 @@ impl Modal {
             shapes.push(shape.iter().map(|value| *value * sign).collect::<Vec<_>>());
             loads.push(projected(vector, p_scaled, noise) * sign);
             contacts.push(projected(vector, w_scaled, noise) * sign);
+            if scene.is_damped_from_base() {
+                participations.push(projected(vector, root_gamma, noise) * sign);
+                walls.push(projected(vector, wall_scaled, noise) * sign);
+            }
         }
 
         let damping_ratios = damping_ratios(&scene.damping, &resonances, reference);
@@ -227,6 +252,11 @@ impl Modal {
             products().fold(dd(0.0), |sum, term| sum + term.abs()),
             NOISE,
         );
+        let inertial_drag = inertial_drag(
+            (&resonances, &damping_ratios),
+            (&contacts, &participations),
+            noise,
+        );
         let sides: Vec<usize> = direction(scene.contact)
             .into_iter()
             .map(|(mass, _)| mass)
@@ -237,6 +267,9 @@ impl Modal {
             shapes,
             loads,
             contacts,
+            participations,
+            walls,
+            inertial_drag,
             inverse_mass: dot(w_scaled, w_scaled),
             inertial_load,
             static_motion,
@@ -298,7 +331,8 @@ impl<T: Float> Modal<T> {
     pub fn ends(&self) -> Ends<T> {
         let mu = self.stiction;
         let sliding = self.static_motion.abs() / (mu * self.static_receptance);
-        if self.on_moving_base {
+        // Where damping acts relative to the base, the force on the contact grows as r.
+        if self.on_moving_base || !self.inertial_drag.is_zero() {
             let infinity = T::constant(f64::INFINITY);
             return Ends {
                 sliding_at_rest: sliding,
@@ -313,41 +347,6 @@ impl<T: Float> Modal<T> {
             continuous_at_infinity: ratio * T::constant(2.0) / root,
             sliding_at_infinity: ratio / mu,
         }
-    }
-}
-
-/// Returns the scalar product of a unit vector and another vector, or exactly zero if the product is only rounding
-/// noise.
-fn projected(vector: &[Dd], on: &[Dd], noise: f64) -> Dd {
-    cleaned(dot(vector, on), dot(on, on).sqrt(), noise)
-}
-
-/// Returns wᵀK̄⁻¹p − s and wᵀK̄⁻¹w, the static relative displacements of the contact under a unit load and under a unit
-/// force in the contact.
-pub(crate) fn static_sums<T: Float>(
-    carried: T,
-    resonances: &[T],
-    loads: &[T],
-    contacts: &[T],
-    noise: f64,
-) -> (T, T) {
-    let (mut motion, mut size) = (-carried, carried);
-    let mut receptance = T::constant(0.0);
-    for ((resonance, load), contact) in resonances.iter().zip(loads).zip(contacts) {
-        let lambda = *resonance * *resonance;
-        let term = *contact * *load / lambda;
-        motion = motion + term;
-        size = size + term.abs();
-        receptance = receptance + *contact * *contact / lambda;
-    }
-    (cleaned(motion, size, noise), receptance)
-}
-
-fn cleaned<T: Float>(value: T, size: T, noise: f64) -> T {
-    if value.abs() <= size * T::constant(noise) {
-        value.replaced(0.0)
-    } else {
-        value
     }
 }
 

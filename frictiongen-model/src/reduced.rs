@@ -18,6 +18,9 @@ pub struct Reduced<S> {
     pub modes: Vec<Mode<S>>,
     /// Mode shapes: for each mass in turn, the mass's component in each mode of `modes`.
     pub shapes: Vec<S>,
+    /// Loads in quadrature with the motion of the base, for each mode of `modes`. The list is empty unless damping acts
+    /// on velocities relative to the moving base.
+    pub quadratures: Vec<[S; 2]>,
     /// Constants of the whole chain, which belong to no single mode.
     pub chain: Chain<S>,
     /// Limiting values of β_lim and β*_lim at r = 0 and r = ∞.
@@ -53,7 +56,7 @@ impl<T: Float> Modal<T> {
         let driven: Vec<usize> = (0..self.resonances.len())
             .filter(|i| {
                 let nonzero = |of: &[T]| of.get(*i).is_some_and(|value| !value.vanishes());
-                nonzero(&self.loads) || nonzero(&self.contacts)
+                nonzero(&self.loads) || nonzero(&self.contacts) || nonzero(&self.participations)
             })
             .collect();
         let pick = |of: &[T], i: usize| of.get(i).copied().unwrap_or(zero);
@@ -66,6 +69,12 @@ impl<T: Float> Modal<T> {
                 mode(resonance, zeta, load, contact, &to)
             })
             .collect();
+        let quadratures = if self.participations.is_empty() || !self.is_damped() {
+            Vec::new()
+        } else {
+            let quadratures = driven.iter().map(|&i| self.quadrature(i, &to));
+            quadratures.collect()
+        };
         let masses = self.shapes.first().map_or(0, Vec::len);
         let component = |mass: usize, i: usize| {
             let shape = self.shapes.get(i);
@@ -85,6 +94,7 @@ impl<T: Float> Modal<T> {
         Reduced {
             modes,
             shapes,
+            quadratures,
             chain,
             ends: Ends {
                 sliding_at_rest: to(ends.sliding_at_rest),
@@ -98,6 +108,35 @@ impl<T: Float> Modal<T> {
             two_at_once: true,
         }
     }
+}
+
+impl<T: Float> Modal<T> {
+    /// Returns the load in quadrature on one mode, as the kernel takes it, in another number type. Both numbers are 0
+    /// unless damping acts on velocities relative to the moving base.
+    #[must_use]
+    pub fn quadrature<S>(&self, mode: usize, to: &impl Fn(T) -> S) -> [S; 2] {
+        let pick = |of: &[T]| of.get(mode).copied().unwrap_or(T::constant(0.0));
+        quadrature(
+            (pick(&self.resonances), pick(&self.damping_ratios)),
+            pick(&self.contacts),
+            (pick(&self.participations), pick(&self.walls)),
+            to,
+        )
+    }
+}
+
+/// Returns the load in quadrature on one mode, as the kernel's `Quadrature` describes it. `to` rounds each number once.
+pub(crate) fn quadrature<T: Float, S>(
+    (resonance, zeta): (T, T),
+    contact: T,
+    (participation, wall): (T, T),
+    to: &impl Fn(T) -> S,
+) -> [S; 2] {
+    let lambda = resonance * resonance;
+    [
+        to((zeta + zeta) * lambda * participation),
+        to(-(contact * wall / lambda)),
+    ]
 }
 
 /// Returns the constants of one mode in another number type. `to` rounds each number once.
@@ -172,10 +211,17 @@ impl<S: Float> Scene for &Reduced<S> {
         Some(Reduced::shape(self, mass)).filter(|shape| !shape.is_empty())
     }
 
+    fn quadratures(&self) -> &[[S; 2]] {
+        &self.quadratures
+    }
+
     fn frequency_stage(&self, inverse_r: S) -> (ContactAt<S>, Vec<ModeAt<S>>) {
         let mut at = Vec::with_capacity(self.modes.len());
         let keep = |mode| at.push(mode);
-        let contact = if self.two_at_once {
+        let contact = if !self.quadratures.is_empty() {
+            let modes = (&*self.modes, &*self.quadratures);
+            self.chain.loaded_in_turn::<true>(modes, inverse_r, keep)
+        } else if self.two_at_once {
             self.chain.contact(&self.modes, inverse_r, keep)
         } else {
             self.chain.in_turn::<true>(&self.modes, inverse_r, keep)
@@ -184,7 +230,11 @@ impl<S: Float> Scene for &Reduced<S> {
     }
 
     fn contact_without_g(&self, inverse_r: S) -> ContactAt<S> {
-        self.chain.contact_without_g(&self.modes, inverse_r)
+        if self.quadratures.is_empty() {
+            return self.chain.contact_without_g(&self.modes, inverse_r);
+        }
+        let modes = (&*self.modes, &*self.quadratures);
+        self.chain.loaded_in_turn::<false>(modes, inverse_r, |_| ())
     }
 
     fn idle(&self) -> Vec<Wave<S, Damped<S>>> {

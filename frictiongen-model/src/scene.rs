@@ -76,6 +76,17 @@ pub enum Damping {
     },
 }
 
+/// Velocities on which modal and Rayleigh damping act where the base moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum DampingFrom {
+    /// Absolute velocities, as in the thesis. The motion of the base then adds no damping load.
+    #[default]
+    Rest,
+    /// Velocities relative to the moving base, as is usual for structures.
+    Base,
+}
+
 /// The floating-point type that the emitted code computes with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -255,6 +266,9 @@ pub struct Scene {
     pub excitation: Excitation,
     /// The viscous damping of the scene.
     pub damping: Damping,
+    /// The velocities on which the damping acts where the base moves.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub damping_from: DampingFrom,
     /// μ, the ratio of static to kinetic friction force, at least 1.
     pub stiction: f64,
     /// The floating-point type that the emitted code computes with.
@@ -291,6 +305,26 @@ impl Scene {
             Provide::Stepper => false,
             Provide::Simulation => constant,
             _ => true,
+        })
+    }
+
+    /// Returns true if the base moves and damping acts on velocities relative to the base.
+    #[must_use]
+    pub fn is_damped_from_base(&self) -> bool {
+        self.damping_from == DampingFrom::Base
+            && self.excitation == Excitation::Base
+            && self.damping != Damping::None
+    }
+
+    /// Returns what the damping acts on, if the base moves and the scene has damping. Only then it makes a difference.
+    #[must_use]
+    pub fn damping_acts_on(&self) -> Option<&'static str> {
+        let differs = self.excitation == Excitation::Base && self.damping != Damping::None;
+        differs.then_some(match self.damping_from {
+            DampingFrom::Rest => "damping acts on absolute velocities (damping_from: rest)",
+            DampingFrom::Base => {
+                "damping acts on velocities relative to the base (damping_from: base)"
+            }
         })
     }
 

@@ -4,9 +4,11 @@
 //! The modes are the eigenvectors of GᵀG. With v = √Γφ, the change of GᵀG between modes i and j is vᵢᵀ(dGᵀG)vⱼ = Σ_e
 //! (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. Here δ are the elongations of the springs.
 
+mod base;
 mod equal;
 
-use crate::modal::{Modal, rayleigh, static_sums};
+use crate::modal::{Modal, rayleigh};
+use crate::modal_sums::{inertial_drag, static_sums};
 use crate::scene::{Damping, Excitation, Node, Scene};
 use equal::{adapt_equal_modes, equal};
 use frictiongen_kernel::Scalar;
@@ -65,6 +67,9 @@ impl Modal {
             shapes: self.shapes.iter().map(|shape| fixed(shape)).collect(),
             loads: fixed(&self.loads),
             contacts: fixed(&self.contacts),
+            participations: fixed(&self.participations),
+            walls: fixed(&self.walls),
+            inertial_drag: Dual::fixed(self.inertial_drag),
             inverse_mass: Dual::fixed(self.inverse_mass),
             inertial_load: Dual::fixed(self.inertial_load),
             static_motion: Dual::fixed(self.static_motion),
@@ -117,6 +122,11 @@ impl Modal {
             crate::modal::NOISE,
         );
         (along.static_motion, along.static_receptance) = (motion, receptance);
+        along.inertial_drag = inertial_drag(
+            (&along.resonances, &along.damping_ratios),
+            (&along.contacts, &along.participations),
+            crate::modal::NOISE,
+        );
         Some(along)
     }
 }
@@ -333,16 +343,10 @@ impl Change {
         let projections = along.loads.iter_mut().zip(&mut along.contacts);
         for (((load, contact), shape), turned) in projections.zip(&along.shapes).zip(turned) {
             for (projection, on) in [(load, &p), (contact, &w)] {
-                let products = shape.iter().zip(on);
-                let product = products.fold(zero, |sum, (a, b)| sum + *a * *b);
-                projection.slope = product.slope;
-                // An unrotated mode keeps its values from the analysis, which has set noise to zero. A rotated mode is
-                // a different mode, so it takes its new values.
-                if *turned {
-                    projection.value = product.value;
-                }
+                set(projection, shape, on, *turned);
             }
         }
+        self.project_base(scene, (gamma, kappa), turned, along);
         let over_mass = |a: &[Dual<Dd>], b: &[Dual<Dd>]| {
             let masses = gamma.iter().zip(&self.masses);
             masses
@@ -353,5 +357,16 @@ impl Change {
         };
         along.inverse_mass = over_mass(&w, &w);
         along.inertial_load.slope = over_mass(&w, &p).slope;
+    }
+}
+
+/// Sets the derivative of the product of a mode shape and a vector. A mode keeps its value from the analysis, which has
+/// set noise to zero. A rotated mode is a different mode, so it takes its new value.
+fn set(projection: &mut Dual<Dd>, shape: &[Dual<Dd>], on: &[Dual<Dd>], turned: bool) {
+    let products = shape.iter().zip(on);
+    let product = products.fold(Dual::constant(0.0), |sum, (a, b)| sum + *a * *b);
+    projection.slope = product.slope;
+    if turned {
+        projection.value = product.value;
     }
 }

@@ -56,7 +56,15 @@ impl<T: Float> Modal<T> {
         }
         let resonance = *self.resonances.get(mode)?;
         let component = *self.shapes.get(mode)?.get(mass)? / (resonance * resonance);
-        let driven = (component * *self.loads.get(mode)?).abs() / (zeta + zeta);
+        let load = *self.loads.get(mode)?;
+        let size = match self.participations.get(mode) {
+            None => load.abs(),
+            Some(_) => {
+                let [quadrature, _] = self.quadrature(mode, &|value| value);
+                (load * load + quadrature * quadrature).sqrt()
+            }
+        };
+        let driven = component.abs() * size / (zeta + zeta);
         let rubbed = (component * *self.contacts.get(mode)?).abs();
         // The code uses coth(x/2) = (2 + m)/m with m = e^x − 1.
         let m = (T::pi() * zeta).exp_m1();

@@ -18,6 +18,8 @@ pub struct Steps<S> {
     pub units: Units<S>,
     /// True if the excitation is a motion of the base.
     pub on_base: bool,
+    /// True if damping acts on velocities relative to the moving base.
+    pub damped_from_base: bool,
     /// Indices of the masses on which a force may act: the excited mass, the masses that the description lists, and the
     /// masses that the caller adds.
     pub forces: Vec<usize>,
@@ -68,6 +70,7 @@ impl<S: Scalar> Steps<S> {
                 support: to(support / Dd::from(reference)),
             },
             on_base: excited.is_none(),
+            damped_from_base: !modal.participations.is_empty(),
             forces,
             input: match scene.stepping.input {
                 StepInput::Hold => Input::Hold,
@@ -95,10 +98,11 @@ impl<S: Scalar> Steps<S> {
         }
     }
 
-    /// Returns the number of inputs: the motion of the base if it moves, and a force for each loaded mass.
+    /// Returns the number of inputs: the displacement of the base if it moves, its velocity if damping acts relative to
+    /// the base, and a force for each loaded mass.
     #[must_use]
     pub fn inputs(&self) -> usize {
-        usize::from(self.on_base) + self.forces.len()
+        usize::from(self.on_base) + usize::from(self.damped_from_base) + self.forces.len()
     }
 }
 

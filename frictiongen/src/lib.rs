@@ -69,6 +69,7 @@
 //! | `contact` | `mass - wall`, `mass - mass`, `mass - base` | required |
 //! | `excitation` | a mass, or `base` | required |
 //! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |
+//! | `damping_from` | `rest` (damping acts on absolute velocities), `base` (on velocities relative to the moving base) | `rest` |
 //! | `stiction` | μ = static over kinetic friction, at least 1 | 1 |
 //! | `scalar` | `f64`, `f32` | `f64` |
 //! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation`, `stepper`. A scene with `stepper` alone, or with `simulation` and `friction: stribeck`, gives no answers at a frequency | `[limits, motion]` |

@@ -39,6 +39,7 @@ impl<S: Float> Data<S> {
         let Reduced {
             modes,
             shapes,
+            quadratures,
             chain,
             ends,
             rubbing,
@@ -69,6 +70,7 @@ impl<S: Float> Data<S> {
             reduced: Reduced {
                 modes: modes.iter().map(mode).collect(),
                 shapes: all(shapes),
+                quadratures: quadratures.iter().map(|pair| pair.map(&to)).collect(),
                 chain: Chain {
                     damped: chain.damped,
                     on_moving_base: chain.on_moving_base.map(&to),

@@ -155,6 +155,7 @@ fn frame() -> Scene {
         },
         excitation: Excitation::Base,
         damping: Damping::None,
+        damping_from: Default::default(),
         stiction: 1.0,
         precision: Precision::F64,
         provide: vec![Provide::Limits],

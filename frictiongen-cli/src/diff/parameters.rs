@@ -1,7 +1,8 @@
 //! Parameters of two descriptions, field by field.
 
 use frictiongen::study::scene::{
-    Accuracy, Beyond, Damping, Excitation, FrictionLaw, Precision, Provide, Scene, Side, StepInput,
+    Accuracy, Beyond, Damping, DampingFrom, Excitation, FrictionLaw, Precision, Provide, Scene,
+    Side, StepInput,
 };
 
 /// A field of a description as text, with its number if it has one.
@@ -88,6 +89,9 @@ fn fields(scene: &Scene) -> Vec<Field> {
         },
     ));
     damping(&scene.damping, &mut fields);
+    if scene.damping_from == DampingFrom::Base {
+        fields.push(word("damping_from", "base"));
+    }
     fields.push(number("stiction".to_owned(), scene.stiction));
     let list = |indices: &[usize]| indices.iter().map(mass).collect::<Vec<_>>().join(", ");
     let provided = scene.provide.iter().map(|item| match item {

@@ -2,7 +2,7 @@
 
 use super::asked::Asked;
 use super::words::digits;
-use frictiongen::study::scene::{Damping, Excitation, Node, Scene};
+use frictiongen::study::scene::{Damping, DampingFrom, Excitation, Node, Scene};
 use frictiongen::study::units::Load;
 use frictiongen_plot::{Excitation as Drawn, Label, Sketch, desk};
 use maud::{Markup, PreEscaped, html};
@@ -40,7 +40,12 @@ fn drawing(asked: &Asked) -> Option<String> {
 
 /// Describes the damping in words.
 fn damping(scene: &Scene) -> String {
-    match &scene.damping {
+    let acts_on = match (scene.damping_acts_on(), scene.damping_from) {
+        (None, _) => "",
+        (Some(_), DampingFrom::Rest) => ", on absolute velocities",
+        (Some(_), DampingFrom::Base) => ", relative to the base",
+    };
+    let ratios = match &scene.damping {
         Damping::None => "none but friction".to_owned(),
         Damping::Uniform(zeta) => format!("damping ratio {} in every mode", digits(*zeta)),
         Damping::Modal(zeta) => {
@@ -52,7 +57,8 @@ fn damping(scene: &Scene) -> String {
             digits(*mass),
             digits(*stiffness)
         ),
-    }
+    };
+    ratios + acts_on
 }
 
 /// Describes the load in words.

@@ -13,7 +13,16 @@ fn temporary(name: &str) -> std::path::PathBuf {
 fn what_new_writes_has_no_errors() {
     let scene = output("", &["new"]);
     let checked = output(&scene, &["check"]);
-    assert_eq!(checked, "<stdin>: no errors; 2 masses, 2 springs\n");
+    assert_eq!(
+        checked,
+        "<stdin>: no errors; 2 masses, 2 springs\n\
+         damping acts on velocities relative to the base (damping_from: base)\n"
+    );
+    let at_rest = scene.replace("damping_from: base", "damping_from: rest");
+    let checked = output(&at_rest, &["check"]);
+    assert!(checked.ends_with("damping acts on absolute velocities (damping_from: rest)\n"));
+    let undamped = at_rest.replace("modal[0.010, 0.012]", "none");
+    assert!(!output(&undamped, &["check"]).contains("damping acts"));
     assert!(output(&scene, &["limits", "--r", "0.9"]).contains("0.9"));
 }
 

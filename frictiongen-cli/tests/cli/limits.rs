@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_4;
 fn table() {
     let text = output("", &["limits", FRAME, "--r", "0,0.2:0.2:0.6"]);
     let expected = "\
-Frame: 2 masses, contact upper - wall, base motion, modal damping, stiction 1.2
+Frame: 2 masses, contact upper - wall, base motion, modal damping on absolute velocities, stiction 1.2
 
 natural frequencies (rad/s)     11.980928     32.125314
 resonances r                     0.628045      1.684022

@@ -44,6 +44,13 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
         (Some(own), code!(Self::ALL_SHAPES))
     };
     let weights = emission.list(transient.weights.iter().copied());
+    let from_base = transient.weights.len() > transient.shapes.len();
+    let from_base = from_base.then(|| {
+        code! {
+            /// Damping acts relative to the base: at the end of `weights` each mode has its load in quadrature, 2ζλΓ with Γ = φᵀΓ1, and
+            /// `static_residue` − (φᵀw)Γ.
+        }
+    });
     let rubbing = rubbing(transient.rubbing);
     let associated = code! {
             #own_shapes
@@ -53,6 +60,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
             /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `participations`: how far
             /// each free mode takes part in y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after
             /// mode.
+            #from_base
             const DYNAMICS: Dynamics<'static, #scalar> = Dynamics {
                 chain: Self::CHAIN,
                 modes: #modes,

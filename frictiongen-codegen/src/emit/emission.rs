@@ -126,7 +126,7 @@ impl<'a> Emission<'a> {
     /// Returns whether the load acts on the mass that rubs, so that V = H.
     pub(super) fn loads_contact(&self) -> bool {
         let Reduced { chain, modes, .. } = &self.reduced;
-        chain.loads_contact(modes)
+        self.reduced.quadratures.is_empty() && chain.loads_contact(modes)
     }
 
     pub fn literal(&self, value: f64) -> TokenStream {

@@ -1,8 +1,8 @@
 //! Hashes a scene. Emitted code states the hash, so that a reader sees from which scene it comes.
 
 use frictiongen_model::scene::{
-    Accuracy, Beyond, Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision,
-    Provide, Proving, Range, Scene, Side, Spring, StepInput, Stepping,
+    Accuracy, Beyond, Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Mass, Node,
+    Precision, Provide, Proving, Range, Scene, Side, Spring, StepInput, Stepping,
 };
 
 /// Returns the FNV-1a hash of all fields of a scene. Texts that differ only in layout have the same
@@ -16,6 +16,7 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
         contact: Contact { from, to },
         excitation,
         damping,
+        damping_from,
         stiction,
         precision,
         provide,
@@ -61,6 +62,10 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
         }
     }
     hash.stepping(stepping);
+    // A scene with the default keeps the hash that it had before the field existed.
+    if *damping_from == DampingFrom::Base {
+        hash.unit(1);
+    }
     hash.0
 }
 

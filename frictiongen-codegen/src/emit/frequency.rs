@@ -7,6 +7,7 @@ use super::{legend, mode};
 use crate::graph::count::Count;
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
+use frictiongen_kernel::contact::quadrature::Quadrature;
 use frictiongen_kernel::contact::sums::{Chain, ContactAt};
 use frictiongen_kernel::number::complex::Complex;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
@@ -30,11 +31,14 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     };
     let operations = format!(" Operations: {operations}.");
     let on_base = emission.reduced.chain.on_moving_base.is_some();
-    let legend = match emission.reduced.modes.as_slice() {
+    let mut legend = match emission.reduced.modes.as_slice() {
         [mode] => legend::single(mode, on_base),
         _ if in_passes.is_some() => legend::sums(on_base),
         _ => legend::lines(on_base, emission.loads_contact()),
     };
+    if !emission.reduced.quadratures.is_empty() {
+        legend.extend(legend::FROM_BASE);
+    }
     let about = code! {
         /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
         /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
@@ -243,7 +247,15 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
     let response = tracer.response("response");
     let at = chain.scaled(&response, graph.input("sum.scale"), false, 0);
     let sum = symbolic_sum(&graph, damped);
-    let joined = chain.joined_by(&sum, &symbolic, &response, &at, false, true);
+    // The loop binds both numbers of a mode's load in quadrature, if there is one.
+    let from_base = !emission.reduced.quadratures.is_empty();
+    let quadrature = from_base.then(|| Quadrature {
+        load: graph.input("quadrature"),
+        wall: graph.input("wall"),
+    });
+    let loaded = (&symbolic, quadrature);
+    let term = chain.term(sum.scale, loaded, &response, &at, false, true);
+    let joined = chain.with_term(&sum, &term, true);
     let mut outputs = mode_outputs(&at);
     let sums = [
         joined.v.re,
@@ -264,6 +276,8 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
         "at",
         "contact",
         "modes",
+        "quadrature",
+        "wall",
     ];
     let (second, second_count) = tracer.print(&outputs, *precision, &taken);
     let statements = &second.statements;
@@ -280,6 +294,17 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
             sum.reversal = #reversal;
         }
     });
+    let loop_head = if from_base {
+        code! {
+            for (((mode, response), at), &[quadrature, wall]) in
+                IntoIterator::into_iter(&Self::MODES).zip(&responses).zip(&mut modes).zip(&Self::QUADRATURES)
+        }
+    } else {
+        code! {
+            for ((mode, response), at) in
+                IntoIterator::into_iter(&Self::MODES).zip(&responses).zip(&mut modes)
+        }
+    };
     let completed = chain.completed(&sum, graph.input("inverse_r"));
     let outputs: Vec<Operand> = contact_outputs(&completed);
     let (last, last_count) = tracer.print(&outputs, *precision, &taken);
@@ -289,9 +314,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
         #first_pass
         let mut sum = ContactAt::<#scalar>::zero(scale);
         let mut modes = [ModeAt::<#scalar>::zero(); #modes];
-        for ((mode, response), at) in
-            IntoIterator::into_iter(&Self::MODES).zip(&responses).zip(&mut modes)
-        {
+        #loop_head {
             #statements
             *at = #at;
             sum.v.re = #v_re;

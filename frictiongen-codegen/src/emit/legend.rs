@@ -11,6 +11,12 @@ const SUMS_ON_BASE: [&str; 3] = [
     " uR², gR² and g + 2ζRu (`reversal`).  V is the motion relative to the base, r² times the sum of `static_residue`·(1 − 2iζx)·",
     " `response`, and of `on_moving_base`·E, the static part.",
 ];
+/// Additional lines where damping acts on velocities relative to the moving base.
+pub(super) const FROM_BASE: [&str; 3] = [
+    " Damping acts relative to the base: to residue·`response` in V comes i(φᵀw)·2ζλΓ/x·`response` with Γ = φᵀΓ1, and on a moving",
+    " base `static_residue` − 2iζx·wall takes the place of `static_residue`·(1 − 2iζx), wall being `static_residue` − (φᵀw)Γ.",
+    " `QUADRATURES` has 2ζλΓ and wall of each mode.",
+];
 const AT_SCALE: &str =
     " `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.";
 const ON_CONTACT: &str = " The load acts on the mass that rubs: a residue is (φᵀw)², and V = H.";

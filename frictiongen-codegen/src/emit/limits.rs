@@ -35,7 +35,9 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
             /// The load acts on the mass that rubs: V = H.
         }
     });
-    let (given, sliding) = if reduced.chain.sliding_limit_is_one(&reduced.modes) {
+    let is_one =
+        reduced.quadratures.is_empty() && reduced.chain.sliding_limit_is_one(&reduced.modes);
+    let (given, sliding) = if is_one {
         (code!(_), code!(1.0))
     } else {
         (code!(contact), formula(chain.sliding_limit(&contact)))

@@ -244,7 +244,14 @@ fn of_mass<'g>(tracer: &Tracer<'g>, mass: usize) -> Coefficients<'g> {
     let (shape, modes) = (tracer.reduced.shape(mass), &tracer.reduced.modes);
     let parts = modes.iter().zip(&at).zip(shape).enumerate();
     Coefficients {
-        fundamental: chain.fundamental(shape, modes, &at, &contact, &friction, inverse_r),
+        fundamental: chain.fundamental_loaded(
+            shape,
+            tracer.loaded(),
+            &at,
+            &contact,
+            &friction,
+            inverse_r,
+        ),
         modal: parts
             .map(|(index, ((mode, at), component))| {
                 let residue = *component * mode.contact;

@@ -37,6 +37,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
         code!(#facade::kernel::wraps!(#at, At of #name, Copy);)
     };
     let mut associated = constant.unwrap_or_default();
+    let (quadratures, quadratures_of) = quadratures(emission);
+    associated.extend(quadratures);
     associated.extend(mode::functions(emission));
     associated.extend(stage.function);
     let frequency = stage.methods;
@@ -55,6 +57,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
             }
 
             #methods
+
+            #quadratures_of
 
             /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
             #[inline]
@@ -79,6 +83,30 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
         associated,
         items,
     }
+}
+
+/// Emits the loads in quadrature with the base's motion, as a constant and a method of the kernel's `Scene`. Both are
+/// empty unless damping acts on velocities relative to the moving base.
+fn quadratures(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
+    let (scalar, quadratures) = (&emission.scalar, &emission.reduced.quadratures);
+    if quadratures.is_empty() {
+        return (TokenStream::new(), TokenStream::new());
+    }
+    let modes = Literal::usize_unsuffixed(quadratures.len());
+    let pairs = quadratures.iter().map(|pair| emission.list(*pair));
+    let constant = code! {
+        /// Loads of `MODES` in quadrature with the motion of the base, relative to which damping acts: 2ζλΓ with Γ = φᵀΓ1,
+        /// and `static_residue` − (φᵀw)Γ.
+        const QUADRATURES: [[#scalar; 2]; #modes] = [#(#pairs),*];
+    };
+    let method = code! {
+        /// The loads in quadrature.
+        #[inline]
+        fn quadratures(&self) -> &[[#scalar; 2]] {
+            &Self::QUADRATURES
+        }
+    };
+    (constant, method)
 }
 
 /// Mode shapes of the masses that the scene provides: a constant, and methods of the kernel's `Scene`.

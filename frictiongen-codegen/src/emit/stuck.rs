@@ -139,9 +139,9 @@ fn in_lines(emission: &Emission<'_>) -> TokenStream {
 }
 
 fn of_mass(tracer: &Tracer<'_>, mass: usize) -> Alternative {
-    let amplitude = tracer.reduced.chain.stuck(
+    let amplitude = tracer.reduced.chain.stuck_loaded(
         tracer.reduced.shape(mass),
-        &tracer.reduced.modes,
+        tracer.loaded(),
         &tracer.modes_at(),
         &tracer.contact("contact"),
         tracer.graph.input("inverse_r"),

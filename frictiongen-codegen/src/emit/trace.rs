@@ -5,9 +5,10 @@ use crate::graph::count::Count;
 use crate::graph::print::{Printed, print};
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
+use frictiongen_kernel::contact::quadrature::Quadratures;
 use frictiongen_kernel::contact::sums::{Chain, ContactAt, ModeAt};
 use frictiongen_kernel::number::complex::Complex;
-use frictiongen_kernel::oscillator::mode::ModeResponse;
+use frictiongen_kernel::oscillator::mode::{Mode, ModeResponse};
 use frictiongen_kernel::response::coefficients::Friction;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
@@ -63,6 +64,11 @@ impl<'g> Tracer<'g> {
                 .iter()
                 .any(|value| matches!(value, Expr::Node(..)))
         })
+    }
+
+    /// Returns the modes with their loads in quadrature.
+    pub fn loaded(&self) -> (&[Mode<Expr<'g>>], &[[Expr<'g>; 2]]) {
+        (&self.reduced.modes, &self.reduced.quadratures)
     }
 
     pub fn count(&self) -> usize {
@@ -146,7 +152,12 @@ impl<'g> Tracer<'g> {
         inverse_r: Expr<'g>,
         g: impl Fn(Expr<'g>) -> Expr<'g>,
     ) -> (ContactAt<Expr<'g>>, Vec<ModeAt<Expr<'g>>>) {
-        let Reduced { modes, chain, .. } = &self.reduced;
+        let Reduced {
+            modes,
+            quadratures,
+            chain,
+            ..
+        } = &self.reduced;
         let responses = modes.iter().enumerate().map(|(index, mode)| {
             let response = mode.response(inverse_r, index);
             ModeResponse {
@@ -158,8 +169,8 @@ impl<'g> Tracer<'g> {
         let sizes = responses.iter().map(|response| response.size);
         let scale = Chain::scale(modes.iter().zip(sizes)).named("scale", None);
         let mut at = Vec::with_capacity(modes.len());
-        let contact = chain.contact_of(
-            modes,
+        let contact = chain.contact_loaded(
+            (modes, quadratures.as_slice()),
             responses.into_iter(),
             scale,
             inverse_r,
@@ -171,12 +182,20 @@ impl<'g> Tracer<'g> {
 
     /// Records the sums over the modes' functions `mode_1` … and `at_1` ….
     pub fn joined(&self) -> ContactAt<Expr<'g>> {
-        let Reduced { modes, chain, .. } = &self.reduced;
+        let Reduced {
+            modes,
+            quadratures,
+            chain,
+            ..
+        } = &self.reduced;
         let mut sum = ContactAt::zero(self.graph.input("scale"));
-        for (number, mode) in (1..).zip(modes) {
+        for (index, mode) in modes.iter().enumerate() {
+            let number = index + 1;
             let response = self.response(&format!("mode_{number}"));
             let at = self.mode_at(&format!("at_{number}"));
-            sum = chain.joined_by(&sum, mode, &response, &at, false, true);
+            let mode = (mode, quadratures.as_slice().of(index));
+            let term = chain.term(sum.scale, mode, &response, &at, false, true);
+            sum = chain.with_term(&sum, &term, true);
         }
         chain.completed(&sum, self.graph.input("inverse_r"))
     }
@@ -242,21 +261,16 @@ pub fn traces<S: frictiongen_kernel::Float>(
     .to_vec();
     for (index, mass) in scene.masses.iter().enumerate() {
         let shape = tracer.reduced.shape(index);
-        let fundamental = chain.fundamental(
-            shape,
-            &tracer.reduced.modes,
-            &at,
-            &contact,
-            &friction,
-            inverse,
-        );
+        let loaded = tracer.loaded();
+        let fundamental =
+            chain.fundamental_loaded(shape, loaded, &at, &contact, &friction, inverse);
         for (field, value) in [("cosine", fundamental.cosine), ("sine", fundamental.sine)] {
             named.push((format!("{}.{field}", mass.name), value.operand()));
         }
         if tracer.reduced.rubbing == Some(index) {
             continue;
         }
-        let stuck = chain.stuck(shape, &tracer.reduced.modes, &at, &contact, inverse);
+        let stuck = chain.stuck_loaded(shape, loaded, &at, &contact, inverse);
         named.push((format!("{}.stuck.re", mass.name), stuck.re.operand()));
         named.push((format!("{}.stuck.im", mass.name), stuck.im.operand()));
     }

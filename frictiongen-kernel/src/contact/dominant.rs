@@ -10,6 +10,7 @@
 //! bc remain in the contribution of the second mode. The larger of them is at least √(ac·bd) ≥ bd, which is the product
 //! that cancels.
 
+use crate::contact::quadrature::Quadratures;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
 use crate::number::complex::{self, Complex};
@@ -189,7 +190,10 @@ impl<S: Scalar> Chain<S> {
     /// each mode gets the terms of the other mode.
     pub(crate) fn dominant_sums<'a>(
         &self,
-        modes: impl Iterator<Item = (&'a Mode<S>, ModeAt<S>)> + Clone,
+        (modes, quadratures): (
+            impl Iterator<Item = (&'a Mode<S>, ModeAt<S>)> + Clone,
+            impl Quadratures<S>,
+        ),
         partner: Partner,
         contact: &ContactAt<S>,
         inverse_r: S,
@@ -222,7 +226,8 @@ impl<S: Scalar> Chain<S> {
                           other: &Mode<S>,
                           at_other: &ModeAt<S>,
                           [it, its]: [usize; 2]| {
-                let others = without(self.own(other, at_other, its), mode.static_residue);
+                let own = self.own((other, quadratures), at_other, its);
+                let others = without(own, mode.static_residue);
                 self.in_full(mode, at, partner, contact, &others, it)
             };
             return DominantSums {
@@ -235,7 +240,8 @@ impl<S: Scalar> Chain<S> {
         let (mut sum, mut sizes) = (Terms::zero(), (zero, zero));
         let mut heaviest: Option<Heaviest<S>> = None;
         for (index, (mode, at)) in modes.enumerate() {
-            let next = self.candidate(mode, &at, partner, contact.scale, index);
+            let own = self.own((mode, quadratures), &at, index);
+            let next = self.candidate((mode, own), &at, partner, contact.scale, index);
             heaviest = Some(match heaviest {
                 None => next,
                 Some(known) => {
@@ -279,13 +285,12 @@ impl<S: Scalar> Chain<S> {
 
     fn candidate(
         &self,
-        mode: &Mode<S>,
+        (mode, own): (&Mode<S>, Terms<S>),
         at: &ModeAt<S>,
         partner: Partner,
         scale: S,
         index: usize,
     ) -> Heaviest<S> {
-        let own = self.own(mode, at, index);
         // On a moving base, v cancels, although the sums contain v − 1.
         let v = if self.on_moving_base.is_some() {
             self.plus(own.v, complex::real(mode.static_residue * scale))
@@ -336,14 +341,24 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    fn own(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> Terms<S> {
+    fn own(
+        &self,
+        (mode, quadratures): (&Mode<S>, impl Quadratures<S>),
+        at: &ModeAt<S>,
+        index: usize,
+    ) -> Terms<S> {
+        let quadrature = quadratures.of(index);
         let named = |value: Complex<S>, re, im| {
             let index = Some(index);
             Complex::new(value.re.named(re, index), value.im.named(im, index))
         };
         let h = complex::scale(at.response, mode.inverse_mass);
         Terms {
-            v: named(self.load_term(mode, at), "v_term_re", "v_term_im"),
+            v: named(
+                self.load_term(mode, at, quadrature),
+                "v_term_re",
+                "v_term_im",
+            ),
             u: (mode.inverse_mass * at.u).named("u_term", Some(index)),
             h: named(h, "h_term_re", "h_term_im"),
         }

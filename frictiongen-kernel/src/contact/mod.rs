@@ -1,8 +1,8 @@
 //! Contact of the chain at one frequency: its sums over all modes, the limits of continuous and stuck motion, and the
 //! regime.
 //!
-//! [`sums`] defines the sums V, U, G, H and H_c, and [`pairs`] evaluates them for two modes at once. `dominant` leaves
-//! out the largest modal terms where they would cancel. [`limits`] has the formulas of both limits. Two modules
+//! [`sums`] defines the sums V, U, G, H and H_c, and [`pairs`] evaluates them for two modes at once. [`quadrature`] has
+//! the load that damping relative to a moving base adds. `dominant` leaves out the largest modal terms where they would cancel. [`limits`] has the formulas of both limits. Two modules
 //! evaluate the limits faster where no search for S is wanted: [`driven`] for an undamped chain whose constants are
 //! gathered beforehand, and `several` for several frequencies at once. [`constraint`] searches the velocity constraint
 //! S of the exact limit, and decides whether a continuous motion exists. [`absorber`] treats frequencies at which V and
@@ -14,6 +14,7 @@ pub(crate) mod dominant;
 pub mod driven;
 pub mod limits;
 pub mod pairs;
+pub mod quadrature;
 pub mod regime;
 pub(crate) mod several;
 pub mod sums;

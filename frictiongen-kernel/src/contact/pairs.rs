@@ -5,6 +5,7 @@
 //! evaluated with `Lanes`, arrays of two numbers. Every operation is that of one mode alone, and the sums add one mode
 //! after the other. The results therefore have the same bits as emitted code.
 
+use crate::contact::quadrature::{InPhase, Quadratures};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::complex::Complex;
 use crate::number::lanes::Lanes;
@@ -88,6 +89,16 @@ impl<S: Float> Chain<S> {
         inverse_r: S,
         keep: impl FnMut(ModeAt<S>),
     ) -> ContactAt<S> {
+        self.loaded_in_turn::<WITH_G>((modes, InPhase), inverse_r, keep)
+    }
+
+    /// Computes the modal sums of the contact as [`in_turn`](Self::in_turn) does, with loads in quadrature.
+    pub fn loaded_in_turn<const WITH_G: bool>(
+        &self,
+        (modes, quadratures): (&[Mode<S>], impl Quadratures<S>),
+        inverse_r: S,
+        keep: impl FnMut(ModeAt<S>),
+    ) -> ContactAt<S> {
         let scale = Self::scale_at(modes, inverse_r);
         let responses = modes.iter().map(|mode| {
             if WITH_G {
@@ -97,7 +108,8 @@ impl<S: Float> Chain<S> {
                 mode.functions(inverse_r, false)
             }
         });
-        self.contact_of(modes, responses, scale, inverse_r, WITH_G, keep)
+        let modes = (modes, quadratures);
+        self.contact_loaded(modes, responses, scale, inverse_r, WITH_G, keep)
     }
 
     /// Computes the modal sums of the contact for modes with the same kind of damping `U`, two modes at a time.
@@ -212,7 +224,7 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
     let (mode, scale) = (Mode::beside(U::KIND, modes), Lanes::all(scale));
     let response = mode.functions_of(U::KIND, Lanes::all(inverse_r), WITH_G, 0);
     let at = chain.scaled(&response, scale, false, 0);
-    let found = chain.term(scale, &mode, &response, &at, false, WITH_G);
+    let found = chain.term(scale, (&mode, None), &response, &at, false, WITH_G);
     // Numbers that stay 0 without damping, and numbers that no caller uses, are not written.
     terms.v.re = found.v.re;
     terms.h.re = found.h.re;

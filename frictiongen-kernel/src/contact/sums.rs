@@ -1,6 +1,7 @@
 //! Modal sums of the contact at one frequency, multiplied by a scale factor. The factor keeps the sums finite on a
 //! resonance.
 
+use crate::contact::quadrature::{InPhase, Quadrature, Quadratures};
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::{Mode, ModeResponse};
@@ -185,13 +186,29 @@ impl<S: Scalar> Chain<S> {
         scale: S,
         inverse_r: S,
         with_g: bool,
+        keep: impl FnMut(ModeAt<S>),
+    ) -> ContactAt<S> {
+        self.contact_loaded((modes, InPhase), responses, scale, inverse_r, with_g, keep)
+    }
+
+    /// Computes the modal sums of the contact as [`contact_of`](Self::contact_of) does, with loads in quadrature.
+    #[inline]
+    pub fn contact_loaded(
+        &self,
+        (modes, quadratures): (&[Mode<S>], impl Quadratures<S>),
+        responses: impl Iterator<Item = ModeResponse<S>>,
+        scale: S,
+        inverse_r: S,
+        with_g: bool,
         mut keep: impl FnMut(ModeAt<S>),
     ) -> ContactAt<S> {
         let single = modes.len() == 1;
         let mut sum = ContactAt::zero(scale);
         for (index, (mode, response)) in modes.iter().zip(responses).enumerate() {
             let at = self.scaled(&response, scale, single, index);
-            sum = self.joined_by(&sum, mode, &response, &at, single, with_g);
+            let load = quadratures.of(index);
+            let term = self.term(sum.scale, (mode, load), &response, &at, single, with_g);
+            sum = self.with_term(&sum, &term, with_g);
             keep(at);
         }
         self.completed(&sum, inverse_r)
@@ -208,23 +225,23 @@ impl<S: Scalar> Chain<S> {
         single: bool,
         with_g: bool,
     ) -> ContactAt<S> {
-        let term = self.term(sum.scale, mode, response, at, single, with_g);
+        let term = self.term(sum.scale, (mode, None), response, at, single, with_g);
         self.with_term(sum, &term, with_g)
     }
 
     /// Returns the terms of one mode in the modal sums V, H, U, G and H_c of the contact, multiplied by the scale E.
     #[inline(always)]
-    pub(super) fn term(
+    pub fn term(
         &self,
         scale: S,
-        mode: &Mode<S>,
+        (mode, quadrature): (&Mode<S>, Option<Quadrature<S>>),
         response: &ModeResponse<S>,
         at: &ModeAt<S>,
         single: bool,
         with_g: bool,
     ) -> ContactAt<S> {
         let mut term = ContactAt::zero(scale);
-        term.v = self.load_term(mode, at);
+        term.v = self.load_term(mode, at, quadrature);
         term.h = complex::scale(at.response, mode.inverse_mass);
         term.u = mode.inverse_mass * at.u;
         if self.damped {
@@ -243,12 +260,7 @@ impl<S: Scalar> Chain<S> {
 
     /// Returns the modal sums of the contact with the terms of one more mode added.
     #[inline(always)]
-    pub(super) fn with_term(
-        &self,
-        sum: &ContactAt<S>,
-        term: &ContactAt<S>,
-        with_g: bool,
-    ) -> ContactAt<S> {
+    pub fn with_term(&self, sum: &ContactAt<S>, term: &ContactAt<S>, with_g: bool) -> ContactAt<S> {
         let mut sum = *sum;
         sum.v = self.plus(sum.v, term.v);
         sum.h = self.plus(sum.h, term.h);
@@ -286,19 +298,5 @@ impl<S: Scalar> Chain<S> {
         } else {
             complex::real(a.re + b.re)
         }
-    }
-
-    /// Returns the term of a mode in V, the response of the contact to the load. On a moving base V is relative to the
-    /// base, so that v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) replaces v. The base motion is then never subtracted.
-    #[inline]
-    pub(crate) fn load_term(&self, mode: &Mode<S>, at: &ModeAt<S>) -> Complex<S> {
-        if self.on_moving_base.is_none() {
-            return complex::scale(at.response, mode.residue);
-        }
-        let lag = Complex::new(S::constant(1.0), -(S::constant(2.0) * mode.zeta * at.x));
-        complex::scale(
-            complex::mul(at.response, lag, self.damped),
-            mode.static_residue,
-        )
     }
 }

@@ -39,7 +39,8 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
     pub participations: &'a [[S; 2]],
     /// Mode shapes φ, mass after mass.
     pub shapes: &'a [S],
-    /// Products φᵀΓ, mode after mode.
+    /// Products φᵀΓ, mode after mode.  Where damping acts relative to the moving base, the loads in quadrature follow
+    /// ([`quadratures`](Self::quadratures)).
     pub weights: &'a [S],
     /// Index of the mass that rubs on a support, or `None` where two masses rub on each other.
     pub rubbing: Option<usize>,
@@ -77,7 +78,30 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         })
     }
 
-    /// Returns the components of a mass in all mode shapes, or an empty slice if there is no such mass.
+    /// The loads in quadrature with the motion of the base, as [`Quadratures`](crate::contact::quadrature) takes them.
+    /// The list is empty unless damping acts on velocities relative to the moving base.
+    pub(crate) fn quadratures(&self) -> &'a [[S; 2]] {
+        let modes = self.modes.len();
+        let (quadratures, _) = self
+            .weights
+            .get(modes * modes..)
+            .unwrap_or_default()
+            .as_chunks();
+        quadratures
+    }
+
+    /// Complex amplitude of the load on a mode at the frequency ratio r.
+    pub(crate) fn load(&self, mode: usize, r: S) -> Complex<S> {
+        let zero = S::constant(0.0);
+        let Some(constants) = self.modes.get(mode) else {
+            return Complex::new(zero, zero);
+        };
+        let quadrature = self.quadratures().get(mode);
+        let quadrature = quadrature.map_or(zero, |[load, _]| *load * (r / constants.resonance));
+        Complex::new(constants.load, quadrature)
+    }
+
+    /// Components of a mass in all mode shapes, or an empty slice if there is no such mass.
     pub(crate) fn shape(&self, mass: usize) -> &'a [S] {
         let modes = self.modes.len();
         let mut shapes = self.shapes.chunks_exact(modes.max(1));

@@ -82,13 +82,13 @@ impl<S: Float> Part<S> {
         }
     }
 
-    /// Creates the oscillator of a mode at r, driven by the load.
-    pub(crate) fn from_mode(mode: &Mode<S>, r: S) -> Self {
+    /// Creates the oscillator of a mode at r, driven by a load of complex amplitude `load`.
+    pub(crate) fn from_mode(mode: &Mode<S>, load: Complex<S>, r: S) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.resonance);
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
-        part.tuned(r, complex::real(mode.load), one, complex::real(zero));
+        part.tuned(r, load, one, complex::real(zero));
         part
     }
 

@@ -21,6 +21,9 @@ pub struct Setting<'a, S, K = Chain<S>> {
     /// wᵀΓ⁻¹p + s r²: the load on the stuck contact at a maximum of the excitation, times the inverse effective mass
     /// m*.
     pub(crate) load: S,
+    /// The load on the stuck contact in quadrature with the base's motion, times m*: −`quadrature` sin τ_e is added to
+    /// the load.  It is 0 unless damping acts relative to the moving base.
+    pub(crate) quadrature: S,
     /// wᵀK̄⁻¹w = Σ c_i/λ_i, the contact's displacement per unit of steady contact force.
     pub(crate) receptance: S,
     /// Σ 2ζ_i c_i/σ_i over the receptance: damping force per unit of velocity of the stuck contact, times m*.
@@ -62,12 +65,17 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
             load = load + mode.residue;
             drag = drag + (mode.zeta + mode.zeta) * mode.inverse_mass / mode.resonance;
         }
+        let quadratures = dynamics.driven().iter().zip(dynamics.quadratures());
+        let quadrature = quadratures.fold(zero, |sum, (mode, [load, _])| {
+            sum + mode.contact * (*load * (r / mode.resonance))
+        });
         let setting = Self {
             dynamics,
             r,
             beta,
             base,
             load,
+            quadrature,
             receptance,
             drag: drag / receptance,
         };
@@ -77,8 +85,8 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
 
     fn fill(&self, parts: &mut [Part<S>]) {
         let (modes, stuck_modes) = self.split(parts);
-        for (part, mode) in modes.iter_mut().zip(self.dynamics.modes) {
-            *part = Part::from_mode(mode, self.r);
+        for (index, (part, mode)) in modes.iter_mut().zip(self.dynamics.modes).enumerate() {
+            *part = Part::from_mode(mode, self.dynamics.load(index, self.r), self.r);
         }
         for (part, (mode, participations)) in stuck_modes.iter_mut().zip(self.dynamics.held_modes())
         {
@@ -118,7 +126,7 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
     /// Sets the state of the modes from displacements and velocities of the masses.
     pub(crate) fn load_state(&self, displacements: &[S], velocities: &[S], parts: &mut [Part<S>]) {
         let masses = displacements.len().max(1);
-        let weights = self.dynamics.weights.chunks(masses);
+        let weights = self.dynamics.weights.chunks(masses).take(masses);
         for (part, weights) in parts.iter_mut().zip(weights) {
             let product = |values: &[S]| {
                 let terms = weights.iter().zip(values);
@@ -150,10 +158,14 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
     }
 
     /// Returns the contact force that would keep the relative velocity constant.
-    pub(crate) fn holding(&self, parts: &[Part<S>], (_, cosine): (S, S)) -> S {
+    pub(crate) fn holding(&self, parts: &[Part<S>], (sine, cosine): (S, S)) -> S {
         let two = S::constant(2.0);
+        let mut load = self.load * cosine;
+        if !self.quadrature.vanishes() {
+            load = load - self.quadrature * sine;
+        }
         let modes = self.dynamics.driven().iter().zip(parts);
-        let sum = modes.fold(self.load * cosine, |sum, (mode, part)| {
+        let sum = modes.fold(load, |sum, (mode, part)| {
             let lambda = mode.resonance * mode.resonance;
             sum - mode.contact * lambda * (part.y + two * mode.zeta * part.u)
         });

@@ -16,6 +16,7 @@ use crate::oscillator::mode::Mode;
 struct DrivenChain<'a, S> {
     chain: Chain<S>,
     modes: &'a [Mode<S>],
+    quadratures: &'a [[S; 2]],
     inverse_r: S,
     scale: S,
     single: bool,
@@ -27,6 +28,7 @@ impl<'a, S: Float> DrivenChain<'a, S> {
         Self {
             chain: *dynamics.chain(),
             modes,
+            quadratures: dynamics.quadratures(),
             inverse_r,
             scale: Chain::scale_at(modes, inverse_r),
             single: modes.len() == 1,
@@ -39,8 +41,9 @@ impl<'a, S: Float> DrivenChain<'a, S> {
     }
 
     fn contact(&self) -> ContactAt<S> {
-        let chain = &self.chain;
-        chain.in_turn::<true>(self.modes, self.inverse_r, |_| ())
+        let modes = (self.modes, self.quadratures);
+        self.chain
+            .loaded_in_turn::<true>(modes, self.inverse_r, |_| ())
     }
 }
 
@@ -52,15 +55,18 @@ pub(super) fn set<S: Float, K: ContactChain<S>>(cycle_map: &mut CycleMap<'_, '_,
     let contact = driven.contact();
     let friction = dynamics.chain().friction(&contact, driven.inverse_r, beta);
     let known = driven.modes.iter().map(|mode| (mode, driven.at(mode)));
-    let dominant =
-        dynamics
-            .chain()
-            .dominant_sums(known.clone(), Partner::U, &contact, driven.inverse_r);
+    let loaded = (known.clone(), driven.quadratures);
+    let dominant = dynamics
+        .chain()
+        .dominant_sums(loaded, Partner::U, &contact, driven.inverse_r);
     for (index, (part, (mode, at))) in cycle_map.modes.iter_mut().zip(known).enumerate() {
         let alone = core::iter::once((index, one, mode, at));
-        let fundamental = dynamics
-            .chain()
-            .fundamental_of(alone, &dominant, &contact, &friction);
+        let fundamental = dynamics.chain().fundamental_of(
+            (alone, driven.quadratures),
+            &dominant,
+            &contact,
+            &friction,
+        );
         let wave = dynamics.chain().mass_wave::<Damped<S>>(
             mode,
             one,

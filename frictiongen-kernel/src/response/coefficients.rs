@@ -10,6 +10,7 @@
 //! into the fundamental component, and keeps g (cos τ − d), which is small.
 
 use crate::contact::dominant::{DominantParts, DominantSums, Partner};
+use crate::contact::quadrature::{InPhase, Quadratures};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
 use crate::number::complex::{self, Complex};
@@ -221,18 +222,35 @@ impl<S: Scalar> Chain<S> {
         friction: &Friction<S>,
         inverse_r: S,
     ) -> Fundamental<S> {
+        self.fundamental_loaded(shape, (modes, InPhase), at, contact, friction, inverse_r)
+    }
+
+    /// Returns the fundamental component as [`fundamental`](Self::fundamental) does, with loads in quadrature.
+    pub fn fundamental_loaded(
+        &self,
+        shape: &[S],
+        (modes, quadratures): (&[Mode<S>], impl Quadratures<S>),
+        at: &[ModeAt<S>],
+        contact: &ContactAt<S>,
+        friction: &Friction<S>,
+        inverse_r: S,
+    ) -> Fundamental<S> {
         let known = modes.iter().zip(at.iter().copied());
-        let sums = self.dominant_sums(known.clone(), Partner::U, contact, inverse_r);
+        let loaded = (known.clone(), quadratures);
+        let sums = self.dominant_sums(loaded, Partner::U, contact, inverse_r);
         let known = shape.iter().zip(known).enumerate();
         let parts = known.map(|(index, (component, (mode, at)))| (index, *component, mode, at));
-        self.fundamental_of(parts, &sums, contact, friction)
+        self.fundamental_of((parts, quadratures), &sums, contact, friction)
     }
 
     /// Returns the fundamental component of a mass's motion, summed over the given modes. Each entry of `parts` is the
     /// index of a mode, the component of the mass in the mode shape, the constants of the mode, and its functions at r.
     pub(crate) fn fundamental_of<'a>(
         &self,
-        parts: impl Iterator<Item = (usize, S, &'a Mode<S>, ModeAt<S>)>,
+        (parts, quadratures): (
+            impl Iterator<Item = (usize, S, &'a Mode<S>, ModeAt<S>)>,
+            impl Quadratures<S>,
+        ),
         sums: &DominantSums<S>,
         contact: &ContactAt<S>,
         friction: &Friction<S>,
@@ -243,7 +261,7 @@ impl<S: Scalar> Chain<S> {
         let (mut driven, mut rubbed) = (DominantParts::zero(), DominantParts::zero());
         let mut damped_back = S::constant(0.0);
         for (index, component, mode, at) in parts {
-            let free = complex::scale(at.response, component * mode.load);
+            let free = mode.driven(&at, component, quadratures.of(index));
             let free = named(free, ["driven_re", "driven_im"], Some(index));
             driven = driven.with(self, sums, index, free);
             let residue = component * mode.contact;
@@ -333,11 +351,24 @@ impl<S: Scalar> Chain<S> {
         contact: &ContactAt<S>,
         inverse_r: S,
     ) -> Complex<S> {
+        self.stuck_loaded(shape, (modes, InPhase), at, contact, inverse_r)
+    }
+
+    /// Returns the complex amplitude as [`stuck`](Self::stuck) does, with loads in quadrature.
+    pub fn stuck_loaded(
+        &self,
+        shape: &[S],
+        (modes, quadratures): (&[Mode<S>], impl Quadratures<S>),
+        at: &[ModeAt<S>],
+        contact: &ContactAt<S>,
+        inverse_r: S,
+    ) -> Complex<S> {
         let known = modes.iter().zip(at.iter().copied());
-        let sums = self.dominant_sums(known.clone(), Partner::H, contact, inverse_r);
+        let loaded = (known.clone(), quadratures);
+        let sums = self.dominant_sums(loaded, Partner::H, contact, inverse_r);
         let (mut driven, mut rubbed) = (DominantParts::zero(), DominantParts::zero());
         for (index, (component, (mode, at))) in shape.iter().zip(known).enumerate() {
-            let free = complex::scale(at.response, *component * mode.load);
+            let free = mode.driven(&at, *component, quadratures.of(index));
             let free = named(free, ["driven_re", "driven_im"], Some(index));
             driven = driven.with(self, &sums, index, free);
             let back = complex::scale(at.response, -(*component * mode.contact));

@@ -57,8 +57,14 @@ fn fundamental_and_waves<T: Scene>(
     let numbers = at.scene.numbers();
     let chain = numbers.chain;
     let (contact, modes) = (&at.contact, at.modes.as_ref());
-    let fundamental =
-        chain.fundamental(shape, numbers.modes, modes, contact, friction, at.inverse_r);
+    let (inverse_r, quadratures) = (at.inverse_r, at.scene.quadratures());
+    // A scene without loads in quadrature has the formulas without them.
+    let fundamental = if quadratures.is_empty() {
+        chain.fundamental(shape, numbers.modes, modes, contact, friction, inverse_r)
+    } else {
+        let loaded = (numbers.modes, quadratures);
+        chain.fundamental_loaded(shape, loaded, modes, contact, friction, inverse_r)
+    };
     let mut waves = at.scene.idle();
     let modes = numbers.modes.iter().zip(modes).zip(shape);
     for (wave, ((mode, functions), component)) in waves.as_mut().iter_mut().zip(modes) {

@@ -30,6 +30,13 @@ pub trait Scene: Clone {
     /// nothing for this mass.
     fn shape(&self, mass: usize) -> Option<&[Self::Scalar]>;
 
+    /// Returns the loads in quadrature with the motion of the base, as [`Quadratures`](crate::contact::quadrature) takes
+    /// them. The list is empty unless damping acts on velocities relative to the moving base.
+    #[inline]
+    fn quadratures(&self) -> &[[Self::Scalar; 2]] {
+        &[]
+    }
+
     /// Returns true if the scene provides the motion of a mass. The result counts only for a mass that `shape` knows.
     #[inline]
     fn moves(&self, mass: usize) -> bool {

@@ -42,7 +42,9 @@ impl<T: Scene> At<T> {
     ) -> Result<(), OutOfDomain> {
         regime::check_rooms(rs.len(), continuous.len(), sliding.len())?;
         let numbers = scene.numbers();
-        let Some(kind) = numbers.chain.kind_of_several(numbers.modes) else {
+        let several = scene.quadratures().is_empty();
+        let kind = several.then(|| numbers.chain.kind_of_several(numbers.modes));
+        let Some(kind) = kind.flatten() else {
             return Self::in_turn(scene, rs, continuous, sliding);
         };
         let is_one = numbers.chain.sliding_limit_is_one(numbers.modes);

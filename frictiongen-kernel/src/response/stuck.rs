@@ -19,7 +19,14 @@ pub trait ProvidesStuck: Scene {
         let numbers = at.scene.numbers();
         let (shape, chain) = (at.scene.shape(mass)?, numbers.chain);
         let (contact, modes) = (&at.contact, at.modes.as_ref());
-        Some(chain.stuck(shape, numbers.modes, modes, contact, at.inverse_r))
+        let quadratures = at.scene.quadratures();
+        // A scene without loads in quadrature has the formula without them.
+        Some(if quadratures.is_empty() {
+            chain.stuck(shape, numbers.modes, modes, contact, at.inverse_r)
+        } else {
+            let loaded = (numbers.modes, quadratures);
+            chain.stuck_loaded(shape, loaded, modes, contact, at.inverse_r)
+        })
     }
 }
 

@@ -9,7 +9,10 @@ use crate::number::scalar::Float;
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// Advances the modes and the contact through the whole sub-interval.
     pub(super) fn advance(&mut self) {
-        if self.status.level.is_zero() {
+        if self.scene.damped_from_base() {
+            self.account_base();
+        }
+        if self.status.level < S::constant(0.0) {
             return self.advance_without_friction();
         }
         self.advance_by_tables(self.driven());
@@ -41,6 +44,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
 
     /// Advances the modes from index `first` on over the whole sub-interval.  Friction does not act on these modes.
     fn advance_by_tables(&mut self, first: usize) {
+        if self.scene.damped_from_base() {
+            self.account_reaction(first..self.store.modes.len(), S::constant(0.0));
+        }
         for index in first..self.store.modes.len() {
             let Some(step) = self.table.modes.get(index) else {
                 continue;

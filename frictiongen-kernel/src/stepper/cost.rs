@@ -20,8 +20,9 @@ pub struct Extent {
     pub parts: u64,
     /// True if the contact rubs on a moving base.
     pub on_moving_base: bool,
-    /// True if the friction law has several straight lines.  A second search then looks for the end of the current
-    /// line.
+    /// True if damping acts relative to the moving base.
+    pub damped_from_base: bool,
+    /// True if the friction law has more lines than the last one.  A second walk then looks for the end of each line.
     pub lines: bool,
 }
 
@@ -96,8 +97,14 @@ impl Extent {
         } else {
             sliding
         };
-        // The constants include the inputs, the base and the work.
-        (modes - driven) * mode + contact + 80 + 6 * inputs * d
+        // The work of the damping load takes every mode once more.
+        let reaction = if self.damped_from_base {
+            modes * (mode + 10) + 2 * d * d + 80
+        } else {
+            0
+        };
+        // Inputs, base and work are counted in the constants.
+        (modes - driven) * mode + contact + 80 + 6 * inputs * d + reaction
     }
 
     /// Returns the cost of the force in the sticking contact without the stuck chain's modes.  Includes the work of the
@@ -130,7 +137,8 @@ impl Extent {
         let base = if self.on_moving_base { 8 } else { 0 };
         let series = terms * (driven * (16 + base) + 14) + d * driven * 4 * inputs;
         // The moments advance the oscillators.  The inputs' polynomials are shifted to the end of the piece.
-        let moved = driven * (terms * (14 + 7 * d) + (8 * inputs + 9) * d + 12);
+        let reaction = if self.damped_from_base { 4 * d + 2 } else { 0 };
+        let moved = driven * (terms * (14 + 7 * d) + (8 * inputs + 9) * d + 12 + reaction);
         let rest = 4 * terms + (inputs + 1) * d * d + 60;
         let on_base = if self.on_moving_base { 50 + 20 * d } else { 0 };
         // The last term, 8 · terms, is the cost of the bound on the third derivative.
@@ -162,6 +170,7 @@ mod tests {
         terms: 5,
         parts: 1,
         on_moving_base: true,
+        damped_from_base: false,
         lines: false,
     };
 
@@ -177,6 +186,10 @@ mod tests {
                 ..TWO
             },
             Extent { inputs: 2, ..TWO },
+            Extent {
+                damped_from_base: true,
+                ..TWO
+            },
             Extent { terms: 6, ..TWO },
             Extent { parts: 2, ..TWO },
             Extent { lines: true, ..TWO },

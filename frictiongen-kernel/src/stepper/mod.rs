@@ -23,6 +23,7 @@ mod interval;
 mod law;
 mod now;
 mod pace;
+mod reaction;
 mod rigid;
 mod rows;
 mod run;

@@ -1,7 +1,7 @@
 //! Advances a stepper from sample to sample.
 
 use super::Input;
-use super::drive::{Sample, SubInterval, base_motion};
+use super::drive::{Sample, SubInterval, base_motion, derived};
 use super::interval::StepInterval;
 use super::law::StepContact;
 use super::scene::StepScene;
@@ -111,8 +111,8 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
     }
 
     fn keep_sample(&mut self, sample: &Sample<'_, S>) {
-        let moving = usize::from(self.scene.on_base);
         let store = self.store.change();
+        let moving = store.last.len().saturating_sub(sample.forces.len());
         let last = store.last.iter_mut().skip(moving);
         for (last, force) in last.zip(sample.forces) {
             *last = *force / self.scene.units.stiffness;
@@ -270,6 +270,15 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         if on_base && let Some((drive, _)) = channels.next() {
             for (term, from) in drive.iter_mut().zip(base) {
                 *term = from;
+            }
+        }
+        // The velocity of the base is an input of its own if damping acts relative to the base.
+        if sample.forces.len() < channels.len()
+            && let Some((drive, _)) = channels.next()
+        {
+            let inverse = S::constant(1.0) / self.tables.view().pace.span;
+            for (term, rate) in drive.iter_mut().zip(derived(base)) {
+                *term = rate * inverse;
             }
         }
         for ((drive, last), force) in channels.zip(sample.forces) {

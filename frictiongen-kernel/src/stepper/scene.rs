@@ -40,7 +40,39 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
     /// Returns the number of inputs: the base's motion if the base moves, and a force for each loaded mass.
     #[must_use]
     pub fn channels(&self) -> usize {
-        usize::from(self.on_base) + self.forces.len()
+        usize::from(self.on_base) + usize::from(self.damped_from_base()) + self.forces.len()
+    }
+
+    /// Returns true if damping acts on velocities relative to the moving base, whose velocity is then an input.
+    pub(super) fn damped_from_base(&self) -> bool {
+        self.on_base && !self.dynamics.quadratures().is_empty()
+    }
+
+    /// Returns true if an input is the velocity of the base.
+    pub(super) fn is_base_velocity(&self, channel: usize) -> bool {
+        channel == 1 && self.damped_from_base()
+    }
+
+    /// Load of a mode per unit velocity of the base in the time t√(k₁/m₁), 2ζ√λΓ.
+    pub(super) fn drag(&self, mode: usize) -> S {
+        let zero = S::constant(0.0);
+        let loads = self.dynamics.quadratures().get(mode);
+        let mode = loads.zip(self.dynamics.modes.get(mode));
+        mode.map_or(zero, |([load, _], mode)| *load / mode.resonance)
+    }
+
+    /// 1ᵀC̄1: force on the base per unit of its velocity in the time t√(k₁/m₁), if all masses are at rest.
+    pub(super) fn base_drag(&self) -> S {
+        let (zero, two) = (S::constant(0.0), S::constant(2.0));
+        let modes = self.dynamics.modes.iter().enumerate();
+        modes.fold(zero, |sum, (index, mode)| {
+            let drag = self.drag(index);
+            if drag.is_zero() {
+                return sum;
+            }
+            // 2ζ√λΓ² by the square of 2ζ√λΓ.
+            sum + drag * drag / (two * mode.zeta * mode.resonance)
+        })
     }
 
     /// Returns the angle by which the fastest oscillator turns in a second, including its damping, in rad.  A step dt
@@ -99,6 +131,7 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
             terms: count(self.terms(terms)),
             parts: u64::from(parts),
             on_moving_base: self.rubs_on_base(),
+            damped_from_base: self.damped_from_base(),
             lines: !self.law.is_empty(),
         })
     }
@@ -110,7 +143,10 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
             let mode = self.dynamics.modes.get(mode);
             return mode.map_or(zero, |mode| mode.load);
         }
-        let place = channel.wrapping_sub(usize::from(self.on_base));
+        if self.is_base_velocity(channel) {
+            return self.drag(mode);
+        }
+        let place = channel.wrapping_sub(self.channels() - self.forces.len());
         let mass = self.forces.get(place).copied();
         let shape = mass.map_or(&[][..], |mass| self.dynamics.shape(mass));
         shape.get(mode).copied().unwrap_or(zero)

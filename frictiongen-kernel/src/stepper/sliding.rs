@@ -100,6 +100,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         } else {
             zero
         };
+        if self.scene.damped_from_base() {
+            self.account_reaction(0..self.driven(), force);
+        }
         self.take_modes();
         self.account(work - force * carried, force * (moved - carried));
         true
@@ -250,6 +253,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     pub(super) fn move_modes(&mut self, velocity: &Power<S>, [level, slope]: [S; 2], tau: S) {
         let zero = S::constant(0.0);
         let mut work = zero;
+        let reacts = self.scene.damped_from_base();
         for index in 0..self.driven() {
             let load = self.load(index);
             let (Some(step), Some(state)) =
@@ -272,7 +276,10 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             let first = |rows: &[S; D]| rows.first().copied().unwrap_or(zero);
             *state = [y + first(&rises), u + first(&turns)];
             let done = load.iter().zip(&rises);
-            let done = done.fold(zero, |sum, (term, moment)| sum + *term * *moment);
+            let mut done = done.fold(zero, |sum, (term, moment)| sum + *term * *moment);
+            if reacts {
+                done = done - self.reaction(index, &rises);
+            }
             work = work + done / step.per_force;
         }
         let used = velocity.used();

@@ -16,7 +16,8 @@ const BELOW_ROUNDING: f64 = 16.0;
 pub struct HeldLoad<S> {
     /// Rates of y and u of the mode per unit of the input.
     pub drive: [S; 2],
-    /// Displacement of the input's point of action per unit of y, and per unit of u.
+    /// Displacement of the input's point of action per unit of y, and per unit of u, for the work of the input.  It has
+    /// the opposite sign for the velocity of the base, because damping relative to the base reacts on the base.
     pub reach: [S; 2],
 }
 
@@ -25,7 +26,8 @@ pub struct HeldLoad<S> {
 pub struct Channel<S> {
     /// wᵀΓ⁻¹p, the contact's acceleration per unit of the input.
     pub residue: S,
-    /// Displacement of the input's point of action per unit of displacement of the sticking contact.
+    /// Displacement of the input's point of action per unit of displacement of the sticking contact, with the sign of
+    /// [`HeldLoad::reach`].
     pub lift: S,
 }
 
@@ -192,6 +194,9 @@ pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
             entry.residue = entry.residue + mode.contact * load;
             entry.lift = entry.lift + load * lift(mode, pace.receptance);
         }
+        if scene.is_base_velocity(channel) {
+            entry.lift = -entry.lift;
+        }
     }
     let mut entries = held_loads.iter_mut();
     for (entry, (mode, participations)) in held.iter_mut().zip(dynamics.held_modes()) {
@@ -204,6 +209,9 @@ pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
                 reach = [reach[0] + *g * of, reach[1] + *h * of];
             }
             let (first, second) = mode.state(reach[0], reach[1]);
+            if scene.is_base_velocity(channel) {
+                reach = reach.map(|reach| -reach);
+            }
             *load = HeldLoad {
                 drive: [first * pace.span, second * pace.span],
                 reach,

@@ -51,6 +51,8 @@ pub enum TableError {
         /// The frequency ratio r at which no table meets the accuracy.
         at: f64,
     },
+    /// Damping acts on velocities relative to the moving base. Tables do not have the load that it adds.
+    DampedFromBase,
     /// Even the coarsest accuracy does not fit into the allowed bytes.
     TooFewBytes {
         /// The allowed number of bytes.
@@ -70,6 +72,9 @@ impl fmt::Display for TableError {
             Self::Accuracy { value, finest } => write!(
                 f,
                 "an accuracy must be between {finest:?} and 0.1, not {value:?}"
+            ),
+            Self::DampedFromBase => f.write_str(
+                "tables are not possible with `damping_from: base`; use the exact formulas, or `damping_from: rest`",
             ),
             Self::NotMet {
                 accuracy,

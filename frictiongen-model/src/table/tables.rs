@@ -89,6 +89,15 @@ fn one_digit(value: f64) -> f64 {
     format!("{value:.0e}").parse().unwrap_or(value)
 }
 
+/// Fails if damping acts on velocities relative to the moving base. The products over zeros and poles lack its load.
+fn check_damping(modal: &Modal) -> Result<(), TableError> {
+    if modal.participations.is_empty() {
+        Ok(())
+    } else {
+        Err(TableError::DampedFromBase)
+    }
+}
+
 impl<S: Float> Tables<S> {
     /// Builds the tables of a scene for a request.
     ///
@@ -96,6 +105,7 @@ impl<S: Float> Tables<S> {
     /// Returns every [`TableError`] except `TooFewBytes`.
     pub fn build(modal: &Modal, request: Request) -> Result<Self, TableError> {
         request.check::<S>()?;
+        check_damping(modal)?;
         let mut exact = Exact::new(modal);
         let tables = Self::built(&mut exact, request).map_err(|error| match error {
             TableError::NotMet { at, accuracy, .. } => TableError::NotMet {
@@ -185,6 +195,7 @@ impl<S: Float> Tables<S> {
             ..request
         };
         coarsest.check::<S>()?;
+        check_damping(modal)?;
         let mut exact = Exact::new(modal);
         // The responses with the contact stuck get a limited share, because their exact formulas need no search.
         let held = Self::held_of(modal, &request);

@@ -58,6 +58,7 @@ pub struct Transient<S> {
     /// Mode shapes φ: for each mass in turn, the mass's component in each mode.
     pub shapes: Vec<S>,
     /// Weights φᵀΓ of the masses, for each mode in turn. They turn displacements of the masses into modal coordinates.
+    /// Where damping acts relative to the moving base, the loads in quadrature follow, two numbers for each mode.
     pub weights: Vec<S>,
     /// Held modes, which are the modes of the chain with its contact stuck.
     pub held: Vec<HeldMode<S>>,
@@ -105,6 +106,14 @@ impl<S: Scalar> Transient<S> {
         for mode in plain {
             let products = mode.shape.iter().zip(&gamma);
             weights.extend(products.map(|(component, gamma)| to(*component * *gamma)));
+        }
+        if !modal.participations.is_empty() {
+            let quadratures = plain.iter().flat_map(|mode| {
+                let [participation, wall] = mode.base;
+                let oscillator = (mode.resonance, mode.zeta);
+                reduced::quadrature(oscillator, mode.contact, (participation, wall), &to)
+            });
+            weights.extend(quadratures);
         }
         let modes = plain
             .iter()

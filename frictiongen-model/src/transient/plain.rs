@@ -20,6 +20,8 @@ pub(super) struct Plain<T> {
     pub zeta: T,
     pub load: T,
     pub contact: T,
+    /// Participation factor Γ, and the force on the mode from the springs to the wall if all masses move by 1.
+    pub base: [T; 2],
     pub shape: Vec<T>,
 }
 
@@ -58,6 +60,7 @@ pub(super) fn plain_modes<T: Float>(modal: &Modal<T>) -> Vec<Plain<T>> {
             zeta: pick(&modal.damping_ratios, i),
             load: pick(&modal.loads, i),
             contact: pick(&modal.contacts, i),
+            base: [pick(&modal.participations, i), pick(&modal.walls, i)],
             shape: shape.clone(),
         })
         .collect()
@@ -96,6 +99,9 @@ pub(super) fn turned<T: Float>(modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
                 (*a, *b) = (clean(first), clean(second));
             };
             mix(&mut twin.load, &mut mode.load);
+            for (a, b) in twin.base.iter_mut().zip(&mut mode.base) {
+                mix(a, b);
+            }
             for (a, b) in twin.shape.iter_mut().zip(&mut mode.shape) {
                 mix(a, b);
             }

@@ -22,6 +22,7 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
         },
         excitation: Excitation::Force(masses.len() - 1),
         damping,
+        damping_from: Default::default(),
         stiction: 1.0,
         precision: Precision::F64,
         provide: Vec::new(),

@@ -96,6 +96,10 @@ scene_errors! {
         "a damping list needs one ratio for each mode, here {masses}, not {found}; write `modal(0.01)` for the same ratio in every mode",
     DampingNegative { what: String, value: f64 } =>
         "{what} is {value:?}: negative damping would feed energy in; write zero or more",
+    NoMovingBase { load: String } =>
+        "`damping_from: base` needs a base that moves, but here a force acts on `{load}` and the base is at rest; write `excitation: base`, or leave `damping_from` out",
+    NoTablesFromBase { tables: String } =>
+        "tables are not possible with `damping_from: base`; leave `{tables}` and its range out, so that the exact formulas are emitted, or write `damping_from: rest`",
     StictionBelowOne { value: f64 } =>
         "the stiction μ is {value:?}, but static friction is never smaller than kinetic; write 1 or more",
     NothingProvided {} =>

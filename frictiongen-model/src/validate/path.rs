@@ -29,6 +29,8 @@ pub enum Path {
     Excitation,
     /// The damping as a whole (`None`), or the damping number with this index.
     Damping(Option<usize>),
+    /// The velocities on which the damping acts.
+    DampingFrom,
     /// The ratio μ of static to kinetic friction.
     Stiction,
     /// The list `provide` as a whole (`None`), or the item with this index.

@@ -6,7 +6,8 @@ use super::checks::{Checks, LARGEST, check_node};
 use super::error::SceneError;
 use super::path::Path;
 use crate::scene::{
-    Accuracy, Beyond, Damping, Node, Precision, Provide, Proving, Range, Scene, Side,
+    Accuracy, Beyond, Damping, DampingFrom, Excitation, Node, Precision, Provide, Proving, Range,
+    Scene, Side,
 };
 use crate::table::{COARSEST, FINEST, FINEST_PROVEN, FINEST_SINGLE};
 
@@ -16,6 +17,7 @@ const MOST_BYTES: f64 = (1_u64 << 40) as f64;
 /// Reports errors in all items except masses, springs, contact and excitation.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     check_damping(scene, checks, errors);
+    check_damping_from(scene, checks, errors);
     check_stiction(scene.stiction, errors);
     check_provide(scene, errors);
     check_declared(scene, errors);
@@ -45,6 +47,26 @@ fn check_damping(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
             check_coefficient(*mass, 0, "the factor of the mass matrix", errors);
             check_coefficient(*stiffness, 1, "the factor of the stiffness matrix", errors);
         }
+    }
+}
+
+/// Reports `damping_from: base` where no base moves, and where tables were asked for.
+fn check_damping_from(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
+    let path = Path::DampingFrom;
+    if scene.damping_from != DampingFrom::Base || !checks.excitation {
+        return;
+    }
+    if let Excitation::Force(mass) = scene.excitation {
+        let load = scene.node_name(Node::Mass(mass)).to_owned();
+        errors.push(SceneError::NoMovingBase { path, load });
+    } else if scene.is_damped_from_base() && scene.declared.is_tabled() {
+        let tables = if scene.declared.budget.is_some() {
+            "budget"
+        } else {
+            "accuracy"
+        };
+        let tables = tables.to_owned();
+        errors.push(SceneError::NoTablesFromBase { path, tables });
     }
 }
 

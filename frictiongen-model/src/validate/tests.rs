@@ -37,6 +37,7 @@ fn chain(count: usize) -> Scene {
         },
         excitation: Excitation::Force(0),
         damping: Damping::None,
+        damping_from: Default::default(),
         stiction: 1.0,
         precision: Precision::F64,
         provide: vec![Provide::Limits],

@@ -51,6 +51,7 @@ impl Places<'_> {
             Path::ContactTo => fields.contact.given().map(|contact| contact.to.place),
             Path::Excitation => fields.excitation.given().map(|name| name.place),
             Path::Damping(index) => self.damping(index),
+            Path::DampingFrom => fields.damping_from.given().map(|choice| choice.place),
             Path::Stiction => fields.stiction.given().map(|number| number.place),
             Path::Provide(None) => fields.provide.given().map(|provide| provide.place),
             Path::Provide(Some(index)) => self.provide.get(index).map(|entry| entry.place),

@@ -35,6 +35,7 @@ pub(super) fn resolve<'s>(
     let contact = lowering.contact(fields);
     let excitation = lowering.excitation(fields);
     let damping = lowering.damping(fields);
+    let damping_from = fields.damping_from.given().map(|choice| choice.value);
     let stiction = match fields.stiction.given() {
         Some(number) => lowering.number(*number, Path::Stiction),
         None => 1.0,
@@ -54,6 +55,7 @@ pub(super) fn resolve<'s>(
         contact,
         excitation,
         damping,
+        damping_from: damping_from.unwrap_or_default(),
         stiction,
         precision: fields.scalar.given().copied().unwrap_or_default(),
         provide,

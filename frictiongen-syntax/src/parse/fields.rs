@@ -21,6 +21,7 @@ enum Field {
     Contact,
     Excitation,
     Damping,
+    DampingFrom,
     Stiction,
     Scalar,
     Provide,
@@ -37,12 +38,13 @@ enum Field {
     Crate,
 }
 
-const FIELDS: [(&str, Field); 19] = [
+const FIELDS: [(&str, Field); 20] = [
     ("masses", Field::Masses),
     ("springs", Field::Springs),
     ("contact", Field::Contact),
     ("excitation", Field::Excitation),
     ("damping", Field::Damping),
+    ("damping_from", Field::DampingFrom),
     ("stiction", Field::Stiction),
     ("scalar", Field::Scalar),
     ("provide", Field::Provide),
@@ -127,6 +129,13 @@ fn field(
             chain::excitation,
         ),
         Field::Damping => store(&mut fields.damping, &word, reader, problems, forms::damping),
+        Field::DampingFrom => store(
+            &mut fields.damping_from,
+            &word,
+            reader,
+            problems,
+            forms::damping_from,
+        ),
         Field::Stiction => store(
             &mut fields.stiction,
             &word,

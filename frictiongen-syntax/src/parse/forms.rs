@@ -1,11 +1,13 @@
 //! Parses the fields for damping and for the items to provide.
 
+use super::declared::choice;
 use super::number::{Number, hundredth, number};
 use super::reader::{Inside, List, Name, Read, Reader};
 use super::suggest;
-use super::syntax::{DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind};
+use super::syntax::{Choice, DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind};
 use super::token::{Delimiter, Kind, Token};
 use crate::diagnostics::{Place, Problems, Reported};
+use frictiongen_model::scene::DampingFrom;
 
 const DAMPING: [&str; 3] = ["none", "modal", "rayleigh"];
 /// The items that a scene can provide.
@@ -17,6 +19,15 @@ const PROVIDE: [&str; 6] = [
     "simulation",
     "stepper",
 ];
+
+/// Parses `rest` or `base`.
+pub(crate) fn damping_from(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+) -> Read<Choice<DampingFrom>> {
+    let choices = [("rest", DampingFrom::Rest), ("base", DampingFrom::Base)];
+    choice(reader, problems, "damping_from", choices)
+}
 
 /// Parses `none`, `modal(ζ)`, `modal[ζ₁, …]` or `rayleigh(a, b)`.
 pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<DampingEntry> {

@@ -1,6 +1,6 @@
 //! Defines the syntax tree: the written words with their positions. Names are not resolved yet.
 
-use frictiongen_model::scene::{Beyond, Precision, Proving, Side, StepInput};
+use frictiongen_model::scene::{Beyond, DampingFrom, Precision, Proving, Side, StepInput};
 
 use super::header::{Attribute, Visibility};
 use super::number::Number;
@@ -163,6 +163,7 @@ pub(crate) struct Fields {
     pub(crate) contact: Slot<ContactEntry>,
     pub(crate) excitation: Slot<Name>,
     pub(crate) damping: Slot<DampingEntry>,
+    pub(crate) damping_from: Slot<Choice<DampingFrom>>,
     pub(crate) stiction: Slot<Number>,
     pub(crate) scalar: Slot<Precision>,
     pub(crate) provide: Slot<Placed<ProvideEntry>>,

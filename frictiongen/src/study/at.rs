@@ -50,8 +50,16 @@ impl<S: Float> Scene for &System<S> {
         Some(self.reduced.shape(mass)).filter(|shape| !shape.is_empty())
     }
 
+    fn quadratures(&self) -> &[[S; 2]] {
+        &self.reduced.quadratures
+    }
+
     fn frequency_stage(&self, inverse_r: S) -> (ContactAt<S>, Few<ModeAt<S>>) {
         let Reduced { chain, modes, .. } = &self.reduced;
+        if !self.reduced.quadratures.is_empty() {
+            let (contact, at) = (&self.reduced).frequency_stage(inverse_r);
+            return (contact, Few::Many(at));
+        }
         match modes.as_slice() {
             modes @ [_] => {
                 let mut one = [ModeAt::zero(); 1];

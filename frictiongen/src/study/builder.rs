@@ -4,8 +4,8 @@ use super::error::InvalidScene;
 use super::system::System;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{
-    Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
-    Spring, StepInput, Stepping,
+    Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Mass, Node, Precision,
+    Provide, Scene, Spring, StepInput, Stepping,
 };
 use frictiongen_model::validate::{Checks, validate_known};
 
@@ -38,6 +38,7 @@ pub struct Builder {
     contact: Option<(String, String)>,
     excitation: Option<String>,
     damping: Damping,
+    damping_from: DampingFrom,
     stiction: f64,
     friction: FrictionLaw,
     step: Option<f64>,
@@ -55,6 +56,7 @@ impl System {
             contact: None,
             excitation: None,
             damping: Damping::None,
+            damping_from: DampingFrom::Rest,
             stiction: 1.0,
             friction: FrictionLaw::Coulomb,
             step: None,
@@ -102,6 +104,13 @@ impl Builder {
     /// Sets the damping of the modes. The default is no damping.
     pub fn damping(mut self, damping: Damping) -> Self {
         self.damping = damping;
+        self
+    }
+
+    /// Sets the velocities on which the damping acts where the base moves: absolute ones, which is the default, or those
+    /// relative to the base.
+    pub fn damping_from(mut self, damping_from: DampingFrom) -> Self {
+        self.damping_from = damping_from;
         self
     }
 
@@ -259,6 +268,7 @@ impl Builder {
             contact,
             excitation,
             damping: self.damping,
+            damping_from: self.damping_from,
             stiction: self.stiction,
             precision: Precision::F64,
             provide,

@@ -192,6 +192,9 @@ impl<'a, S: Float> Scene for &'a CompiledSystem<'_, S> {
     fn shape(&self, mass: usize) -> Option<&[S]> {
         Some(self.system.reduced.shape(mass)).filter(|shape| !shape.is_empty())
     }
+    fn quadratures(&self) -> &[[S; 2]] {
+        &self.system.reduced.quadratures
+    }
     fn frequency_stage(&self, inverse_r: S) -> (ContactAt<S>, Self::Modes) {
         self.system.frequency_stage(inverse_r)
     }

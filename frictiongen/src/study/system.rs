@@ -112,7 +112,9 @@ impl<S: Float> System<S> {
         let range = (&reduced).inverse_ratio_range();
         // A scalar with derivatives may differentiate with respect to μ. β*_lim is then not the constant 1.
         let chain = &reduced.chain;
-        let sliding_limit_is_one = !S::CARRIES && chain.sliding_limit_is_one(&reduced.modes);
+        let in_phase = reduced.quadratures.is_empty();
+        let sliding_limit_is_one =
+            !S::CARRIES && in_phase && chain.sliding_limit_is_one(&reduced.modes);
         Self {
             scene,
             modal,

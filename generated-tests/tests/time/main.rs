@@ -1,5 +1,6 @@
 //! Tests of motion in time: the real-time stepper, and friction laws that depend on the speed.
 
+mod from_base;
 mod step_readings;
 mod stepper;
 mod stribeck;

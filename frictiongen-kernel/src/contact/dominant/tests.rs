@@ -4,6 +4,7 @@
 //! so that no test of the results would detect the error.
 
 use super::{DominantSums, Partner, Terms, Which};
+use crate::contact::quadrature::InPhase;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::complex::Complex;
 use crate::oscillator::mode::{Kind, Mode};
@@ -60,7 +61,7 @@ fn taken(terms: [f64; 3], on_moving_base: Option<f64>) -> Option<usize> {
     }
     let modes = modes.iter().map(|(mode, at)| (mode, *at));
     let all = contact(Complex::new(terms.iter().sum(), 0.0));
-    let sums = chain(on_moving_base).dominant_sums(modes, Partner::U, &all, 1.0);
+    let sums = chain(on_moving_base).dominant_sums((modes, InPhase), Partner::U, &all, 1.0);
     match sums.which {
         Which::Numbered(number) if number >= 0.0 => Some(number as usize),
         _ => None,

@@ -43,10 +43,12 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         // The load on each mode is reduced by the inertia and damping of the motion that the base imposes on the stuck
         // contact.
         let mut sums = [Complex::new(zero, zero); 2];
-        for (driven, participation) in self.driven().iter().zip(participations) {
+        let modes = self.driven().iter().zip(participations).enumerate();
+        for (index, (driven, participation)) in modes {
+            let load = self.load(index, r);
             let lift = base * lift(driven, receptance);
-            let re = driven.load + lift * r * r;
-            let im = -(lift * two * driven.zeta * driven.resonance * r);
+            let re = load.re + lift * r * r;
+            let im = load.im - lift * two * driven.zeta * driven.resonance * r;
             for (sum, participation) in sums.iter_mut().zip(participation) {
                 *sum = Complex::new(sum.re + *participation * re, sum.im + *participation * im);
             }

@@ -20,6 +20,9 @@ pub(super) struct ModeNumbers<T> {
     pub contact: T,
     /// Component φ of the requested mass, or φᵀw for the contact.
     pub shape: T,
+    /// Load in quadrature with the motion of the base, as the kernel takes it: 2ζλΓ and the share of the wall. Both are
+    /// 0 unless damping acts on velocities relative to the moving base.
+    pub quadrature: [T; 2],
 }
 
 /// The data of a chain and of one requested motion, in one number type.
@@ -36,6 +39,8 @@ pub(super) struct ChainNumbers<T> {
     /// True if the requested motion is the contact's. False for the motion of a mass.
     pub is_contact: bool,
     pub damped: bool,
+    /// True if damping acts on velocities relative to the moving base.
+    pub from_base: bool,
 }
 
 impl<T> ChainNumbers<T> {
@@ -59,6 +64,7 @@ impl<T> ChainNumbers<T> {
                 load: to(at(&modal.loads, index)),
                 contact: to(contact),
                 shape: to(shape),
+                quadrature: modal.quadrature(index, &to),
             }
         };
         Self {
@@ -68,6 +74,7 @@ impl<T> ChainNumbers<T> {
             stiction: to(modal.stiction),
             is_contact: mass.is_none(),
             damped: modal.is_damped(),
+            from_base: modal.is_damped() && !modal.participations.is_empty(),
         }
     }
 }
@@ -157,6 +164,12 @@ impl<T: Number> ChainNumbers<T> {
                     }
                 }
             };
+            if self.from_base && matches!(which, ModalSum::V | ModalSum::FreeOf) {
+                let term = self.loaded(mode, (which, share), x, [re, im]);
+                let outside = near.map_or(one, |near| near.gap);
+                sum = [sum[0] + term[0] * outside, sum[1] + term[1] * outside];
+                continue;
+            }
             // Next to the static motion the sum contains v − 1 = (1 − 2iζx)/d instead of v, so that nothing cancels
             // for large r.
             let [re, im] = match (which, self.on_base.is_some()) {
@@ -182,6 +195,33 @@ impl<T: Number> ChainNumbers<T> {
             sum[0] = sum[0] - one / (y * y) * gap;
         }
         sum
+    }
+
+    /// Returns the term of a mode in V or V_k, with its load in quadrature. `response` is 1/(x² − 1 + 2iζx).
+    fn loaded(
+        &self,
+        mode: &ModeNumbers<T>,
+        (which, share): (ModalSum<T>, T),
+        x: T,
+        response: [T; 2],
+    ) -> [T; 2] {
+        let ([re, im], [quadrature, wall]) = (response, mode.quadrature);
+        let (one, two) = (T::number(1.0), T::number(2.0));
+        let [in_phase, out_of_phase] = match (which, self.on_base.is_some()) {
+            (ModalSum::V, true) => {
+                let y = x / mode.resonance;
+                [
+                    share * (one / (x * x)),
+                    -(two * mode.zeta * x * wall / (y * y)),
+                ]
+            }
+            (ModalSum::V, false) => [share, mode.contact * quadrature / x],
+            _ => [share, mode.shape * quadrature / x],
+        };
+        [
+            in_phase * re - out_of_phase * im,
+            in_phase * im + out_of_phase * re,
+        ]
     }
 
     /// Returns the target function at y. With `near`, the function is multiplied by a power of y − p, whose exponent
@@ -289,9 +329,12 @@ impl Target<Dd> {
         let none =
             |share: fn(&ModeNumbers<Dd>) -> Dd| numbers.modes.iter().all(|m| share(m).is_zero());
         match self {
-            Self::Free if !numbers.is_contact => none(|mode| mode.shape * mode.load),
+            Self::Free if !numbers.is_contact => {
+                none(|mode| mode.shape * mode.load) && none(|mode| mode.shape * mode.quadrature[0])
+            }
             Self::Free | Self::FreeContact => {
                 none(|mode| mode.contact * mode.load)
+                    && none(|mode| mode.contact * mode.quadrature[0])
                     && numbers.on_base.is_none_or(|rest| rest.is_zero())
             }
             Self::Receptance | Self::Quadrature | Self::Estimate => {

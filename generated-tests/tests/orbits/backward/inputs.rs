@@ -149,6 +149,7 @@ fn each<A, B>(modal: &mut Modal<A>, other: &Modal<B>, mut visit: impl FnMut(&mut
     let single = [
         (&mut modal.inverse_mass, &other.inverse_mass),
         (&mut modal.inertial_load, &other.inertial_load),
+        (&mut modal.inertial_drag, &other.inertial_drag),
         (&mut modal.static_motion, &other.static_motion),
         (&mut modal.static_receptance, &other.static_receptance),
         (&mut modal.reference, &other.reference),
@@ -159,6 +160,8 @@ fn each<A, B>(modal: &mut Modal<A>, other: &Modal<B>, mut visit: impl FnMut(&mut
         (&mut modal.damping_ratios, &other.damping_ratios),
         (&mut modal.loads, &other.loads),
         (&mut modal.contacts, &other.contacts),
+        (&mut modal.participations, &other.participations),
+        (&mut modal.walls, &other.walls),
     ];
     let shapes = modal.shapes.iter_mut().zip(&other.shapes);
     let lists = lists.into_iter().chain(shapes);

@@ -2,7 +2,9 @@
 
 use crate::stepper::both::Both;
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, advance, begin, loaded, rig, scene};
-use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, WALL, WALL_BASE, sticky};
+use crate::stepper::scenes::{
+    BASE, ONE, ONE_ON_BASE, PAIR, PAIR_BASE, WALL, WALL_BASE, from_base, sticky,
+};
 use frictiongen_kernel::stepper::Input;
 use frictiongen_model::scene::{Excitation, Scene};
 use fuzzing::Random;
@@ -89,8 +91,25 @@ fn any_load() {
     }
 }
 
-/// The base jumps, with or without a velocity at each sample. With linear input the base's cubic bends within a step.
-/// With zero-order hold the base jumps while its contact may stay stuck.
+/// Damping relative to the moving base: contacts with the base, the wall and another mass, with springs to the wall or
+/// without, both kinds of input, and a kinetic friction force that depends on the speed.
+#[test]
+fn damping_from_the_base() {
+    let law: &[[f64; 2]] = &[[0.02, 0.7], [0.08, 0.5]];
+    for text in [BASE, ONE_ON_BASE, WALL_BASE, PAIR_BASE] {
+        for mu in [1.0, 1.3] {
+            let text = sticky(&from_base(text), mu);
+            for kind in [LINEAR, HOLD] {
+                compare(&text, kind, 2000, BAR);
+            }
+            let input = Input::Linear;
+            compare(&text, Kind { input, law }, 1000, BAR);
+        }
+    }
+}
+
+/// The base jumps, with a velocity at each sample or without one. With linear input its cubic bends within a step. With
+/// held input the base jumps away from its contact, which may stay stuck.
 #[test]
 fn jumping_base() {
     for text in [BASE, ONE_ON_BASE, WALL_BASE] {

@@ -4,7 +4,7 @@
 //! generated-tests --test time stepper:: -- --ignored`.
 
 mod bad_input;
-mod both;
+pub mod both;
 mod creep;
 mod energy;
 mod exact;
@@ -15,7 +15,7 @@ mod kinds;
 mod passive;
 pub mod plain;
 mod plain_itself;
-mod rig;
+pub mod rig;
 pub mod scenes;
 mod start;
 mod steady;

@@ -22,7 +22,18 @@ pub const WALL_BASE: &str = "struct WallBase { masses: { a: 1, b: 1 },
     springs: { base - a: 80, a - b: 70 },
     contact: b - wall, excitation: base, damping: modal(0.01) }";
 
-/// Returns the description with another μ.
+/// Returns the scene with damping that acts on velocities relative to the moving base.
+pub fn from_base(text: &str) -> String {
+    let body = text.trim_end().strip_suffix('}').expect("a scene");
+    format!("{body}, damping_from: base }}")
+}
+
+/// Two masses between a moving base and a wall, which rub on each other, with another damping ratio in each mode.
+pub const PAIR_BASE: &str = "struct PairBase { masses: { a: 1, b: 2 },
+    springs: { base - a: 10, a - b: 15, b - wall: 4 },
+    contact: b - a, excitation: base, damping: modal[0.08, 0.03] }";
+
+/// Returns the scene with another μ.
 pub fn sticky(text: &str, mu: f64) -> String {
     let body = text.trim_end().strip_suffix('}').expect("a scene");
     format!("{body}, stiction: {mu} }}")

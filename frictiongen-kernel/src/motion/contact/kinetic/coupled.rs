@@ -85,11 +85,15 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
             }
             let force = slope * sum + if place == 0 { level } else { zero };
             let inverse = one / order;
-            for (mode, part) in driven.iter().zip(&mut *modes) {
+            for (index, (mode, part)) in driven.iter().zip(&mut *modes).enumerate() {
                 let [y, u] = part.value;
                 let angle = part.x * stretch;
                 let per_force = stretch / (self.r * mode.resonance);
-                let drive = per_force * (mode.load * cosine - mode.contact * force);
+                let mut load = mode.load * cosine;
+                if !self.quadrature.vanishes() {
+                    load = load - self.dynamics.load(index, self.r).im * sine;
+                }
+                let drive = per_force * (load - mode.contact * force);
                 let rates = [angle * u, drive - angle * (y + two * part.zeta * u)];
                 part.value = rates.map(|rate| rate * inverse);
                 for (sum, term) in part.slope.iter_mut().zip(part.value) {

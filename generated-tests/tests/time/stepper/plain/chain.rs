@@ -1,6 +1,6 @@
 //! A scene as matrices, in SI units or the other units of its description.
 
-use frictiongen_model::scene::{Damping, Excitation, Node, Scene};
+use frictiongen_model::scene::{Damping, DampingFrom, Excitation, Node, Scene};
 use nalgebra::{DMatrix, DVector};
 
 /// The equations of motion Mẍ + Cẋ + Kx + w f = p(t) + k_base y(t), with z = wᵀx − s y. f is the contact force, and y
@@ -17,6 +17,8 @@ pub struct Chain {
     pub s: f64,
     /// Stiffness k_base of the springs from each mass to the base.
     pub to_base: DVector<f64>,
+    /// The vector e: 1 for each mass if damping acts on velocities relative to the moving base, otherwise 0.
+    pub carried: DVector<f64>,
     /// Inverse effective mass of the contact, wᵀM⁻¹w.
     pub inverse_mass: f64,
     /// Ratio of static to kinetic friction force.
@@ -84,6 +86,8 @@ impl Chain {
         let fastest = (0..n)
             .map(|mode| omega[mode] * (1.0 + 2.0 * zeta(mode)))
             .fold(0.0, f64::max);
+        let relative = base_moves && scene.damping_from == DampingFrom::Base;
+        let carried = DVector::from_element(n, f64::from(u8::from(relative)));
         let mut points = vec![[0.0, 1.0]];
         points.extend_from_slice(law);
         Self {
@@ -93,6 +97,7 @@ impl Chain {
             w,
             s,
             to_base,
+            carried,
             inverse_mass,
             mu: scene.stiction,
             law: points,

@@ -56,7 +56,7 @@ pub struct Work {
     pub load: f64,
     /// Work that goes into the contact, ∫ f ż.
     pub friction: f64,
-    /// Loss by damping, ∫ ẋᵀCẋ.
+    /// Loss by damping, ∫ (ẋ − e ẏ)ᵀC(ẋ − e ẏ).
     pub damping: f64,
     /// Work of the base through the contact, ∫ s f ẏ.
     pub carried: f64,
@@ -158,18 +158,26 @@ impl Plain {
 
     /// Advances the run by one step with this input.
     pub fn advance(&mut self, input: &Input, dt: f64) {
-        let radians = dt * self.chain.rate(input.friction);
-        let parts = (radians / PART).ceil().max(1.0);
-        self.order = order(radians / parts);
+        let [place, rate, ..] = input.base;
+        let [z, relative] = self.relative([place, rate]);
         // A jump of the base does not move the masses. A jump of the base's velocity may reverse the contact.
-        let [z, rate] = self.relative([input.base[0], input.base[1]]);
         self.held_at = z;
-        let jump = (input.base[1] - self.base_rate).abs();
-        let jumps = jump > 1e-9 * input.base[1].abs().max(self.base_rate_size);
+        let jump = (rate - self.base_rate).abs();
+        let jumps = jump > 1e-9 * rate.abs().max(self.base_rate_size);
         if self.chain.s != 0.0 && jumps {
-            self.slip = Slip::Slides(rate.signum(), self.piece(rate.abs()));
+            self.slip = Slip::Slides(relative.signum(), self.piece(relative.abs()));
         }
-        let rates = slope(&input.base);
+        let forces: Vec<Vec<f64>> = input.forces.iter().map(|force| force.to_vec()).collect();
+        self.advance_along(&input.base, &forces, input.friction, dt);
+    }
+
+    /// Advances the run over a time `dt` under polynomials of the base's displacement and of the forces, which continue
+    /// those before.
+    pub fn advance_along(&mut self, motion: &[f64], forces: &[Vec<f64>], friction: f64, dt: f64) {
+        let radians = dt * self.chain.rate(friction);
+        let parts = (radians / PART).ceil().max(1.0);
+        self.order = order(radians / parts).max(motion.len());
+        let rates = slope(motion);
         self.base_rate = value(&rates, dt);
         let terms = rates.iter().enumerate();
         self.base_rate_size = terms.fold(0.0, |size, (power, rate)| {
@@ -179,9 +187,9 @@ impl Plain {
             // The polynomials of the input are rewritten about the start of the sub-step.
             let from = dt * part as f64 / parts;
             let span = dt * (part + 1) as f64 / parts - from;
-            let base = shifted(&input.base, from);
-            let loads = input.forces.iter().map(|force| shifted(force, from));
-            self.part(base, loads.collect(), input.friction, span);
+            let base = shifted(motion, from);
+            let loads = forces.iter().map(|force| shifted(force, from));
+            self.part(base, loads.collect(), friction, span);
         }
     }
 
@@ -281,8 +289,9 @@ impl Plain {
                 loads.len(),
                 loads.iter().map(|load| load.get(k).copied().unwrap_or(0.0)),
             );
+            let moved = &x[k + 1] - &chain.carried * of_base(k + 1);
             let free = (load + &chain.to_base * of_base(k)
-                - &chain.c * &x[k + 1] * (k + 1) as f64
+                - &chain.c * moved * (k + 1) as f64
                 - &chain.k * &x[k])
                 .component_div(&chain.m);
             let f = match self.slip {

@@ -29,7 +29,8 @@ impl Plain {
                     self.work.load += weight * load * v[i];
                 }
                 self.work.friction += weight * force * relative;
-                self.work.damping += weight * (&self.chain.c * &v).dot(&v);
+                let moved = &v - &self.chain.carried * rate;
+                self.work.damping += weight * (&self.chain.c * &moved).dot(&moved);
                 self.work.carried += weight * self.chain.s * force * rate;
             }
         }

@@ -1,0 +1,62 @@
+//! Work of damping that acts relative to the moving base.
+//!
+//! The damping load C·1·ẏ on the masses has the opposite reaction on the base, and the base also feels 1ᵀC1·ẏ. The work
+//! of the base against both is 1ᵀC1∫ẏ²dt − ∫ẏ·1ᵀC·ẋ dt.  The sums over the inputs count ∫ẏ·1ᵀC·ẋ dt as work of the load on
+//! the masses, so that its double is subtracted.
+
+use super::dot::add;
+use super::drive::derived;
+use super::interval::{StepInterval, product};
+use super::law::StepContact;
+use crate::number::scalar::Float;
+use core::ops::Range;
+
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
+    /// Accounts for 1ᵀC1∫ẏ²dt over the sub-interval.
+    pub(super) fn account_base(&mut self) {
+        let one = S::constant(1.0);
+        let velocity = derived(self.base);
+        let squared = product(&velocity, &velocity, one) / self.table.pace.span;
+        self.account(self.scene.base_drag() * squared, S::constant(0.0));
+    }
+
+    /// Subtracts twice the work of the damping load on some modes in the sub-interval, before their states change.
+    /// `force` is the constant friction force in the contact.
+    pub(super) fn account_reaction(&mut self, modes: Range<usize>, force: S) {
+        let mut work = S::constant(0.0);
+        for index in modes {
+            let (Some(step), Some(state)) =
+                (self.table.modes.get(index), self.store.modes.get(index))
+            else {
+                continue;
+            };
+            let mut drive = self.load(index);
+            if let [first, ..] = &mut drive[..] {
+                *first = *first - step.per_force * step.contact * force;
+            }
+            let (_, done) = step.moved(*state, &drive, &self.base_load(index));
+            work = work + done;
+        }
+        self.account(-(work + work), S::constant(0.0));
+    }
+
+    /// Twice the product of a mode's damping load and the moments of its rate.
+    pub(super) fn reaction(&self, mode: usize, rises: &[S; D]) -> S {
+        let load = self.base_load(mode);
+        let terms = load.iter().zip(rises);
+        let done = terms.fold(S::constant(0.0), |sum, (term, moment)| {
+            sum + *term * *moment
+        });
+        done + done
+    }
+
+    /// Rate that the velocity of the base adds to the u of a mode, through damping.
+    fn base_load(&self, mode: usize) -> [S; D] {
+        let mut sum = [S::constant(0.0); D];
+        let load = self.table.loads_of(mode).get(1);
+        if let (Some(load), Some(drive)) = (load, self.store.drive.get(1)) {
+            add(&mut sum, *load, drive);
+        }
+        sum
+    }
+}

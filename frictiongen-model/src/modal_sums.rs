@@ -1,0 +1,59 @@
+//! Sums over the modes that rounding noise must not decide: projections, static motions, and the drag of a moving base.
+
+use crate::jacobi::dot;
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+
+/// Returns the scalar product of a unit vector and another vector, or exactly zero if the product is only rounding
+/// noise.
+pub(crate) fn projected(vector: &[Dd], on: &[Dd], noise: f64) -> Dd {
+    cleaned(dot(vector, on), dot(on, on).sqrt(), noise)
+}
+
+/// Returns wᵀK̄⁻¹p − s and wᵀK̄⁻¹w, the static relative displacements of the contact under a unit load and under a unit
+/// force in the contact.
+pub(crate) fn static_sums<T: Float>(
+    carried: T,
+    resonances: &[T],
+    loads: &[T],
+    contacts: &[T],
+    noise: f64,
+) -> (T, T) {
+    let (mut motion, mut size) = (-carried, carried);
+    let mut receptance = T::constant(0.0);
+    for ((resonance, load), contact) in resonances.iter().zip(loads).zip(contacts) {
+        let lambda = *resonance * *resonance;
+        let term = *contact * *load / lambda;
+        motion = motion + term;
+        size = size + term.abs();
+        receptance = receptance + *contact * *contact / lambda;
+    }
+    (cleaned(motion, size, noise), receptance)
+}
+
+/// Returns wᵀΓ⁻¹C̄1 over r = Σ φᵀw 2ζ√λ Γ, the relative acceleration that damping gives the contact if the base moves at
+/// unit velocity. The sum is 0 without participation factors Γ.
+pub(crate) fn inertial_drag<T: Float>(
+    (resonances, damping_ratios): (&[T], &[T]),
+    (contacts, participations): (&[T], &[T]),
+    noise: f64,
+) -> T {
+    let (mut drag, mut size) = (T::constant(0.0), T::constant(0.0));
+    let modes = resonances.iter().zip(damping_ratios);
+    for ((resonance, zeta), (contact, participation)) in
+        modes.zip(contacts.iter().zip(participations))
+    {
+        let term = *contact * (*zeta + *zeta) * *resonance * *participation;
+        drag = drag + term;
+        size = size + term.abs();
+    }
+    cleaned(drag, size, noise)
+}
+
+pub(crate) fn cleaned<T: Float>(value: T, size: T, noise: f64) -> T {
+    if value.abs() <= size * T::constant(noise) {
+        value.replaced(0.0)
+    } else {
+        value
+    }
+}

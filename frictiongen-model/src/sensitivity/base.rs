@@ -1,0 +1,40 @@
+//! Derivatives of the loads that damping relative to the moving base adds.
+
+use super::{Change, dual, set};
+use crate::modal::Modal;
+use crate::scene::{Node, Scene};
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::number::dual::Dual;
+
+impl Change {
+    /// Sets the derivatives of φᵀΓ1 and φᵀK_w1, which exist where damping acts on velocities relative to the base.
+    pub(super) fn project_base(
+        &self,
+        scene: &Scene,
+        (gamma, kappa): (&[Dd], &[Dd]),
+        turned: &[bool],
+        along: &mut Modal<Dual<Dd>>,
+    ) {
+        let zero = Dual::constant(0.0);
+        let inertia = gamma.iter().zip(&self.masses);
+        let inertia: Vec<_> = inertia
+            .map(|(gamma, change)| dual(*gamma, *gamma * *change))
+            .collect();
+        let mut walls = vec![zero; gamma.len()];
+        for ((spring, kappa), change) in scene.springs.iter().zip(kappa).zip(&self.springs) {
+            if let (Node::Wall, Node::Mass(mass)) | (Node::Mass(mass), Node::Wall) =
+                (spring.from, spring.to)
+                && let Some(wall) = walls.get_mut(mass)
+            {
+                *wall = *wall + dual(*kappa, *kappa * *change);
+            }
+        }
+        let projections = along.participations.iter_mut().zip(&mut along.walls);
+        for (((participation, wall), shape), turned) in projections.zip(&along.shapes).zip(turned) {
+            for (projection, on) in [(participation, &inertia), (wall, &walls)] {
+                set(projection, shape, on, *turned);
+            }
+        }
+    }
+}
