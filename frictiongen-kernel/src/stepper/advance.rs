@@ -12,7 +12,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         if self.scene.damped_from_base() {
             self.account_base();
         }
-        if self.status.level < S::constant(0.0) {
+        if self.status.level.is_zero() {
             return self.advance_without_friction();
         }
         self.advance_by_tables(self.driven());

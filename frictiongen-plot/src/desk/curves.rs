@@ -357,6 +357,7 @@ mod tests {
     use super::{Drawn, Reading, Scales, curve_figure, traced};
     use crate::Colour;
     use frictiongen::study::curve::CurveRequest;
+    use frictiongen::study::response::Size;
     use frictiongen::{Of, System};
 
     /// Checks that a phase is drawn wherever it has significant digits. The last mass of a long chain hardly moves at
@@ -407,7 +408,7 @@ mod tests {
                 .collect();
             Ok((
                 phases,
-                curve_figure("", &drawn, &["e".into()], &scales).svg(),
+                curve_figure("", &drawn, &[(Of::Mass(4), Size::Displacement, "e".into())], &scales).svg(),
             ))
         };
         let (phases, svg) = figure(0.0)?;
