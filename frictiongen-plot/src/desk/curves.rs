@@ -408,7 +408,13 @@ mod tests {
                 .collect();
             Ok((
                 phases,
-                curve_figure("", &drawn, &[(Of::Mass(4), Size::Displacement, "e".into())], &scales).svg(),
+                curve_figure(
+                    "",
+                    &drawn,
+                    &[(Of::Mass(4), Size::Displacement, "e".into())],
+                    &scales,
+                )
+                .svg(),
             ))
         };
         let (phases, svg) = figure(0.0)?;
