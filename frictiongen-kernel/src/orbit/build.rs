@@ -83,6 +83,7 @@ where
             middle: zero,
             stuck: zero,
             step_budget: MAX_STEPS,
+            slid: false,
         };
         let workspace = numbers.as_mut();
         let (states, rest) =

@@ -146,6 +146,7 @@ where
             middle: zero,
             stuck: zero,
             step_budget: MAX_STEPS,
+            slid: false,
         };
         let (states, rest) = numbers
             .as_mut()

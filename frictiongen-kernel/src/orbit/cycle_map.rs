@@ -60,6 +60,8 @@ pub(super) struct CycleMap<'f, 'a, S> {
     pub stuck: S,
     /// Number of walk steps that are left.
     pub step_budget: u32,
+    /// True if the contact has slid since this was last set to false.
+    pub slid: bool,
 }
 
 impl<S: Float> CycleMap<'_, '_, S> {
@@ -123,6 +125,7 @@ impl<S: Float> CycleMap<'_, '_, S> {
             if contact_state.contact == Contact::Stuck {
                 self.stuck = self.stuck + end.tau;
             }
+            self.slid |= contact_state.contact != Contact::Stuck || end.event.is_some();
             self.contact_state = end.contact_state;
             self.spend(end.steps)?;
             left = left - end.tau;
