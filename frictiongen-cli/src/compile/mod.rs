@@ -22,6 +22,9 @@ const LIMITS: Limits = Limits {
     ..Limits::MACRO
 };
 
+/// Message for tables without an accuracy.
+const NO_ACCURACY: &str = "the accuracy of the tables is missing; give --accuracy 1e-4 or --budget 4096, or declare one of the two in the description";
+
 /// Runs the command.
 pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let mut scene = arguments.file.constant_level(&LIMITS)?.scene;
@@ -34,11 +37,7 @@ pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Fail
     match tables {
         Some(SceneTables::Double(tables)) => write(&scene, &tables, (arguments, &name), out)?,
         Some(SceneTables::Single(tables)) => write(&scene, &tables, (arguments, &name), out)?,
-        None => {
-            return Err(Failure::new(
-                "the accuracy of the tables is missing; give --accuracy 1e-4 or --budget 4096, or declare one of the two in the description",
-            ));
-        }
+        None => return Err(Failure::new(NO_ACCURACY)),
     }
     if arguments.format.is_some() {
         say_what_is_left_out(&scene);
@@ -107,6 +106,10 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
         .map_or((0.0, f64::INFINITY), |range| range.beta);
     if let Some(r) = range(scene, arguments)? {
         scene.declared.range = Some(Range { r, beta });
+    }
+    if scene.declared.accuracy == Accuracy::Exact && scene.declared.budget.is_none() {
+        // A range without an accuracy is an error of a description, whose words would not fit the options.
+        return Err(Failure::new(NO_ACCURACY));
     }
     if arguments.safe {
         scene.declared.side = Side::Safe;

@@ -406,7 +406,7 @@ fn what_is_wrong() {
         ),
         (
             &["--r", "0.2:2"],
-            "`range` has an effect only with an accuracy",
+            "the accuracy of the tables is missing; give --accuracy 1e-4",
         ),
         (&[], "the accuracy of the tables is missing"),
         (

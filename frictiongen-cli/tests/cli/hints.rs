@@ -150,6 +150,13 @@ fn tables_over_a_band_in_hertz() {
         failure("", &arguments),
         ["frictiongen: --hz is `4`, which is not a range a:b; write, for example, 1:7"]
     );
+    let lines = failure("", &["compile", FRAME, "--hz", "1:7"]);
+    assert!(
+        lines
+            .concat()
+            .contains("give --accuracy 1e-4 or --budget 4096"),
+        "{lines:?}"
+    );
 }
 
 /// Motion from rest with so much friction that the contact never slides: the contact stays where it started, at 0 on a
@@ -182,6 +189,53 @@ fn a_contact_that_never_slides_stays_where_it_was() {
         }
         assert!(20 <= stuck, "{stuck}");
     }
+}
+
+/// A contact that slides before it sticks for ever rests where a long run from rest leaves it. The run follows events
+/// one by one and knows no steady state.
+#[test]
+fn a_contact_rests_where_a_run_leaves_it() {
+    let load = ["--base", "0.001", "--csv"];
+    let frictions = "0.6,0.8,1,1.3";
+    let asked = [
+        "response",
+        FRAME,
+        "--hz",
+        "0.6:0.4:3.4",
+        "--friction",
+        frictions,
+    ];
+    let text = output("", &[&asked[..], &load[..]].concat());
+    let mut rows = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let names = rows.next().unwrap();
+    let column = |name: &str| names.iter().position(|known| *known == name).unwrap();
+    let [hz, friction, regime, at] =
+        ["frequency_Hz", "friction_N", "regime", "offset_m"].map(column);
+    let mut compared = 0;
+    for row in rows.filter(|row| row[regime] == "stuck" && row[at] != "0.0") {
+        let asked = ["time", FRAME, "--hz", row[hz], "--friction", row[friction]];
+        let span = [
+            "--skip",
+            "600",
+            "--cycles",
+            "1",
+            "--samples",
+            "2",
+            "--of",
+            "contact",
+        ];
+        let run = output("", &[&asked[..], &span[..], &load[..]].concat());
+        let mut lines = run.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let names = lines.next().unwrap();
+        let displacement = |name: &&str| name.starts_with("contact.displacement");
+        let place = names.iter().position(displacement).unwrap();
+        let rests: f64 = lines.last().unwrap()[place].parse().unwrap();
+        let offset: f64 = row[at].parse().unwrap();
+        // 600 cycles add roundings of 1 mm, not more.
+        assert!((rests - offset).abs() < 1e-13, "{row:?}: {rests}");
+        compared += 1;
+    }
+    assert!(8 <= compared, "{compared}");
 }
 
 #[cfg(feature = "report")]

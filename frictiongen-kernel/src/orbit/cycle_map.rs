@@ -62,6 +62,8 @@ pub(super) struct CycleMap<'f, 'a, S, K> {
     pub stuck: S,
     /// Number of steps that the searches for events may still take.
     pub step_budget: u32,
+    /// True if the contact has slid since this was last set to false.
+    pub slid: bool,
 }
 
 impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
@@ -80,6 +82,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
             middle: zero,
             stuck: zero,
             step_budget: MAX_STEPS,
+            slid: false,
         }
     }
 
@@ -146,6 +149,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
             if contact_state.contact == Contact::Stuck {
                 self.stuck = self.stuck + end.tau;
             }
+            self.slid |= contact_state.contact != Contact::Stuck || end.event.is_some();
             self.contact_state = end.contact_state;
             self.spend(end.steps)?;
             left = left - end.tau;

@@ -34,8 +34,8 @@ pub(super) struct Hold<S> {
     halves: u32,
     /// Constant contact force, from the offset, half a cycle ago and a cycle ago.
     before: [S; 2],
-    /// z̄ of a contact that sticks, as computed first after its last event.  A stuck contact does not move, but z̄
-    /// computed anew from the modes would drift by roundings.
+    /// z̄ of a contact that sticks, as computed first after it slid.  A stuck contact does not move, but z̄ computed anew
+    /// from the modes would drift by roundings.
     resting: Option<S>,
 }
 
@@ -57,7 +57,6 @@ impl<S: Float> Hold<S> {
         self.halves = self.halves.saturating_add(1);
         let calm = half == EventPattern::default();
         self.quiet = if calm { self.quiet + 1 } else { 0 };
-        self.resting = self.resting.filter(|_| calm);
     }
 
     /// Returns z̄ of a contact that sticks and never slides again.  Returns `None` as long as that is neither certain
@@ -71,7 +70,6 @@ impl<S: Float> Hold<S> {
         let far = S::constant(f64::MAX);
         if contact_state.contact != Contact::Stuck {
             self.before = [far, self.before[0]];
-            self.resting = None;
             return None;
         }
         let (sum, computed) = setting.start_sticking(
@@ -81,7 +79,9 @@ impl<S: Float> Hold<S> {
             S::constant(0.0),
         );
         let constant = sum.constant.abs();
-        let offset = *self.resting.get_or_insert(computed);
+        let resting = self.resting.filter(|_| !cycle_map.slid);
+        let offset = resting.unwrap_or(computed);
+        (self.resting, cycle_map.slid) = (Some(offset), false);
         let at = phase(contact_state.t);
         let free = cycle_map
             .stuck_modes
