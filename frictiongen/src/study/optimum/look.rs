@@ -5,9 +5,10 @@
 //! of them.
 
 use super::amplitude::FrictionAmount;
-use super::peaks::{BandPeak, PLACE};
 use super::places::BandPlace;
 
+/// Relative tolerance in r of a refined maximum. The amplitude at the maximum is then exact to rounding.
+pub(super) const PLACE: f64 = 2e-9;
 /// A ratio of two friction ratios, and the factor by which the amplitude is expected to change at most within that
 /// ratio.
 const FIRST: [f64; 2] = [1.5, 2.0];
@@ -15,6 +16,15 @@ const FIRST: [f64; 2] = [1.5, 2.0];
 const WHOLE: [f64; 2] = [1.1, 4.0];
 /// Factor for the expected amplitude where the amplitude is known only at a more distant friction ratio.
 const UNKNOWN: f64 = 5.0;
+
+/// A local maximum of the amplitude over the band.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::study) struct BandPeak {
+    pub r: f64,
+    pub value: f64,
+    /// True if the maximum is at a bound of the band.
+    pub edge: bool,
+}
 
 /// The precision with which the amplitude over a band is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
