@@ -13,7 +13,7 @@ use frictiongen_model::modal::Modal;
 use frictiongen_model::samples::{random, request, scene};
 use frictiongen_model::scene::Side;
 use frictiongen_model::table::building::Exact;
-use frictiongen_model::table::{Evidence, Proof, Request, Tables, Work};
+use frictiongen_model::table::{Evidence, Proof, Tables, Work};
 
 /// Proves the β_lim of tables.
 fn limit_of<S: Float>(tables: &Tables<S>, modal: &Modal, work: Work) -> Proof {

@@ -2,7 +2,6 @@
 
 use super::random;
 use crate::interval::Interval;
-use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 
 /// A generator of random numbers and intervals.

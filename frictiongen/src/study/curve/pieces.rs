@@ -2,11 +2,20 @@
 
 use super::answer::{Curve, End, Gap, Piece};
 use super::point::CurvePoint;
-use super::refine::CurveNode;
 use super::request::CurveStart;
 use crate::Error;
 
-/// Returns the curve through nodes in ascending order of r. A node is a frequency ratio with its response.
+/// A frequency ratio with its response.
+#[derive(Clone, Debug)]
+pub(super) struct CurveNode {
+    pub r: f64,
+    pub answer: Result<CurvePoint, Error>,
+    /// The reason for a cut between this node and the next, if there is one.
+    pub cut: Option<End>,
+    pub work: usize,
+}
+
+/// Returns the curve of nodes in ascending order.
 pub(super) fn curve(
     (beta, start): (f64, CurveStart),
     nodes: impl Iterator<Item = CurveNode>,

@@ -4,7 +4,7 @@
 //! range equally fine.
 
 use super::answer::{Curve, End};
-use super::pieces;
+use super::pieces::{self, CurveNode};
 use super::places::CurvePlace;
 use super::point::CurvePoint;
 use super::request::CurveRequest;
@@ -33,16 +33,6 @@ const SMALL: f64 = 1e-3;
 const AT_ONCE: usize = 16;
 /// A motion below this share of another motion counts as rounding.
 const ROUNDING: f64 = 1e-6;
-
-/// A frequency ratio with its response.
-#[derive(Clone, Debug)]
-pub(super) struct CurveNode {
-    pub r: f64,
-    pub answer: Result<CurvePoint, Error>,
-    /// The reason for a cut between this node and the next, if there is one.
-    pub cut: Option<End>,
-    pub work: usize,
-}
 
 /// An interval between two nodes that may have to be halved.
 #[derive(Clone, Copy, Debug)]

@@ -3,9 +3,10 @@
 
 use super::answer::{Curve, End};
 use super::pieces;
+use super::pieces::CurveNode;
 use super::places::CurvePlace;
 use super::point::CurvePoint;
-use super::refine::{CurveNode, NARROW, NARROW_PATTERN, NARROW_SCATTERED, Refine, spent};
+use super::refine::{NARROW, NARROW_PATTERN, NARROW_SCATTERED, Refine, spent};
 use super::request::CurveStart;
 use super::straight::alike;
 use crate::study::settled::Carried;

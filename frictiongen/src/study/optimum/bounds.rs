@@ -1,7 +1,8 @@
 //! Finds the frequency ratios of a band at which β_lim or β*_lim equals β, and the extremes of both limits.
 
 use super::line;
-use super::peaks::{AmplitudeBand, PLACE, POLE};
+use super::look::PLACE;
+use super::peaks::{AmplitudeBand, POLE};
 use super::places::limits;
 
 /// Number of bisection steps for a frequency ratio at which β_lim or β*_lim equals β.

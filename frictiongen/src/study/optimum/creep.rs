@@ -2,8 +2,8 @@
 //! the peak moves.
 
 use super::amplitude::FrictionAmount;
-use super::look::Look;
-use super::peaks::{AmplitudeBand, BandPeak};
+use super::look::{BandPeak, Look};
+use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, slope, with_slope};
 
 /// Largest number of peaks that are followed from each side.

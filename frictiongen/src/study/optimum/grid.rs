@@ -4,8 +4,8 @@
 //! between these frequencies. Only the motion itself shows where.
 
 use super::amplitude::FrictionAmount;
-use super::look::{Look, sorted};
-use super::peaks::{AmplitudeBand, BandPeak};
+use super::look::{BandPeak, Look, sorted};
+use super::peaks::AmplitudeBand;
 
 /// Relative distance of neighbouring frequencies of the grid. It is a third of the narrowest known range of stick-slip
 /// states, which a frame of three storeys with μ = 1.2 has.

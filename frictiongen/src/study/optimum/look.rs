@@ -5,16 +5,26 @@
 //! of them.
 
 use super::amplitude::FrictionAmount;
-use super::peaks::{BandPeak, PLACE};
 use super::places::BandPlace;
 
-/// A ratio of two friction ratios, and a factor. While friction changes by at most this ratio, the amplitude is
-/// expected to change by at most this factor.
+/// Relative tolerance in r of a refined maximum. The amplitude at the maximum is then exact to rounding.
+pub(super) const PLACE: f64 = 2e-9;
+/// A ratio of two friction ratios, and the factor by which the amplitude is expected to change at most within that
+/// ratio.
 const FIRST: [f64; 2] = [1.5, 2.0];
 /// Ratio and factor as in `FIRST`, for an evaluation of the whole band.
 const WHOLE: [f64; 2] = [1.1, 4.0];
 /// Factor by which the expected amplitude is larger if the amplitude is known only at a more distant friction ratio.
 const UNKNOWN: f64 = 5.0;
+
+/// A local maximum of the amplitude over the band.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::study) struct BandPeak {
+    pub r: f64,
+    pub value: f64,
+    /// True if the maximum is at a bound of the band.
+    pub edge: bool,
+}
 
 /// The precision with which the amplitude over a band is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

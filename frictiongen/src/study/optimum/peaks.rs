@@ -9,7 +9,9 @@
 
 use super::amplitude::{Amplitude, FrictionAmount};
 use super::line;
-use super::look::{Closely, KnownAmplitude, Look, OpenBand, SeenFrequency, Top, sorted, tops};
+use super::look::{
+    BandPeak, Closely, KnownAmplitude, Look, OpenBand, PLACE, SeenFrequency, Top, sorted, tops,
+};
 use super::places::{BandPlace, places};
 use crate::Of;
 use crate::study::system::System;
@@ -21,8 +23,6 @@ const WORTH: f64 = 0.7;
 const WORTH_FINELY: f64 = 0.95;
 /// Largest number of local maxima of followed motions (outside the closed forms) that are refined.
 const MOST_TOPS: usize = 8;
-/// Relative tolerance in r of a refined maximum. The amplitude at the maximum is then exact to rounding.
-pub(super) const PLACE: f64 = 2e-9;
 /// Relative tolerance in r of a maximum while many friction ratios are compared.
 const NEARLY: f64 = 1e-5;
 /// Relative tolerance in r of a maximum before the largest maximum is known.
@@ -34,15 +34,6 @@ pub(super) const POLE: f64 = 1e9;
 
 /// Relative difference within which two amplitudes count as equal.
 const SAME: f64 = 1e-9;
-
-/// A local maximum of the amplitude over the band.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::study) struct BandPeak {
-    pub r: f64,
-    pub value: f64,
-    /// True if the maximum is at a bound of the band.
-    pub edge: bool,
-}
 
 /// A band of frequencies, with all amplitudes that are already known in the band.
 pub(in crate::study) struct AmplitudeBand<'s> {

@@ -2,8 +2,8 @@
 //! that nothing slides.
 
 use super::amplitude::FrictionAmount;
-use super::look::{Closely, Look, OpenBand};
-use super::peaks::{AmplitudeBand, BandPeak};
+use super::look::{BandPeak, Closely, Look, OpenBand};
+use super::peaks::AmplitudeBand;
 use crate::study::system::System;
 
 /// Number of intervals of the scan over friction. The intervals are shorter near zero friction.

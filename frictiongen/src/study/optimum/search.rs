@@ -11,8 +11,8 @@
 use super::amplitude::FrictionAmount;
 use super::candidates::{FrictionCandidate, HOLDS, before, between, of_scan, stays, valleys};
 use super::creep::crept;
-use super::look::{Closely, Look};
-use super::peaks::{AmplitudeBand, BandPeak};
+use super::look::{BandPeak, Closely, Look};
+use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, about_best, add, best, closer, scanned, scanned_at, slope, with_slope};
 use super::verified::{raise, verified};
 use crate::Regime;
