@@ -49,7 +49,11 @@ impl FileArgument {
 
     /// Reads and parses the description.
     pub fn description(&self, limits: &Limits) -> Result<Description, Failure> {
-        parse_text(&self.text()?, limits).map_err(|diagnostics| {
+        self.parsed(&self.text()?, limits)
+    }
+
+    fn parsed(&self, text: &str, limits: &Limits) -> Result<Description, Failure> {
+        parse_text(text, limits).map_err(|diagnostics| {
             let name = self.name();
             let lines = diagnostics.list.into_iter();
             Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
@@ -59,9 +63,18 @@ impl FileArgument {
     /// Reads and parses a description for an exact response. It returns an error unless the kinetic friction is
     /// constant.
     pub fn constant_level(&self, limits: &Limits) -> Result<Description, Failure> {
-        let description = self.description(limits)?;
+        Ok(self.constant_level_with_text(limits)?.0)
+    }
+
+    /// Reads a description for an exact response, and returns its text too.
+    pub fn constant_level_with_text(
+        &self,
+        limits: &Limits,
+    ) -> Result<(Description, String), Failure> {
+        let text = self.text()?;
+        let description = self.parsed(&text, limits)?;
         if description.scene.friction == FrictionLaw::Coulomb {
-            return Ok(description);
+            return Ok((description, text));
         }
         Err(Failure::new(format_args!(
             "{}: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; write `friction: coulomb`, use its stepper, or compute a run with `frictiongen time`",

@@ -16,6 +16,7 @@ mod emit;
 mod expand;
 pub mod graph;
 mod header;
+pub mod known;
 mod lower;
 pub mod standalone;
 mod tokens;

@@ -3,10 +3,74 @@
 use frictiongen::kernel::table::{Factor, Root};
 use frictiongen::study::scene::{Scene, Side};
 use frictiongen::study::table::{HeldForm, Product, Proof, Tables};
+use frictiongen_codegen::known::{Known, KnownMotion, Outcome};
+use frictiongen_codegen::standalone::{NOTICE, Source, UnitConstants, known_answers, scene_hash};
 use serde_json::{Value, json};
 
+/// Writes the tables as JSON. Where they come from stands first.
+pub(super) fn written<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> String {
+    let Source {
+        scene,
+        tables,
+        origin,
+    } = source;
+    let generated = json!({
+        "by": format!("frictiongen {}", env!("CARGO_PKG_VERSION")),
+        "command": origin.command,
+        "description": origin.description,
+        "notice": NOTICE,
+        "scene_hash": scene_hash(scene),
+    });
+    let tables = of(scene, tables).to_string();
+    let tables = tables.strip_prefix('{').unwrap_or(&tables);
+    let [units, known] = [units::<S>(scene), known(source)].map(|value| value.to_string());
+    format!("{{\"generated\":{generated},\"units\":{units},\"known_answers\":{known},{tables}")
+}
+
+/// Converts the constants that connect ratios with units.
+fn units<S: frictiongen::scalar::Float>(scene: &Scene) -> Value {
+    let units = UnitConstants::of::<S>(scene);
+    json!({
+        "k1": { "value": units.k1, "unit": "N/m", "spring": units.spring },
+        "m1": { "value": units.m1, "unit": "kg", "mass": units.mass },
+        "reference_frequency": { "value": units.reference, "unit": "rad/s" },
+        "natural_frequencies": { "value": units.hertz, "unit": "Hz" },
+        "resonances": units.resonances,
+    })
+}
+
+/// Converts the known answers.
+fn known<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> Value {
+    let (tolerance, all) = known_answers(source);
+    let motion = |motion: &KnownMotion| {
+        let answers = (motion.outcome == Outcome::Continuous).then_some(motion.contact);
+        json!({
+            "beta": motion.beta,
+            "regime": match motion.outcome {
+                Outcome::Continuous => "continuous",
+                Outcome::StickSlip => "stick-slip",
+                Outcome::Stuck => "stuck",
+            },
+            "amplitude": answers.map(|[amplitude, _]| amplitude),
+            "phase": answers.map(|[_, phase]| phase),
+        })
+    };
+    let points = all.iter().map(|known: &Known| {
+        let (force, masses) = known.stuck.split_last().unzip();
+        json!({
+            "r": known.r,
+            "beta_lim": known.continuous,
+            "sliding_limit": known.sliding,
+            "contact": known.motion.as_ref().map(motion),
+            "stuck_masses": masses,
+            "contact_force": force,
+        })
+    });
+    json!({ "tolerance": tolerance, "points": points.collect::<Vec<_>>() })
+}
+
 /// Converts the tables to JSON.
-pub(super) fn of<S: frictiongen::scalar::Float>(scene: &Scene, tables: &Tables<S>) -> Value {
+fn of<S: frictiongen::scalar::Float>(scene: &Scene, tables: &Tables<S>) -> Value {
     let value = |value: S| value.to_f64();
     let factor = |factor: &Factor<S>| match *factor {
         Factor::Zero { at, rest } => json!({ "zero": [value(at), value(rest)] }),

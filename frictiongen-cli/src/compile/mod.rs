@@ -1,5 +1,6 @@
 //! `frictiongen compile`: builds tables of a declared accuracy, and prints their figures, code or data.
 
+mod command;
 mod data;
 
 use crate::args::{CompileArguments, TableFormat};
@@ -11,7 +12,9 @@ use frictiongen::study::InvalidScene;
 use frictiongen::study::columns::FrequencyUnit;
 use frictiongen::study::scene::{Accuracy, Declared, Provide, Proving, Range, Scene, Side};
 use frictiongen::study::table::{Evidence, FINEST_PROVEN, Proof, Tables, Work};
-use frictiongen_codegen::standalone::{c_header, c_name, c_source, rust_source};
+use frictiongen_codegen::standalone::{
+    Origin, Source, c_header, c_name, c_source, c_tables, c_tables_name, rust_source,
+};
 use frictiongen_codegen::{Limits, SceneTables};
 use std::io::Write;
 use std::path::Path;
@@ -27,20 +30,41 @@ const NO_ACCURACY: &str = "the accuracy of the tables is missing; give --accurac
 
 /// Runs the command.
 pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let mut scene = arguments.file.constant_level(&LIMITS)?.scene;
+    let (description, text) = arguments.file.constant_level_with_text(&LIMITS)?;
+    let mut scene = description.scene;
     declare(&mut scene, arguments)?;
     let name = c_prefix(&scene, arguments)?;
     let mut tables = SceneTables::of(&scene).map_err(Failure::new)?;
     if let Some(tables) = tables.as_mut().filter(|_| arguments.prove) {
         tables.prove(&scene, Work::WHOLE);
     }
-    match tables {
-        Some(SceneTables::Double(tables)) => write(&scene, &tables, (arguments, &name), out)?,
-        Some(SceneTables::Single(tables)) => write(&scene, &tables, (arguments, &name), out)?,
+    let command = command::written(arguments);
+    let origin = Origin {
+        description: &text,
+        command: &command,
+    };
+    let scene = &scene;
+    match &tables {
+        Some(SceneTables::Double(tables)) => {
+            let source = Source {
+                scene,
+                tables,
+                origin,
+            };
+            write(&source, (arguments, &name), out)?;
+        }
+        Some(SceneTables::Single(tables)) => {
+            let source = Source {
+                scene,
+                tables,
+                origin,
+            };
+            write(&source, (arguments, &name), out)?;
+        }
         None => return Err(Failure::new(NO_ACCURACY)),
     }
     if arguments.format.is_some() {
-        say_what_is_left_out(&scene);
+        say_what_is_left_out(scene);
     }
     Ok(())
 }
@@ -172,11 +196,11 @@ fn number(text: &str, option: &str) -> Result<f64, Failure> {
 }
 
 fn write<S: frictiongen::scalar::Float>(
-    scene: &Scene,
-    tables: &Tables<S>,
+    source: &Source<'_, S>,
     (arguments, name): (&CompileArguments, &str),
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
+    let Source { scene, tables, .. } = *source;
     let path = arguments.output.as_deref();
     let no_form = || {
         Failure::new(
@@ -191,18 +215,21 @@ fn write<S: frictiongen::scalar::Float>(
     }
     let text = match arguments.format {
         None => figures(scene, tables, arguments.prove),
-        Some(TableFormat::Rust) => rust_source(scene, tables).ok_or_else(no_form)?,
-        Some(TableFormat::Json) => format!("{}\n", data::of(scene, tables)),
+        Some(TableFormat::Rust) => rust_source(source).ok_or_else(no_form)?,
+        Some(TableFormat::Json) => format!("{}\n", data::written(source)),
         Some(TableFormat::C) => {
             let header = path.map(|path| path.with_extension("h"));
             let file = header.as_deref().and_then(Path::file_name);
             let file = file.map(|file| file.to_string_lossy());
-            let source = c_source(scene, tables, name, file.as_deref()).ok_or_else(no_form)?;
-            if let Some(header) = &header {
-                let text = c_header(scene, tables, name);
-                write_file(header, arguments.file.path(), &text)?;
+            let code = c_source(source, name, file.as_deref()).ok_or_else(no_form)?;
+            if let (Some(header), Some(file)) = (&header, &file) {
+                let numbers = c_tables(source, name).ok_or_else(no_form)?;
+                let beside = header.with_file_name(c_tables_name(file));
+                let description = arguments.file.path();
+                write_file(header, description, &c_header(source, name))?;
+                write_file(&beside, description, &numbers)?;
             }
-            source
+            code
         }
     };
     match path {

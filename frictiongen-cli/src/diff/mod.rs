@@ -90,18 +90,26 @@ fn unified(
     let [old, new] = texts;
     let name = |index: usize| files.get(index).map(FileArgument::name).unwrap_or_default();
     let difference = TextDiff::from_lines(old, new);
-    let text = difference
+    let mut text = difference
         .unified_diff()
         .header(&name(0), &name(1))
         .to_string();
+    // The errors that follow begin a new line.
+    if !text.is_empty() && !text.ends_with('\n') {
+        text.push('\n');
+    }
     out.write_all(text.as_bytes())?;
     Ok(out.flush()?)
 }
+
+/// Largest relative difference that roundings of both scenes may make.
+const ROUNDINGS: f64 = 1e-12;
 
 /// Formats a relative change in per cent, with its sign.
 fn per_cent(relative: f64) -> String {
     let value = 100.0 * relative;
     match value.abs() {
+        0.0 => "0 %".to_owned(),
         size if !(5e-4..1e4).contains(&size) => format!("{value:+.1e} %"),
         size if size < 1.0 => format!("{value:+.3} %"),
         _ => format!("{value:+.2} %"),
@@ -148,6 +156,9 @@ impl Differences {
         for (mode, pair) in self.answers.modes.iter().enumerate() {
             let mode = mode + 1;
             match *pair {
+                (Some(old), Some(new)) if (new - old).abs() <= ROUNDINGS * old => {
+                    writeln!(out, "  mode {mode}  {}, unchanged", computed(old))?;
+                }
                 (Some(old), Some(new)) => {
                     let change = per_cent((new - old) / old);
                     writeln!(
@@ -188,9 +199,13 @@ impl Differences {
                 format!(" {unit}")
             };
             writeln!(out, "  {name}")?;
+            if *relative <= ROUNDINGS {
+                writeln!(out, "    unchanged, to rounding, at {compared} frequencies")?;
+                continue;
+            }
             writeln!(
                 out,
-                "    differs by {} at most, at {} Hz: {} -> {}{unit}; median {}, {compared} compared",
+                "    differs by {} at most, at {} Hz: {} -> {}{unit}; median {} over {compared} frequencies",
                 per_cent(*relative).trim_start_matches('+'),
                 computed(*hertz),
                 computed(values.0),
@@ -216,7 +231,7 @@ impl Differences {
         let (removed, added) = code.differing;
         writeln!(
             out,
-            "  lines            {} -> {}; the change removes {removed} and adds {added}",
+            "  lines            {} -> {}; {removed} old lines are gone and {added} are new",
             code.lines.0, code.lines.1
         )?;
         writeln!(
@@ -232,7 +247,7 @@ impl Differences {
             )?;
         }
         if code.functions.is_empty() {
-            writeln!(out, "  operations       each function counts the same")?;
+            writeln!(out, "  operations       the same number in every function")?;
         }
         for (name, old, new) in &code.functions {
             let text = |operations: &Option<String>| {

@@ -306,10 +306,32 @@ fn code_in_files() {
     let source = fs::read_to_string(&path).unwrap();
     let header = path.with_extension("h");
     let name = header.file_name().unwrap().to_str().unwrap().to_owned();
-    assert!(source.starts_with(&format!("#include \"{name}\"")));
+    let numbers_name = name.replace(".h", "_tables.h");
+    let includes = format!("#include \"{name}\"\n#include \"{numbers_name}\"\n");
+    assert!(source.contains(&includes), "{source}");
     let declared = fs::read_to_string(&header).unwrap();
-    fs::remove_file(&path).unwrap();
-    fs::remove_file(&header).unwrap();
+    let numbers = header.with_file_name(&numbers_name);
+    let tables = fs::read_to_string(&numbers).unwrap();
+    for file in [&path, &header, &numbers] {
+        fs::remove_file(file).unwrap();
+    }
+    // Every file begins with the description and the command. The code has no coefficient.
+    let folder = path.parent().unwrap().to_str().unwrap();
+    for text in [&source, &declared, &tables] {
+        assert!(text.starts_with("/* frictiongen "), "{text}");
+        let head = text.split("*/").next().unwrap();
+        for part in [
+            "generated: change the description, not this file",
+            "Command: frictiongen compile frame.friction --accuracy 1e-3 --r 0.2:2.5 --format c -o ",
+            "1190.0",
+            "3.27",
+        ] {
+            assert!(head.contains(part), "{head}");
+        }
+        assert!(!text.contains(folder), "{head}");
+    }
+    assert!(tables.contains("static const struct piece pieces[PIECES] = {"));
+    assert!(!source.contains("pieces[PIECES] = {"));
     let limits = "enum frame_status frame_limits(double r, double *continuous, double *sliding);";
     assert!(declared.contains(limits), "{declared}");
     let rust = output(

@@ -98,6 +98,32 @@ fn the_same_scene_in_other_words() {
     );
 }
 
+/// Answers and frequencies that do not change are called so. The numbers of a change have their unit.
+#[test]
+fn in_words() {
+    let other = Written::new(
+        "scalar",
+        &frame().replace("stiction: 1.2,", "stiction: 1.2, scalar: f32,"),
+    );
+    let text = output("", &["diff", FRAME, other.path()]);
+    for part in [
+        "  scalar  f64 -> f32\n",
+        "  mode 1  1.906824, unchanged\n",
+        "  limit of continuous motion F_lim/Y\n    unchanged, to rounding, at 400 frequencies\n",
+    ] {
+        assert!(text.contains(part), "{text}");
+    }
+    assert!(!text.contains("0e0"), "{text}");
+    let stiffer = Written::new("stiffer", &frame().replace("1190.0", "1201.9"));
+    let text = output("", &["diff", FRAME, stiffer.path()]);
+    assert!(
+        text.contains("  spring base - lower  1190.0 -> 1201.9 (+1.00 %)\n"),
+        "{text}"
+    );
+    assert!(text.contains(" N/m; median "), "{text}");
+    assert!(text.contains(" old lines are gone and "), "{text}");
+}
+
 #[test]
 fn scenes_of_different_kinds() {
     let found = json("kinds", &frame(), BLOCK);

@@ -7,7 +7,7 @@ use frictiongen_model::scene::{
 
 /// Returns the FNV-1a hash of all fields of a scene. Texts that differ only in layout have the same
 /// hash.
-pub(super) fn fingerprint(scene: &Scene) -> u64 {
+pub(crate) fn fingerprint(scene: &Scene) -> u64 {
     // Every field is named, so that a new field cannot be forgotten here.
     let Scene {
         name,

@@ -30,6 +30,7 @@ use names::TypeNames;
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
+pub(crate) use fingerprint::fingerprint;
 pub use trace::traces;
 
 /// From this number of modes on, the frequency stage is emitted as passes over an array of modes. Straight lines are

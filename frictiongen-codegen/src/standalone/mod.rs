@@ -4,40 +4,84 @@
 //! a phase is an exception. It is the platform's function, or the file's own in Rust without std.
 
 mod c;
+mod checksum;
+mod constants;
+mod formulas;
+mod known;
+mod origin;
+mod products;
 mod rust;
 mod stuck;
+mod units;
 
-pub use c::{c_header, c_name, c_source};
+pub use c::{c_header, c_name, c_source, c_tables, c_tables_name};
+pub use known::known_answers;
+pub use origin::{NOTICE, Origin, scene_hash};
 pub use rust::rust_source;
+pub use units::UnitConstants;
 
+use constants::{Constants, Form};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::table::Factor;
 use frictiongen_model::scene::{Excitation, Scene};
-use frictiongen_model::table::{Product, Tables};
+use frictiongen_model::table::Tables;
+
+/// A scene with its tables, and where they come from.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a, S> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its tables.
+    pub tables: &'a Tables<S>,
+    /// The description and the command.
+    pub origin: Origin<'a>,
+}
+
+/// A target language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Language {
+    C,
+    Rust,
+}
 
 /// Format of numbers in the target language.
 #[derive(Clone, Copy)]
 struct Numbers {
+    language: Language,
     /// True if numbers are `f32`.
     single: bool,
-    /// Suffix of each number.
-    suffix: &'static str,
+    /// The type of numbers.
+    real: &'static str,
 }
 
 impl Numbers {
     /// Returns the number format of a scalar type.
-    fn of<S: Float>(single_suffix: &'static str) -> Self {
+    fn of<S: Float>(language: Language) -> Self {
         let single = S::EPSILON > f64::EPSILON;
-        let suffix = if single { single_suffix } else { "" };
-        Self { single, suffix }
+        Self {
+            language,
+            single,
+            real: match (language, single) {
+                (Language::C, true) => "float",
+                (Language::C, false) => "double",
+                (Language::Rust, true) => "f32",
+                (Language::Rust, false) => "f64",
+            },
+        }
+    }
+
+    /// Returns the suffix of mathematical functions in C.
+    fn letter(self) -> &'static str {
+        if self.single { "f" } else { "" }
     }
 
     #[allow(clippy::cast_possible_truncation, reason = "it is an f32")]
     fn write(self, value: f64) -> String {
-        if self.single {
-            format!("{:?}{}", value as f32, self.suffix)
-        } else {
-            format!("{value:?}{}", self.suffix)
+        // The sign of a zero has no effect on any answer.
+        let value = value + 0.0;
+        match (self.single, self.language) {
+            (true, Language::C) => format!("{:?}f", value as f32),
+            (true, Language::Rust) => format!("{:?}", value as f32),
+            (false, _) => format!("{value:?}"),
         }
     }
 
@@ -82,79 +126,55 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             "Largest error {:.1e}, at r = {}: checked at {} points that the fit did not see.",
             report.worst.error, report.worst.at, report.points,
         ),
-        format!("beta_lim: {}", tables.proof.told()),
+        format!("`beta_lim`: {}", tables.proof.told()),
     ];
     if tables.sliding.is_some() {
-        about.push(format!("beta*_lim: {}", tables.sliding_proof.told()));
+        about.push(format!("`beta*_lim`: {}", tables.sliding_proof.told()));
     }
     if tables.moves() {
         about.push(format!(
-            "amplitude and phase of the contact: {}",
+            "Amplitude and phase of the contact: {}",
             tables.motion_proof.told()
         ));
     }
     if let Some(held) = &tables.held {
-        about.push(format!("stuck responses: {}", held.told()));
+        about.push(format!("Stuck responses: {}", held.told()));
     }
     about
 }
 
-/// Writes a factor as an expression in r.
-fn factor<S: Float>(numbers: Numbers, factor: &Factor<S>) -> String {
-    let write = |value: S| numbers.write(value.to_f64());
-    match *factor {
-        Factor::Zero { at, rest } => {
-            let (at, rest) = (write(at), write(rest));
-            format!("zero(r, {at}, {rest})")
-        }
-        Factor::Pair {
-            at,
-            rest,
-            off,
-            least,
-        } => {
-            let (at, rest, off, least) = (write(at), write(rest), write(off), write(least));
-            format!("pair(r, {at}, {rest}, {off}, {least})")
-        }
-        Factor::Real { off } => format!("(r * r + {})", write(off)),
-    }
+/// Names and meanings of the polynomials of a piece.
+const COLUMNS: [(&str, &str); 5] = [
+    ("beta_lim", "limit of continuous motion"),
+    (
+        "a",
+        "beta_lim U/|V|, for an undamped chain times the sign of V",
+    ),
+    ("g", "beta_lim G/|V|"),
+    ("arg_v", "argument of V"),
+    ("abs_v", "|V|"),
+];
+
+/// The meaning of U, G and V.
+const RESPONSES: &str = "V is the response of the contact to the load.  U is the velocity of the contact and G its displacement, from friction, at a reversal.";
+
+/// Returns the names and meanings of the polynomials that the tables have.
+fn columns<S>(tables: &Tables<S>) -> &'static [(&'static str, &'static str)] {
+    COLUMNS.get(..tables.functions).unwrap_or_default()
 }
 
-/// Writes a product as an expression in r.
-fn quotient<S: Float>(numbers: Numbers, product: &Product<S>, root: &str) -> String {
-    let poles = factor_product(numbers, &product.denominator);
-    quotient_over(numbers, product, &format!("({poles})"), root)
+/// Returns the numbers of all pieces, in the order of the emitted structures.
+fn piece_numbers<S: Float>(tables: &Tables<S>) -> Vec<f64> {
+    let pieces = tables.pieces.iter().flat_map(|piece| {
+        let coefficients = piece.coefficients.iter().flatten();
+        [&piece.from, &piece.origin].into_iter().chain(coefficients)
+    });
+    pieces.map(|number| number.to_f64()).collect()
 }
 
-/// Writes a product of factors as an expression in r.
-fn factor_product<S: Float>(numbers: Numbers, factors: &[Factor<S>]) -> String {
-    let mut all = vec![numbers.write(1.0)];
-    all.extend(factors.iter().map(|each| factor(numbers, each)));
-    all.join("\n        * ")
-}
-
-/// Writes a product whose poles are the expression `poles`.
-fn quotient_over<S: Float>(
-    numbers: Numbers,
-    product: &Product<S>,
-    poles: &str,
-    root: &str,
-) -> String {
-    let gain = numbers.write(product.gain.to_f64());
-    if product.numerator.is_empty() && product.denominator.is_empty() {
-        return gain;
-    }
-    let above = factor_product(numbers, &product.numerator);
-    let value = if product.denominator.is_empty() {
-        format!("({above})")
-    } else {
-        format!("({above})\n        / {poles}")
-    };
-    if product.squared {
-        format!("{gain} * {root}({value})")
-    } else {
-        format!("{gain} * ({value})")
-    }
+/// Returns the first step of the search for a piece, within its bucket.
+fn first_step<S>(tables: &Tables<S>) -> usize {
+    (1_usize << tables.index.halvings) >> 1
 }
 
 /// Status values of the functions: name, number in C, meaning.
@@ -178,55 +198,43 @@ const STATUSES: [(&str, i32, &str); 5] = [
     ),
 ];
 
-/// Argument checks, as expressions that both languages share.
-struct Asked {
-    numbers: Numbers,
-    /// True if r is out of the domain.
-    r_outside: String,
-    /// True if r or beta is out of the domain.
-    outside: String,
-    /// True if r is on an undamped resonance that the load drives; `None` if the range has no such resonance.
-    unbounded: Option<String>,
+/// Words of the documentation that depend on the load.
+struct Words {
     /// Meaning of beta: F/P, or F/(k₁Y) where the base moves.
     beta: &'static str,
-    /// Meaning of an amplitude, for the documentation.
+    /// Meaning of an amplitude.
     amplitude: &'static str,
-    /// Load by which forces are divided, for the documentation.
+    /// Load by which forces are divided.
     load: &'static str,
 }
 
-impl Asked {
-    fn of<S: Float>(numbers: Numbers, scene: &Scene, tables: &Tables<S>) -> Self {
-        let write = |value: f64| numbers.write(S::constant(value).to_f64());
-        let (low, high) = tables.request.r;
-        let largest = if numbers.single {
-            f64::from(f32::MAX)
-        } else {
-            f64::MAX
-        };
-        let declared = scene.declared.range;
-        let (least, most) = declared.map_or((0.0, largest), |range| range.beta);
-        let r = format!("{} <= r && r <= {}", write(low), write(high));
-        // An infinite friction ratio is out of the domain.
-        let beta = format!(
-            "{} <= beta && beta <= {}",
-            write(least),
-            write(most.min(largest))
-        );
-        let on = tables.unbounded.iter();
-        let on = on.map(|own| format!("r == {}", numbers.write(own.to_f64())));
-        let on: Vec<String> = on.collect();
+impl Words {
+    fn of(scene: &Scene) -> Self {
         let moving = scene.excitation == Excitation::Base;
         Self {
-            numbers,
-            r_outside: format!("!({r})"),
-            outside: format!("!({r} && {beta})"),
-            unbounded: (!on.is_empty()).then(|| on.join(" || ")),
             beta: if moving { "F/(k1 Y)" } else { "F/P" },
             amplitude: if moving { "x/Y" } else { "x k1/P" },
             load: if moving { "k1 Y" } else { "P" },
         }
     }
+}
+
+/// The declared ranges as numbers of the file's scalar: r, then β.
+fn domain<S: Float>(scene: &Scene, tables: &Tables<S>) -> [(f64, f64); 2] {
+    let round = |value: f64| S::constant(value).to_f64();
+    let (low, high) = tables.request.r;
+    let largest = if S::EPSILON > f64::EPSILON {
+        f64::from(f32::MAX)
+    } else {
+        f64::MAX
+    };
+    let declared = scene.declared.range;
+    let (least, most) = declared.map_or((0.0, largest), |range| range.beta);
+    // An infinite friction ratio is out of the domain.
+    [
+        (round(low), round(high)),
+        (round(least), round(most.min(largest))),
+    ]
 }
 
 /// Returns a name in snake case: `TwoStorey` becomes `two_storey`.

@@ -1,8 +1,8 @@
 //! Builds the responses while the contact is stuck, as expressions that C and Rust share.
 
-use super::{Numbers, factor_product, quotient_over};
+use super::constants::{Constants, Form};
+use super::products::{factors, quotient_over, roots};
 use frictiongen_kernel::Float;
-use frictiongen_kernel::table::Root;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::table::{Held, HeldForm};
 
@@ -32,50 +32,71 @@ pub(super) struct Stuck {
 }
 
 impl Stuck {
-    /// Builds the expressions of a scene for one number format.
-    pub fn of<S: Float>(numbers: Numbers, scene: &Scene, held: &Held<S>) -> Self {
+    /// Builds the expressions of a scene, and adds their constants.
+    pub fn of<S: Float>(constants: &mut Constants, scene: &Scene, held: &Held<S>) -> Self {
         let sets = held.pole_sets();
-        let poles = sets.iter().enumerate().filter_map(|(place, form)| {
+        let mut poles = Vec::new();
+        for (place, form) in sets.iter().enumerate() {
+            let key = format!("HELD_POLE{}", numbered(place));
             let value = match form {
-                HeldForm::Undamped(product) if !product.denominator.is_empty() => {
-                    Expression::Real(factor_product(numbers, &product.denominator))
+                HeldForm::Undamped(product) => {
+                    factors(constants, &key, &product.denominator).map(Expression::Real)
                 }
                 HeldForm::Damped { denominator, .. } => {
-                    Expression::Complex(root_product(numbers, denominator)?)
+                    roots(constants, &key, denominator).map(Expression::Complex)
                 }
-                _ => return None,
+                HeldForm::Fixed(_) => None,
             };
             let name = poles_name(place);
-            Some(Function { name, value })
+            poles.extend(value.map(|value| Function { name, value }));
+        }
+        let mut masses = Vec::new();
+        for (place, (mass, form)) in scene.masses.iter().zip(&held.masses).enumerate() {
+            // Two masses may have names that differ only in their case.
+            let key = format!("STUCK_{}", place + 1);
+            masses.push(Function {
+                name: mass.name.clone(),
+                value: response(constants, &key, &sets, form),
+            });
+        }
+        let force = response(constants, "HOLDING", &sets, &held.force);
+        let resonances = held.resonances.iter().enumerate().map(|(place, own)| {
+            let name = format!("HELD_RESONANCE_{}", place + 1);
+            let about = "r of an undamped resonance while the contact is stuck";
+            constants.add(name, Form::Number, &[own.to_f64()], about)
         });
-        let value = |form: &HeldForm<S>| response(numbers, &sets, form);
-        let named = scene.masses.iter().zip(&held.masses);
         Self {
-            poles: poles.collect(),
-            masses: named
-                .map(|(mass, form)| Function {
-                    name: mass.name.clone(),
-                    value: value(form),
-                })
-                .collect(),
-            force: value(&held.force),
-            resonances: held
-                .resonances
-                .iter()
-                .map(|own| numbers.write(own.to_f64()))
-                .collect(),
+            resonances: resonances.collect(),
+            poles,
+            masses,
+            force,
         }
     }
 
-    /// Returns whether an expression calls this operation.
-    pub fn calls(&self, operation: &str) -> bool {
-        let call = format!("{operation}(");
+    /// Returns the texts of all expressions.
+    pub fn texts(&self) -> impl Iterator<Item = &str> {
         let functions = self.poles.iter().chain(&self.masses);
         let values = functions.map(|function| &function.value);
-        values.chain([&self.force]).any(|value| {
+        values.chain([&self.force]).map(|value| {
             let (Expression::Real(text) | Expression::Complex(text)) = value;
-            text.contains(&call)
+            text.as_str()
         })
+    }
+
+    /// Returns whether a response is complex.
+    pub fn is_complex(&self) -> bool {
+        let values = self.masses.iter().map(|mass| &mass.value);
+        values
+            .chain([&self.force])
+            .any(|value| matches!(value, Expression::Complex(_)))
+    }
+}
+
+fn numbered(place: usize) -> String {
+    if place == 0 {
+        String::new()
+    } else {
+        format!("_SET_{}", place + 1)
     }
 }
 
@@ -87,21 +108,30 @@ fn poles_name(place: usize) -> String {
     }
 }
 
-fn response<S: Float>(numbers: Numbers, sets: &[&HeldForm<S>], form: &HeldForm<S>) -> Expression {
+fn response<S: Float>(
+    constants: &mut Constants,
+    key: &str,
+    sets: &[&HeldForm<S>],
+    form: &HeldForm<S>,
+) -> Expression {
     let place = sets.iter().position(|set| set.shares_poles(form));
     let poles = format!("{}(r)", poles_name(place.unwrap_or_default()));
     match form {
-        HeldForm::Fixed(amplitude) => Expression::Real(numbers.write(amplitude.to_f64())),
+        HeldForm::Fixed(amplitude) => {
+            Expression::Real(constants.add(key, Form::Number, &[amplitude.to_f64()], ""))
+        }
         HeldForm::Undamped(product) => {
-            Expression::Real(quotient_over(numbers, product, &poles, ""))
+            let poles = (!product.denominator.is_empty()).then_some(poles);
+            Expression::Real(quotient_over(constants, key, product, (poles, "")))
         }
         HeldForm::Damped {
             gain,
             numerator,
             denominator,
         } => {
-            let gain = numbers.write(gain.to_f64());
-            let above = match root_product(numbers, numerator) {
+            let gain = [gain.to_f64()];
+            let gain = constants.add(format!("{key}_GAIN"), Form::Number, &gain, "");
+            let above = match roots(constants, &format!("{key}_ZERO"), numerator) {
                 Some(product) => format!("scaled({product}, {gain})"),
                 None => format!("real_number({gain})"),
             };
@@ -112,22 +142,4 @@ fn response<S: Float>(numbers: Numbers, sets: &[&HeldForm<S>], form: &HeldForm<S
             })
         }
     }
-}
-
-/// Writes the product of the roots. Returns `None` if there are no roots.
-fn root_product<S: Float>(numbers: Numbers, roots: &[Root<S>]) -> Option<String> {
-    let write = |value: S| numbers.write(value.to_f64());
-    let roots = roots.iter().map(|root| match *root {
-        Root::Pair {
-            at,
-            rest,
-            off,
-            rate,
-        } => {
-            let (at, rest, off, rate) = (write(at), write(rest), write(off), write(rate));
-            format!("pair_root(r, {at}, {rest}, {off}, {rate})")
-        }
-        Root::Real { rate } => format!("real_root(r, {})", write(rate)),
-    });
-    roots.reduce(|product, root| format!("times({product},\n        {root})"))
 }

@@ -1,21 +1,18 @@
 //! Writes the motion of the contact in C.
 
-use super::super::{Asked, quotient};
-use super::status;
+use super::super::formulas::Formulas;
+use super::super::{Numbers, Source};
+use super::{outside, refusal, status};
 use frictiongen_kernel::Float;
-use frictiongen_model::table::Tables;
 
 /// Writes the function for the amplitude and the phase of the contact's relative motion.
-pub(super) fn source<S: Float>(
-    name: &str,
-    (real, letter): (&str, &str),
-    asked: &Asked,
-    tables: &Tables<S>,
-) -> String {
-    let numbers = asked.numbers;
-    let excitation = match &tables.excitation {
-        Some(product) => quotient(numbers, product, &format!("sqrt{letter}")),
-        None => "polynomial(piece->c[4], t)".to_owned(),
+pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> String {
+    let numbers = formulas.numbers;
+    let Numbers { real, .. } = numbers;
+    let letter = numbers.letter();
+    let excitation = match &formulas.excitation {
+        Some(product) => product.clone(),
+        None => "polynomial(piece->abs_v, t)".to_owned(),
     };
     let (one, zero) = (numbers.write(1.0), numbers.write(0.0));
     let pi = numbers.write(std::f64::consts::PI);
@@ -24,55 +21,56 @@ pub(super) fn source<S: Float>(
     } else {
         2.0 * std::f64::consts::PI
     });
-    let (shares, displacement, direction) = if tables.functions >= 4 {
+    let (shares, in_motion, direction) = if source.tables.functions >= 4 {
         (
             format!(
-                "    const {real} quadrature = polynomial(piece->c[1], t);\n    \
-                 const {real} displacement = polynomial(piece->c[2], t);\n    \
-                 const {real} direction = polynomial(piece->c[3], t);\n"
+                "    const {real} quadrature = polynomial(piece->a, t);\n    \
+                 const {real} displacement = polynomial(piece->g, t);\n    \
+                 const {real} direction = polynomial(piece->arg_v, t);\n"
             ),
-            "displacement".to_owned(),
+            "(in_phase - (share * displacement))",
             "direction".to_owned(),
         )
     } else {
         (
             format!(
-                "    const {real} signed_quadrature = polynomial(piece->c[1], t);\n    \
-                 const int negative = excitation < {zero};\n    \
+                "    const {real} signed_quadrature = polynomial(piece->a, t);\n    \
+                 const bool negative = excitation < {zero};\n    \
                  const {real} quadrature = negative ? -signed_quadrature : signed_quadrature;\n"
             ),
-            zero.clone(),
-            format!("(negative ? {pi} : {zero})"),
+            "in_phase",
+            format!("(negative ? HALF_TURN : {zero})"),
         )
     };
     let status = |of: &str| status(name, of);
-    let unbounded = asked.unbounded.as_ref().map_or_else(String::new, |on| {
-        format!("    if ({on})\n        return {};\n", status("Unbounded"))
-    });
+    let [_, outside] = outside(name);
+    let unbounded = Formulas::on(&formulas.unbounded);
+    let unbounded = unbounded.map_or_else(String::new, |on| refusal(&on, &status("Unbounded")));
     format!(
-        "\n/* An angle moved by a turn into (-pi, pi]. */\n\
+        "\n#define HALF_TURN {pi}\n#define TURN {turn}\n\n\
+         /* An angle moved by a turn into (-pi, pi]. */\n\
          static {real} wrapped({real} angle)\n{{\n    \
-         angle = {pi} < angle ? angle - {turn} : angle;\n    \
-         return -{pi} < angle ? angle : angle + {turn};\n}}\n\n\
-         enum {name}_status {name}_contact({real} r, {real} beta, {real} *amplitude, {real} *phase)\n{{\n    \
-         if ({outside})\n        return {};\n    \
-         const struct piece *piece = found(r);\n    \
+         const {real} below = (HALF_TURN < angle) ? (angle - TURN) : angle;\n    \
+         return (-HALF_TURN < below) ? below : (below + TURN);\n}}\n\n\
+         enum {name}_status {name}_contact({real} r, {real} beta, {real} *amplitude, {real} *phase)\n{{\n\
+         {outside}    \
+         const struct piece *const piece = found(r);\n    \
          const {real} t = r - piece->origin;\n    \
-         const {real} continuous = polynomial(piece->c[0], t);\n    \
-         if (!(beta < continuous))\n        return beta < sliding_limit(r) ? {} : {};\n\
+         const {real} continuous = polynomial(piece->beta_lim, t);\n    \
+         if (!(beta < continuous)) {{\n        return (beta < sliding_limit(r)) ? {stick_slip} : {stuck};\n    }}\n\
          {unbounded}    \
          const {real} excitation = {excitation};\n{shares}    \
          const {real} share = beta / continuous;\n    \
          const {real} turned = share * quadrature;\n    \
          const {real} product = ({one} - turned) * ({one} + turned);\n    \
          const {real} in_phase = sqrt{letter}(fabs{letter}(product));\n    \
-         *amplitude = fabs{letter}(excitation) * (in_phase - share * {displacement});\n    \
-         *phase = wrapped(wrapped(atan2{letter}(-turned + {zero}, in_phase + {zero}) - {direction}));\n    \
-         return {};\n}}\n",
-        status("OutOfDomain"),
-        status("StickSlip"),
-        status("Stuck"),
-        status("Ok"),
-        outside = asked.outside,
+         *amplitude = fabs{letter}(excitation) * {in_motion};\n    \
+         /* Not -turned: the angle of a zero has no sign. */\n    \
+         *phase = wrapped(wrapped(atan2{letter}({zero} - turned, in_phase) - {direction}));\n    \
+         return {ok};\n}}\n",
+        outside = refusal(&outside, &status("OutOfDomain")),
+        stick_slip = status("StickSlip"),
+        stuck = status("Stuck"),
+        ok = status("Ok"),
     )
 }

@@ -1,17 +1,18 @@
-//! Writes tables as C99. The templates `header.h.in` and `source.c.in` are format strings: a field has its name in
-//! braces, and a brace of C is doubled.
+//! Writes tables as C99: a header, a file of numbers, and the code.
 
+mod check;
 mod contact;
+mod header;
+mod numbers;
 mod stuck;
 
-use super::stuck::Stuck;
-use super::{Asked, Numbers, STATUSES, about, quotient, snake, wrapped};
+pub use header::c_header;
+pub use numbers::c_tables;
+
+use super::formulas::Formulas;
+use super::{Language, Numbers, Source, columns, first_step, snake};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
-use frictiongen_model::table::Tables;
-
-/// Suffix of a C `float` literal.
-const FLOAT: &str = "f";
 
 /// Returns the default prefix of the C functions, which is the scene's name in snake case.
 #[must_use]
@@ -19,189 +20,189 @@ pub fn c_name(scene: &Scene) -> String {
     snake(&scene.name)
 }
 
+/// Returns the name of the file with the numbers, from that of the header: `frame.h` has `frame_tables.h`.
+#[must_use]
+pub fn c_tables_name(header: &str) -> String {
+    format!("{}_tables.h", header.strip_suffix(".h").unwrap_or(header))
+}
+
 /// Returns a constant of the status enumeration.
 fn status(name: &str, of: &str) -> String {
-    format!("{}_{}", name.to_uppercase(), snake(of).to_uppercase())
+    constant(name, &snake(of))
 }
 
-/// Writes the header with the declarations. Its functions and constants begin with `name`.
-#[must_use]
-pub fn c_header<S: Float>(scene: &Scene, tables: &Tables<S>, name: &str) -> String {
-    let upper = name.to_uppercase();
-    let guard = format!("{upper}_TABLES_H");
-    let numbers = Numbers::of::<S>(FLOAT);
-    let real = if numbers.single { "float" } else { "double" };
-    let asked = Asked::of(numbers, scene, tables);
-    let about = about(tables).join("\n * ");
-    let statuses: String = STATUSES
-        .iter()
-        .map(|(of, number, meaning)| {
-            format!("    {} = {number}, /* {meaning} */\n", status(name, of))
-        })
-        .collect();
-    let (contact, stuck) = (
-        contact_declared(name, real, &asked, tables),
-        stuck_declared(name, real, &asked, (scene, tables)),
-    );
-    format!(
-        include_str!("header.h.in"),
-        about = about,
-        beta = asked.beta,
-        contact = contact,
-        guard = guard,
-        mark = mark(tables),
-        name = name,
-        ok = status(name, "Ok"),
-        real = real,
-        scene = scene.name,
-        statuses = statuses,
-        stuck = stuck,
-        version = env!("CARGO_PKG_VERSION"),
-    )
+/// Returns the name of a constant: in capitals, with the prefix.
+fn constant(name: &str, of: &str) -> String {
+    format!("{}_{}", name.to_uppercase(), of.to_uppercase())
 }
 
-/// Returns a number for the header's guard that differs between different tables. It is the FNV-1a hash of all
-/// coefficients, of the start and origin of each piece, and of the summary.
-fn mark<S: Float>(tables: &Tables<S>) -> String {
-    let pieces = tables.pieces.iter().flat_map(|piece| {
-        let coefficients = piece.coefficients.iter().flatten();
-        coefficients.chain([&piece.from, &piece.origin])
-    });
-    let bytes = pieces.flat_map(|number| number.to_f64().to_bits().to_le_bytes());
-    let about = about(tables).join("\n").into_bytes();
-    let hash = bytes.chain(about).fold(0x811c_9dc5_u32, |hash, byte| {
-        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
-    });
-    format!("{hash:#010x}")
+/// Returns the conditions that r, and that r and β are out of the domain.
+fn outside(name: &str) -> [String; 2] {
+    let of = |of: &str| constant(name, of);
+    let within = |value: &str| {
+        let [least, most] = ["MIN", "MAX"].map(|end| of(&format!("{value}_{end}")));
+        format!(
+            "({least} <= {value_small}) && ({value_small} <= {most})",
+            value_small = value.to_lowercase()
+        )
+    };
+    let r = within("R");
+    [format!("!({r})"), format!("!({r} && {})", within("BETA"))]
 }
 
-fn contact_declared<S>(name: &str, real: &str, asked: &Asked, tables: &Tables<S>) -> String
-where
-    S: Float,
-{
-    if !tables.moves() {
-        return String::new();
-    }
-    let Asked {
-        amplitude, beta, ..
-    } = asked;
-    format!(
-        "\n/* Amplitude ({amplitude}) and phase (lag of the maximum behind the excitation's, rad) of the contact's relative motion\n \
-         * that slides all the time, at the friction ratio beta = {beta}.  It exists for beta < beta_lim; from beta*_lim on a\n \
-         * stuck state exists beside it, if the static friction exceeds the kinetic. */\n\
-         enum {name}_status {name}_contact({real} r, {real} beta, {real} *amplitude, {real} *phase);\n"
-    )
+/// Writes a return at a condition.
+fn refusal(condition: &str, status: &str) -> String {
+    format!("    if ({condition}) {{\n        return {status};\n    }}\n")
 }
 
-fn stuck_declared<S: Float>(
-    name: &str,
-    real: &str,
-    asked: &Asked,
-    (scene, tables): (&Scene, &Tables<S>),
-) -> String {
-    if tables.held.is_none() {
-        return String::new();
-    }
-    let masses: String = scene
-        .masses
-        .iter()
-        .map(|mass| {
-            format!(
-                "enum {name}_status {name}_stuck_{}({real} r, {real} *re, {real} *im);\n",
-                mass.name
-            )
-        })
-        .collect();
-    let Asked {
-        amplitude, load, ..
-    } = asked;
-    format!(
-        "\n/* While the contact is stuck: the complex amplitude of a mass, so that its displacement ({amplitude}) is\n \
-         * Re((re + i im) e^(i tau)). */\n{masses}\n\
-         /* The force over {load} that holds the contact, in the same way, positive against positive sliding.  Its modulus is mu\n \
-         * beta*_lim. */\n\
-         enum {name}_status {name}_holding_force({real} r, {real} *re, {real} *im);\n"
-    )
-}
-
-/// Writes the source file. Without a header name it contains the text of the header. Its functions begin with `name`,
-/// as those of the header do.
+/// Writes the source file. Without a header name it contains the texts of the header and of the numbers. Its functions
+/// begin with `name`, as those of the header do.
 ///
 /// Returns `None` if β*_lim has no closed product form. Only the exact formulas keep the accuracy then.
 #[must_use]
 pub fn c_source<S: Float>(
-    scene: &Scene,
-    tables: &Tables<S>,
+    source: &Source<'_, S>,
     name: &str,
     header: Option<&str>,
 ) -> Option<String> {
-    let numbers = Numbers::of::<S>(FLOAT);
-    let (real, letter) = if numbers.single {
-        ("float", "f")
-    } else {
-        ("double", "")
+    let formulas = Formulas::of(source, Language::C)?;
+    let mut text = match header {
+        Some(header) => {
+            let tables = c_tables_name(header);
+            let origin = source.origin.c_comment(source.scene);
+            format!("{origin}#include \"{header}\"\n#include \"{tables}\"\n\n")
+        }
+        None => format!("{}{}\n", c_header(source, name), c_tables(source, name)?),
     };
-    let include = match header {
-        Some(header) => format!("#include \"{header}\"\n"),
-        None => c_header(scene, tables, name),
-    };
-    let asked = Asked::of(numbers, scene, tables);
-    let sliding = quotient(numbers, tables.sliding.as_ref()?, &format!("sqrt{letter}"));
-    let contact = tables
-        .moves()
-        .then(|| contact::source(name, (real, letter), &asked, tables));
-    let stuck = tables.held.as_ref().map(|held| {
-        let stuck = Stuck::of(numbers, scene, held);
-        stuck::source(name, (real, letter), &asked, &stuck)
-    });
-    let write = |value: S| numbers.write(value.to_f64());
-    let index = &tables.index;
-    let mut source = format!(
-        include_str!("source.c.in"),
-        buckets = wrapped(&index.buckets),
-        buckets_count = index.buckets.len(),
-        count = tables.pieces.len(),
-        density = write(index.density),
-        functions = tables.functions,
-        halvings = index.halvings,
-        include = include,
-        index_low = write(index.low),
-        last = 2 * (tables.terms / 2 - 1),
-        letter = letter,
-        name = name,
-        narrow = if tables.pieces.len() <= 256 {
-            "unsigned char"
-        } else {
-            "unsigned short"
-        },
-        ok = status(name, "Ok"),
-        out_of_domain = status(name, "OutOfDomain"),
-        outside = asked.r_outside,
-        pieces = pieces(numbers, tables),
-        real = real,
-        sliding = sliding,
-        terms = tables.terms,
+    text.push_str(
+        "#include <math.h>\n#include <stdbool.h>\n#include <stddef.h>\n#include <stdint.h>\n#include <string.h>\n\n\
+         /* The digits are those of separate multiplications and additions: compile without contraction (-std=c99 or\n \
+         * -ffp-contract=off) where they must agree with the Rust to the last one. */\n\n",
     );
-    source.extend(contact);
-    source.extend(stuck);
-    Some(source)
+    text.push_str(&lookup(source, &formulas));
+    text.push_str(&factors(&formulas));
+    text.push_str(&limits(source, &formulas, name));
+    text.push_str(&units(&formulas, name));
+    if source.tables.moves() {
+        text.push_str(&contact::source(source, &formulas, name));
+    }
+    if let Some(stuck) = &formulas.stuck {
+        text.push_str(&stuck::source(&formulas, stuck, name));
+    }
+    text.push_str(&check::source(source, &formulas, name));
+    Some(text)
 }
 
-/// Writes the pieces of the table.
-fn pieces<S: Float>(numbers: Numbers, tables: &Tables<S>) -> String {
-    let write = |value: S| numbers.write(value.to_f64());
-    let mut pieces = String::new();
-    for piece in &tables.pieces {
-        let (from, origin) = (write(piece.from), write(piece.origin));
-        let of = piece.coefficients.iter().map(|of| {
-            let list = numbers.list(of.iter().map(|coefficient| coefficient.to_f64()));
-            format!("{{{list}}}")
-        });
-        let of: Vec<String> = of.collect();
-        pieces.push_str(&format!(
-            "    {{{from}, {origin}, {{{}}}}},\n",
-            of.join(",\n        ")
+/// Writes the search for a piece, and its evaluation.
+fn lookup<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
+    let Numbers { real, .. } = formulas.numbers;
+    let [low, density] = &formulas.index;
+    let step = first_step(source.tables);
+    let search = if step == 0 {
+        "    const size_t index = buckets[bucket & (BUCKETS - 1u)];\n".to_owned()
+    } else {
+        format!(
+            "    size_t index = buckets[bucket & (BUCKETS - 1u)];\n    \
+             /* Halves the step: one comparison each. */\n    \
+             for (size_t step = {step}u; step > 0u; step >>= 1u) {{\n        \
+             const size_t further = index + step;\n        \
+             if ((further < PIECES) && (pieces[further].from <= r)) {{\n            index = further;\n        }}\n    }}\n"
+        )
+    };
+    format!(
+        "/* The piece that contains r. */\n\
+         static const struct piece *found({real} r)\n{{\n    \
+         const size_t bucket = (size_t)((r - {low}) * {density});\n{search}    return &pieces[index];\n}}\n\n\
+         /* The sum of c[j] t^j, with t = r - origin. */\n\
+         static {real} polynomial(const {real} c[{terms}], {real} t)\n{{\n{sum}}}\n\n",
+        terms = source.tables.terms,
+        sum = polynomial(real, source.tables.terms),
+    )
+}
+
+/// Writes the statements of a polynomial of an even number of terms.
+fn polynomial(real: &str, terms: usize) -> String {
+    let pair = |k: usize| format!("c[{k}] + (c[{}] * t)", k + 1);
+    let last = 2 * (terms / 2).saturating_sub(1);
+    if last == 0 {
+        return format!("    return {};\n", pair(0));
+    }
+    let mut sum = format!(
+        "    const {real} square = t * t;\n    {real} sum = {};\n",
+        pair(last)
+    );
+    for k in (0..last / 2).rev() {
+        sum.push_str(&format!("    sum = ({}) + (sum * square);\n", pair(2 * k)));
+    }
+    sum.push_str("    return sum;\n");
+    sum
+}
+
+/// Writes the factors of products that the formulas call.
+fn factors(formulas: &Formulas) -> String {
+    let Numbers { real, .. } = formulas.numbers;
+    let all = [
+        (
+            "zero",
+            format!(
+                "/* (r - y)(r + y), y in two parts. */\n\
+                 static inline {real} zero({real} r, struct zero y)\n{{\n    \
+                 return ((r - y.at) - y.rest) * (r + y.at);\n}}\n\n"
+            ),
+        ),
+        (
+            "pair",
+            format!(
+                "/* A pair of zeros x + iy beside the axis. */\n\
+                 static inline {real} pair({real} r, struct pair y)\n{{\n    \
+                 const {real} beside = (((r - y.at) - y.rest) * (r + y.at)) + y.off;\n    \
+                 return (beside * beside) + y.least;\n}}\n\n"
+            ),
+        ),
+    ];
+    let mut text: String = all
+        .into_iter()
+        .filter(|(name, _)| formulas.calls(name))
+        .map(|(_, text)| text)
+        .collect();
+    if formulas.compares() {
+        text.push_str(&format!(
+            "/* Exactly on a resonance. */\nstatic inline bool is_at({real} r, {real} own)\n{{\n    \
+             return (r <= own) && (own <= r);\n}}\n\n"
         ));
     }
-    pieces
+    text
+}
+
+/// Writes the limits.
+fn limits<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> String {
+    let Numbers { real, .. } = formulas.numbers;
+    let Formulas { sliding, .. } = formulas;
+    let [r_outside, _] = outside(name);
+    let column = columns(source.tables);
+    let column = column.first().map_or("beta_lim", |(name, _)| *name);
+    // A constant limit does not name r.
+    let ignored = if sliding.contains("(r") {
+        ""
+    } else {
+        "    (void)r;\n"
+    };
+    format!(
+        "/* beta*_lim at an r in the range. */\nstatic {real} sliding_limit({real} r)\n{{\n{ignored}    return {sliding};\n}}\n\n\
+         enum {name}_status {name}_limits({real} r, {real} *continuous, {real} *sliding)\n{{\n{refusal}    \
+         const struct piece *const piece = found(r);\n    \
+         *continuous = polynomial(piece->{column}, r - piece->origin);\n    \
+         *sliding = sliding_limit(r);\n    return {ok};\n}}\n",
+        refusal = refusal(&r_outside, &status(name, "OutOfDomain")),
+        ok = status(name, "Ok"),
+    )
+}
+
+/// Writes the conversions from units.
+fn units(formulas: &Formulas, name: &str) -> String {
+    let Numbers { real, .. } = formulas.numbers;
+    format!(
+        "\n{real} {name}_frequency_ratio({real} omega)\n{{\n    return omega / REFERENCE;\n}}\n\n\
+         {real} {name}_friction_ratio({real} friction, {real} load)\n{{\n    return friction / load;\n}}\n"
+    )
 }

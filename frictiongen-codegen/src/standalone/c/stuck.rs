@@ -1,20 +1,17 @@
 //! Writes the stuck responses in C.
 
-use super::super::Asked;
+use super::super::Numbers;
+use super::super::formulas::Formulas;
 use super::super::stuck::{Expression, Function, Stuck};
-use super::status;
+use super::{outside, refusal, status};
 
 /// Writes the responses while the contact is stuck, with the complex operations that they need.
-pub(super) fn source(
-    name: &str,
-    (real, letter): (&str, &str),
-    asked: &Asked,
-    stuck: &Stuck,
-) -> String {
-    let numbers = asked.numbers;
-    let outside = &asked.r_outside;
+pub(super) fn source(formulas: &Formulas, stuck: &Stuck, name: &str) -> String {
+    let numbers = formulas.numbers;
+    let Numbers { real, .. } = numbers;
+    let [outside, _] = outside(name);
     let status = |of: &str| status(name, of);
-    let (one, zero) = (numbers.write(1.0), numbers.write(0.0));
+    let zero = numbers.write(0.0);
     let mut functions = String::new();
     for Function { name, value } in &stuck.poles {
         let (of, value) = match value {
@@ -25,20 +22,8 @@ pub(super) fn source(
             "\n/* The poles of responses. */\nstatic {of} {name}({real} r)\n{{\n    return {value};\n}}\n"
         ));
     }
-    let resonances: Vec<String> = stuck
-        .resonances
-        .iter()
-        .map(|own| format!("r == {own}"))
-        .collect();
-    let resonant = if resonances.is_empty() {
-        String::new()
-    } else {
-        let resonant = resonances.join(" || ");
-        format!(
-            "    if ({resonant})\n        return {};\n",
-            status("Unbounded")
-        )
-    };
+    let resonant = Formulas::on(&stuck.resonances);
+    let resonant = resonant.map_or_else(String::new, |on| refusal(&on, &status("Unbounded")));
     let masses = stuck
         .masses
         .iter()
@@ -52,72 +37,71 @@ pub(super) fn source(
             ),
         };
         functions.push_str(&format!(
-            "\n{returns} {name}({real} r, {real} *re, {real} *im)\n{{\n    \
-             if ({outside})\n        return {};\n{resonant}{answer}    return {};\n}}\n",
-            status("OutOfDomain"),
-            status("Ok"),
+            "\n{returns} {name}({real} r, {real} *re, {real} *im)\n{{\n{outside}{resonant}{answer}    return {ok};\n}}\n",
+            outside = refusal(&outside, &status("OutOfDomain")),
+            ok = status("Ok"),
         ));
     }
-    format!(
-        "{}{functions}",
-        operations((real, letter), (&one, &zero), stuck)
-    )
+    format!("{}{functions}", operations(formulas, stuck))
 }
 
 /// Writes the complex operations that the file calls. An unused operation would cause a compiler
 /// warning.
-fn operations((real, letter): (&str, &str), (one, zero): (&str, &str), stuck: &Stuck) -> String {
+fn operations(formulas: &Formulas, stuck: &Stuck) -> String {
+    let numbers = formulas.numbers;
+    let (Numbers { real, .. }, letter) = (numbers, numbers.letter());
+    let (one, zero) = (numbers.write(1.0), numbers.write(0.0));
+    let value = |re: &str, im: &str| {
+        format!("    const struct number value = {{{re}, {im}}};\n    return value;\n")
+    };
     let operations = [
         (
             "pair_root",
-            format!("{real} r, {real} at, {real} rest, {real} off, {real} rate"),
-            "    return (struct number){off - ((r - at) - rest) * (r + at), rate * r};\n"
-                .to_owned(),
+            format!("{real} r, struct root_pair y"),
+            value("y.off - (((r - y.at) - y.rest) * (r + y.at))", "y.rate * r"),
         ),
         (
             "real_root",
             format!("{real} r, {real} rate"),
-            "    return (struct number){rate, r};\n".to_owned(),
+            value("rate", "r"),
         ),
-        (
-            "real_number",
-            format!("{real} re"),
-            format!("    return (struct number){{re, {zero}}};\n"),
-        ),
+        ("real_number", format!("{real} re"), value("re", &zero)),
         (
             "scaled",
             format!("struct number a, {real} k"),
-            "    return (struct number){a.re * k, a.im * k};\n".to_owned(),
+            value("a.re * k", "a.im * k"),
         ),
         (
             "times",
             "struct number a, struct number b".to_owned(),
-            "    return (struct number){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};\n"
-                .to_owned(),
+            value(
+                "(a.re * b.re) - (a.im * b.im)",
+                "(a.re * b.im) + (a.im * b.re)",
+            ),
         ),
         (
             "inverse",
             "struct number a".to_owned(),
             format!(
-                "    const {real} over = {one} / (fabs{letter}(a.re) + fabs{letter}(a.im));\n    \
-                 const {real} re = a.re * over, im = a.im * over;\n    \
-                 const {real} k = over / (re * re + im * im);\n    \
-                 return (struct number){{re * k, -(im * k)}};\n"
+                "    /* Over the size of both parts, so that no square overflows. */\n    \
+                 const {real} over = {one} / (fabs{letter}(a.re) + fabs{letter}(a.im));\n    \
+                 const {real} re = a.re * over;\n    const {real} im = a.im * over;\n    \
+                 const {real} k = over / ((re * re) + (im * im));\n{}",
+                value("re * k", "-(im * k)")
             ),
         ),
     ];
     let mut source = String::new();
     for (name, takes, body) in operations {
-        if stuck.calls(name) {
+        if formulas.calls(name) {
             source.push_str(&format!(
                 "\nstatic inline struct number {name}({takes})\n{{\n{body}}}\n"
             ));
         }
     }
-    if !source.is_empty() {
-        let about = "A pair of roots is (s - x)^2 + y^2 at s = ir: off = x^2, rate = -2x; a real one is s - x: rate = -x.";
+    if stuck.is_complex() {
         source = format!(
-            "\n/* A complex number.  {about} */\nstruct number {{\n    {real} re, im;\n}};\n{source}"
+            "\n/* A complex number. */\nstruct number {{\n    {real} re;\n    {real} im;\n}};\n{source}"
         );
     }
     source

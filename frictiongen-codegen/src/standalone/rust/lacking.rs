@@ -31,6 +31,10 @@ pub(super) fn source(numbers: Numbers) -> String {
     format!(
         "/// What `core` lacks.  Where std is linked its own methods of these names are taken.\n\
          trait Lacking {{\n    fn sqrt(self) -> Self;\n    fn atan2(self, x: Self) -> Self;\n}}\n\n\
+         #[allow(\n    clippy::cast_possible_truncation,\n    clippy::cast_possible_wrap,\n    clippy::cast_precision_loss,\n    \
+         clippy::cast_sign_loss,\n    reason = \"bits of a number, and an index of at most {PARTS}\"\n)]\n\
+         #[allow(\n    clippy::approx_constant,\n    clippy::excessive_precision,\n    clippy::unreadable_literal,\n    \
+         reason = \"arcs to all digits, as they are printed\"\n)]\n\
          impl Lacking for {real} {{\n    \
          /// Rounded correctly: an integer root of one more digit, rounded to the nearest.  Of a number that is not negative.\n    \
          fn sqrt(self) -> {real} {{\n        \

@@ -1,26 +1,21 @@
 //! Writes the stuck responses in Rust.
 
-use super::super::Asked;
+use super::super::formulas::Formulas;
 use super::super::stuck::{Expression, Function, Stuck};
+use super::super::{Numbers, Words};
 
 /// Writes the responses while the contact is stuck, with the complex operations that they need.
-pub(super) fn source(real: &str, asked: &Asked, stuck: &Stuck) -> String {
+pub(super) fn source(formulas: &Formulas, stuck: &Stuck, words: &Words) -> String {
+    let Numbers { real, .. } = formulas.numbers;
     let mut source = String::new();
-    let (amplitude, load, outside) = (asked.amplitude, asked.load, &asked.r_outside);
-    let on = stuck.resonances.iter().map(|own| format!("r == {own}"));
-    let on: Vec<String> = on.collect();
-    let resonant = if on.is_empty() {
-        String::new()
-    } else {
-        format!(
-            "    if {} {{\n        return Err(Error::Unbounded);\n    }}\n",
-            on.join(" || ")
-        )
-    };
+    let (amplitude, load) = (words.amplitude, words.load);
+    let resonant = Formulas::on(&stuck.resonances).map_or_else(String::new, |on| {
+        format!("    if {on} {{\n        return Err(Error::Unbounded);\n    }}\n")
+    });
     let masses = stuck.masses.iter().map(|mass| {
         let about = format!(
             "/// While the contact is stuck: the complex amplitude of `{}`, whose displacement ({amplitude}) is\n\
-             /// Re((re + i·im)e^{{iτ}}).\n///\n/// # Errors\n\
+             /// `Re((re + i im) e^(iτ))`.\n///\n/// # Errors\n\
              /// [`Error::OutOfDomain`]; [`Error::Unbounded`] on an undamped resonance of the chain with its contact stuck.\n",
             mass.name
         );
@@ -29,7 +24,7 @@ pub(super) fn source(real: &str, asked: &Asked, stuck: &Stuck) -> String {
     let force = (
         format!(
             "/// The force over {load} that holds the contact, in the same way, positive against positive sliding.  Its modulus is\n\
-             /// μβ*_lim.\n///\n/// # Errors\n/// The same.\n"
+             /// `μ β*_lim`.\n///\n/// # Errors\n/// The same.\n"
         ),
         "holding_force".to_owned(),
         &stuck.force,
@@ -41,7 +36,7 @@ pub(super) fn source(real: &str, asked: &Asked, stuck: &Stuck) -> String {
         };
         source.push_str(&format!(
             "\n{about}pub fn {name}(r: {real}) -> Result<({real}, {real}), Error> {{\n    \
-             if {outside} {{\n        return Err(Error::OutOfDomain);\n    }}\n{resonant}    Ok({value})\n}}\n"
+             if !(R_MIN..=R_MAX).contains(&r) {{\n        return Err(Error::OutOfDomain);\n    }}\n{resonant}    Ok({value})\n}}\n"
         ));
     }
     for Function { name, value } in &stuck.poles {
@@ -53,17 +48,53 @@ pub(super) fn source(real: &str, asked: &Asked, stuck: &Stuck) -> String {
             "\n/// The poles of responses.\nfn {name}(r: {real}) -> {of} {{\n    {value}\n}}\n"
         ));
     }
+    source + &operations(formulas)
+}
+
+/// Writes the complex operations that the file calls.
+fn operations(formulas: &Formulas) -> String {
+    let Numbers { real, .. } = formulas.numbers;
     let number = format!("({real}, {real})");
-    source.push_str(&format!(
-        "\n/// (s − x)² + y² at s = ir: off = x², rate = −2x.\n\
-         fn pair_root(r: {real}, at: {real}, rest: {real}, off: {real}, rate: {real}) -> {number} {{\n    \
-         (off - ((r - at) - rest) * (r + at), rate * r)\n}}\n\n\
-         /// s − x: rate = −x.\nfn real_root(r: {real}, rate: {real}) -> {number} {{\n    (rate, r)\n}}\n\n\
-         fn real_number(re: {real}) -> {number} {{\n    (re, 0.0)\n}}\n\n\
-         fn scaled(a: {number}, k: {real}) -> {number} {{\n    (a.0 * k, a.1 * k)\n}}\n\n\
-         fn times(a: {number}, b: {number}) -> {number} {{\n    (a.0 * b.0 - a.1 * b.1, a.0 * b.1 + a.1 * b.0)\n}}\n\n\
-         fn inverse(a: {number}) -> {number} {{\n    let over = 1.0 / (a.0.abs() + a.1.abs());\n    \
-         let (re, im) = (a.0 * over, a.1 * over);\n    let k = over / (re * re + im * im);\n    (re * k, -(im * k))\n}}\n"
-    ));
-    source
+    let all = [
+        (
+            "pair_root",
+            format!(
+                "\n/// (s − x)² + y² at s = ir.\nfn pair_root(r: {real}, y: RootPair) -> {number} {{\n    \
+                 (y.off - ((r - y.at) - y.rest) * (r + y.at), y.rate * r)\n}}\n"
+            ),
+        ),
+        (
+            "real_root",
+            format!(
+                "\n/// s − x at s = ir: rate = −x.\nconst fn real_root(r: {real}, rate: {real}) -> {number} {{\n    (rate, r)\n}}\n"
+            ),
+        ),
+        (
+            "real_number",
+            format!("\nconst fn real_number(re: {real}) -> {number} {{\n    (re, 0.0)\n}}\n"),
+        ),
+        (
+            "scaled",
+            format!(
+                "\nfn scaled(a: {number}, k: {real}) -> {number} {{\n    (a.0 * k, a.1 * k)\n}}\n"
+            ),
+        ),
+        (
+            "times",
+            format!(
+                "\nfn times(a: {number}, b: {number}) -> {number} {{\n    (a.0 * b.0 - a.1 * b.1, a.0 * b.1 + a.1 * b.0)\n}}\n"
+            ),
+        ),
+        (
+            "inverse",
+            format!(
+                "\nfn inverse(a: {number}) -> {number} {{\n    \
+                 // Over the size of both parts, so that no square overflows.\n    \
+                 let over = 1.0 / (a.0.abs() + a.1.abs());\n    \
+                 let (re, im) = (a.0 * over, a.1 * over);\n    let k = over / (re * re + im * im);\n    (re * k, -(im * k))\n}}\n"
+            ),
+        ),
+    ];
+    let called = all.into_iter().filter(|(name, _)| formulas.calls(name));
+    called.map(|(_, text)| text).collect()
 }

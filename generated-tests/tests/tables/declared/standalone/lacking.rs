@@ -1,6 +1,6 @@
 //! Tests the square root and the arc tangent of a Rust file that is built without std, against those of std.
 
-use super::{folder, run, rustc};
+use super::{folder, run, rustc, source};
 use frictiongen::System;
 use frictiongen_codegen::standalone::rust_source;
 use frictiongen_kernel::Float;
@@ -50,7 +50,8 @@ fn check<S: Float>(bits: &str, fraction: u32) {
     );
     let system: System<S> = text.parse().expect("a scene");
     let compiled = system.compile(0.5..2.0, 1e-2).expect("tables");
-    let source = rust_source(system.scene(), compiled.tables()).expect("a form of its own");
+    let source = rust_source(&source(system.scene(), compiled.tables()));
+    let source = source.expect("a form of its own");
     let folder = folder(&format!("lacking_{real}"));
     let write = |file: &str, text: &str| std::fs::write(folder.join(file), text).expect("written");
     let own = format!(

@@ -3,14 +3,19 @@
 //!
 //! Phases use another arc tangent, and agree to eight roundings of a radian. These tests fail on a machine without `cc`
 //! or `rustc`.
-//! tests.
 
+mod check;
 mod lacking;
 mod motion;
 mod names;
 mod refused;
 mod stuck;
 
+use frictiongen::study::scene::Scene;
+use frictiongen::study::table::Tables;
+use frictiongen_codegen::standalone::{
+    Origin, Source, c_header, c_source, c_tables, c_tables_name,
+};
 use frictiongen_kernel::Float;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -37,10 +42,33 @@ fn run(command: &mut Command) -> String {
     String::from_utf8(output.stdout).expect("text")
 }
 
-/// Compiles C99, and fails if the compiler warns.
+/// Returns a scene with its tables, from a description that has no effect on the numbers.
+fn source<'a, S>(scene: &'a Scene, tables: &'a Tables<S>) -> Source<'a, S> {
+    Source {
+        scene,
+        tables,
+        origin: Origin {
+            description: "struct Written { /* as it was */ }",
+            command: "frictiongen compile written.friction",
+        },
+    }
+}
+
+/// Writes the three files of a scene in C: `NAME.h`, `NAME_tables.h` and `NAME.c`, in which names begin with `name`.
+fn write_c<S: Float>(folder: &Path, file: &str, source: &Source<'_, S>, name: &str) {
+    let write = |file: &str, text: &str| std::fs::write(folder.join(file), text).expect("written");
+    let header = format!("{file}.h");
+    write(&header, &c_header(source, name));
+    let tables = c_tables(source, name).expect("a form of its own");
+    write(&c_tables_name(&header), &tables);
+    let code = c_source(source, name, Some(&header)).expect("a form of its own");
+    write(&format!("{file}.c"), &code);
+}
+
+/// Compiles C99, and fails on any warning. Conversions and comparisons of numbers are among the warnings.
 #[track_caller]
 fn cc(folder: &Path, arguments: &[&str]) {
-    let flags = "-std=c99 -O2 -ffp-contract=off -Wall -Wextra -Werror -Wpedantic";
+    let flags = "-std=c99 -O2 -ffp-contract=off -Wall -Wextra -Werror -Wpedantic -Wconversion -Wfloat-equal -Wshadow -Wundef -Wmissing-prototypes";
     let mut command = Command::new("cc");
     run(command
         .current_dir(folder)

@@ -1,8 +1,8 @@
 //! Tests two tables of one scene in one program.
 
-use super::{cc, folder, run};
+use super::{cc, folder, run, source, write_c};
 use frictiongen::System;
-use frictiongen_codegen::standalone::{c_header, c_name, c_source};
+use frictiongen_codegen::standalone::c_name;
 use std::process::Command;
 
 #[test]
@@ -16,7 +16,7 @@ fn two_accuracies_in_one_program() {
     let main = |names: [&str; 2]| {
         let [fine, coarse] = names;
         format!(
-            "#include <stdio.h>\n#include \"fine.h\"\n#include \"coarse.h\"\n#include \"fine.h\"\nint main(void) {{\n    \
+            "#include <stdio.h>\n#include \"fine.h\"\n#include \"coarse.h\"\n#include \"fine.h\"\nint main(void);\nint main(void) {{\n    \
              double fine, coarse, s;\n    if ({fine}_limits(0.9, &fine, &s) || {coarse}_limits(0.9, &coarse, &s)) return 1;\n    \
              printf(\"%.17g %.17g\\n\", fine, coarse);\n    return 0;\n}}\n"
         )
@@ -25,10 +25,7 @@ fn two_accuracies_in_one_program() {
         let files = [("fine", 1e-9), ("coarse", 1e-2)];
         for ((file, accuracy), name) in files.into_iter().zip(names) {
             let compiled = system.compile(0.5..2.0, accuracy).expect("tables");
-            let header = format!("{file}.h");
-            write(&header, &c_header(scene, compiled.tables(), name));
-            let source = c_source(scene, compiled.tables(), name, Some(&header));
-            write(&format!("{file}.c"), &source.expect("a form of its own"));
+            write_c(&folder, file, &source(scene, compiled.tables()), name);
         }
         write("main.c", &main(names));
     };

@@ -1,0 +1,254 @@
+//! Known answers of a scene, computed in double-double. Emitted code compares its own answers with them.
+
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::response::At;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::reduced::Reduced;
+use frictiongen_model::scene::Precision;
+
+/// Number of frequency ratios with known answers.
+pub const POINTS: usize = 10;
+/// Number of frequency ratios that are tried before fewer known answers have to do.
+const TRIED: u32 = 400;
+/// Fractions of the range between two tries. By the golden ratio the tries spread evenly.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// Displacements and velocities of a mass are known at this phase τ, rad.
+pub const TAU: f64 = 1.0;
+/// Roundings by which r is displaced to find how an answer depends on them.
+const DISPLACED: f64 = 32.0;
+/// Part of the tolerance by which such a displacement may change an answer.
+const SENSITIVE: f64 = 1.0 / 8.0;
+/// Distance of β from a limit, over the limit, so that no rounding changes the regime.
+const APART: f64 = 0.05;
+/// Largest modulus of a known phase, so that no rounding takes it across π.
+const WRAPS: f64 = 3.0;
+
+/// What is asked of the known answers.
+#[derive(Clone, Copy, Debug)]
+pub struct Question {
+    /// Precision in which r and β are given.
+    pub precision: Precision,
+    /// Range of frequency ratios.
+    pub r: (f64, f64),
+    /// Range of friction ratios.
+    pub beta: (f64, f64),
+    /// Largest error of an emitted answer.
+    pub tolerance: f64,
+    /// True if the motion is asked for.
+    pub motion: bool,
+    /// True if the responses while the contact is stuck are asked for.
+    pub stuck: bool,
+}
+
+/// The kind of motion at a friction ratio.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// The contact slides all the time.
+    Continuous,
+    /// The contact stops and slides in turn.
+    StickSlip,
+    /// The contact is stuck.
+    Stuck,
+}
+
+/// Known answers at one frequency ratio.
+#[derive(Clone, Debug)]
+pub struct Known {
+    /// Frequency ratio.
+    pub r: f64,
+    /// β_lim.
+    pub continuous: f64,
+    /// β*_lim.
+    pub sliding: f64,
+    /// The motion at one friction ratio, if it is asked for.
+    pub motion: Option<KnownMotion>,
+    /// Real and imaginary part of the response of each mass while the contact is stuck, then of the force that holds
+    /// the contact. Empty unless they are asked for.
+    pub stuck: Vec<[f64; 2]>,
+}
+
+/// Known answers at one friction ratio.
+#[derive(Clone, Debug)]
+pub struct KnownMotion {
+    /// Friction ratio.
+    pub beta: f64,
+    /// Kind of the motion.
+    pub outcome: Outcome,
+    /// Amplitude and phase of the contact. 0 unless it slides all the time.
+    pub contact: [f64; 2],
+    /// Displacement and velocity of each mass at τ = [`TAU`]. 0 unless the contact slides all the time.
+    pub masses: Vec<[f64; 2]>,
+}
+
+/// Returns the known answers at up to [`POINTS`] frequency ratios of the range, ascending. Frequency ratios at which
+/// roundings decide about an answer are left out.
+#[must_use]
+pub fn known(modal: &Modal, question: &Question) -> Vec<Known> {
+    let exact = modal.reduced(|value| value);
+    let (low, high) = question.r;
+    let mut found: Vec<Known> = Vec::new();
+    for tried in 0..TRIED {
+        if found.len() == POINTS {
+            break;
+        }
+        let share = (0.5 + f64::from(tried) * GOLDEN).fract();
+        let r = question.rounded(low + (high - low) * share);
+        found.extend(answers(&exact, question, r, found.len()));
+    }
+    found.sort_by(|one, other| one.r.total_cmp(&other.r));
+    found
+}
+
+impl Question {
+    #[allow(clippy::cast_possible_truncation, reason = "the scalar is f32")]
+    fn rounded(&self, value: f64) -> f64 {
+        match self.precision {
+            Precision::F64 => value,
+            Precision::F32 => f64::from(value as f32),
+        }
+    }
+
+    fn epsilon(&self) -> f64 {
+        match self.precision {
+            Precision::F64 => f64::EPSILON,
+            Precision::F32 => f64::from(f32::EPSILON),
+        }
+    }
+}
+
+/// Returns the answers at r, unless they depend on roundings. `place` counts the answers found so far.
+fn answers(exact: &Reduced<Dd>, question: &Question, r: f64, place: usize) -> Option<Known> {
+    let at = At::new(exact, Dd::from(r)).ok()?;
+    let limits = at.limits();
+    let beta = question.motion.then(|| {
+        let [continuous, sliding] = [limits.continuous, limits.sliding].map(Float::to_f64);
+        beta(question, continuous, sliding, place)
+    });
+    let here = answer(exact, question, r, beta)?;
+    let displaced = r * (1.0 + DISPLACED * question.epsilon());
+    let there = answer(exact, question, displaced, beta)?;
+    let allowed = SENSITIVE * question.tolerance;
+    let is_near = |one: f64, other: f64, size: f64| (one - other).abs() <= allowed * size;
+    let numbers = |known: &Known| {
+        let motion = known.motion.iter().flat_map(|motion| {
+            let [amplitude, phase] = motion.contact;
+            let mut all = vec![(amplitude, amplitude), (phase, 1.0)];
+            all.extend(motion.masses.iter().flat_map(|[x, v]| {
+                let size = x.hypot(*v);
+                [(*x, size), (*v, size)]
+            }));
+            all
+        });
+        let stuck = known.stuck.iter().flat_map(|[re, im]| {
+            let size = re.hypot(*im);
+            [(*re, size), (*im, size)]
+        });
+        let limits = [known.continuous, known.sliding].map(|limit| (limit, limit));
+        limits
+            .into_iter()
+            .chain(motion)
+            .chain(stuck)
+            .collect::<Vec<_>>()
+    };
+    let pairs = numbers(&here).into_iter().zip(numbers(&there));
+    let mut apart = pairs.filter(|((one, size), (other, _))| !is_near(*one, *other, *size));
+    apart.next().is_none().then_some(here)
+}
+
+/// Returns a friction ratio: of three in turn two below β_lim, and one above both limits. It is within the range.
+fn beta(question: &Question, continuous: f64, sliding: f64, place: usize) -> f64 {
+    let wanted = match place % 3 {
+        0 => 0.5 * continuous,
+        1 => 0.8 * continuous,
+        _ if continuous * (1.0 + 4.0 * APART) < sliding && place % 2 == 0 => {
+            0.5 * (continuous + sliding)
+        }
+        _ => 1.5 * continuous.max(sliding),
+    };
+    let (least, most) = question.beta;
+    question.rounded(wanted).clamp(least, most)
+}
+
+/// Returns the answers at r and β. Returns `None` where there is no answer, or where β is close to a limit.
+fn answer(exact: &Reduced<Dd>, question: &Question, r: f64, beta: Option<f64>) -> Option<Known> {
+    let at = At::new(exact, Dd::from(r)).ok()?;
+    let limits = at.limits();
+    let [continuous, sliding] = [limits.continuous, limits.sliding].map(Float::to_f64);
+    if !(continuous.is_finite() && sliding.is_finite() && 0.0 < continuous && 0.0 < sliding) {
+        return None;
+    }
+    let mut stuck = Vec::new();
+    if question.stuck {
+        let response = at.stuck().ok()?;
+        let masses = exact.shapes.len() / exact.modes.len().max(1);
+        let parts = (0..masses).map(|mass| response.mass(mass));
+        let parts = parts.chain([response.contact_force()]);
+        stuck = parts
+            .map(|value| [value.re.to_f64(), value.im.to_f64()])
+            .collect();
+        // A response that is exactly 0 has the roundings of double-double.
+        let largest = stuck
+            .iter()
+            .flatten()
+            .fold(0.0_f64, |most, part| most.max(part.abs()));
+        for part in stuck.iter_mut().flatten() {
+            if part.abs() < 1e-20 * largest {
+                *part = 0.0;
+            }
+        }
+    }
+    let motion = match beta {
+        None => None,
+        Some(beta) => Some(motion(exact, r, beta, [continuous, sliding])?),
+    };
+    Some(Known {
+        r,
+        continuous,
+        sliding,
+        motion,
+        stuck,
+    })
+}
+
+fn motion(
+    exact: &Reduced<Dd>,
+    r: f64,
+    beta: f64,
+    [continuous, sliding]: [f64; 2],
+) -> Option<KnownMotion> {
+    let near = |limit: f64| (beta / limit - 1.0).abs() < APART;
+    if near(continuous) || near(sliding) {
+        return None;
+    }
+    let masses = exact.shapes.len() / exact.modes.len().max(1);
+    let mut known = KnownMotion {
+        beta,
+        outcome: if beta < continuous {
+            Outcome::Continuous
+        } else if beta < sliding {
+            Outcome::StickSlip
+        } else {
+            Outcome::Stuck
+        },
+        contact: [0.0; 2],
+        masses: vec![[0.0; 2]; masses],
+    };
+    if known.outcome == Outcome::Continuous {
+        let at = At::new(exact, Dd::from(r)).ok()?;
+        let motion = at.motion(Dd::from(beta)).ok()?;
+        let largest = motion.contact().largest();
+        known.contact = [largest.amplitude, largest.phase].map(Float::to_f64);
+        if WRAPS < known.contact.last()?.abs() {
+            return None;
+        }
+        let tau = Dd::from(TAU);
+        known.masses = (0..masses)
+            .map(|mass| {
+                let mass = motion.mass(mass);
+                [mass.displacement(tau), mass.velocity(tau)].map(Float::to_f64)
+            })
+            .collect();
+    }
+    Some(known)
+}

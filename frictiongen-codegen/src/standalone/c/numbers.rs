@@ -1,0 +1,164 @@
+//! Writes the file of numbers in C: the tables, the constants of the formulas, the checksums and the known answers.
+
+use super::super::formulas::Formulas;
+use super::super::known::{known_answers, numbers as known_numbers, rows, status as known_status};
+use super::super::units::UnitConstants;
+use super::super::{
+    Language, Numbers, RESPONSES, Source, about, checksum, columns, piece_numbers, wrapped,
+};
+use super::{header, status};
+use crate::standalone::origin::c_text;
+use frictiongen_kernel::Float;
+
+/// Writes the file that `frame.c` includes as `frame_tables.h`. Returns `None` if β*_lim has no closed product form.
+#[must_use]
+pub fn c_tables<S: Float>(source: &Source<'_, S>, name: &str) -> Option<String> {
+    let formulas = Formulas::of(source, Language::C)?;
+    let tables = source.tables;
+    let lines = about(tables);
+    let lines: Vec<String> = lines.iter().map(|line| c_text(line)).collect();
+    let guard = format!("{}_NUMBERS_H", name.to_uppercase());
+    let mut text = format!(
+        "{origin}/* The numbers of {name}, which only its code includes.\n * {about} */\n\
+         #ifndef {guard}\n#define {guard}\n\n",
+        origin = source.origin.c_comment(source.scene),
+        about = lines.join("\n * "),
+    );
+    text.push_str(&pieces(source, formulas.numbers));
+    text.push_str(&formulas.constants.types());
+    let reference = UnitConstants::of::<S>(source.scene).reference;
+    text.push_str(&format!(
+        "/* sqrt(k1/m1), by which angular frequencies are divided: rad/s. */\n\
+         static const {} REFERENCE = {};\n\n/* The constants of the formulas. */\n",
+        formulas.numbers.real,
+        formulas.numbers.write(reference),
+    ));
+    text.push_str(&formulas.constants.written());
+    text.push_str(&known(source, formulas.numbers, name));
+    text.push_str(&checksums(source, &formulas));
+    text.push_str("\n#endif\n");
+    Some(text)
+}
+
+/// Writes the buckets and the pieces.
+fn pieces<S: Float>(source: &Source<'_, S>, numbers: Numbers) -> String {
+    let tables = source.tables;
+    let Numbers { real, .. } = numbers;
+    let write = |value: S| numbers.write(value.to_f64());
+    let fields = columns(tables).iter();
+    let fields =
+        fields.map(|(name, about)| format!("    {real} {name}[{}]; /* {about} */\n", tables.terms));
+    let fields: String = fields.collect();
+    let mut rows = String::new();
+    for piece in &tables.pieces {
+        let of = piece.coefficients.iter().map(|of| {
+            let list = numbers.list(of.iter().map(|coefficient| coefficient.to_f64()));
+            format!("{{{list}}}")
+        });
+        let of: Vec<String> = of.collect();
+        rows.push_str(&format!(
+            "    {{{}, {},\n        {}}},\n",
+            write(piece.from),
+            write(piece.origin),
+            of.join(",\n        ")
+        ));
+    }
+    let responses = if tables.moves() {
+        format!("  {RESPONSES}")
+    } else {
+        String::new()
+    };
+    format!(
+        "#define PIECES {count}u\n#define BUCKETS {buckets_count}u\n\n\
+         /* A piece of the table.  Each function is the sum of c[j] t^j, with t = r - origin.{responses} */\n\
+         struct piece {{\n    {real} from;   /* the smallest r of the piece */\n    {real} origin; /* from where r is counted */\n{fields}}};\n\n\
+         /* The piece in which each bucket begins. */\n\
+         static const {narrow} buckets[BUCKETS] = {{\n    {buckets}\n}};\n\n\
+         static const struct piece pieces[PIECES] = {{\n{rows}}};\n\n",
+        count = tables.pieces.len(),
+        buckets_count = tables.index.buckets.len(),
+        narrow = if tables.pieces.len() <= 256 {
+            "unsigned char"
+        } else {
+            "unsigned short"
+        },
+        buckets = wrapped(&tables.index.buckets),
+    )
+}
+
+/// Writes the known answers.
+fn known<S: Float>(source: &Source<'_, S>, numbers: Numbers, name: &str) -> String {
+    let (tolerance, all) = known_answers(source);
+    if all.is_empty() {
+        return String::new();
+    }
+    let Numbers { real, .. } = numbers;
+    let mut fields =
+        format!("    {real} r;\n    {real} beta_lim;\n    {real} sliding; /* beta*_lim */\n");
+    if source.tables.moves() {
+        fields.push_str(&format!(
+            "    {real} beta;\n    {real} amplitude; /* of the contact, where its motion is continuous */\n    {real} phase;\n    \
+             enum {name}_status status;\n"
+        ));
+    }
+    let forces = all.first().map_or(0, |known| known.stuck.len());
+    if forces > 0 {
+        fields.push_str(&format!(
+            "    {real} stuck[{forces}][2]; /* re and im of each mass, then of the holding force */\n"
+        ));
+    }
+    let lines = rows(numbers, &all).into_iter().zip(&all);
+    let lines = lines.map(|([head, motion, stuck], known)| {
+        let mut line = format!("    {{{head}");
+        if !motion.is_empty() {
+            line.push_str(&format!(
+                ",\n        {motion}, {}",
+                status(name, known_status(known))
+            ));
+        }
+        if !stuck.is_empty() {
+            line.push_str(&format!(",\n        {{{stuck}}}"));
+        }
+        line + "},\n"
+    });
+    format!(
+        "\n#define KNOWN {count}u\n/* Largest error of an answer: the accuracy of the table, and 64 roundings of the arithmetic, of r and of beta. */\n\
+         static const {real} TOLERANCE = {tolerance};\n\n\
+         /* Answers of the exact formulas, computed in arithmetic of 32 digits. */\n\
+         struct known {{\n{fields}}};\n\nstatic const struct known known[KNOWN] = {{\n{lines}}};\n",
+        count = all.len(),
+        tolerance = numbers.write(tolerance),
+        lines = lines.collect::<String>(),
+    )
+}
+
+/// Writes the checksums.
+fn checksums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
+    let numbers = formulas.numbers;
+    let (_, known) = known_answers(source);
+    let mut sums = vec![
+        (
+            "BUCKETS",
+            checksum::of_indices(&source.tables.index.buckets),
+        ),
+        (
+            "PIECES",
+            checksum::of_numbers(numbers, piece_numbers(source.tables)),
+        ),
+        (
+            "CONSTANTS",
+            checksum::of_numbers(numbers, formulas.constants.values()),
+        ),
+        ("UNITS", header::checksum_of_units(source)),
+    ];
+    if !known.is_empty() {
+        let known = known.iter().flat_map(known_numbers);
+        sums.push(("KNOWN", checksum::of_numbers(numbers, known)));
+    }
+    let sums = sums.into_iter();
+    let sums = sums.map(|(of, sum)| format!("#define SUM_OF_{of} {sum:#010x}u\n"));
+    format!(
+        "\n/* Checksums of the numbers above and of the header's. */\n{}",
+        sums.collect::<String>()
+    )
+}

@@ -1,0 +1,205 @@
+//! Collects the numbers that the formulas of a file need, so that they stand in one place with a name each.
+
+use super::{Language, Numbers};
+
+/// Form of a constant, with the names of its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// One number.
+    Number,
+    /// A zero of a product.
+    Zero,
+    /// A pair of zeros of a product, beside the axis.
+    Pair,
+    /// A pair of roots of a complex product.
+    RootPair,
+}
+
+impl Form {
+    /// Returns the names of the numbers.
+    pub fn fields(self) -> &'static [&'static str] {
+        match self {
+            Self::Number => &[],
+            Self::Zero => &["at", "rest"],
+            Self::Pair => &["at", "rest", "off", "least"],
+            Self::RootPair => &["at", "rest", "off", "rate"],
+        }
+    }
+
+    /// Returns the name of the type: in C, then in Rust.
+    fn type_name(self, language: Language) -> &'static str {
+        match (self, language) {
+            (Self::Number, _) => "",
+            (Self::Zero, Language::C) => "zero",
+            (Self::Pair, Language::C) => "pair",
+            (Self::RootPair, Language::C) => "root_pair",
+            (Self::Zero, Language::Rust) => "Zero",
+            (Self::Pair, Language::Rust) => "Pair",
+            (Self::RootPair, Language::Rust) => "RootPair",
+        }
+    }
+
+    /// Returns the meaning of the numbers.
+    pub fn about(self) -> &'static str {
+        match self {
+            Self::Number => "",
+            Self::Zero => "(r - y)(r + y), with y = at + rest",
+            Self::Pair => {
+                "((r - y)(r + y) + off)^2 + least, with y = at + rest, for the zeros x + iy: off = x^2, least = 4 x^2 y^2"
+            }
+            Self::RootPair => {
+                "(s - x)^2 + y^2 at s = ir, with y = at + rest: off = x^2, rate = -2x"
+            }
+        }
+    }
+}
+
+/// A named constant.
+pub(super) struct Constant {
+    name: String,
+    form: Form,
+    values: Vec<f64>,
+    about: String,
+}
+
+/// The constants of a file, in the order of their use.
+pub(super) struct Constants {
+    pub numbers: Numbers,
+    list: Vec<Constant>,
+}
+
+impl Constants {
+    pub fn new(numbers: Numbers) -> Self {
+        Self {
+            numbers,
+            list: Vec::new(),
+        }
+    }
+
+    /// Adds a constant, and returns the expression that names it.
+    pub fn add(
+        &mut self,
+        name: impl Into<String>,
+        form: Form,
+        values: &[f64],
+        about: impl Into<String>,
+    ) -> String {
+        let name = name.into();
+        let shown = match self.numbers.language {
+            Language::C => name.clone(),
+            Language::Rust => format!("numbers::{name}"),
+        };
+        self.list.push(Constant {
+            name,
+            form,
+            values: values.to_vec(),
+            about: about.into(),
+        });
+        shown
+    }
+
+    /// Returns whether a form is in use.
+    pub fn uses(&self, form: Form) -> bool {
+        self.list.iter().any(|constant| constant.form == form)
+    }
+
+    /// Returns all numbers, in order.
+    pub fn values(&self) -> impl Iterator<Item = f64> {
+        self.list
+            .iter()
+            .flat_map(|constant| constant.values.iter().copied())
+    }
+
+    /// Returns an expression for each number, in the order of [`values`](Self::values), in lines.
+    pub fn expressions(&self) -> String {
+        let prefix = match self.numbers.language {
+            Language::C => "",
+            Language::Rust => "numbers::",
+        };
+        let each = self.list.iter().map(|constant| {
+            let name = &constant.name;
+            let fields = constant.form.fields();
+            if fields.is_empty() {
+                return format!("        {prefix}{name},\n");
+            }
+            let fields = fields
+                .iter()
+                .map(|field| format!("{prefix}{name}.{field}, "));
+            format!("        {}\n", fields.collect::<String>().trim_end())
+        });
+        each.collect()
+    }
+
+    /// Writes the types of the constants in use.
+    pub fn types(&self) -> String {
+        let Numbers { real, language, .. } = self.numbers;
+        let forms = [Form::Zero, Form::Pair, Form::RootPair];
+        let forms = forms.into_iter().filter(|form| self.uses(*form));
+        let forms = forms.map(|form| {
+            let (name, about) = (form.type_name(language), form.about());
+            let fields = form.fields().iter().map(|field| match language {
+                Language::C => format!("    {real} {field};\n"),
+                Language::Rust => format!("    {field}: {real},\n"),
+            });
+            let fields: String = fields.collect();
+            match language {
+                Language::C => format!("/* {about}. */\nstruct {name} {{\n{fields}}};\n\n"),
+                Language::Rust => {
+                    format!(
+                        "/// `{about}`.\n#[derive(Clone, Copy)]\nstruct {name} {{\n{fields}}}\n\n"
+                    )
+                }
+            }
+        });
+        forms.collect()
+    }
+
+    /// Writes the constants, one per line.
+    pub fn written(&self) -> String {
+        let Numbers { real, language, .. } = self.numbers;
+        let lines = self.list.iter().map(|constant| {
+            let Constant {
+                name,
+                form,
+                values,
+                about,
+            } = constant;
+            let values: Vec<String> = values
+                .iter()
+                .map(|value| self.numbers.write(*value))
+                .collect();
+            let kind = form.type_name(language);
+            let about = match (about.is_empty(), language) {
+                (true, _) => String::new(),
+                (false, Language::C) => format!(" /* {about} */"),
+                (false, Language::Rust) => format!(" // {about}"),
+            };
+            match (language, form) {
+                (Language::C, Form::Number) => {
+                    format!("static const {real} {name} = {};{about}\n", values.join(""))
+                }
+                (Language::C, _) => format!(
+                    "static const struct {kind} {name} = {{{}}};{about}\n",
+                    values.join(", ")
+                ),
+                (Language::Rust, Form::Number) => {
+                    format!(
+                        "    pub(super) const {name}: {real} = {};{about}\n",
+                        values.join("")
+                    )
+                }
+                (Language::Rust, _) => {
+                    let fields = form.fields().iter().zip(&values);
+                    let fields: Vec<String> = fields
+                        .map(|(field, value)| format!("{field}: {value}"))
+                        .collect();
+                    format!(
+                        "    pub(super) const {name}: {kind} = {kind} {{ {} }};{about}\n",
+                        fields.join(", ")
+                    )
+                }
+            }
+        });
+        lines.collect()
+    }
+}

@@ -1,0 +1,111 @@
+//! Collects all formulas of a file, with the constants that they name.
+
+use super::constants::{Constants, Form};
+use super::products::quotient;
+use super::stuck::Stuck;
+use super::{Language, Numbers, Source};
+use frictiongen_kernel::Float;
+
+/// The formulas of a file in one language.
+pub(super) struct Formulas {
+    pub numbers: Numbers,
+    /// Their constants.
+    pub constants: Constants,
+    /// β*_lim.
+    pub sliding: String,
+    /// |V|, or V of an undamped chain, if it is a product.
+    pub excitation: Option<String>,
+    /// The responses while the contact is stuck.
+    pub stuck: Option<Stuck>,
+    /// Start of the buckets and number of buckets per unit of r.
+    pub index: [String; 2],
+    /// Undamped resonances that the load drives.
+    pub unbounded: Vec<String>,
+}
+
+impl Formulas {
+    /// Returns the formulas. Returns `None` if β*_lim has no closed product form.
+    pub fn of<S: Float>(source: &Source<'_, S>, language: Language) -> Option<Self> {
+        let Source { scene, tables, .. } = source;
+        let numbers = Numbers::of::<S>(language);
+        let root = match language {
+            Language::C => format!("sqrt{}", numbers.letter()),
+            Language::Rust => format!("{}::sqrt", numbers.real),
+        };
+        let absolute = match language {
+            Language::C => format!("fabs{}", numbers.letter()),
+            Language::Rust => format!("{}::abs", numbers.real),
+        };
+        let mut constants = Constants::new(numbers);
+        let of = tables.sliding.as_ref()?;
+        let sliding = if of.numerator.is_empty() && of.denominator.is_empty() {
+            // A constant limit has no sign.
+            let limit = [of.gain.to_f64().abs()];
+            constants.add("SLIDING_LIMIT", Form::Number, &limit, "beta*_lim")
+        } else {
+            let sliding = quotient(&mut constants, "SLIDING", of, &root);
+            format!("{absolute}({sliding})")
+        };
+        let excitation = tables.excitation.as_ref();
+        let excitation = excitation.map(|of| quotient(&mut constants, "EXCITATION", of, &root));
+        let held = tables.held.as_ref();
+        let stuck = held.map(|held| Stuck::of(&mut constants, scene, held));
+        let index = [
+            (
+                "INDEX_LOW",
+                tables.index.low,
+                "r at which the first bucket begins",
+            ),
+            (
+                "INDEX_DENSITY",
+                tables.index.density,
+                "buckets per unit of r",
+            ),
+        ];
+        let index = index.map(|(name, value, about)| {
+            constants.add(name, Form::Number, &[value.to_f64()], about)
+        });
+        let unbounded = if tables.moves() {
+            tables.unbounded.as_slice()
+        } else {
+            &[]
+        };
+        let unbounded = unbounded.iter().enumerate().map(|(place, own)| {
+            let name = format!("RESONANCE_{}", place + 1);
+            let about = "r of an undamped resonance that the load drives";
+            constants.add(name, Form::Number, &[own.to_f64()], about)
+        });
+        let unbounded = unbounded.collect();
+        Some(Self {
+            numbers,
+            constants,
+            sliding,
+            excitation,
+            stuck,
+            index,
+            unbounded,
+        })
+    }
+
+    /// Returns whether a formula calls this operation.
+    pub fn calls(&self, operation: &str) -> bool {
+        let call = format!("{operation}(");
+        let stuck = self.stuck.iter().flat_map(Stuck::texts);
+        let excitation = self.excitation.as_deref().into_iter();
+        let mut texts = stuck.chain(excitation).chain([self.sliding.as_str()]);
+        texts.any(|text| text.contains(&call))
+    }
+
+    /// Returns whether r is compared with a resonance.
+    pub fn compares(&self) -> bool {
+        let stuck = self.stuck.as_ref();
+        !self.unbounded.is_empty() || stuck.is_some_and(|stuck| !stuck.resonances.is_empty())
+    }
+
+    /// Returns a condition that r is one of some resonances. Returns `None` if there are none.
+    pub fn on(resonances: &[String]) -> Option<String> {
+        let on = resonances.iter().map(|own| format!("is_at(r, {own})"));
+        let on: Vec<String> = on.collect();
+        (!on.is_empty()).then(|| on.join(" || "))
+    }
+}

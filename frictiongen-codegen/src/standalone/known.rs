@@ -1,0 +1,72 @@
+//! The known answers with which a file compares its own.
+
+use super::{Numbers, Source, domain};
+use crate::known::{Known, Outcome, Question, known};
+use frictiongen_kernel::Float;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::Precision;
+
+/// Roundings that an answer may have beside the error of the table.
+const ROUNDINGS: f64 = 64.0;
+
+/// Returns the largest error of an answer against a known one, and the known answers.
+///
+/// The error is the accuracy of the tables, and 64 roundings: those of the emitted arithmetic, and of r and β.
+#[must_use]
+pub fn known_answers<S: Float>(source: &Source<'_, S>) -> (f64, Vec<Known>) {
+    let Source { scene, tables, .. } = source;
+    let tolerance = tables.request.accuracy + ROUNDINGS * S::EPSILON;
+    let [r, beta] = domain(scene, tables);
+    let question = Question {
+        precision: if S::EPSILON > f64::EPSILON {
+            Precision::F32
+        } else {
+            Precision::F64
+        },
+        r,
+        beta,
+        tolerance,
+        motion: tables.moves(),
+        stuck: tables.held.is_some(),
+    };
+    (tolerance, known(&Modal::of(scene), &question))
+}
+
+/// Returns the numbers of a known answer, in the order of the emitted structures.
+pub(super) fn numbers(known: &Known) -> Vec<f64> {
+    let mut numbers = vec![known.r, known.continuous, known.sliding];
+    if let Some(motion) = &known.motion {
+        numbers.push(motion.beta);
+        numbers.extend(motion.contact);
+    }
+    numbers.extend(known.stuck.iter().flatten());
+    numbers
+}
+
+/// Returns the name of a status in the tables of statuses.
+pub(super) fn status(known: &Known) -> &'static str {
+    match known.motion.as_ref().map(|motion| motion.outcome) {
+        None | Some(Outcome::Continuous) => "Ok",
+        Some(Outcome::StickSlip) => "StickSlip",
+        Some(Outcome::Stuck) => "Stuck",
+    }
+}
+
+/// Returns a text for each known answer: the numbers of a row, without the status.
+pub(super) fn rows(numbers: Numbers, all: &[Known]) -> Vec<[String; 3]> {
+    let row = |known: &Known| {
+        let head = numbers.list([known.r, known.continuous, known.sliding]);
+        let motion = known.motion.as_ref().map(|motion| {
+            let [amplitude, phase] = motion.contact;
+            numbers.list([motion.beta, amplitude, phase])
+        });
+        let stuck = known.stuck.iter().map(|pair| numbers.list(*pair));
+        let (open, close) = match numbers.language {
+            super::Language::C => ('{', '}'),
+            super::Language::Rust => ('[', ']'),
+        };
+        let stuck: Vec<String> = stuck.map(|pair| format!("{open}{pair}{close}")).collect();
+        [head, motion.unwrap_or_default(), stuck.join(", ")]
+    };
+    all.iter().map(row).collect()
+}

@@ -1,0 +1,105 @@
+//! Writes where a file comes from: its description, the command that made it, the version and the scene's hash.
+
+use crate::emit::fingerprint;
+use frictiongen_model::scene::Scene;
+
+/// The request to the reader at the head of an emitted file.
+pub const NOTICE: &str = "generated: change the description, not this file";
+
+/// The description and the command of an emitted file.
+#[derive(Clone, Copy, Debug)]
+pub struct Origin<'a> {
+    /// The description as it was written.
+    pub description: &'a str,
+    /// The command with its options.
+    pub command: &'a str,
+}
+
+/// Returns the hash of a scene in hexadecimal digits. Descriptions that differ only in layout have the same hash.
+#[must_use]
+pub fn scene_hash(scene: &Scene) -> String {
+    format!("{:016x}", fingerprint(scene))
+}
+
+impl Origin<'_> {
+    /// Returns the lines at the head of a file.
+    fn lines(&self, scene: &Scene) -> Vec<String> {
+        let mut lines = vec![
+            format!(
+                "{} {}: {NOTICE}.",
+                env!("CARGO_PKG_NAME").trim_end_matches("-codegen"),
+                env!("CARGO_PKG_VERSION")
+            ),
+            format!("Command: {}", self.command),
+            format!(
+                "Scene {} with the hash {}.  Its description:",
+                scene.name,
+                scene_hash(scene)
+            ),
+            String::new(),
+        ];
+        let text = self.description.trim_start_matches('\u{feff}').trim_end();
+        lines.extend(text.lines().map(|line| format!("    {}", line.trim_end())));
+        lines
+    }
+
+    /// Returns a block comment in C, in ASCII.
+    pub(super) fn c_comment(&self, scene: &Scene) -> String {
+        let lines = self.lines(scene);
+        let lines = lines.iter().map(|line| c_text(line));
+        let lines: Vec<String> = lines
+            .map(|line| format!(" * {line}").trim_end().to_owned())
+            .collect();
+        let text = lines.join("\n");
+        format!("/*{} */\n", text.strip_prefix(" *").unwrap_or(&text))
+    }
+
+    /// Returns line comments in Rust.
+    pub(super) fn rust_comment(&self, scene: &Scene) -> String {
+        let lines = self.lines(scene);
+        let lines = lines.iter().map(|line| format!("// {}", rust_text(line)));
+        lines.map(|line| format!("{}\n", line.trim_end())).collect()
+    }
+}
+
+/// Returns a text that may stand in a comment of C: in ASCII, without the marks that begin or end a comment, and
+/// without trigraphs. A backslash at the end of a line gets a full stop, because the compiler would join two lines.
+pub(super) fn c_text(text: &str) -> String {
+    let mut out = String::new();
+    for letter in text.chars() {
+        let last = out.chars().next_back();
+        if matches!(
+            (last, letter),
+            (Some('*'), '/') | (Some('/'), '*') | (Some('?'), '?')
+        ) {
+            out.push(' ');
+        }
+        match letter {
+            '\t' => out.push_str("    "),
+            ' '..='~' => out.push(letter),
+            _ if u32::from(letter) <= 0xffff => {
+                out.push_str(&format!("\\u{:04x}", u32::from(letter)))
+            }
+            _ => out.push_str(&format!("\\U{:08x}", u32::from(letter))),
+        }
+    }
+    if out.ends_with('\\') {
+        out.push('.');
+    }
+    out
+}
+
+/// Returns a text that may stand in a comment of Rust: without control characters, and without those that change the
+/// direction of a text, which the compiler refuses.
+fn rust_text(text: &str) -> String {
+    let turns = |letter| matches!(letter, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let mut out = String::new();
+    for letter in text.chars() {
+        match letter {
+            '\t' => out.push_str("    "),
+            _ if letter.is_control() || turns(letter) => out.extend(letter.escape_unicode()),
+            _ => out.push(letter),
+        }
+    }
+    out
+}

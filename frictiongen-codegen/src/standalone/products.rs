@@ -1,0 +1,115 @@
+//! Writes products over zeros and poles as expressions in r, which C and Rust share.
+
+use super::{Constants, Form};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::table::{Factor, Root};
+use frictiongen_model::table::Product;
+
+/// Writes a product of factors. `name` begins the names of its constants. Returns `None` if there are no factors.
+pub(super) fn factors<S: Float>(
+    constants: &mut Constants,
+    name: &str,
+    factors: &[Factor<S>],
+) -> Option<String> {
+    let mut all = Vec::new();
+    for (place, factor) in factors.iter().enumerate() {
+        let name = format!("{name}_{}", place + 1);
+        all.push(match *factor {
+            Factor::Zero { at, rest } => {
+                let values = [at, rest].map(Float::to_f64);
+                format!("zero(r, {})", constants.add(name, Form::Zero, &values, ""))
+            }
+            Factor::Pair {
+                at,
+                rest,
+                off,
+                least,
+            } => {
+                let values = [at, rest, off, least].map(Float::to_f64);
+                format!("pair(r, {})", constants.add(name, Form::Pair, &values, ""))
+            }
+            Factor::Real { off } => {
+                let values = [off.to_f64()];
+                let about = "x^2 of the zeros x and -x of r^2 + x^2";
+                let name = constants.add(name, Form::Number, &values, about);
+                format!("((r * r) + {name})")
+            }
+        });
+    }
+    (!all.is_empty()).then(|| all.join("\n        * "))
+}
+
+/// Writes a product over its own poles.
+pub(super) fn quotient<S: Float>(
+    constants: &mut Constants,
+    name: &str,
+    product: &Product<S>,
+    root: &str,
+) -> String {
+    let poles = factors(constants, &format!("{name}_POLE"), &product.denominator);
+    let poles = poles.map(grouped);
+    quotient_over(constants, name, product, (poles, root))
+}
+
+/// Puts brackets around a product of several factors.
+fn grouped(factors: String) -> String {
+    if factors.contains("\n        * ") {
+        format!("({factors})")
+    } else {
+        factors
+    }
+}
+
+/// Writes a product whose poles are the expression `poles`.
+pub(super) fn quotient_over<S: Float>(
+    constants: &mut Constants,
+    name: &str,
+    product: &Product<S>,
+    (poles, root): (Option<String>, &str),
+) -> String {
+    let gain = product.gain.to_f64();
+    let gain = constants.add(format!("{name}_GAIN"), Form::Number, &[gain], "");
+    let above = factors(constants, &format!("{name}_ZERO"), &product.numerator);
+    let one = constants.numbers.write(1.0);
+    let value = match (above, poles) {
+        (None, None) => return gain,
+        (Some(above), None) => above,
+        (None, Some(poles)) => format!("{one} / {poles}"),
+        (Some(above), Some(poles)) => format!("{}\n        / {poles}", grouped(above)),
+    };
+    format!(
+        "{gain} * {}({value})",
+        if product.squared { root } else { "" }
+    )
+}
+
+/// Writes the product of complex roots. Returns `None` if there are no roots.
+pub(super) fn roots<S: Float>(
+    constants: &mut Constants,
+    name: &str,
+    roots: &[Root<S>],
+) -> Option<String> {
+    let mut all = Vec::new();
+    for (place, root) in roots.iter().enumerate() {
+        let name = format!("{name}_{}", place + 1);
+        all.push(match *root {
+            Root::Pair {
+                at,
+                rest,
+                off,
+                rate,
+            } => {
+                let values = [at, rest, off, rate].map(Float::to_f64);
+                let name = constants.add(name, Form::RootPair, &values, "");
+                format!("pair_root(r, {name})")
+            }
+            Root::Real { rate } => {
+                let about = "-x of the root x";
+                let name = constants.add(name, Form::Number, &[rate.to_f64()], about);
+                format!("real_root(r, {name})")
+            }
+        });
+    }
+    all.into_iter()
+        .reduce(|product, root| format!("times({product},\n        {root})"))
+}

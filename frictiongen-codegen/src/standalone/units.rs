@@ -1,0 +1,65 @@
+//! The constants that connect ratios with units.
+
+use frictiongen_kernel::Float;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::Scene;
+
+/// The constants that connect ratios with units, rounded to a scalar.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UnitConstants {
+    /// k₁, the stiffness of the first spring: N/m, if springs are in N/m.
+    pub k1: f64,
+    /// The two nodes of the first spring.
+    pub spring: String,
+    /// m₁, the first mass: kg, if masses are in kg.
+    pub m1: f64,
+    /// Name of the first mass.
+    pub mass: String,
+    /// √(k₁/m₁), by which angular frequencies are divided: rad/s.
+    pub reference: f64,
+    /// Natural frequencies ω_i/(2π) in Hz, ascending.
+    pub hertz: Vec<f64>,
+    /// Frequency ratios r of the undamped resonances, ascending.
+    pub resonances: Vec<f64>,
+}
+
+impl UnitConstants {
+    /// Returns the constants of a scene. `S` is the scalar to which they are rounded.
+    #[must_use]
+    pub fn of<S: Float>(scene: &Scene) -> Self {
+        let modal = Modal::of(scene);
+        let round = |value: f64| S::constant(value).to_f64();
+        let spring = scene.springs.first();
+        let mass = scene.masses.first();
+        let ends = spring.map(|spring| {
+            format!(
+                "{} - {}",
+                scene.node_name(spring.from),
+                scene.node_name(spring.to)
+            )
+        });
+        let hertz = modal.natural_frequencies().into_iter();
+        let hertz = hertz.map(|omega| round(omega.to_f64() / core::f64::consts::TAU));
+        Self {
+            k1: round(spring.map_or(1.0, |spring| spring.stiffness)),
+            spring: ends.unwrap_or_default(),
+            m1: round(mass.map_or(1.0, |mass| mass.value)),
+            mass: mass.map(|mass| mass.name.clone()).unwrap_or_default(),
+            reference: round(modal.reference.to_f64()),
+            hertz: hertz.collect(),
+            resonances: modal
+                .resonances
+                .iter()
+                .map(|value| round(value.to_f64()))
+                .collect(),
+        }
+    }
+
+    /// Returns all numbers, in the order of a checksum.
+    pub(super) fn numbers(&self) -> Vec<f64> {
+        let mut numbers = vec![self.k1, self.m1, self.reference];
+        numbers.extend(&self.hertz);
+        numbers.extend(&self.resonances);
+        numbers
+    }
+}

@@ -1,0 +1,187 @@
+//! Tests the self-check of the emitted files: their known answers, and that it finds a wrong digit in each kind of
+//! number.
+
+use super::{cc, folder, run, rustc, source, write_c};
+use frictiongen::System;
+use frictiongen_codegen::known::Outcome;
+use frictiongen_codegen::standalone::{known_answers, rust_source};
+use std::process::Command;
+
+const SCENE: &str = "struct Scene {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - base, excitation: base, damping: modal[0.010, 0.012], stiction: 1.2,
+    provide: [limits, motion, stuck], accuracy: 1e-3, range: { r: 0.2..2.5 },
+}";
+
+const C_MAIN: &str = "#include <stdio.h>\n#include \"scene.h\"\nint main(void);\n\
+    int main(void) {\n    printf(\"%d\\n\", (int)scene_self_check());\n    return 0;\n}\n";
+
+const RUST_MAIN: &str =
+    "mod tables;\nfn main() {\n    println!(\"{:?}\", tables::self_check());\n}\n";
+
+/// Returns a text in which the last digit of the first number after `mark` is another one.
+fn with_a_wrong_digit(text: &str, mark: &str) -> String {
+    let from = text.find(mark).unwrap_or_else(|| panic!("no {mark}")) + mark.len();
+    let is_part = |letter: char| letter.is_ascii_digit() || letter == '.';
+    let start = from + text[from..].find(|c: char| c.is_ascii_digit()).unwrap();
+    let end = start + text[start..].find(|c: char| !is_part(c)).unwrap();
+    let digit = text[start..end]
+        .rfind(|c: char| c.is_ascii_digit())
+        .unwrap()
+        + start;
+    let other = if &text[digit..=digit] == "3" {
+        "4"
+    } else {
+        "3"
+    };
+    let mut wrong = text.to_owned();
+    wrong.replace_range(digit..=digit, other);
+    wrong
+}
+
+/// The known answers agree with the exact formulas of the run-time system, and every kind of motion is among them.
+#[test]
+fn known_answers_are_right() {
+    let system: System = SCENE.parse().expect("a scene");
+    let compiled = system.compile(0.2..2.5, 1e-3).expect("tables");
+    let (tolerance, known) = known_answers(&source(system.scene(), compiled.tables()));
+    assert!((1e-3..1.001e-3).contains(&tolerance), "{tolerance}");
+    assert_eq!(known.len(), 10);
+    let mut seen = [0; 3];
+    // Double precision keeps more than ten digits at these frequencies, where no answer depends on roundings.
+    let close = |one: f64, other: f64, size: f64| {
+        assert!((one - other).abs() <= 1e-10 * size, "{one} for {other}");
+    };
+    for known in &known {
+        let at = system.at(known.r).expect("in the range");
+        let limits = at.limits();
+        close(known.continuous, limits.continuous, limits.continuous);
+        close(known.sliding, limits.sliding, limits.sliding);
+        let motion = known.motion.as_ref().expect("a motion");
+        seen[motion.outcome as usize] += 1;
+        if motion.outcome == Outcome::Continuous {
+            let own = at.motion(motion.beta).expect("continuous");
+            let [amplitude, phase] = motion.contact;
+            close(amplitude, own.contact().amplitude(), amplitude);
+            close(phase, own.contact().phase(), 1.0);
+        } else {
+            assert!(at.motion(motion.beta).is_err());
+        }
+        let stuck = at.stuck().expect("no resonance");
+        let own = ["lower", "upper"].map(|name| stuck.mass(name).expect("a mass"));
+        let own = own.into_iter().chain([stuck.contact_force()]);
+        for (own, [re, im]) in own.zip(&known.stuck) {
+            close(*re, own.re, re.hypot(*im));
+            close(*im, own.im, re.hypot(*im));
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
+}
+
+/// A wrong digit in a number, or a wrong sign in a formula, is found in C. The number of the fault is that of the
+/// header.
+#[test]
+fn faults_in_c() {
+    let system: System = SCENE.parse().expect("a scene");
+    let compiled = system.compile(0.2..2.5, 1e-3).expect("tables");
+    let folder = folder("check_c");
+    write_c(
+        &folder,
+        "scene",
+        &source(system.scene(), compiled.tables()),
+        "scene",
+    );
+    std::fs::write(folder.join("main.c"), C_MAIN).expect("written");
+    let found = || {
+        cc(&folder, &["-o", "program", "main.c", "scene.c", "-lm"]);
+        run(&mut Command::new(folder.join("program")))
+    };
+    assert_eq!(found(), "0\n");
+    let wrong: [(&str, &dyn Fn(&str) -> String, i32); 9] = [
+        (
+            "scene_tables.h",
+            &|text| with_a_wrong_digit(text, "buckets[BUCKETS] = {"),
+            1,
+        ),
+        (
+            "scene_tables.h",
+            &|text| with_a_wrong_digit(text, "pieces[PIECES] = {"),
+            2,
+        ),
+        (
+            "scene_tables.h",
+            &|text| with_a_wrong_digit(text, "SLIDING_GAIN = "),
+            3,
+        ),
+        (
+            "scene_tables.h",
+            &|text| with_a_wrong_digit(text, "HELD_POLE_1 = {"),
+            3,
+        ),
+        (
+            "scene_tables.h",
+            &|text| with_a_wrong_digit(text, "REFERENCE = "),
+            4,
+        ),
+        ("scene.h", &|text| with_a_wrong_digit(text, "SCENE_K1 "), 4),
+        (
+            "scene_tables.h",
+            &|text| with_a_wrong_digit(text, "known[KNOWN] = {"),
+            5,
+        ),
+        (
+            "scene.c",
+            &|text| text.replace("(in_phase - (share", "(in_phase + (share"),
+            8,
+        ),
+        (
+            "scene.c",
+            &|text| text.replace("return omega / ", "return 1.000001 * omega / "),
+            6,
+        ),
+    ];
+    for (file, change, number) in wrong {
+        let path = folder.join(file);
+        let right = std::fs::read_to_string(&path).expect("a file");
+        let changed = change(&right);
+        assert_ne!(changed, right, "{file}, fault {number}");
+        std::fs::write(&path, changed).expect("written");
+        assert_eq!(found(), format!("{number}\n"), "{file}");
+        std::fs::write(&path, right).expect("written");
+    }
+}
+
+/// The same in Rust, where the fault has a name.
+#[test]
+fn faults_in_rust() {
+    let system: System = SCENE.parse().expect("a scene");
+    let compiled = system.compile(0.2..2.5, 1e-3).expect("tables");
+    let folder = folder("check_rust");
+    let right = rust_source(&source(system.scene(), compiled.tables()));
+    let right = right.expect("a form of its own");
+    std::fs::write(folder.join("main.rs"), RUST_MAIN).expect("written");
+    let found = |text: &str| {
+        std::fs::write(folder.join("tables.rs"), text).expect("written");
+        rustc(&folder, &["main.rs", "-o", "program"]);
+        run(&mut Command::new(folder.join("program")))
+    };
+    assert_eq!(found(&right), "Ok(())\n");
+    let buckets = right.find("static BUCKETS").expect("buckets");
+    let list = buckets + right[buckets..].find("= [").expect("a list");
+    let buckets = &right[buckets..list];
+    let numbers = [
+        (buckets, "BUCKETS"),
+        ("            from: ", "PIECES"),
+        ("SLIDING_GAIN: f64 = ", "CONSTANTS"),
+        ("pub const K1: f64 = ", "UNITS"),
+        ("            head: [", "KNOWN"),
+    ];
+    for (mark, name) in numbers {
+        let wrong = with_a_wrong_digit(&right, mark);
+        assert_eq!(found(&wrong), format!("Err(Numbers(\"{name}\"))\n"));
+    }
+    let wrong = right.replace("(in_phase - share", "(in_phase + share");
+    assert_ne!(wrong, right);
+    assert_eq!(found(&wrong), "Err(Answer(\"contact\"))\n");
+}
