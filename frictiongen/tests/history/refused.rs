@@ -32,7 +32,7 @@ fn requests() {
         of: vec![Of::Mass(1), Of::Mass(2)],
         ..sound.clone()
     };
-    assert_eq!(ask(&mass), Some(HistoryError::NoSuchMass(2)));
+    assert_eq!(ask(&mass), Some(HistoryError::NoSuchMotion(Of::Mass(2))));
     // The limit counts the samples of both motions together.
     let two = HistoryRequest {
         of: vec![Of::Mass(1), Of::Mass(0)],
@@ -91,7 +91,7 @@ fn steady_states() {
     let response = block.at(0.5).unwrap().response(0.3).unwrap();
     assert_eq!(
         response.history(&[Of::Mass(1)], 20),
-        Err(HistoryError::NoSuchMass(1))
+        Err(HistoryError::NoSuchMotion(Of::Mass(1)))
     );
     assert_eq!(response.history(&[], 21), Err(HistoryError::Samples));
     let restless = system(
