@@ -6,7 +6,7 @@ use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
 /// Upper bound on the events of a half cycle.
-const MOST_EVENTS: u32 = 4096;
+pub(super) const MOST_EVENTS: u32 = 4096;
 
 /// Numbers of events in half a cycle, or in several.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -3,6 +3,7 @@
 //! A period of many segments has stored states at the start of some segments only.  The other segments are computed
 //! again.
 
+use super::cycle_map::MOST_EVENTS;
 use super::record::{passed, slack, within};
 use super::types::{Orbit, SegmentStart};
 use crate::motion::{Part, leap, span};
@@ -115,8 +116,9 @@ where
         let end = orbit.marks().first()?.contact_state.t + S::constant(2.0) * orbit.cycles();
         let (modes, stuck_modes) = setting.split(self.parts());
         let mut mark = *last;
-        // The first turn passes the last segment.  Further turns pass unsuccessful attempts to leave zero velocity.
-        loop {
+        // The first turn passes the last segment.  Further turns pass unsuccessful attempts to leave zero velocity.  The
+        // record followed the same events with the same bound.
+        for _ in 0..MOST_EVENTS {
             let left = (end - mark.contact_state.t - S::constant(2.0) * mark.cycle) * S::pi();
             let reach = left + slack();
             let length = span(setting, modes, stuck_modes, mark.contact_state, reach);
@@ -124,7 +126,8 @@ where
                 mark.length = within(length, left);
                 let found = || setting.relative(modes, mark.contact_state.t.sin_cos_pi());
                 mark.relative = last.stuck_at().unwrap_or_else(found);
-                break;
+                self.more -= 1;
+                return Some(mark);
             }
             if !(zero < left) {
                 return None;
@@ -137,8 +140,7 @@ where
                 ..mark
             };
         }
-        self.more -= 1;
-        Some(mark)
+        None
     }
 }
 
