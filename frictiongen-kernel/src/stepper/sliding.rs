@@ -181,7 +181,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         let mut sum = S::constant(0.0);
         for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
             let now = drive.first().copied().unwrap_or(S::constant(0.0));
-            sum = sum + channel.residue * now;
+            sum = sum + channel.acceleration * now;
         }
         if self.scene.rubs_on_base() {
             let [acceleration, ..] = derived(derived(self.base));

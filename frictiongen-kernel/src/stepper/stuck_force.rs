@@ -57,7 +57,7 @@ impl<S: Float, const D: usize> Interval<'_, '_, S, D> {
         let mut sum = [zero; 4];
         for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
             for (sum, term) in sum.iter_mut().zip(drive) {
-                *sum = *sum + channel.residue * *term;
+                *sum = *sum + channel.acceleration * *term;
             }
         }
         for term in &mut sum {
