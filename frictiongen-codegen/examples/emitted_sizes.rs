@@ -1,7 +1,7 @@
 //! Sizes of the emitted Rust of seven scenes: lines, bytes, share that every scene has alike, and lines of the diff after
 //! one spring is 1 % stiffer.
 //!
-//! `cargo run -p frictiongen-codegen --features pretty --example emitted_sizes [-- FOLDER]`; with a folder it also writes the sources there.
+//! `scripts/emitted-sizes [FOLDER]` runs this program. With a folder it also writes the sources there.
 
 use frictiongen_codegen::{Limits, parse_text, pretty};
 use std::collections::BTreeSet;
@@ -75,21 +75,21 @@ fn emitted(scene: (&str, usize, &str), stiffness: f64) -> Result<String, Box<dyn
 /// Returns the number of lines that a line diff removes and adds.
 fn changed(old: &str, new: &str) -> usize {
     let (old, new): (Vec<&str>, Vec<&str>) = (old.lines().collect(), new.lines().collect());
-    // Lengths of the longest common subsequences of all beginnings of `new` with the lines of `old` so far.
-    let mut common = vec![0_usize; new.len() + 1];
+    // Lengths of the longest common subsequences of the lines of `old` so far with each beginning of `new`.
+    let mut common = vec![0_usize; new.len()];
     for line in &old {
-        let mut diagonal = 0;
-        for (place, other) in new.iter().enumerate() {
-            let above = common[place + 1];
-            common[place + 1] = if line == other {
+        let (mut diagonal, mut left) = (0, 0);
+        for (above, other) in common.iter_mut().zip(&new) {
+            let length = if line == other {
                 diagonal + 1
             } else {
-                above.max(common[place])
+                left.max(*above)
             };
-            diagonal = above;
+            (diagonal, left) = (*above, length);
+            *above = length;
         }
     }
-    old.len() + new.len() - 2 * common[new.len()]
+    old.len() + new.len() - 2 * common.last().copied().unwrap_or(0)
 }
 
 /// Returns the lines of a source with the name of the scene and its scalar replaced.
