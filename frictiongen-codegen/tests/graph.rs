@@ -4,6 +4,7 @@
 use frictiongen_codegen::graph::interpret::interpret;
 use frictiongen_codegen::graph::{Expr, Graph};
 use frictiongen_kernel::Scalar;
+use frictiongen_model::scene::Precision;
 
 /// Values at which signs, zeros and ones matter. All but a few of their sums, products and quotients are exact.
 const VALUES: [f64; 9] = [-2.5, -1.0, -0.75, 0.0, 0.125, 0.5, 1.0, 3.0, 8.0];
@@ -66,12 +67,21 @@ fn interpreted_as_recorded() {
                         graph.input(name)
                     }
                 };
-                let outputs = formulas(of(known_a, "a", a), of(known_b, "b", b));
+                let by_name = |known, name: &str, value| {
+                    if known {
+                        graph.constant(name, value)
+                    } else {
+                        graph.input(name)
+                    }
+                };
+                let mut outputs = formulas(of(known_a, "a", a), of(known_b, "b", b));
+                outputs.extend(formulas(by_name(known_a, "a", a), by_name(known_b, "b", b)));
                 let outputs: Vec<_> = outputs.into_iter().map(Expr::operand).collect();
                 let input = |name: &str| Some(if name == "a" { a } else { b });
                 let found = interpret(&graph, &outputs, input).expect("both inputs");
-                assert_eq!(found.len(), expected.len());
-                for (index, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                assert_eq!(found.len(), 2 * expected.len());
+                let expected = expected.iter().chain(&expected);
+                for (index, (found, expected)) in found.iter().zip(expected).enumerate() {
                     // Folding may only lose the sign of a zero.
                     assert!(
                         found == expected || found.is_nan() && expected.is_nan(),
@@ -83,5 +93,67 @@ fn interpreted_as_recorded() {
         }
     }
     println!("{compared} values compared, none skipped");
-    assert_eq!(compared, 9 * 9 * 4 * 32);
+    assert_eq!(compared, 9 * 9 * 4 * 2 * 32);
+}
+
+/// Returns chains of operations on three constants.
+fn chains<S: Scalar>(a: S, b: S, c: S) -> [S; 8] {
+    [
+        a * b * c,
+        a / b - c,
+        a + b + c,
+        S::pi() * a * b,
+        S::constant(4.0) / c * a,
+        (a + b) * (b + c),
+        -(a * c) / b,
+        a * b - b * c,
+    ]
+}
+
+/// Constants by name have the values of constants that fold, to the last bit. In single precision a chain may round
+/// differently after each operation than once at its end. It then folds.
+#[test]
+fn constants_by_name_have_the_folded_values() {
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "rounds to the scene's scalar"
+    )]
+    let rounded = |precision, value: f64| match precision {
+        Precision::F64 => value,
+        Precision::F32 => f64::from(value as f32),
+    };
+    for precision in [Precision::F64, Precision::F32] {
+        let (mut by_name, mut folded) = (0, 0);
+        for seed in 1..200_u32 {
+            let of = |k: f64| rounded(precision, (f64::from(seed) * k).sin() * 3.0);
+            let [a, b, c] = [0.7, 1.3, 2.9].map(of);
+            let graph = Graph::new(1).in_precision(precision);
+            let outputs = chains(
+                graph.constant("a", a),
+                graph.constant("b", b),
+                graph.constant("c", c),
+            );
+            let plain = chains(Expr::Number(a), Expr::Number(b), Expr::Number(c));
+            let both: Vec<_> = outputs.iter().chain(&plain).map(|e| e.operand()).collect();
+            let values = match precision {
+                Precision::F64 => interpret::<f64>(&graph, &both, |_| None),
+                Precision::F32 => interpret::<f32>(&graph, &both, |_| None)
+                    .map(|values| values.into_iter().map(f64::from).collect()),
+            };
+            let values = values.expect("no inputs");
+            let (named, plain) = values.split_at(outputs.len());
+            for (named, plain) in named.iter().zip(plain) {
+                assert_eq!(named.to_bits(), plain.to_bits(), "{a}, {b}, {c}");
+            }
+            for output in outputs {
+                match output {
+                    Expr::Node(..) => by_name += 1,
+                    Expr::Number(_) => folded += 1,
+                }
+            }
+        }
+        println!("{precision:?}: {by_name} by name, {folded} folded");
+        assert!(1000 < by_name);
+        assert_eq!(precision == Precision::F32, 0 < folded);
+    }
 }

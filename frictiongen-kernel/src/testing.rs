@@ -236,7 +236,7 @@ pub fn random_motion(
                 rise: weight,
                 fall: weight * fall,
                 forced: -(weight * b),
-                residue: 0.0,
+                harmonic: 0.0,
             };
             motion_wave(x, damped(zeta), coefficients)
         })

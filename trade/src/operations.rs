@@ -30,13 +30,20 @@ pub fn of(label: &Label, method: Method) -> Option<Operations> {
     }
     let description = parse_text(label.text, &Limits::MACRO).ok()?;
     let code = emit(&description).to_string();
-    // The documentation lists the frequency stage first, then the function without search.
-    let mut lists = code.split(MARK).skip(1);
-    let (stage, without_search) = (listed(lists.next()?)?, listed(lists.next()?)?);
+    let stage = list(&code, "functions").or_else(|| list(&code, "frequency_stage"))?;
     if method == Method::WithoutSearch {
+        let limits = ["break_away", "continuous_limit", "sliding_limit"];
+        let all = limits.iter().filter_map(|name| list(&code, name));
+        let all = all.fold(stage, |sum, one| Operations {
+            total: sum.total + one.total,
+            divisions: sum.divisions + one.divisions,
+            roots: sum.roots + one.roots,
+            circular: sum.circular + one.circular,
+            exponential: sum.exponential + one.exponential,
+        });
         return Some(Operations {
-            divisions: without_search.divisions + 1,
-            ..without_search
+            divisions: all.divisions + 1,
+            ..all
         });
     }
     // The divisions are 1/r, |V|/√(…) and |V|/(μ|H|). A complex modulus adds a division and a root.
@@ -49,6 +56,16 @@ pub fn of(label: &Label, method: Method) -> Option<Operations> {
 }
 
 const MARK: &str = "Operations: ";
+
+/// Returns the list in the documentation of an emitted function.
+fn list(code: &str, function: &str) -> Option<Operations> {
+    let lists = code.split(MARK).skip(1);
+    let mut of_function = lists.filter(|list| {
+        let name = list.split_once("fn ").map(|(_, rest)| rest);
+        name.and_then(|rest| rest.split([' ', '(', '<']).next()) == Some(function)
+    });
+    of_function.next().and_then(listed)
+}
 
 /// Parses the text after the mark in a function's documentation: `12: 5 ×, 3 +, 1 ÷, 1 sin_cos_pi.`
 fn listed(text: &str) -> Option<Operations> {

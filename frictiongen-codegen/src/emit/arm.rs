@@ -1,5 +1,6 @@
 //! Emits a function body that depends on the mass, with straight-line code for each mass.
 
+use super::emission::mentions;
 use proc_macro2::{Literal, TokenStream};
 
 /// Code of one match arm, shared by all masses in `masses`.
@@ -9,9 +10,9 @@ pub(super) struct Arm {
     pub value: TokenStream,
 }
 
-/// Returns the statements and the value expression. The emitted function returns `None` for any
-/// mass without an arm.
-pub(super) fn chosen(arms: &[Arm]) -> (TokenStream, TokenStream) {
+/// Returns the statements and the value expression for a chain of `all` masses. The emitted function returns `None` for
+/// any mass without an arm.
+pub(super) fn chosen(arms: &[Arm], all: usize) -> (TokenStream, TokenStream) {
     let literals = |masses: &[usize]| -> Vec<Literal> {
         let masses = masses.iter().copied();
         masses.map(Literal::usize_unsuffixed).collect()
@@ -22,6 +23,10 @@ pub(super) fn chosen(arms: &[Arm]) -> (TokenStream, TokenStream) {
             statements,
             value,
         } = only;
+        // The lookup of the mode shapes refuses other masses, unless the shapes fold away.
+        if masses.len() == all && mentions(statements, "mass") {
+            return (statements.clone(), value.clone());
+        }
         let masses = literals(masses);
         let other = code!(#(mass != #masses)&&*);
         return (code!(if #other { return None; } #statements), value.clone());

@@ -1,11 +1,11 @@
 //! Emits the scene's type and all constants that do not depend on the frequency.
 
 use super::emission::{Emission, Part, rounded};
+use super::fields::fields;
 use super::fingerprint::fingerprint;
-use super::limits;
 use super::names::TypeNames;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
-use frictiongen_model::scene::{Beyond, Excitation};
+use frictiongen_model::scene::Excitation;
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
@@ -26,8 +26,9 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         env!("CARGO_PKG_VERSION"),
         fingerprint(scene)
     );
-    let source = " Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.";
+    let source = " Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.";
     let at_about = format!(" [`{name}`] at one frequency ratio: {}.", answers(emission));
+    let work_about = work_about(emission);
     let at = &emission.names.at;
     let inner = if emission.is_tabled() {
         code!(table::Compiled)
@@ -37,6 +38,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     let at_type = scene.needs_frequency().then(|| {
         code! {
             #[doc = #at_about]
+            ///
+            #[doc = #work_about]
             #[allow(deprecated, non_camel_case_types)]
             #visibility struct #at(#facade::kernel::#inner<#name>);
         }
@@ -79,28 +82,29 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         let reference = emission.literal(reference);
         code!(omega / #reference)
     };
-    let chain = chain(emission);
-    let chain_about = chain_about(emission);
+    let (chain, at_rest) = (chain(emission), at_rest(emission));
     let ratio_about = match scene.excitation {
         Excitation::Base => {
-            " β = F/(k₁Y) of a kinetic friction force F; `load` is k₁Y, Y the amplitude of the base's motion."
+            " Returns β = F/(k₁Y) of a kinetic friction force F.  `load` is k₁Y, with Y the amplitude of the base motion."
         }
         Excitation::Force(_) => {
-            " β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force."
+            " Returns β = F/P of a kinetic friction force F.  `load` is P, the amplitude of the force."
         }
     };
     let associated = code! {
-            /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+            /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
             pub const NATURAL_FREQUENCIES: [#scalar; #masses] = #frequencies;
-            /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+            /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
             pub const RESONANCES: [#scalar; #masses] = #resonances;
-            /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+            /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
             pub const MODE_SHAPES: [[#scalar; #masses]; #masses] = [#(#shapes),*];
 
-            #(#[doc = #chain_about])*
+            #at_rest
+
+            /// Constants of the chain.
             const CHAIN: Chain<#scalar> = #chain;
 
-            /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+            /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
             #[inline]
             #[must_use]
             pub const fn frequency_ratio(omega: #scalar) -> #scalar {
@@ -117,7 +121,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     let mut part = Part {
         types,
         associated,
-        items: TokenStream::new(),
+        ..Part::default()
     };
     if scene.needs_frequency() {
         part.join(at_frequency(emission));
@@ -134,13 +138,8 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
         names: TypeNames { name, at, .. },
         ..
     } = emission;
-    let slices = limits::slices(emission);
     let mode_count = Literal::usize_unsuffixed(emission.modes());
-    let modes = emission
-        .reduced
-        .modes
-        .iter()
-        .map(|mode| mode_constant(emission, mode));
+    let modes = mode_constants(emission, &emission.reduced.modes);
     let ends = emission.reduced.ends;
     let rubbing = rubbing(emission.reduced.rubbing);
     let absorbs = emission.reduced.absorbs;
@@ -149,77 +148,78 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
     let sliding_at_rest = emission.literal(ends.sliding_at_rest);
     let continuous_at_infinity = emission.literal(ends.continuous_at_infinity);
     let sliding_at_infinity = emission.literal(ends.sliding_at_infinity);
+    let ends = fields(
+        true,
+        &[
+            ("sliding_at_rest", sliding_at_rest, "β*_lim for r → 0"),
+            (
+                "continuous_at_infinity",
+                continuous_at_infinity,
+                "β_lim for r → ∞",
+            ),
+            (
+                "sliding_at_infinity",
+                sliding_at_infinity,
+                "β*_lim for r → ∞",
+            ),
+        ],
+    );
+    let numbers = fields(
+        true,
+        &[
+            (
+                "modes",
+                code!(&Self::MODES),
+                "modes that the load or the contact drives",
+            ),
+            ("chain", code!(Self::CHAIN), "constants of the chain"),
+            (
+                "ends",
+                code!(Ends { #ends }),
+                "limits at both ends of the range of r",
+            ),
+            (
+                "rubbing",
+                rubbing,
+                "index of the mass that rubs on a support",
+            ),
+            (
+                "absorbs",
+                code!(#absorbs),
+                "V and H may have common zeros, at which the holding force decides the limits",
+            ),
+            (
+                "unbounded",
+                code!(&#unbounded),
+                "undamped resonances that the load drives",
+            ),
+            (
+                "invisible",
+                code!(&#invisible),
+                "those of them in which the contact does not move",
+            ),
+        ],
+    );
     let names = scene.masses.iter().map(|mass| mass.name.as_str());
-    let constructor = constructor(emission);
-    let associated = code! {
-            /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-            /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-            /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
-            /// `in_contact`: φᵀw is not 0.
-            const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
-            /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
-            /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
-            /// the load drives, `invisible`: those that the contact does not touch.
-            const NUMBERS: Numbers<'static, #scalar> = Numbers {
-                modes: &Self::MODES,
-                chain: Self::CHAIN,
-                ends: Ends {
-                    sliding_at_rest: #sliding_at_rest,
-                    continuous_at_infinity: #continuous_at_infinity,
-                    sliding_at_infinity: #sliding_at_infinity,
-                },
-                rubbing: #rubbing,
-                absorbs: #absorbs,
-                unbounded: &#unbounded,
-                invisible: &#invisible,
-            };
-
-            #constructor
-
-            #slices
+    let of = if emission.is_tabled() {
+        code!(Compiled)
+    } else {
+        code!(At)
     };
-    let items = code!(#facade::emitted_system!(#name, #at, #scalar, [#(#names),*]););
+    let associated = code! {
+            /// Modes that the load or the contact drives.
+            const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
+            /// Constants of the steady response.
+            const NUMBERS: Numbers<'static, #scalar> = Numbers { #numbers };
+    };
+    let items = code! {
+        #facade::kernel::scene_functions!(#name, #at, #scalar, #of);
+        #facade::emitted_system!(#name, #at, #scalar, [#(#names),*]);
+    };
     Part {
-        types: TokenStream::new(),
         associated,
         items,
-    }
-}
-
-/// Emits `at`, which evaluates the scene at a frequency ratio.
-fn constructor(emission: &Emission<'_>) -> TokenStream {
-    let Emission {
-        scalar,
-        names: TypeNames { at, .. },
-        ..
-    } = emission;
-    if !emission.is_tabled() {
-        return code! {
-            /// The scene at the frequency ratio r = ω√(m₁/k₁).
-            ///
-            /// # Errors
-            /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-            #[inline]
-            pub fn at(r: #scalar) -> Result<#at, OutOfDomain> {
-                At::new(Self, r).map(From::from)
-            }
-        };
-    }
-    let errors = match emission.scene.declared.beyond {
-        Beyond::Error => " `OutOfDomain` beyond the declared range, and for NaN.",
-        Beyond::Exact => {
-            " `OutOfDomain` for NaN and negative r; beyond the declared range the exact formulas answer."
-        }
-    };
-    code! {
-        /// The scene at the frequency ratio r = ω√(m₁/k₁), to the declared accuracy.
-        ///
-        /// # Errors
-        #[doc = #errors]
-        #[inline]
-        pub fn at(r: #scalar) -> Result<#at, OutOfDomain> {
-            Compiled::new(Self, r).map(From::from)
-        }
+        ..Part::default()
     }
 }
 
@@ -234,8 +234,15 @@ pub(super) fn rubbing(mass: Option<usize>) -> TokenStream {
     }
 }
 
-/// Emits a mode as a constant.
-pub(super) fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>) -> TokenStream {
+/// Emits modes as constants. The first explains the fields.
+pub(super) fn mode_constants(emission: &Emission<'_>, modes: &[Mode<f64>]) -> Vec<TokenStream> {
+    let modes = modes.iter().enumerate();
+    modes
+        .map(|(index, mode)| mode_constant(emission, mode, index == 0))
+        .collect()
+}
+
+fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>, first: bool) -> TokenStream {
     let Mode {
         kind, in_contact, ..
     } = mode;
@@ -245,21 +252,39 @@ pub(super) fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>) -> TokenS
     let (q_defect, load, contact) = (of(mode.q_defect), of(mode.load), of(mode.contact));
     let (residue, inverse_mass) = (of(mode.residue), of(mode.inverse_mass));
     let static_residue = of(mode.static_residue);
-    code! {
-        Mode {
-            kind: Kind::#kind,
-            in_contact: #in_contact,
-            resonance: #resonance,
-            zeta: #zeta,
-            q: #q,
-            q_defect: #q_defect,
-            load: #load,
-            contact: #contact,
-            residue: #residue,
-            inverse_mass: #inverse_mass,
-            static_residue: #static_residue,
-        }
-    }
+    let fields = fields(
+        first,
+        &[
+            (
+                "kind",
+                code!(Kind::#kind),
+                "kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1",
+            ),
+            (
+                "in_contact",
+                code!(#in_contact),
+                "the contact drives the mode: φᵀw is not 0",
+            ),
+            (
+                "resonance",
+                resonance,
+                "√λ, the frequency ratio r of the undamped resonance",
+            ),
+            ("zeta", zeta, "ζ, the modal damping ratio"),
+            ("q", q, "√|1 − ζ²|"),
+            ("q_defect", q_defect, "1 − q"),
+            ("load", load, "φᵀp, with p where the load acts"),
+            (
+                "contact",
+                contact,
+                "φᵀw, with w = 1 at the mass that rubs and −1 at its partner",
+            ),
+            ("residue", residue, "(φᵀp)(φᵀw)"),
+            ("inverse_mass", inverse_mass, "(φᵀw)², the term of m*"),
+            ("static_residue", static_residue, "(φᵀp)(φᵀw)/λ"),
+        ],
+    );
+    code!(Mode { #fields })
 }
 
 /// Emits the variant name of a damping kind.
@@ -271,6 +296,24 @@ pub(super) fn kind(kind: Kind) -> TokenStream {
         Kind::Critical => code!(Critical),
         Kind::Over => code!(Over),
     }
+}
+
+/// Returns the documentation line about the largest work of an answer at one frequency.
+fn work_about(emission: &Emission<'_>) -> String {
+    if emission.is_tabled() {
+        return " Worst case: the operations of `tabled_limit` and `tabled_sliding_limit`."
+            .to_owned();
+    }
+    let stage = if emission.in_passes() {
+        "frequency_stage"
+    } else {
+        "functions"
+    };
+    let modes = emission.modes();
+    let plural = if modes == 1 { "" } else { "s" };
+    format!(
+        " Worst case: the operations of `{stage}`, and in each search `most_evaluations` sums over {modes} mode{plural}."
+    )
 }
 
 /// Lists, for the documentation, the quantities available at one frequency.
@@ -289,18 +332,27 @@ fn answers(emission: &Emission<'_>) -> String {
     answers.join(", ")
 }
 
-fn chain_about(emission: &Emission<'_>) -> Vec<&'static str> {
-    let mut about = vec![
-        " The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.",
-    ];
-    if emission.reduced.chain.on_moving_base.is_some() {
-        about.push(
-            " `on_moving_base`: the contact rubs on the moving base; its relative motion over Y for r → 0.",
-        );
+/// Emits the relative motion of a contact on a moving base for r → 0. A number that the formulas fold has no name.
+fn at_rest_by_name(emission: &Emission<'_>, at_rest: f64) -> TokenStream {
+    if at_rest == 0.0 || at_rest.abs() == 1.0 {
+        emission.literal(at_rest)
     } else {
-        about.push(" `on_moving_base`: none, as the contact does not rub on a moving base.");
+        code!(Self::AT_REST)
     }
-    about
+}
+
+/// Emits the constant that `at_rest_by_name` names, if it names one.
+fn at_rest(emission: &Emission<'_>) -> Option<TokenStream> {
+    let scalar = &emission.scalar;
+    let at_rest = emission.reduced.chain.on_moving_base?;
+    if at_rest == 0.0 || at_rest.abs() == 1.0 {
+        return None;
+    }
+    let at_rest = emission.literal(at_rest);
+    Some(code! {
+        /// Relative motion of the contact on the moving base for r → 0, over Y.
+        const AT_REST: #scalar = #at_rest;
+    })
 }
 
 fn chain(emission: &Emission<'_>) -> TokenStream {
@@ -309,18 +361,28 @@ fn chain(emission: &Emission<'_>) -> TokenStream {
     let on_moving_base = match chain.on_moving_base {
         None => code!(None),
         Some(at_rest) => {
-            let at_rest = emission.literal(at_rest);
+            let at_rest = at_rest_by_name(emission, at_rest);
             code!(Some(#at_rest))
         }
     };
     let inverse_mass = emission.literal(chain.inverse_mass);
     let stiction = emission.literal(chain.stiction);
-    code! {
-        Chain {
-            damped: #damped,
-            on_moving_base: #on_moving_base,
-            inverse_mass: #inverse_mass,
-            stiction: #stiction,
-        }
-    }
+    let fields = fields(
+        true,
+        &[
+            ("damped", code!(#damped), "a mode is damped"),
+            (
+                "on_moving_base",
+                on_moving_base,
+                "relative motion for r → 0, over Y, if the contact rubs on a moving base",
+            ),
+            (
+                "inverse_mass",
+                inverse_mass,
+                "m* = m₁/(effective mass of the contact)",
+            ),
+            ("stiction", stiction, "μ, static over kinetic friction"),
+        ],
+    );
+    code!(Chain { #fields })
 }

@@ -1,8 +1,9 @@
 //! Emits the constants of the time-domain solvers: all modes of the chain, and its *held modes*,
 //! which are those with the contact stuck.
 
-use super::constants::{kind, mode_constant, rubbing};
+use super::constants::{kind, mode_constants, rubbing};
 use super::emission::{Emission, Wanted, rounded};
+use super::fields::fields;
 use super::shapes;
 use frictiongen_kernel::motion::{HeldMode, LOST_MODES};
 use frictiongen_kernel::oscillator::mode::Mode;
@@ -28,7 +29,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
     } = emission;
     let transient = Transient::<f64>::of(scene, modal, |value| rounded(value, *precision));
     let modes = modes(emission, &transient);
-    let held = transient.held.iter().map(|mode| held(emission, mode));
+    let held = transient.held.iter().enumerate();
+    let held = held.map(|(index, mode)| self::held(emission, mode, index == 0));
     let participations = transient.participations.iter();
     let participations = participations.map(|pair| emission.list(pair.iter().copied()));
     let known = emission.scene.needs_frequency() && wanted.shapes();
@@ -52,24 +54,44 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
         }
     });
     let rubbing = rubbing(transient.rubbing);
+    let numbers = fields(
+        true,
+        &[
+            ("chain", code!(Self::CHAIN), "constants of the chain"),
+            (
+                "modes",
+                modes,
+                "all modes, those that the contact drives first",
+            ),
+            (
+                "held",
+                code!(&[#(#held),*]),
+                "modes of the chain with its contact stuck, of states y and u",
+            ),
+            (
+                "participations",
+                code!(&[#(#participations),*]),
+                "factors of each mode in y and u of each mode of the stuck chain",
+            ),
+            (
+                "shapes",
+                code!(#shapes.as_flattened()),
+                "φ, mass after mass",
+            ),
+            ("weights", code!(&#weights), "φᵀΓ, mode after mode"),
+            (
+                "rubbing",
+                rubbing,
+                "index of the mass that rubs on a support",
+            ),
+        ],
+    );
     let associated = code! {
             #own_shapes
 
-            /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
-            /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-            /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `participations`: how far
-            /// each free mode takes part in y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after
-            /// mode.
+            /// Constants of the motion in time.
             #from_base
-            const DYNAMICS: Dynamics<'static, #scalar> = Dynamics {
-                chain: Self::CHAIN,
-                modes: #modes,
-                held: &[#(#held),*],
-                participations: &[#(#participations),*],
-                shapes: #shapes.as_flattened(),
-                weights: &#weights,
-                rubbing: #rubbing,
-            };
+            const DYNAMICS: Dynamics<'static, #scalar> = Dynamics { #numbers };
     };
     let driven = transient.held.len() + LOST_MODES;
     Constants {
@@ -83,7 +105,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
 /// modes.
 fn modes(emission: &Emission<'_>, transient: &Transient<f64>) -> TokenStream {
     let all = |modes: &[Mode<f64>]| {
-        let modes = modes.iter().map(|mode| mode_constant(emission, mode));
+        let modes = mode_constants(emission, modes);
         code!([#(#modes),*])
     };
     let modes = all(&transient.modes);
@@ -95,7 +117,7 @@ fn modes(emission: &Emission<'_>, transient: &Transient<f64>) -> TokenStream {
     }
 }
 
-fn held(emission: &Emission<'_>, mode: &HeldMode<f64>) -> TokenStream {
+fn held(emission: &Emission<'_>, mode: &HeldMode<f64>, first: bool) -> TokenStream {
     let kind = kind(mode.kind);
     let of = |value| emission.literal(value);
     let (frequency, zeta, q, force) = (
@@ -105,16 +127,26 @@ fn held(emission: &Emission<'_>, mode: &HeldMode<f64>) -> TokenStream {
         of(mode.force),
     );
     let inverse = emission.list(mode.inverse);
-    code! {
-        HeldMode {
-            kind: Kind::#kind,
-            frequency: #frequency,
-            zeta: #zeta,
-            q: #q,
-            force: #force,
-            inverse: #inverse,
-        }
-    }
+    let fields = fields(
+        first,
+        &[
+            ("kind", code!(Kind::#kind), "kind of damping"),
+            (
+                "frequency",
+                frequency,
+                "frequency ratio r of the undamped resonance",
+            ),
+            ("zeta", zeta, "ζ"),
+            ("q", q, "√|1 − ζ²|"),
+            ("force", force, "−(contact force)/y"),
+            (
+                "inverse",
+                inverse,
+                "[m₁₁, m₁₂, m₂₂], which turns the products of a motion with both states into y and u",
+            ),
+        ],
+    );
+    code!(HeldMode { #fields })
 }
 
 /// Returns a count as a literal.

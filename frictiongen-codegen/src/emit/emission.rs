@@ -2,12 +2,13 @@
 
 use super::names::{TypeNames, local};
 use crate::Description;
+use crate::graph::Graph;
 use crate::graph::literal::{literal, scalar};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{Precision, Provide, Scene};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 
 /// From this number of modes on, the emitted sums over the modes of a motion are calls of the kernel. Below it, each
 /// mass has its own straight-line code.
@@ -23,8 +24,6 @@ pub(super) struct Emission<'a> {
     pub precision: Precision,
     /// The scalar type, `f64` or `f32`.
     pub scalar: TokenStream,
-    /// The kernel type for the decay of the modes: `Undamped` or `Damped<f64>`.
-    pub decay: TokenStream,
     pub names: TypeNames,
     pub facade: &'a syn::Path,
     /// From this number of modes on, the frequency stage is emitted as passes.
@@ -55,11 +54,6 @@ impl<'a> Emission<'a> {
         let precision = scene.precision;
         let reduced = modal.reduced(|value| rounded(value, precision));
         let scalar = scalar(precision);
-        let decay = if reduced.chain.damped {
-            code!(Damped<#scalar>)
-        } else {
-            code!(Undamped)
-        };
         Self {
             description,
             scene,
@@ -67,7 +61,6 @@ impl<'a> Emission<'a> {
             reduced,
             precision,
             scalar,
-            decay,
             names: TypeNames::of(&description.name),
             facade: &description.facade,
             passes_from,
@@ -93,10 +86,36 @@ impl<'a> Emission<'a> {
         modes.map(|mode| local(&format!("{name}_{mode}"))).collect()
     }
 
-    /// Emits the statement that binds the modes' constants to their names.
-    pub fn constants(&self) -> TokenStream {
-        let names = self.constant_names();
-        code!(let [#(#names),*] = &Self::MODES;)
+    /// Emits the statement that binds the modes' constants to the names that `body` mentions.
+    pub fn constants(&self, body: &TokenStream) -> TokenStream {
+        bound(&self.constant_names(), body, &code!(&Self::MODES))
+    }
+
+    /// Emits the statements that bind what the formulas of a motion need: 1/r, the sums of the contact, the modes and
+    /// their constants, as far as `body` mentions them.
+    pub fn inputs(&self, body: &TokenStream) -> TokenStream {
+        let mut inputs = TokenStream::new();
+        if mentions(body, "inverse_r") {
+            inputs.extend(code!(let inverse_r = at.inverse_ratio();));
+        }
+        if mentions(body, "contact") {
+            inputs.extend(code!(let contact = at.contact_sums();));
+        }
+        inputs.extend(self.constants(body));
+        inputs.extend(bound(&self.mode_names(), body, &code!(at.modes())));
+        inputs
+    }
+
+    /// Emits the statement that binds the components of a mass in the mode shapes.
+    pub fn shape(&self, body: &TokenStream) -> TokenStream {
+        let names = self.numbered("shape");
+        let source = code!(*Self::SHAPES.get(mass)?);
+        bound(&names, body, &source)
+    }
+
+    /// Returns a graph for formulas of this scene.
+    pub fn graph(&self, modes: usize) -> Graph {
+        Graph::new(modes).in_precision(self.precision)
     }
 
     /// Returns whether the frequency stage is emitted as passes over the modes.
@@ -177,6 +196,39 @@ impl<'a> Emission<'a> {
     }
 }
 
+/// Emits `let [a, _, c] = source;` with the names that `body` mentions, or nothing if it mentions none.
+fn bound(names: &[Ident], body: &TokenStream, source: &TokenStream) -> TokenStream {
+    let mentioned: Vec<bool> = names
+        .iter()
+        .map(|name| mentions(body, &name.to_string()))
+        .collect();
+    if !mentioned.contains(&true) {
+        return TokenStream::new();
+    }
+    let names = names.iter().zip(mentioned).map(
+        |(name, mentioned)| {
+            if mentioned { code!(#name) } else { code!(_) }
+        },
+    );
+    code!(let [#(#names),*] = #source;)
+}
+
+/// Returns whether a name stands in the tokens, other than as a field.
+pub(super) fn mentions(tokens: &TokenStream, name: &str) -> bool {
+    let mut field = false;
+    tokens.clone().into_iter().any(|token| {
+        let after_point = std::mem::replace(
+            &mut field,
+            matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '.'),
+        );
+        match &token {
+            TokenTree::Ident(ident) => !after_point && ident == name,
+            TokenTree::Group(group) => mentions(&group.stream(), name),
+            _ => false,
+        }
+    })
+}
+
 /// Rounds a double-double once to the scene's scalar and returns it as `f64`.
 #[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]
 pub(super) fn rounded(value: Dd, precision: Precision) -> f64 {
@@ -209,6 +261,8 @@ pub(super) struct Part {
     pub associated: TokenStream,
     /// Hidden items outside that `impl`.
     pub items: TokenStream,
+    /// Tables of numbers, as associated constants apart from the code.
+    pub tables: TokenStream,
 }
 
 impl Part {
@@ -216,5 +270,6 @@ impl Part {
         self.types.extend(other.types);
         self.associated.extend(other.associated);
         self.items.extend(other.items);
+        self.tables.extend(other.tables);
     }
 }

@@ -1,9 +1,9 @@
 //! Emits the frequency stage, which evaluates a scene at one frequency ratio r.
 
 use super::emission::Emission;
+use super::mode;
 use super::names::{field, local};
 use super::trace::{Tracer, contact_outputs, mode_outputs};
-use super::{legend, mode};
 use crate::graph::count::Count;
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
@@ -11,13 +11,15 @@ use frictiongen_kernel::contact::quadrature::Quadrature;
 use frictiongen_kernel::contact::sums::{Chain, ContactAt};
 use frictiongen_kernel::number::complex::Complex;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 
 /// Code of the frequency stage: the methods of the kernel's `Scene` and the function that they
 /// share.
 pub(super) struct Stage {
     pub function: TokenStream,
     pub methods: TokenStream,
+    /// The last argument of the kernel's `scene_items`.
+    pub in_passes: TokenStream,
 }
 
 pub(super) fn emit(emission: &Emission<'_>) -> Stage {
@@ -29,20 +31,28 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
         None if emission.modes() == 1 => single(emission),
         None => straight(emission),
     };
-    let operations = format!(" Operations: {operations}.");
+    let operations = operations_about(&operations);
     let on_base = emission.reduced.chain.on_moving_base.is_some();
-    let mut legend = match emission.reduced.modes.as_slice() {
-        [mode] => legend::single(mode, on_base),
-        _ if in_passes.is_some() => legend::sums(on_base),
-        _ => legend::lines(on_base, emission.loads_contact()),
+    let response = if on_base {
+        " Sums over the modes, relative to the moving base: V of residue/λ·(1 − 2iζx)/(x² − 1 + 2iζx), times r²,"
+    } else if emission.loads_contact() {
+        " Sums over the modes: V = H, as the load acts on the mass that rubs,"
+    } else {
+        " Sums over the modes: V of residue/(x² − 1 + 2iζx),"
     };
-    if !emission.reduced.quadratures.is_empty() {
-        legend.extend(legend::FROM_BASE);
-    }
+    let from_base: &[&str] = if emission.reduced.quadratures.is_empty() {
+        &[]
+    } else {
+        &FROM_BASE
+    };
     let about = code! {
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        #(#[doc = #legend])*
+        /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
+        ///
+        #[doc = #response]
+        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
+        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
+        /// resonance.
+        #(#[doc = #from_base])*
         ///
         #[doc = #operations]
     };
@@ -51,6 +61,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     if in_passes.is_some() {
         return Stage {
             function: TokenStream::new(),
+            in_passes: code!(, in passes),
             methods: code! {
                 #about
                 #[inline]
@@ -61,16 +72,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
         };
     }
     // Without damping G is 0, so the parameter `WITH_G` is not emitted.
-    let (choice, all, but_g) = if emission.damped() {
-        (
-            code!(<const WITH_G: bool>),
-            code!(::<true>),
-            code!(::<false>),
-        )
-    } else {
-        let none = TokenStream::new;
-        (none(), none(), none())
-    };
+    let choice = emission.damped().then(|| code!(<const WITH_G: bool>));
     Stage {
         function: code! {
             #about
@@ -79,20 +81,21 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
                 #body
             }
         },
-        methods: code! {
-            /// All functions of the contact at 1/r, and of its modes.
-            #[inline]
-            fn frequency_stage(&self, inverse_r: #scalar) -> #types {
-                Self::functions #all (inverse_r)
-            }
-
-            /// Those of the contact without G, which only a motion needs.
-            #[inline]
-            fn contact_without_g(&self, inverse_r: #scalar) -> ContactAt<#scalar> {
-                Self::functions #but_g (inverse_r).0
-            }
-        },
+        methods: TokenStream::new(),
+        in_passes: TokenStream::new(),
     }
+}
+
+/// Additional lines where damping acts on velocities relative to the moving base.
+const FROM_BASE: [&str; 3] = [
+    " Damping acts relative to the base: to residue·`response` in V comes i(φᵀw)·2ζλΓ/x·`response` with Γ = φᵀΓ1, and on a moving",
+    " base `static_residue` − 2iζx·wall takes the place of `static_residue`·(1 − 2iζx), wall being `static_residue` − (φᵀw)Γ.",
+    " `QUADRATURES` has 2ζλΓ and wall of each mode.",
+];
+
+/// Returns the line that states the number of operations of a function, without those on constants alone.
+pub(super) fn operations_about(operations: &Count) -> String {
+    format!(" Operations: {operations}.")
 }
 
 fn uniform_kind(modes: &[Mode<f64>]) -> Option<Kind> {
@@ -104,9 +107,9 @@ fn uniform_kind(modes: &[Mode<f64>]) -> Option<Kind> {
 const TAKEN: [&str; 3] = ["inverse_r", "contact", "modes"];
 
 /// Emits the stage of a single mode. Its own size is the scale.
-fn single(emission: &Emission<'_>) -> (TokenStream, String) {
-    let graph = Graph::new(1);
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+fn single(emission: &Emission<'_>) -> (TokenStream, Count) {
+    let graph = emission.graph(1);
+    let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let with_g = |g| graph.where_asked(mode::WITH_G, g);
     let (contact, at) = tracer.frequency(graph.input("inverse_r"), with_g);
     let mut outputs = contact_outputs(&contact);
@@ -123,14 +126,19 @@ fn single(emission: &Emission<'_>) -> (TokenStream, String) {
         let contact = #contact;
         let modes = [#mode];
     };
-    (body, count.to_string())
+    let constants = emission.constants(&body);
+    let body = code!(#constants #body);
+    (body, count)
 }
 
 /// Emits the functions of each mode, then the sums.
-fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
-    let graph = Graph::new(emission.modes());
+fn straight(emission: &Emission<'_>) -> (TokenStream, Count) {
+    let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
-    let (blocks, mut count) = blocks(emission);
+    if emission.in_sums() && emission.reduced.quadratures.is_empty() {
+        return summed(emission);
+    }
+    let (calls, blocks, mut count) = blocks(emission);
     let mut contact = tracer.joined();
     contact.g = graph.where_asked(mode::WITH_G, contact.g);
     let outputs = contact_outputs(&contact);
@@ -143,25 +151,64 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, String) {
     let statements = printed.statements;
     let contact = contact_structure(&printed.outputs);
     let body = code! {
+        #calls
         #blocks
         #statements
         let contact = #contact;
     };
-    (body, count.to_string())
+    let constants = emission.constants(&body);
+    let body = code!(#constants #body);
+    (body, count)
+}
+
+/// Emits the functions of each mode, then a call of the kernel's sum for each mode. The calls are inlined, so that the
+/// compiled code is the one of straight lines.
+fn summed(emission: &Emission<'_>) -> (TokenStream, Count) {
+    let (calls, blocks, count) = blocks(emission);
+    let graph = emission.graph(emission.modes());
+    let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
+    let outputs = contact_outputs(&tracer.joined());
+    let count = count.and(&Count::of(&graph, &outputs));
+    let with_g = if emission.damped() {
+        code!(WITH_G)
+    } else {
+        code!(false)
+    };
+    let mut sums = TokenStream::new();
+    let modes = emission
+        .mode_names()
+        .into_iter()
+        .zip(emission.constant_names());
+    for (number, (mode, constants)) in (1..).zip(modes) {
+        let at = local(&format!("at_{number}"));
+        sums.extend(if number == 1 {
+            code!(let sum = Self::CHAIN.begun_by(scale, #constants, &#mode, #at, #with_g);)
+        } else {
+            code!(let sum = Self::CHAIN.joined_by(&sum, #constants, &#mode, #at, false, #with_g);)
+        });
+    }
+    let body = code! {
+        #calls
+        #blocks
+        #sums
+        let contact = Self::CHAIN.completed(&sum, inverse_r);
+    };
+    let constants = emission.constants(&body);
+    (code!(#constants #body), count)
 }
 
 /// Emits the functions of each mode, the scale, and the modes at that scale, from which the sums
 /// over the modes start.
-fn blocks(emission: &Emission<'_>) -> (TokenStream, Count) {
+fn blocks(emission: &Emission<'_>) -> (TokenStream, TokenStream, Count) {
     let mut count = Count::default();
-    let mut body = emission.constants();
+    let (mut calls, mut body) = (TokenStream::new(), TokenStream::new());
     let names = emission.mode_names();
     for (index, name) in names.iter().enumerate() {
         let (call, operations) = mode::call(emission, index);
         count = count.and(&operations);
-        body.extend(code!(let #name = #call;));
+        calls.extend(code!(let #name = #call;));
     }
-    let graph = Graph::new(emission.modes());
+    let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let chain = &tracer.reduced.chain;
     // E, the common scale, is formed from the modes that the contact drives.
@@ -171,11 +218,21 @@ fn blocks(emission: &Emission<'_>) -> (TokenStream, Count) {
     let constants = &tracer.reduced.modes;
     let sizes = responses.iter().map(|response| response.size);
     let scale = Chain::scale(constants.iter().zip(sizes));
-    let (printed, operations) = tracer.print(&[scale.operand()], emission.precision, &TAKEN);
-    count = count.and(&operations);
-    let scale = printed.outputs;
+    count = count.and(&Count::of(&graph, &[scale.operand()]));
+    let in_contact = names.iter().zip(&emission.reduced.modes);
+    let in_contact = in_contact.filter(|(_, mode)| mode.in_contact);
+    let in_contact: Vec<&Ident> = in_contact.map(|(name, _)| name).collect();
+    let smallest = match in_contact.as_slice() {
+        [] => code!(let scale = 1.0;),
+        [only] => code!(let scale = #only.size;),
+        [first, second, others @ ..] => code! {
+            let scale = Scalar::min(#first.size, #second.size);
+            #(let scale = Scalar::min(scale, #others.size);)*
+        },
+    };
     body.extend(code! {
-        let scale = #(#scale)*;
+        /// E, the smallest `size` of the modes in contact
+        #smallest
         let modes = [#(Self::CHAIN.at_scale(&#names, scale)),*];
     });
     let scaled = chain.scaled(&tracer.response("mode"), graph.input("scale"), false, 0);
@@ -183,7 +240,7 @@ fn blocks(emission: &Emission<'_>) -> (TokenStream, Count) {
     count = count.and(&operations);
     let at_names = (1..=names.len()).map(|mode| local(&format!("at_{mode}")));
     body.extend(code!(let [#(#at_names),*] = &modes;));
-    (body, count)
+    (calls, body, count)
 }
 
 fn contact_structure(outputs: &[TokenStream]) -> TokenStream {
@@ -214,13 +271,13 @@ fn mode_structure(outputs: &[TokenStream]) -> TokenStream {
 
 /// Emits the stage as two passes over the array of modes. The body of each pass is the formula of
 /// one mode.
-fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
+fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, Count) {
     let Emission {
         precision, scalar, ..
     } = emission;
     let modes = Literal::usize_unsuffixed(emission.modes());
     let damped = emission.damped();
-    let graph = Graph::new(1);
+    let graph = emission.graph(1);
     let tracer = Tracer::new(&graph, &emission.modal, *precision);
     let chain = &tracer.reduced.chain;
     let symbolic = mode::symbolic(&graph, kind);
@@ -237,7 +294,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
     };
     let first_pass = code! {
         let mut responses = [ModeResponse::<#scalar>::zero(); #modes];
-        let mut scale = ::core::#scalar::INFINITY;
+        let mut scale = #scalar::INFINITY;
         for (mode, response) in IntoIterator::into_iter(&Self::MODES).zip(&mut responses) {
             *response = Self::#function(mode, inverse_r);
             #smallest
@@ -284,7 +341,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
     let (at, sums) = second.outputs.split_at(5);
     let at = mode_structure(at);
     let [v_re, v_im, u, g, reversal, h_re, h_im] = sums else {
-        return (TokenStream::new(), String::new());
+        return (TokenStream::new(), Count::default());
     };
     let imaginary = damped.then(|| {
         code! {
@@ -329,7 +386,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, String) {
         .and(&second_count)
         .times(emission.modes())
         .and(&last_count);
-    (body, count.to_string())
+    (body, count)
 }
 
 fn symbolic_sum(graph: &Graph, damped: bool) -> ContactAt<Expr<'_>> {

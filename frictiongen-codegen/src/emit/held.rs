@@ -1,5 +1,6 @@
 //! Emits the stuck responses of a scene with a declared accuracy.
 
+use super::checksum;
 use super::emission::{Emission, Part};
 use super::names::TypeNames;
 use super::table::{factors, quotient_over};
@@ -40,13 +41,30 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Part {
         };
     };
     let poles = Poles::of(held);
-    let associated = poles.constants(emission);
-    let amplitudes = held.masses.iter().enumerate().map(|(mass, form)| {
-        let mass = Literal::usize_unsuffixed(mass);
+    let mut tables = poles.constants(emission);
+    let mut constant = |name: &Ident, about: &str, form: &HeldForm<S>| {
         let response = poles.response(emission, form);
-        code!(#mass => Some(#response.value(r)))
-    });
-    let force = poles.response(emission, &held.force);
+        let checksum = checksum::about(&response);
+        tables.extend(code! {
+            #[doc = #about]
+            #[doc = #checksum]
+            const #name: HeldResponse<'static, #scalar> = #response;
+        });
+    };
+    let mut amplitudes = Vec::new();
+    for (form, (number, mass)) in held.masses.iter().zip((1..).zip(&emission.scene.masses)) {
+        let name = format_ident!("STUCK_{}", number);
+        let about = format!(" Stuck response of mass `{}` over r.", mass.name);
+        constant(&name, &about, form);
+        let mass = Literal::usize_unsuffixed(number - 1);
+        amplitudes.push(code!(#mass => Some(Self::#name.value(r))));
+    }
+    let force = format_ident!("STUCK_FORCE");
+    constant(
+        &force,
+        " V/H over r, the force that holds the contact.",
+        &held.force,
+    );
     let resonances = emission.list(held.resonances.iter().map(|own| own.to_f64()));
     let (stuck_about, force_about) = (stuck_about(held), force_about(held));
     let items = code! {
@@ -75,13 +93,13 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Part {
             #(#[doc = #force_about])*
             #[inline]
             fn tabled_holding_force(&self, r: #scalar) -> Option<Complex<#scalar>> {
-                Some(#force.value(r))
+                Some(Self::#force.value(r))
             }
         }
     };
     Part {
-        associated,
         items,
+        tables,
         ..Part::default()
     }
 }
@@ -130,8 +148,10 @@ impl<'a, S: Float> Poles<'a, S> {
                 _ => " The same of a mass that has others.",
             };
             let count = Literal::usize_unsuffixed(count);
+            let checksum = checksum::about(&poles);
             code! {
                 #[doc = #about]
+                #[doc = #checksum]
                 const #name: [#of<#scalar>; #count] = #poles;
             }
         });

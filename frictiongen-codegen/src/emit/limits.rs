@@ -1,20 +1,21 @@
-//! Emits the formulas of both limits, and the functions for slices of frequencies.
+//! Emits the formulas of both limits.
 
 use super::emission::Emission;
+use super::frequency::operations_about;
 use super::trace::Tracer;
+use crate::graph::Expr;
 use crate::graph::print::Printed;
-use crate::graph::{Expr, Graph};
 use proc_macro2::TokenStream;
 
 /// Emits the formulas of both limits as methods of the kernel's `Scene`.
 pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
-    let graph = Graph::new(emission.modes());
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+    let graph = emission.graph(emission.modes());
+    let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let chain = &tracer.reduced.chain;
     let contact = tracer.contact("contact");
-    let formula = |output: Expr<'_>| -> TokenStream {
-        let (printed, _) = tracer.print(
+    let formula = |output: Expr<'_>| -> (TokenStream, String) {
+        let (printed, count) = tracer.print(
             &[output.operand()],
             emission.precision,
             &["contact", "constraint"],
@@ -23,11 +24,11 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
             statements,
             outputs,
         } = printed;
-        code!(#statements #(#outputs)*)
+        (code!(#statements #(#outputs)*), operations_about(&count))
     };
-    let break_away = formula(chain.break_away(&contact));
+    let (break_away, break_away_count) = formula(chain.break_away(&contact));
     let limit = chain.continuous_limit(&contact, graph.input("constraint"));
-    let continuous = formula(limit);
+    let (continuous, continuous_count) = formula(limit);
     let reduced = &emission.reduced;
     let same = emission.loads_contact().then(|| {
         code! {
@@ -37,13 +38,15 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     });
     let is_one =
         reduced.quadratures.is_empty() && reduced.chain.sliding_limit_is_one(&reduced.modes);
-    let (given, sliding) = if is_one {
-        (code!(_), code!(1.0))
+    let (given, (sliding, sliding_count)) = if is_one {
+        (code!(_), (code!(1.0), " Operations: none.".to_owned()))
     } else {
         (code!(contact), formula(chain.sliding_limit(&contact)))
     };
     code! {
-        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
+        ///
+        #[doc = #break_away_count]
         #[inline]
         fn break_away(&self, contact: &ContactAt<#scalar>) -> #scalar {
             #break_away
@@ -52,6 +55,8 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
         /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
+        ///
+        #[doc = #continuous_count]
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<#scalar>, constraint: #scalar) -> #scalar {
             #continuous
@@ -59,45 +64,11 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
 
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
         #same
+        ///
+        #[doc = #sliding_count]
         #[inline]
         fn sliding_limit(&self, #given: &ContactAt<#scalar>) -> #scalar {
             #sliding
-        }
-    }
-}
-
-/// Emits both limits as functions of r, and over a slice.
-pub(super) fn slices(emission: &Emission<'_>) -> TokenStream {
-    let scalar = &emission.scalar;
-    let (of, first) = if emission.is_tabled() {
-        (code!(Compiled), "r out of the domain, as of `at`")
-    } else {
-        (code!(At), "NaN or negative r")
-    };
-    let errors = format!(
-        " `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first {first}, after what precedes it is."
-    );
-    code! {
-        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
-        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn limits_without_search(r: #scalar) -> Result<Limits<#scalar>, OutOfDomain> {
-            At::limits_without_search(&Self, r)
-        }
-
-        /// Both limits over a slice of frequency ratios, into slices of the same length.
-        ///
-        /// # Errors
-        #[doc = #errors]
-        pub fn limits_into(
-            rs: &[#scalar],
-            continuous: &mut [#scalar],
-            sliding: &mut [#scalar],
-        ) -> Result<(), OutOfDomain> {
-            #of::limits_into(Self, rs, continuous, sliding)
         }
     }
 }

@@ -1,13 +1,14 @@
 //! Emits the solver of a scene. Each file emits one group of items.
 
 mod arm;
+mod checksum;
 mod constants;
 mod dynamics;
 mod emission;
+mod fields;
 mod fingerprint;
 mod frequency;
 mod held;
-mod legend;
 mod limits;
 mod missing;
 mod mode;
@@ -18,6 +19,7 @@ mod scene;
 mod shapes;
 mod shield;
 mod simulation;
+mod step_cost;
 mod step_table;
 mod stepper;
 mod stuck;
@@ -63,8 +65,10 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     }
     let facade = emission.facade;
     let shield = shield::emit(&items);
+    let pi = pi(&items, &emission.scalar);
     let block = code! {
             use #facade::kernel::emitted::*;
+            #pi
             #shield
             #items
     };
@@ -75,20 +79,47 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     };
     code! {
         #types
-        #[automatically_derived]
         #[allow(
             deprecated,
             non_snake_case,
             non_camel_case_types,
-            unused_imports,
-            unused_qualifications,
-            clippy::all,
-            clippy::pedantic,
-            clippy::nursery,
-            clippy::restriction
+            reason = "names and attributes are those of the description"
+        )]
+        #[allow(
+            unused_doc_comments,
+            clippy::doc_markdown,
+            reason = "comments above statements explain them by formulas"
+        )]
+        #[allow(
+            clippy::unreadable_literal,
+            clippy::similar_names,
+            clippy::too_many_lines,
+            reason = "numbers have all their digits, and formulas are written out"
+        )]
+        #[allow(
+            clippy::suboptimal_flops,
+            clippy::suspicious_operation_groupings,
+            reason = "operations and their order are those of the tested formulas"
+        )]
+        #[allow(
+            clippy::wildcard_imports,
+            clippy::inline_always,
+            clippy::expl_impl_clone_on_copy,
+            reason = "one import serves every scene, and the compiler folds constants after inlining"
         )]
         const _: () = { #block };
     }
+}
+
+/// Emits the import of π and 2π, as far as the items mention them.
+fn pi(items: &TokenStream, scalar: &TokenStream) -> TokenStream {
+    let names = ["PI", "TAU"].into_iter();
+    let names = names.filter(|name| emission::mentions(items, name));
+    let names = names.map(|name| {
+        let name = names::local(name);
+        code!(use ::core::#scalar::consts::#name;)
+    });
+    names.collect()
 }
 
 /// Emitted code of one kind of answer, with the names of its types.
@@ -152,5 +183,15 @@ fn joined(emission: &Emission<'_>, groups: &[Group]) -> (TokenStream, TokenStrea
     let associated = parts().map(|part| &part.associated);
     let items = parts().map(|part| &part.items);
     let name = &emission.names.name;
-    (types, code!(impl #name { #(#associated)* } #(#items)*))
+    let tables: TokenStream = parts().map(|part| part.tables.clone()).collect();
+    let tables = (!tables.is_empty()).then(|| {
+        code! {
+            /// Tables: numbers alone, apart from the code that reads them.
+            impl #name { #tables }
+        }
+    });
+    (
+        types,
+        code!(impl #name { #(#associated)* } #(#items)* #tables),
+    )
 }

@@ -2,7 +2,7 @@
 //! mode.
 
 use super::emission::Emission;
-use super::legend;
+use super::frequency::operations_about;
 use super::names::{field, local};
 use super::trace::Tracer;
 use crate::graph::count::Count;
@@ -21,18 +21,21 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
         if modes.iter().all(|mode| mode.kind != *kind) {
             return None;
         }
-        let graph = Graph::new(1);
+        let graph = emission.graph(1);
         let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
         let mut response = symbolic(&graph, *kind).response(graph.input("inverse_r"), 0);
         response.g = graph.where_asked(WITH_G, response.g);
         let outputs = outputs(&response);
-        let (printed, _) = tracer.print(&outputs, emission.precision, &["inverse_r", "mode"]);
+        let (printed, count) = tracer.print(&outputs, emission.precision, &["inverse_r", "mode"]);
         let (statements, structure) = (printed.statements, structure(&printed.outputs));
-        let (function, legend) = (local(function), legend::mode(*kind));
+        let (function, operations) = (local(function), operations_about(&count));
         let choice = has_g(*kind).then(|| code!(<const WITH_G: bool>));
         Some(code! {
             #[doc = #about]
-            #(#[doc = #legend])*
+            ///
+            /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+            ///
+            #[doc = #operations]
             #[inline(always)]
             fn #function #choice (mode: &Mode<#scalar>, inverse_r: #scalar) -> ModeResponse<#scalar> {
                 #statements
@@ -98,8 +101,8 @@ pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, Count
         return (TokenStream::new(), Count::default());
     };
     // The count uses the mode's own constants, which fold where the function is inlined.
-    let graph = Graph::new(1);
-    let tracer = Tracer::new(&graph, &emission.modal, emission.precision);
+    let graph = emission.graph(1);
+    let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let Some(constants) = tracer.reduced.modes.get(index) else {
         return (TokenStream::new(), Count::default());
     };

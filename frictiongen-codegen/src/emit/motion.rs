@@ -6,7 +6,7 @@ use super::names::{TypeNames, field, local};
 use super::trace::Tracer;
 use crate::graph::alternatives::{self, Alternative};
 use crate::graph::print::Printed;
-use crate::graph::{Expr, Graph, Operand};
+use crate::graph::{Expr, Operand};
 use frictiongen_kernel::response::coefficients::{Fundamental, ModalCoefficients};
 use proc_macro2::{Ident, Literal, TokenStream};
 
@@ -34,15 +34,14 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     let tabled = emission.is_tabled();
     let (exact, how) = if tabled {
         (
-            "",
-            ": of the contact to the declared accuracy, of the masses exact",
+            "Continuous",
+            ": the contact's to the declared accuracy, the masses' exact",
         )
     } else {
-        ("exact ", "")
+        ("Exact continuous", "")
     };
-    let about = format!(
-        " The {exact}continuous motion of [`{name}`] at one frequency and one friction ratio{how}."
-    );
+    let about =
+        format!(" {exact} motion of [`{name}`] at one frequency and one friction ratio{how}.");
     let inner = if tabled {
         code!(table::Moving)
     } else {
@@ -54,7 +53,7 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
         #visibility struct #motion(#facade::kernel::#inner<#name>);
     };
     let methods = masses.iter().map(|(mass, method)| {
-        let about = format!(" The motion of mass `{method}` (5.50 and its exact form, 7.29).");
+        let about = format!(" Motion of mass `{method}` (5.50 and its exact form, 7.29).");
         let as_contact = emission.moves_as_contact(*mass);
         let motion = if as_contact {
             code!(self.contact())
@@ -70,7 +69,7 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
         let why = as_contact.then(|| {
             code! {
                 ///
-                /// It rubs on a support at rest: its motion is the contact's.
+                /// It rubs on a support at rest, so its motion is that of the contact.
             }
         });
         code! {
@@ -90,7 +89,13 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
         (code!(#motion), wraps)
     };
     let in_lines = (!emission.in_sums()).then(|| in_lines(emission, masses));
+    let of_kernel = in_lines.is_none().then(|| {
+        code! {
+            /// The motions are those of the kernel, which sums over the modes in loops.
+        }
+    });
     let items = code! {
+        #of_kernel
         impl ProvidesMotion for #name {
             type Motion = #by_formulas;
 
@@ -105,65 +110,48 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     };
     Part {
         types,
-        associated: TokenStream::new(),
         items,
+        ..Part::default()
     }
 }
 
 /// Emits the motions of a scene with few modes in straight lines, as methods of the kernel's `ProvidesMotion`.
 fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream {
     let scalar = &emission.scalar;
-    let modes = emission.mode_names();
     let masses: Vec<usize> = masses
         .iter()
         .map(|(mass, _)| *mass)
         .filter(|mass| !emission.moves_as_contact(*mass))
         .collect();
-    let graph = Graph::new(emission.modes());
+    let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let body = of_masses(emission, &tracer, &masses);
     let contact = of_contact(emission, &tracer);
-    let constants = (emission.damped() || tracer.names_constants()).then(|| emission.constants());
-    let has_powers = emission.damped() || emission.reduced.chain.on_moving_base.is_some();
-    let powers = has_powers.then(|| {
-        code! {
-            /// `…_in_range` is times 2²⁴ = 16777216, or over it, which keeps products within the scalar's range and cancels.  `inverse` is
-            /// 1/V by way of `unit`, V over its `size`, |re| + |im|; `turning` is V less a mode's own term, or V where that is smaller,
-            /// as a mode is in phase with its own; `in_phase_over_v` is `root` over that `size`.
-        }
-    });
+    let inputs = emission.inputs(&body);
+    let contact_inputs = emission.inputs(&contact);
     let masses = (!masses.is_empty()).then(|| {
         code! {
-            /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
-            /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-            /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
-            /// x < 1/2 the mode is mass-controlled: `mass_wave` has all of its response, so that `u_in_sum` and `offset`, else u and g, are 0
-            /// and `u_others` is all of U.
-            #powers
-            #[allow(unused_variables)]
+            /// The motion of mass k: its fundamental component, and the coefficients of each mode.
+            ///
+            /// Of two products that would cancel, those of a mode with itself, none is computed.  A mode with x < 1/2 is
+            /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
             fn mass_motion(
                 at: &At<Self>,
                 friction: &Friction<#scalar>,
                 mass: usize,
             ) -> Option<MotionOf<Self>> {
-                let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
-                #constants
-                let [#(#modes),*] = at.modes();
+                #inputs
                 #body
                 Some(Motion::of_mass(*friction, fundamental, waves))
             }
         }
     });
     code! {
-        /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
-        /// `forced` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.  `friction_force` is β/(r²E) times a mode's φ_k(φᵀw); `friction` has
-        /// `root`, Q = √(|V|² − (βU)²) times r²E, and `amplitude`, Q − βG.
-        #[allow(unused_variables)]
+        /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
+        ///
+        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
         fn contact_motion(at: &At<Self>, friction: &Friction<#scalar>) -> MotionOf<Self> {
-            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
-            #constants
-            let [#(#modes),*] = at.modes();
+            #contact_inputs
             #contact
             Motion::of_contact(*friction, fundamental, waves)
         }
@@ -222,14 +210,17 @@ fn of_masses(emission: &Emission<'_>, tracer: &Tracer<'_>, masses: &[usize]) -> 
             .first()
             .map(|(_, coefficients)| coefficients.structures(emission, printed, &code!(mass_wave)));
         let (fundamental, waves) = structures.unwrap_or_default();
+        let value = code!((#fundamental, #waves));
+        let statements = &printed.statements;
+        let shape = emission.shape(&code!(#statements #value));
         Arm {
             masses,
-            statements: printed.statements.clone(),
-            value: code!((#fundamental, #waves)),
+            statements: code!(#shape #statements),
+            value,
         }
     });
     let arms: Vec<Arm> = arms.collect();
-    let (statements, value) = arm::chosen(&arms);
+    let (statements, value) = arm::chosen(&arms, emission.scene.masses.len());
     code! {
         #common
         #statements
@@ -241,11 +232,11 @@ fn of_mass<'g>(tracer: &Tracer<'g>, mass: usize) -> Coefficients<'g> {
     let contact = tracer.contact("contact");
     let (friction, inverse_r) = (tracer.friction(), tracer.graph.input("inverse_r"));
     let (chain, at) = (&tracer.reduced.chain, tracer.modes_at());
-    let (shape, modes) = (tracer.reduced.shape(mass), &tracer.reduced.modes);
-    let parts = modes.iter().zip(&at).zip(shape).enumerate();
+    let (shape, modes) = (tracer.shape(mass), &tracer.reduced.modes);
+    let parts = modes.iter().zip(&at).zip(&shape).enumerate();
     Coefficients {
         fundamental: chain.fundamental_loaded(
-            shape,
+            &shape,
             tracer.loaded(),
             &at,
             &contact,
@@ -273,7 +264,7 @@ impl Coefficients<'_> {
         } = self.fundamental;
         let mut outputs = vec![cosine, sine, response.re, response.im];
         for modal in self.modal.iter().flatten() {
-            outputs.extend([modal.rise, modal.fall, modal.forced, modal.residue]);
+            outputs.extend([modal.rise, modal.fall, modal.forced, modal.harmonic]);
         }
         outputs.into_iter().map(Expr::operand).collect()
     }
@@ -297,10 +288,10 @@ impl Coefficients<'_> {
             let mode = local(&format!("mode_{}", index + 1));
             let decay = decay(emission, index);
             match modal.and_then(|_| printed.next()) {
-                Some([rise, fall, forced, residue]) => {
+                Some([rise, fall, forced, harmonic]) => {
                     let (rise, fall) = (field("rise", rise), field("fall", fall));
-                    let (forced, residue) = (field("forced", forced), field("residue", residue));
-                    code!(#wave(#mode.x, #decay, ModalCoefficients { #rise, #fall, #forced, #residue }))
+                    let (forced, harmonic) = (field("forced", forced), field("harmonic", harmonic));
+                    code!(#wave(#mode.x, #decay, ModalCoefficients { #rise, #fall, #forced, #harmonic }))
                 }
                 _ => code!(Wave::at_rest(#mode.x, #decay)),
             }

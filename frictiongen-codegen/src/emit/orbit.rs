@@ -3,8 +3,7 @@
 use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part};
 use super::names::TypeNames;
-use frictiongen_kernel::orbit::numbers;
-use proc_macro2::TokenStream;
+use frictiongen_kernel::orbit::{MAX_STEPS, numbers};
 
 pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let Emission {
@@ -22,16 +21,21 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let room = count(numbers(scene.masses.len(), driven));
     let multipliers = count(2 * driven);
     let about = format!(
-        " The steady state of [`{name}`] at one frequency and one friction ratio, in any regime."
+        " Steady state of [`{name}`] at one frequency and one friction ratio, in any regime."
     );
     let sizes_about = format!(
-        " Its sizes: {parts} modes and held modes, room for {room} numbers, {multipliers} Floquet multipliers."
+        " Room for {parts} modes of the chain and of the stuck chain, for {room} numbers (states at the starts of segments, Jacobian matrices) and for {multipliers} Floquet multipliers."
+    );
+    let work_about = format!(
+        " Worst case: {MAX_STEPS} steps of all searches for events together, each a sum over at most {parts} modes, and Newton's method on {multipliers} unknowns."
     );
     let sizes = code!(#parts, #room, #multipliers);
     let types = code! {
         #[doc = #about]
         ///
         #[doc = #sizes_about]
+        ///
+        #[doc = #work_about]
         #[allow(deprecated, non_camel_case_types)]
         #visibility struct #orbit(
             #facade::kernel::orbit::FixedOrbit<::core::primitive::#scalar, #sizes>
@@ -39,7 +43,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     };
     let methods = description.mass_names.iter().enumerate();
     let methods = methods.map(|(mass, method)| {
-        let about = format!(" The motion of mass `{method}`.");
+        let about = format!(" Motion of mass `{method}`.");
         let index = count(mass);
         code! {
             #[doc = #about]
@@ -84,7 +88,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     };
     Part {
         types,
-        associated: TokenStream::new(),
         items,
+        ..Part::default()
     }
 }

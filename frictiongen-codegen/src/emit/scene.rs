@@ -8,7 +8,6 @@ use proc_macro2::{Literal, TokenStream};
 pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
     let Emission {
         scalar,
-        decay,
         facade,
         names: TypeNames { name, at, .. },
         ..
@@ -22,15 +21,6 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
     let stage = frequency::emit(emission);
     let formulas = limits::formulas(emission);
     let Shapes { constant, methods } = shapes(emission, wanted);
-    let kept = (wanted.stuck || wanted.motion.is_some()).then(|| {
-        code! {
-            /// A copy of the modes for a motion to keep.
-            #[inline]
-            fn kept(modes: &Self::Modes) -> Self::Modes {
-                *modes
-            }
-        }
-    });
     let wraps = if emission.is_tabled() {
         code!(#facade::kernel::wraps!(#at, Compiled of tabled #name, Copy);)
     } else {
@@ -41,20 +31,17 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
     associated.extend(quadratures);
     associated.extend(mode::functions(emission));
     associated.extend(stage.function);
-    let frequency = stage.methods;
+    let (frequency, in_passes) = (stage.methods, stage.in_passes);
+    let damped = if emission.damped() {
+        code!(damped)
+    } else {
+        code!(undamped)
+    };
     let items = code! {
         #wraps
 
         impl Scene for #name {
-            type Scalar = #scalar;
-            type Decay = #decay;
-            type Modes = [ModeAt<#scalar>; #modes];
-            type Waves = [Wave<#scalar, #decay>; #modes];
-
-            #[inline]
-            fn numbers(&self) -> Numbers<'static, #scalar> {
-                Self::NUMBERS
-            }
+            #facade::kernel::scene_items!(#scalar, #damped, #modes #in_passes);
 
             #methods
 
@@ -66,22 +53,14 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
                 (#low, #high)
             }
 
-            /// Working space of the searches, and of the waves of a motion.
-            #[inline]
-            fn idle(&self) -> Self::Waves {
-                Self::MODES.map(|mode| Wave::idle(&mode))
-            }
-
-            #kept
-
             #frequency
             #formulas
         }
     };
     Part {
-        types: TokenStream::new(),
         associated,
         items,
+        ..Part::default()
     }
 }
 
@@ -121,7 +100,7 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Shapes {
         return Shapes {
             constant: None,
             methods: code! {
-                /// φ of a mass, by modes: of none here, as no motion of a mass is provided.
+                /// No motion of a mass is provided, so no mode shapes are needed.
                 #[inline]
                 fn shape(&self, _: usize) -> Option<&[#scalar]> {
                     None
@@ -149,7 +128,7 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Shapes {
     let moves = partly.then(|| {
         let moving = moving.into_iter().map(Literal::usize_unsuffixed);
         code! {
-            /// Whether the motion of this mass is provided; others have shapes for the stuck response alone.
+            /// Returns whether the motion of this mass is provided.  Other masses have shapes for the stuck response alone.
             #[inline]
             fn moves(&self, mass: usize) -> bool {
                 match mass { #(#moving)|* => true, _ => false }
@@ -160,11 +139,11 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Shapes {
     let shapes = shapes::by_masses(emission, &emission.reduced.shapes);
     Shapes {
         constant: Some(code! {
-            /// φ of `MODES`, [mass][mode].
+            /// Mode shapes φ of `MODES`, [mass][mode].
             const SHAPES: [[#scalar; #modes]; #masses] = #shapes;
         }),
         methods: code! {
-            /// φ of a mass, by modes.
+            /// Components of a mass in the mode shapes.
             #[inline]
             fn shape(&self, mass: usize) -> Option<&[#scalar]> {
                 #body

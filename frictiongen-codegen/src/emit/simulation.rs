@@ -28,7 +28,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         code!(FixedLinesSimulation)
     };
     let about = format!(
-        " The exact motion of [`{name}`] in time, from event to event; `next` gives its segments."
+        " Exact motion of [`{name}`] in time, from event to event.  `next` returns its segments."
     );
     let types = code! {
         #[doc = #about]
@@ -42,7 +42,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         .iter()
         .enumerate()
         .map(|(index, method)| {
-            let about = format!(" Displacement and velocity of mass `{method}` now.");
+            let about =
+                format!(" Displacement and velocity of mass `{method}` at the present instant.");
             let index = count(index);
             code! {
                 #[doc = #about]
@@ -86,6 +87,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         types,
         associated: starts,
         items,
+        ..Part::default()
     }
 }
 
@@ -101,7 +103,7 @@ fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
     } = emission;
     let masses = count(emission.scene.masses.len());
     let starts = code! {
-            /// The exact motion in time from rest, the excitation at its maximum.
+            /// Starts the exact motion in time from rest, at a maximum of the excitation.
             ///
             /// # Errors
             /// `OutOfDomain` unless r is positive and finite, and β finite and not negative.
@@ -110,7 +112,7 @@ fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
                 Simulation::new(Self::DYNAMICS, r, beta, None, parts).map(From::from)
             }
 
-            /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+            /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
             ///
             /// # Errors
             /// `OutOfDomain` also for a state that is not finite.
@@ -158,14 +160,14 @@ fn starts_under(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
     });
     let speed = number(steps.speed);
     let starts = code! {
-            /// The points of the friction law: speed, and kinetic friction over F.
+            /// Points of the friction law: speed, and kinetic friction over F.
             const LAW: &'static [[#scalar; 2]] = &[#(#law),*];
 
-            /// The velocity for which dz̄/dτ is 1, where r and the load's amplitude are.
+            /// Relative velocity at dz̄/dτ = 1, for r = 1 and a load of amplitude 1.
             const SPEED: #scalar = #speed;
 
-            /// The exact motion in time from rest, the excitation at its maximum, under a load of this amplitude in the
-            /// scene's units; β is the kinetic friction at vanishing speed.
+            /// Starts the exact motion in time from rest, at a maximum of the excitation.  `amplitude` is that of the load, in
+            /// the units of the scene; β is the kinetic friction at vanishing speed.
             ///
             /// # Errors
             /// `OutOfDomain` unless r and the amplitude are positive and finite, and β finite and not negative; and for a
@@ -178,7 +180,7 @@ fn starts_under(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
                 Self::started(r, beta, amplitude, None)
             }
 
-            /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+            /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
             ///
             /// # Errors
             /// `OutOfDomain` also for a state that is not finite.

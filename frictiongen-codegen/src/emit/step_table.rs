@@ -1,7 +1,9 @@
 //! Emits the tables of a declared step. They describe each oscillator over the step, in double-double and rounded once.
 
+use super::checksum;
 use super::dynamics::count;
 use super::emission::{Emission, rounded};
+use super::fields::fields;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{
@@ -43,8 +45,8 @@ pub(super) fn emit(
     }
 }
 
-/// Bound on the rounding error of a vanishing double-double sum, as a fraction of its terms. A smaller residue is set
-/// to 0, because the input's force does not act on the contact.
+/// Bound on the rounding error of a vanishing double-double sum, as a fraction of its terms. A smaller acceleration is
+/// set to 0, because the input's force does not act on the contact.
 const ROUNDING: f64 = 1e-26;
 
 fn table<const D: usize>(
@@ -72,8 +74,8 @@ fn table<const D: usize>(
         let rows = modes.iter().zip(loads.iter().skip(place).step_by(inputs));
         let terms = rows.map(|(mode, load)| (mode.contact * *load / mode.per_force).abs());
         let size = terms.fold(Dd::ZERO, |sum, term| sum + term);
-        if channel.residue.abs() <= size * Dd::from(ROUNDING) {
-            channel.residue = Dd::ZERO;
+        if channel.acceleration.abs() <= size * Dd::from(ROUNDING) {
+            channel.acceleration = Dd::ZERO;
         }
     }
     let write = Writer(emission);
@@ -82,29 +84,62 @@ fn table<const D: usize>(
         Precision::F32 => terms::<f32>(emission, step),
     }?;
     let pace = write.pace(&pace, terms);
-    let modes = modes.iter().map(|mode| write.mode(mode));
-    let held = held.iter().map(|mode| write.held(mode));
+    let modes = modes.iter().enumerate();
+    let modes = modes.map(|(index, mode)| write.mode(mode, index == 0));
+    let held = held.iter().enumerate();
+    let held = held.map(|(index, mode)| write.held(mode, index == 0));
     // `chunks` panics at size 0. A chain without held modes has no `held_loads`, so the list stays empty.
     let loads = loads.chunks(inputs.max(1)).map(|row| write.list(row));
+    let mut first = true;
     let held_loads = held_loads.chunks(inputs.max(1)).map(|row| {
-        let row = row.iter().map(|load| write.load(load));
+        let row = row.iter().map(|load| {
+            let first = std::mem::replace(&mut first, false);
+            write.load(load, first)
+        });
+        let row: Vec<TokenStream> = row.collect();
         code!([#(#row),*])
     });
-    let channels = channels.iter().map(|channel| write.channel(channel));
+    let channels = channels.iter().enumerate();
+    let channels = channels.map(|(index, channel)| write.channel(channel, index == 0));
     let (scalar, sizes) = (&emission.scalar, sizes.literals());
+    let numbers = fields(
+        true,
+        &[
+            ("pace", pace, "how the step is divided into parts"),
+            ("modes", code!([#(#modes),*]), "the modes of the chain"),
+            (
+                "held",
+                code!([#(#held),*]),
+                "the modes of the chain with its contact stuck",
+            ),
+            (
+                "loads",
+                code!([#(#loads),*]),
+                "rate of u of each mode per unit of each input",
+            ),
+            (
+                "held_loads",
+                code!([#(#held_loads),*]),
+                "the same of each mode of the stuck chain",
+            ),
+            (
+                "channels",
+                code!([#(#channels),*]),
+                "coupling of each input to the contact",
+            ),
+        ],
+    );
+    let checksum = checksum::about(&numbers);
     Some(code! {
-        /// What each oscillator does over a part of `STEP`, time s counted in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with
-        /// `angle` Ω.  A row has the weights of the state (y, u) and of the drive's coefficients: `moments` give ∫ sʲy′ ds, `turns`
-        /// ∫ sʲu′ ds.  The first of `moments`, with [a, a′], and `turn` or the first of `turns`, with [−b, −c], are three shears:
-        /// y gains a·u, u gains −b·y − c·u and its drive, y gains a′·u and its drive.
-        const STEP_TABLES: FixedTables<#scalar, #sizes> = FixedTables {
-            pace: #pace,
-            modes: [#(#modes),*],
-            held: [#(#held),*],
-            loads: [#(#loads),*],
-            held_loads: [#(#held_loads),*],
-            channels: [#(#channels),*],
-        };
+        /// Advance of each oscillator over a part of `STEP`, with the time s in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
+        ///
+        /// A `Row` has the weights of the state (y, u) and of the drive's coefficients.  The first of `moments`, with the
+        /// state weights [a, a′], and `turn` or the first of `turns`, with [−b, −c], are three shears: y gains a·u, u gains
+        /// −b·y − c·u and its drive, y gains a′·u and its drive.
+        ///
+        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.
+        #[doc = #checksum]
+        const STEP_TABLES: FixedTables<#scalar, #sizes> = FixedTables { #numbers };
     })
 }
 
@@ -146,17 +181,35 @@ impl Writer<'_> {
         let (receptance, drag) = (self.number(pace.receptance), self.number(pace.drag));
         let parts = Literal::u32_unsuffixed(pace.parts);
         let terms = Literal::u32_unsuffixed(terms);
-        code! {
-            Pace {
-                step: #step,
-                parts: #parts,
-                span: #span,
-                rate: #rate,
-                terms: #terms,
-                receptance: #receptance,
-                drag: #drag,
-            }
-        }
+        let fields = fields(
+            true,
+            &[
+                ("step", step, "the step, s"),
+                ("parts", code!(#parts), "number of parts of the step"),
+                ("span", span, "length of a part in the time t√(k₁/m₁)"),
+                (
+                    "rate",
+                    rate,
+                    "largest angle of an oscillator in a part, with its damping, rad",
+                ),
+                (
+                    "terms",
+                    code!(#terms),
+                    "terms of a power series over a part",
+                ),
+                (
+                    "receptance",
+                    receptance,
+                    "wᵀK̄⁻¹w, displacement of the contact per unit of steady force",
+                ),
+                (
+                    "drag",
+                    drag,
+                    "m* times the damping force per unit of velocity of the contact, Σ 2ζc/σ over the receptance",
+                ),
+            ],
+        );
+        code!(Pace { #fields })
     }
 
     fn row<const D: usize>(&self, row: &Row<Dd, D>) -> TokenStream {
@@ -170,48 +223,110 @@ impl Writer<'_> {
         code!(HeldRow { state: #state, drive: [#(#drive),*] })
     }
 
-    fn mode<const D: usize>(&self, mode: &ModeStep<Dd, D>) -> TokenStream {
+    fn mode<const D: usize>(&self, mode: &ModeStep<Dd, D>, first: bool) -> TokenStream {
         let numbers = [mode.angle, mode.zeta, mode.per_force, mode.contact];
         let [angle, zeta, per_force, contact] = numbers.map(|value| self.number(value));
         let turn = self.row(&mode.turn);
         let moments = mode.moments.iter().map(|row| self.row(row));
-        code! {
-            ModeStep {
-                angle: #angle,
-                zeta: #zeta,
-                per_force: #per_force,
-                contact: #contact,
-                turn: #turn,
-                moments: [#(#moments),*],
-            }
-        }
+        let fields = fields(
+            first,
+            &[
+                (
+                    "angle",
+                    angle,
+                    "Ω, angle of the undamped mode in a part, rad",
+                ),
+                ("zeta", zeta, "ζ, the modal damping ratio"),
+                (
+                    "per_force",
+                    per_force,
+                    "Ω/σ², rate of u per unit of modal force",
+                ),
+                (
+                    "contact",
+                    contact,
+                    "φᵀw, displacement of the contact per unit of the mode",
+                ),
+                ("turn", turn, "weights of the gain of u"),
+                (
+                    "moments",
+                    code!([#(#moments),*]),
+                    "weights of ∫ sʲy′ ds for j = 0, 1, …; the first is the gain of y",
+                ),
+            ],
+        );
+        code!(ModeStep { #fields })
     }
 
-    fn held<const D: usize>(&self, mode: &HeldStep<Dd, D>) -> TokenStream {
+    fn held<const D: usize>(&self, mode: &HeldStep<Dd, D>, first: bool) -> TokenStream {
         let numbers = [mode.angle, mode.zeta, mode.force];
         let [angle, zeta, force] = numbers.map(|value| self.number(value));
         let from_base = self.pair(&mode.from_base);
         let moments = mode.moments.iter().map(|row| self.held_row(row));
         let turns = mode.turns.iter().map(|row| self.held_row(row));
-        code! {
-            HeldStep {
-                angle: #angle,
-                zeta: #zeta,
-                force: #force,
-                from_base: #from_base,
-                moments: [#(#moments),*],
-                turns: [#(#turns),*],
-            }
-        }
+        let fields = fields(
+            first,
+            &[
+                (
+                    "angle",
+                    angle,
+                    "Ω, angle of the undamped mode in a part, rad",
+                ),
+                ("zeta", zeta, "ζ, the modal damping ratio"),
+                ("force", force, "−(contact force)/y"),
+                (
+                    "from_base",
+                    from_base,
+                    "rates of y and u per unit velocity and acceleration of a base to which the contact sticks",
+                ),
+                (
+                    "moments",
+                    code!([#(#moments),*]),
+                    "weights of ∫ sʲy′ ds for j = 0, 1, …",
+                ),
+                (
+                    "turns",
+                    code!([#(#turns),*]),
+                    "weights of ∫ sʲu′ ds for j = 0, 1, …",
+                ),
+            ],
+        );
+        code!(HeldStep { #fields })
     }
 
-    fn load(&self, load: &HeldLoad<Dd>) -> TokenStream {
+    fn load(&self, load: &HeldLoad<Dd>, first: bool) -> TokenStream {
         let (drive, reach) = (self.list(&load.drive), self.list(&load.reach));
-        code!(HeldLoad { drive: #drive, reach: #reach })
+        let fields = fields(
+            first,
+            &[
+                ("drive", drive, "rates of y and u per unit of the input"),
+                (
+                    "reach",
+                    reach,
+                    "displacement where the input acts per unit of y and of u",
+                ),
+            ],
+        );
+        code!(HeldLoad { #fields })
     }
 
-    fn channel(&self, channel: &Channel<Dd>) -> TokenStream {
-        let (residue, lift) = (self.number(channel.residue), self.number(channel.lift));
-        code!(Channel { residue: #residue, lift: #lift })
+    fn channel(&self, channel: &Channel<Dd>, first: bool) -> TokenStream {
+        let (acceleration, lift) = (self.number(channel.acceleration), self.number(channel.lift));
+        let fields = fields(
+            first,
+            &[
+                (
+                    "acceleration",
+                    acceleration,
+                    "wᵀΓ⁻¹p, acceleration of the contact per unit of the input",
+                ),
+                (
+                    "lift",
+                    lift,
+                    "displacement where the input acts per unit of displacement of the stuck contact",
+                ),
+            ],
+        );
+        code!(Channel { #fields })
     }
 }

@@ -2,14 +2,13 @@
 
 use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part, rounded};
+use super::fields::fields;
 use super::names::{TypeNames, local};
+use super::step_cost;
 use super::step_table::{self, Sizes};
 use frictiongen_kernel::motion::LOST_MODES;
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_kernel::stepper::{
-    Cost, Input, MAX_EVENTS, MAX_PARTS, MAX_STRETCHES, StepScene, Units, series_terms,
-};
-use frictiongen_model::scene::Precision;
+use frictiongen_kernel::stepper::{Input, Units};
 use frictiongen_model::stepping::Steps;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -47,8 +46,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         .stepping
         .step
         .and_then(|step| step_table::emit(emission, &exact, step, &sizes));
-    let mut cost = cost(&exact, scene.stepping.step);
-    cost.extend(operations(
+    let mut cost = step_cost::parts(&exact, scene.stepping.step);
+    cost.extend(step_cost::operations(
         &exact,
         scene.stepping.step,
         sizes.coefficients,
@@ -56,13 +55,13 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     ));
     let from_tables = tables.is_some().then(|| {
         code! {
-            if dt == Self::STEP {
+            if dt.to_bits() == Self::STEP.to_bits() {
                 return Ok(Self::STEP_TABLES);
             }
         }
     });
     let types = types(emission, &steps, &literals, &cost);
-    let costs = format!(" [`{stepper}`] says what it costs.");
+    let costs = format!(" [`{stepper}`] has the number of operations.");
     let methods = methods(emission);
     let fields = force_fields(emission, &steps);
     let base = if steps.on_base {
@@ -74,22 +73,24 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         Sample { base: #base, forces: &[#(input.#fields),*], friction: input.friction }
     };
     let when = match steps.input {
-        Input::Hold => " Takes a step under an input that is held over it.",
-        Input::Linear => " Takes a step, in a straight line from the last input to this one.",
+        Input::Hold => " Takes a step, over which the input is constant.",
+        Input::Linear => {
+            " Takes a step, over which the input changes linearly from the last input to this one."
+        }
     };
     let loaded = steps.forces.iter().map(|mass| count(*mass));
     let on_base = steps.on_base;
     let associated = code! {
             #step_scene
-            #tables
 
+            /// Tables for a step of dt: constants for `STEP`, if the scene declares a step, otherwise computed here.
             #[inline]
             fn step_tables(dt: #scalar) -> Result<FixedTables<#scalar, #literals>, OutOfDomain> {
                 #from_tables
                 FixedTables::new(&Self::STEP_SCENE, dt)
             }
 
-            /// The motion by steps of dt, in s, from rest under no load.
+            /// Creates a stepper with the step dt, s, for a chain at rest without load.
             ///
             /// # Errors
             /// `OutOfDomain` for a step that is not positive and finite, or too long.
@@ -99,7 +100,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                 Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None).map(From::from)
             }
 
-            /// The same from a state: displacement and velocity of every mass.
+            /// Creates a stepper that starts from the displacement and velocity of every mass.
             ///
             /// # Errors
             /// `OutOfDomain` also for a state that is not finite.
@@ -117,10 +118,10 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         #facade::kernel::wraps!(#stepper, FixedStepper of #scalar, #literals);
 
         impl #stepper {
-            /// Says what the input is before the first step; otherwise it is none.  The contact answers for it at once.
+            /// Sets the input at the start, before the first step.  Without this call it is 0.
             ///
             /// # Errors
-            /// `OutOfDomain` as of `advance`, and after the first step.
+            /// `OutOfDomain` where `advance` returns it, and after the first step.
             pub fn begin(&mut self, input: #input) -> Result<(), OutOfDomain> {
                 self.0.begin(#sample)
             }
@@ -129,8 +130,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             #[doc = #costs]
             ///
             /// # Errors
-            /// `OutOfDomain` for what is NaN or infinite, for friction below zero, for numbers whose squares
-            /// overflow, and before the work does: the stepper is then what it was.
+            /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the work
+            /// would overflow.  The stepper then keeps its state.
             pub fn advance(&mut self, input: #input) -> Result<Stepped<#scalar>, OutOfDomain> {
                 self.0.advance(#sample)
             }
@@ -150,74 +151,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         types,
         associated,
         items,
+        tables: tables.unwrap_or_default(),
     }
-}
-
-/// Returns documentation lines about the cost of a step.
-fn cost(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
-    let fastest = scene.fastest().to_f64();
-    let shown = if (0.1..1e7).contains(&fastest) {
-        format!("{fastest:.2}")
-    } else {
-        format!("{fastest:.3e}")
-    };
-    let mut parts = format!(" A step of dt, in s, has ⌈{shown}·dt⌉ parts, at most {MAX_PARTS}");
-    if let Some(step) = step {
-        parts += &format!(": `STEP` has {}", (fastest * step).ceil().max(1.0));
-    }
-    vec![
-        parts + ".",
-        " A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.".to_owned(),
-        format!(" Any other is followed from event to event, for at most {MAX_EVENTS} events and, where the friction law bends, {MAX_STRETCHES} stretches;"),
-        " what is left of a part after that passes without creating energy, and `exceeded` tells.".to_owned(),
-    ]
-}
-
-/// Returns documentation lines about the number of operations of a step.
-fn operations(
-    scene: &StepScene<'_, Dd>,
-    step: Option<f64>,
-    coefficients: usize,
-    precision: Precision,
-) -> Vec<String> {
-    let angle = step.map_or(1.0, |step| scene.fastest().to_f64() * step);
-    let parts = angle.ceil().clamp(1.0, f64::from(MAX_PARTS));
-    let epsilon = match precision {
-        Precision::F32 => f64::from(f32::EPSILON),
-        Precision::F64 => f64::EPSILON,
-    };
-    let terms = series_terms(angle / parts, epsilon);
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "from 1 to MAX_PARTS"
-    )]
-    let cost = scene.cost(coefficients, parts as u32, terms);
-    let of = if step.is_some() {
-        "step of `STEP`"
-    } else {
-        "part"
-    };
-    let Cost {
-        tables,
-        one_event,
-        most,
-    } = cost;
-    let (each, beside) = (Cost::INSTRUCTIONS, Cost::FIXED);
-    let processor = match precision {
-        Precision::F32 => format!(
-            "  A Cortex-M4F takes up to {each} instructions for each, and {beside} for a part."
-        ),
-        // A Cortex-M4F has no registers for doubles, so no instruction count is given.
-        Precision::F64 => String::new(),
-    };
-    vec![
-        String::new(),
-        format!(
-            " A {of} has at most {tables} floating-point operations by the tables, about {one_event} with one event, never"
-        ),
-        format!(" more than {most}.{processor}"),
-    ]
 }
 
 /// Emits the stepper's scene as constants.
@@ -246,23 +181,58 @@ fn step_scene(
     let step = emission.scene.stepping.step.map(|step| {
         let step = number(Dd::from(step));
         code! {
-            /// The step of which the tables are constants, in s.
+            /// Step, s, for which the tables are constants.
             pub const STEP: #scalar = #step;
         }
     });
+    let units = fields(
+        true,
+        &[
+            ("stiffness", stiffness, "k₁"),
+            ("rate", rate, "√(k₁/m₁), rad/s"),
+            (
+                "support",
+                support,
+                "sum of the springs to the base, over k₁",
+            ),
+        ],
+    );
+    let numbers = fields(
+        true,
+        &[
+            (
+                "dynamics",
+                code!(Self::DYNAMICS),
+                "modes of the chain, and of the chain with its contact stuck",
+            ),
+            (
+                "units",
+                code!(Units { #units }),
+                "factors to the units of the scene",
+            ),
+            ("on_base", code!(#on_base), "the base moves"),
+            (
+                "forces",
+                code!(&[#(#forces),*]),
+                "indices of the loaded masses",
+            ),
+            (
+                "input",
+                code!(Input::#input),
+                "interpolation of the input between two samples",
+            ),
+            (
+                "law",
+                code!(&[#(#law),*]),
+                "points of a friction law over the speed: speed, kinetic friction over F",
+            ),
+        ],
+    );
     code! {
         #step
 
-        /// What a stepper is told of the scene: `units`: k₁, √(k₁/m₁) in rad/s and the springs to the base over k₁;
-        /// `forces`: the loaded masses; `law`: Stribeck's points, speed and kinetic friction over F.
-        const STEP_SCENE: StepScene<'static, #scalar> = StepScene {
-            dynamics: Self::DYNAMICS,
-            units: Units { stiffness: #stiffness, rate: #rate, support: #support },
-            on_base: #on_base,
-            forces: &[#(#forces),*],
-            input: Input::#input,
-            law: &[#(#law),*],
-        };
+        /// Constants of the stepper.
+        const STEP_SCENE: StepScene<'static, #scalar> = StepScene { #numbers };
     }
 }
 
@@ -289,31 +259,33 @@ fn types(
     } = emission;
     let visibility = &description.visibility;
     let about = format!(
-        " The motion of [`{name}`] by steps of one length, under any input; `advance` takes a step."
+        " Stepper: motion of [`{name}`] in time, by steps of one length, under any input.  `advance` takes a step."
     );
-    let input_about = format!(" What acts on [`{name}`] at an instant, in the scene's units.");
+    let input_about = format!(
+        " Loads on [`{name}`] at an instant, in the units of the scene: the input of a step."
+    );
     let scalar = code!(::core::primitive::#scalar);
     let base = steps.on_base.then(|| {
         code! {
-            /// The base's displacement.
+            /// Displacement of the base.
             pub displacement: #scalar,
-            /// The base's velocity, in that unit a second.
+            /// Velocity of the base, in the unit of displacement per second.
             pub velocity: #scalar,
         }
     });
     let forces = force_fields(emission, steps);
     let forces = forces.iter().zip(&steps.forces).map(|(field, mass)| {
         let mass = scene.masses.get(*mass).map_or("", |mass| &mass.name);
-        let about = format!(" The force on mass `{mass}`.");
+        let about = format!(" Force on mass `{mass}`.");
         code! {
             #[doc = #about]
             pub #field: #scalar,
         }
     });
     let friction = if steps.law.is_empty() {
-        " The kinetic friction force F, not negative; at rest the contact holds up to μF."
+        " Kinetic friction force F, not negative.  A stuck contact holds up to μF."
     } else {
-        " The kinetic friction force F at vanishing speed, not negative; at rest the contact holds up to μF."
+        " Kinetic friction force F at vanishing speed, not negative.  A stuck contact holds up to μF."
     };
     code! {
         #[doc = #about]

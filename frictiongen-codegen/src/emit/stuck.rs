@@ -4,8 +4,8 @@ use super::arm::{self, Arm};
 use super::emission::{Emission, Part};
 use super::names::TypeNames;
 use super::trace::Tracer;
+use crate::graph::Expr;
 use crate::graph::alternatives::{self, Alternative};
-use crate::graph::{Expr, Graph};
 use frictiongen_model::scene::Excitation;
 use proc_macro2::{Literal, TokenStream};
 
@@ -20,7 +20,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     } = emission;
     let visibility = &description.visibility;
     let about =
-        format!(" The response of [`{name}`] at one frequency ratio while its contact is stuck.");
+        format!(" Response of [`{name}`] at one frequency ratio while its contact is stuck.");
     let tabled = emission.is_tabled();
     let inner = if tabled {
         code!(table::Sticking)
@@ -37,8 +37,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         Excitation::Force(_) => "P/k₁",
     };
     let tied = match emission.reduced.chain.on_moving_base {
-        None => " It is 0: the contact holds the mass to a support at rest.",
-        Some(_) => " It is that of the base, to which the contact holds the mass.",
+        None => " It is 0, because the contact holds the mass to a support at rest.",
+        Some(_) => " It is 1, because the contact holds the mass to the base.",
     };
     let methods = description.mass_names.iter().enumerate();
     let methods = methods.map(|(mass, method)| {
@@ -62,6 +62,11 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         }
     });
     let in_lines = (!emission.in_sums()).then(|| in_lines(emission));
+    let of_kernel = in_lines.is_none().then(|| {
+        code! {
+            /// The responses are those of the kernel, which sums over the modes in loops.
+        }
+    });
     // The kernel's `Stuck` computes the responses for which the scene has no table.
     let (exact, wraps) = if tabled {
         let wraps = code!(#facade::kernel::wraps!(#stuck, Sticking of tabled #name, Copy););
@@ -71,6 +76,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         (code!(#stuck), wraps)
     };
     let items = code! {
+        #of_kernel
         impl ProvidesStuck for #name {
             type Stuck = #exact;
 
@@ -85,16 +91,15 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     };
     Part {
         types,
-        associated: TokenStream::new(),
         items,
+        ..Part::default()
     }
 }
 
 /// Emits the stuck response of a scene with few modes in straight lines, as a method of the kernel's `ProvidesStuck`.
 fn in_lines(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
-    let modes = emission.mode_names();
-    let graph = Graph::new(emission.modes());
+    let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let masses = 0..emission.scene.masses.len();
     let masses = masses.filter(|mass| emission.reduced.rubbing != Some(*mass));
@@ -113,34 +118,32 @@ fn in_lines(emission: &Emission<'_>) -> TokenStream {
         let [re, im] = printed.outputs.as_slice() else {
             return None;
         };
+        let value = code!(Complex { re: #re, im: #im });
+        let statements = &printed.statements;
+        let shape = emission.shape(&code!(#statements #value));
         Some(Arm {
             masses,
-            statements: printed.statements.clone(),
-            value: code!(Complex { re: #re, im: #im }),
+            statements: code!(#shape #statements),
+            value,
         })
     });
     let arms: Vec<Arm> = arms.collect();
-    let (statements, amplitude) = arm::chosen(&arms);
-    let constants = tracer.names_constants().then(|| emission.constants());
+    let (statements, amplitude) = arm::chosen(&arms, emission.scene.masses.len());
+    let body = code!(#common #statements Some(#amplitude));
+    let inputs = emission.inputs(&body);
     code! {
-        /// x̄* = (V_kH − H_kV)/H: `numerator` has each mode's products with the others, as those with itself would cancel.
-        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H; `inverse` is 1/H, `unscale` 1/(r²E).
-        #[allow(unused_variables)]
+        /// x̄* = (V_kH − H_kV)/H, the complex amplitude of mass k (6.11, 6.27, 6.33).
         #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<#scalar>> {
-            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
-            #constants
-            let [#(#modes),*] = at.modes();
-            #common
-            #statements
-            Some(#amplitude)
+            #inputs
+            #body
         }
     }
 }
 
 fn of_mass(tracer: &Tracer<'_>, mass: usize) -> Alternative {
     let amplitude = tracer.reduced.chain.stuck_loaded(
-        tracer.reduced.shape(mass),
+        &tracer.shape(mass),
         tracer.loaded(),
         &tracer.modes_at(),
         &tracer.contact("contact"),

@@ -1,6 +1,8 @@
 //! Emits the tables of a declared accuracy.
 
+use super::checksum;
 use super::emission::{Emission, Part};
+use super::fields::fields;
 use super::names::TypeNames;
 use crate::lower::SceneTables;
 use frictiongen_kernel::Float;
@@ -50,9 +52,13 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
     let quotient = |product: &Product<S>| quotient(emission, product);
     let sliding = tables.sliding.as_ref().map(|product| {
         let quotient = quotient(product);
+        let (checksum, error) = (checksum::about(&quotient), sliding_error(tables));
         code! {
             /// β*_lim as a product over its zeros and poles: `Zero` is (r − at − rest)(r + at), `Pair`
             /// (that + off)² + least, `Real` r² + off.
+            ///
+            #[doc = #error]
+            #[doc = #checksum]
             const SLIDING_LIMIT: Quotient<'static, #scalar> = #quotient;
         }
     });
@@ -63,8 +69,10 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
     };
     let excitation = tables.excitation.as_ref().map(|product| {
         let quotient = quotient(product);
+        let checksum = checksum::about(&quotient);
         code! {
             #[doc = #excitation_about]
+            #[doc = #checksum]
             const EXCITATION: Quotient<'static, #scalar> = #quotient;
         }
     });
@@ -80,15 +88,34 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
         })
     };
     let contact = motion.then(|| contact(emission, tables));
-    let associated = code! {
+    let numbers = fields(
+        true,
+        &[
+            ("low", low, "where the first bucket begins"),
+            ("density", density, "buckets per unit of r"),
+            (
+                "halvings",
+                code!(#halvings),
+                "comparisons that find the piece of r in its bucket",
+            ),
+            (
+                "buckets",
+                code!(&[#(#buckets),*]),
+                "the first piece of each bucket",
+            ),
+            (
+                "pieces",
+                code!(&[#(#pieces),*]),
+                "from the r `from` on, each function is Σ coefficients[j]·(r − origin)^j",
+            ),
+        ],
+    );
+    let checksum = checksum::about(&numbers);
+    let tables = code! {
             #(#[doc = #about])*
-            const TABLE: Table<'static, #scalar, ::core::primitive::#bucket, #functions, #terms> = Table {
-                low: #low,
-                density: #density,
-                halvings: #halvings,
-                buckets: &[#(#buckets),*],
-                pieces: &[#(#pieces),*],
-            };
+            #[doc = #checksum]
+            const TABLE: Table<'static, #scalar, ::core::primitive::#bucket, #functions, #terms> =
+                Table { #numbers };
             #sliding
             #excitation
     };
@@ -112,9 +139,9 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
         #contact
     };
     Part {
-        types: TokenStream::new(),
-        associated,
         items,
+        tables,
+        ..Part::default()
     }
 }
 
@@ -176,7 +203,7 @@ fn domain<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream 
     let largest = if S::constant(most).is_finite() {
         emission.literal(S::constant(most).to_f64())
     } else {
-        code!(::core::#scalar::INFINITY)
+        code!(#scalar::INFINITY)
     };
     let exact_beyond = declared.beyond == Beyond::Exact;
     let Reach {
@@ -277,7 +304,7 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     vec![
         format!(" {functions} over r from {low} to {high}, to {accuracy:e}{side}:"),
         format!(
-            " {} pieces of degree {}, each Σ coefficients[j]·(r − origin)^j, and {} buckets of 1/density; with β*_lim {bytes} bytes.",
+            " {} pieces of degree {} and {} buckets; with β*_lim {bytes} bytes.",
             tables.pieces.len(),
             tables.terms - 1,
             tables.index.buckets.len(),
@@ -287,6 +314,13 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             worst.error, worst.at
         ),
     ]
+}
+
+fn sliding_error<S: Float>(tables: &Tables<S>) -> String {
+    format!(
+        " Largest error {:.1e} at the points of the check.",
+        tables.report.sliding.error
+    )
 }
 
 fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
@@ -326,8 +360,7 @@ fn sliding_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             about.push(format!(" {}", tables.sliding_proof.told()));
             about.push(String::new());
             about.push(format!(
-                " Operations: {plain} additions and multiplications, {divisions} divisions, {roots} roots; largest error seen {:.1e}.",
-                tables.report.sliding.error,
+                " Operations: {plain} additions and multiplications, {divisions} divisions, {roots} roots.",
             ));
         }
         None => {

@@ -28,8 +28,9 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    /// Creates a tracer that names residues and inverse masses as fields of `constants_1`, `constants_2`, …. Numbers
-    /// that fold away (0, 1 and −1) stay numbers.
+    /// Creates a tracer that names the constants of the modes as fields of `constants_1`, `constants_2`, …, and those of
+    /// the chain as fields of `CHAIN`. The emitted code then has each number once. Numbers that fold away (0, 1 and −1)
+    /// stay numbers.
     pub fn over_constants(graph: &'g Graph, modal: &Modal, precision: Precision) -> Self {
         let mut tracer = Self::new(graph, modal, precision);
         let modes = &mut tracer.reduced.modes;
@@ -37,33 +38,44 @@ impl<'g> Tracer<'g> {
             .iter()
             .all(|mode| mode.residue.operand() == mode.inverse_mass.operand());
         for (number, mode) in (1..).zip(modes) {
-            let named = |value: Expr<'g>, field: &str| match value {
-                Expr::Number(value) if value.abs() != 1.0 && value != 0.0 => {
-                    graph.input(format!("constants_{number}.{field}"))
-                }
-                folds => folds,
+            let named = |value: &mut Expr<'g>, field: &str| {
+                *value = constant(graph, &format!("constants_{number}.{field}"), *value);
             };
-            mode.inverse_mass = named(mode.inverse_mass, "inverse_mass");
-            mode.static_residue = named(mode.static_residue, "static_residue");
+            named(&mut mode.resonance, "resonance");
+            named(&mut mode.zeta, "zeta");
+            named(&mut mode.q, "q");
+            named(&mut mode.q_defect, "q_defect");
+            named(&mut mode.load, "load");
+            named(&mut mode.contact, "contact");
+            named(&mut mode.inverse_mass, "inverse_mass");
+            named(&mut mode.static_residue, "static_residue");
             // Equal residues and inverse masses mean that V and H are the same sum.
-            mode.residue = if same {
-                mode.inverse_mass
+            if same {
+                mode.residue = mode.inverse_mass;
             } else {
-                named(mode.residue, "residue")
-            };
+                named(&mut mode.residue, "residue");
+            }
         }
+        let chain = &mut tracer.reduced.chain;
+        chain.stiction = constant(graph, "Self::CHAIN.stiction", chain.stiction);
+        chain.inverse_mass = constant(graph, "Self::CHAIN.inverse_mass", chain.inverse_mass);
+        chain.on_moving_base = chain
+            .on_moving_base
+            .map(|at_rest| constant(graph, "Self::AT_REST", at_rest));
         tracer
     }
 
-    /// Returns whether the recorded formulas refer to constants by name.
-    pub fn names_constants(&self) -> bool {
-        let mut modes = self.reduced.modes.iter();
-        modes.any(|mode| {
-            let constants = [mode.residue, mode.inverse_mass];
-            constants
-                .iter()
-                .any(|value| matches!(value, Expr::Node(..)))
-        })
+    /// Returns the components of a mass in the mode shapes, as `shape_1`, `shape_2`, …. Masses whose components fold
+    /// alike then have the same formulas.
+    pub fn shape(&self, mass: usize) -> Vec<Expr<'g>> {
+        let components = self.reduced.shape(mass).iter().zip(1..);
+        let named = components.map(|(component, number)| match *component {
+            Expr::Number(value) if value != 0.0 && value.abs() != 1.0 => {
+                self.graph.input(format!("shape_{number}"))
+            }
+            folds => folds,
+        });
+        named.collect()
     }
 
     /// Returns the modes with their loads in quadrature.
@@ -167,7 +179,8 @@ impl<'g> Tracer<'g> {
         });
         let responses: Vec<ModeResponse<Expr<'g>>> = responses.collect();
         let sizes = responses.iter().map(|response| response.size);
-        let scale = Chain::scale(modes.iter().zip(sizes)).named("scale", None);
+        let scale =
+            Chain::scale(modes.iter().zip(sizes)).named("scale", "E, the smallest `size`", None);
         let mut at = Vec::with_capacity(modes.len());
         let contact = chain.contact_loaded(
             (modes, quadratures.as_slice()),
@@ -214,6 +227,14 @@ impl<'g> Tracer<'g> {
     }
 }
 
+/// Returns the constant by its name, unless it has a name.
+fn constant<'g>(graph: &'g Graph, text: &str, value: Expr<'g>) -> Expr<'g> {
+    match value {
+        Expr::Number(value) => graph.constant(text, value),
+        named @ Expr::Node(..) => named,
+    }
+}
+
 /// Returns the outputs of the contact's sums, in the order in which they are emitted.
 pub(super) fn contact_outputs(contact: &ContactAt<Expr<'_>>) -> Vec<Operand> {
     let ContactAt {
@@ -244,7 +265,7 @@ pub fn traces<S: frictiongen_kernel::Float>(
     beta: S,
 ) -> Option<Vec<(String, S)>> {
     let modal = Modal::of(scene);
-    let graph = Graph::new(scene.masses.len());
+    let graph = Graph::new(scene.masses.len()).in_precision(scene.precision);
     let tracer = Tracer::new(&graph, &modal, scene.precision);
     let inverse = graph.input("inverse_r");
     let (contact, at) = tracer.frequency(inverse, |g| g);

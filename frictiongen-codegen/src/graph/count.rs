@@ -18,7 +18,11 @@ impl Count {
             let node = place.ok().and_then(|place| nodes.get(place));
             matches!(node, Some((_, Node::Input(_), _)))
         };
-        for (_, node, _) in &nodes {
+        for (id, node, _) in &nodes {
+            // The compiler computes what depends on constants of the scene alone.
+            if graph.value(*id).is_some() {
+                continue;
+            }
             // The compiler decides a choice by a constant parameter, so that the choice costs
             // nothing at run time.
             if matches!(node, Node::Select(condition, ..) if is_input(condition)) {
@@ -71,7 +75,7 @@ impl std::fmt::Display for Count {
 
 fn kind(node: &Node) -> Option<&'static str> {
     Some(match node {
-        Node::Input(_) | Node::Part(..) => return None,
+        Node::Input(_) | Node::Constant(..) | Node::Part(..) => return None,
         Node::Unary(Unary::Neg | Unary::Abs, _) | Node::Binary(Binary::Copysign, ..) => "sign",
         Node::Unary(Unary::Sqrt, _) => "√",
         Node::Unary(Unary::Exp, _) => "exp",

@@ -2,6 +2,7 @@
 
 use super::{Binary, Graph, Id, Node, Operand, Unary};
 use frictiongen_kernel::Scalar;
+use frictiongen_model::scene::Precision;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number that is known during emission, or a value that the emitted code computes.
@@ -26,6 +27,16 @@ impl Graph {
     /// Records an external value by the Rust expression that names it.
     pub fn input(&self, text: impl Into<String>) -> Expr<'_> {
         Expr::Node(self, self.record(Node::Input(text.into())))
+    }
+
+    /// Records a constant of the scene by the Rust expression that names it. The numbers 0, 1 and −1 fold, so they get no
+    /// name.
+    pub fn constant(&self, text: impl Into<String>, value: f64) -> Expr<'_> {
+        if value == 0.0 || value.abs() == 1.0 {
+            return Expr::Number(value);
+        }
+        let node = Node::Constant(text.into(), value.to_bits());
+        Expr::Node(self, self.record_known(node, value))
     }
 
     /// Records a value that the emitted code computes only if the constant parameter `flag` is true, and that is
@@ -68,23 +79,47 @@ impl<'g> Expr<'g> {
         matches!(self, Self::Number(value) if value == number)
     }
 
-    fn unary(self, op: Unary, number: impl Fn(f64) -> f64) -> Self {
+    /// Returns the value of a number, or of an expression of constants of the scene.
+    fn value(self) -> Option<f64> {
         match self {
-            Self::Number(value) => Self::Number(number(value)),
-            Self::Node(graph, id) => {
+            Self::Number(value) => Some(value),
+            Self::Node(graph, id) => graph.value(id),
+        }
+    }
+
+    fn unary(self, op: Unary, number: impl Fn(f64) -> f64) -> Self {
+        match (self, self.value()) {
+            (Self::Node(graph, id), Some(value)) if op == Unary::Neg => {
+                let node = Node::Unary(op, Operand::Node(id));
+                Self::Node(graph, graph.record_known(node, number(value)))
+            }
+            (_, Some(value)) => Self::Number(number(value)),
+            (Self::Node(graph, id), None) => {
                 Self::Node(graph, graph.record(Node::Unary(op, Operand::Node(id))))
             }
+            (known, None) => known,
         }
     }
 
     fn binary(self, op: Binary, other: Self, number: impl Fn(f64, f64) -> f64) -> Self {
-        match (self, other, self.graph().or(other.graph())) {
-            (Self::Number(a), Self::Number(b), _) => Self::Number(number(a, b)),
-            (a, b, Some(graph)) => Self::Node(
-                graph,
-                graph.record(Node::Binary(op, a.operand(), b.operand())),
-            ),
-            (a, _, None) => a,
+        let (a, b) = (self, other);
+        let Some(graph) = a.graph().or(b.graph()) else {
+            return match (a.value(), b.value()) {
+                (Some(a), Some(b)) => Self::Number(number(a, b)),
+                _ => a,
+            };
+        };
+        let node = Node::Binary(op, a.operand(), b.operand());
+        match (a.value(), b.value()) {
+            (Some(a), Some(b)) => {
+                let value = number(a, b);
+                if stays(graph.precision, op, [a, b], value) {
+                    Self::Node(graph, graph.record_known(node, value))
+                } else {
+                    Self::Number(value)
+                }
+            }
+            _ => Self::Node(graph, graph.record(node)),
         }
     }
 
@@ -207,21 +242,23 @@ impl<'g> Scalar for Expr<'g> {
     }
 
     fn lt(self, other: Self) -> Condition<'g> {
-        match (self, other, self.graph().or(other.graph())) {
-            (Self::Number(a), Self::Number(b), _) => Condition::Known(a < b),
-            (a, b, Some(graph)) => {
-                Condition::Node(graph, graph.record(Node::Less(a.operand(), b.operand())))
+        match (self.value(), other.value(), self.graph().or(other.graph())) {
+            (Some(a), Some(b), _) => Condition::Known(a < b),
+            (_, _, Some(graph)) => {
+                let node = Node::Less(self.operand(), other.operand());
+                Condition::Node(graph, graph.record(node))
             }
             (_, _, None) => Condition::Known(false),
         }
     }
 
     fn is_zero(self) -> Condition<'g> {
-        match self {
-            Self::Number(value) => Condition::Known(value == 0.0),
-            Self::Node(graph, id) => {
+        match (self, self.value()) {
+            (_, Some(value)) => Condition::Known(value == 0.0),
+            (Self::Node(graph, id), None) => {
                 Condition::Node(graph, graph.record(Node::IsZero(Operand::Node(id))))
             }
+            (Self::Number(_), None) => Condition::Known(false),
         }
     }
 
@@ -297,10 +334,32 @@ impl<'g> Scalar for Expr<'g> {
         self.unary(Unary::ScaledSinhDefect, Scalar::scaled_sinh_defect)
     }
 
-    fn named(self, name: &'static str, mode: Option<usize>) -> Self {
+    fn named(self, name: &'static str, about: &'static str, mode: Option<usize>) -> Self {
         if let Self::Node(graph, id) = self {
-            graph.name(id, name, mode);
+            graph.name(id, name, about, mode);
         }
         self
     }
+}
+
+/// Returns whether an operation on constants of the scene stays in the emitted code. The compiler rounds it in the
+/// scene's precision, and must arrive at `value`, which was rounded in double precision, rounded once more. Numbers that
+/// fold further operations, and functions that a compiler may round in another way, do not stay.
+fn stays(precision: Precision, op: Binary, operands: [f64; 2], value: f64) -> bool {
+    let rounded = |value: f64| match precision {
+        Precision::F64 => value,
+        #[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]
+        Precision::F32 => f64::from(value as f32),
+    };
+    let [a, b] = operands.map(rounded);
+    let computed = match op {
+        Binary::Add => a + b,
+        Binary::Sub => a - b,
+        Binary::Mul => a * b,
+        Binary::Div => a / b,
+        _ => return false,
+    };
+    // Double precision has more than twice the digits of single precision, so the second rounding is harmless.
+    let same = rounded(computed).to_bits() == rounded(value).to_bits();
+    same && value.is_finite() && value != 0.0 && value.abs() != 1.0
 }

@@ -47,6 +47,7 @@ fn evaluate<S: Float>(
     let of = |operand: &Operand| number(values, operand);
     Some(match node {
         Node::Input(text) => Value::Number(input(text)?),
+        Node::Constant(_, bits) => Value::Number(S::constant(f64::from_bits(*bits))),
         Node::Unary(op, a) => {
             let a = of(a)?;
             Value::Number(match op {

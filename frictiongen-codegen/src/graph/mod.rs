@@ -11,6 +11,7 @@ pub mod interpret;
 pub mod literal;
 pub mod print;
 
+use frictiongen_model::scene::Precision;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
@@ -70,6 +71,8 @@ pub enum Binary {
 pub enum Node {
     /// An external value, by the Rust expression that names it.
     Input(String),
+    /// A constant of the scene, by the Rust expression that names it and the bits of its value.
+    Constant(String, u64),
     /// An operation on one number.
     Unary(Unary, Operand),
     /// An operation on two numbers.
@@ -89,13 +92,22 @@ pub enum Node {
 }
 
 /// A recorded operation with its index and its name.
-pub(crate) type Recorded = (Id, Node, Option<String>);
+pub(crate) type Recorded = (Id, Node, Option<Name>);
+
+/// The name of an operation, with the explanation that its formula gave.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Name {
+    pub text: String,
+    pub about: &'static str,
+}
 
 #[derive(Default)]
 struct Inner {
     nodes: Vec<Node>,
     known: HashMap<Node, Id>,
-    names: Vec<Option<String>>,
+    names: Vec<Option<Name>>,
+    /// Values of the operations that depend on constants of the scene alone.
+    values: HashMap<Id, f64>,
 }
 
 /// A straight-line program under construction.
@@ -104,6 +116,8 @@ pub struct Graph {
     inner: RefCell<Inner>,
     /// True if the names of a mode's values carry the mode's number.
     numbered: bool,
+    /// Precision in which the emitted code computes.
+    precision: Precision,
 }
 
 impl Graph {
@@ -113,7 +127,15 @@ impl Graph {
         Self {
             inner: RefCell::default(),
             numbered: modes > 1,
+            precision: Precision::default(),
         }
+    }
+
+    /// Returns the graph for code that computes in this precision.
+    #[must_use]
+    pub fn in_precision(mut self, precision: Precision) -> Self {
+        self.precision = precision;
+        self
     }
 
     pub(crate) fn record(&self, node: Node) -> Id {
@@ -128,16 +150,31 @@ impl Graph {
         id
     }
 
-    pub(crate) fn name(&self, id: Id, name: &str, mode: Option<usize>) {
-        let full = match mode {
+    pub(crate) fn name(&self, id: Id, name: &str, about: &'static str, mode: Option<usize>) {
+        let text = match mode {
             Some(mode) if self.numbered => format!("mode_{}_{name}", mode + 1),
             _ => name.to_owned(),
         };
         let mut inner = self.inner.borrow_mut();
-        let is_input = matches!(inner.nodes.get(id.0), Some(Node::Input(_)));
+        let is_input = matches!(
+            inner.nodes.get(id.0),
+            Some(Node::Input(_) | Node::Constant(..))
+        );
         if let (false, Some(slot @ None)) = (is_input, inner.names.get_mut(id.0)) {
-            *slot = Some(full);
+            *slot = Some(Name { text, about });
         }
+    }
+
+    /// Returns the value of an operation that depends on constants of the scene alone.
+    pub(crate) fn value(&self, id: Id) -> Option<f64> {
+        self.inner.borrow().values.get(&id).copied()
+    }
+
+    /// Records an operation on constants of the scene, with its value.
+    pub(crate) fn record_known(&self, node: Node, value: f64) -> Id {
+        let id = self.record(node);
+        self.inner.borrow_mut().values.insert(id, value);
+        id
     }
 
     /// Removes the names of all operations. Formulas that are recorded afterwards name operations again, even
@@ -181,7 +218,7 @@ pub(crate) fn operands(node: &Node) -> Vec<Id> {
             .collect::<Vec<_>>()
     };
     match node {
-        Node::Input(_) => Vec::new(),
+        Node::Input(_) | Node::Constant(..) => Vec::new(),
         Node::Unary(_, a) | Node::SinCosPi(a) | Node::IsZero(a) => of(&[a]),
         Node::Binary(_, a, b) | Node::SinCosPiMinus(a, b) | Node::Less(a, b) => of(&[a, b]),
         Node::Part(pair, _) => vec![*pair],

@@ -2,7 +2,7 @@
 //! place.
 
 use super::literal::literal;
-use super::{Binary, Graph, Id, Node, Operand, Recorded, Unary, operands};
+use super::{Binary, Graph, Id, Name, Node, Operand, Recorded, Unary, operands};
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Ident, Span, TokenStream};
 use std::collections::{BTreeMap, BTreeSet};
@@ -86,14 +86,14 @@ impl Printer {
                 }
             }
         }
-        let names: BTreeMap<Id, String> = nodes
+        let names: BTreeMap<Id, Name> = nodes
             .iter()
             .filter_map(|(id, _, name)| Some((*id, name.clone()?)))
             .collect();
         for (id, node, name) in nodes {
             if self.visited.insert(*id) {
                 let uses = uses.get(id).copied().unwrap_or(0);
-                self.visit(*id, node, name.as_deref(), uses, &names);
+                self.visit(*id, node, name.as_ref(), uses, &names);
             }
         }
     }
@@ -115,37 +115,45 @@ impl Printer {
         &mut self,
         id: Id,
         node: &Node,
-        name: Option<&str>,
+        name: Option<&Name>,
         uses: usize,
-        names: &BTreeMap<Id, String>,
+        names: &BTreeMap<Id, Name>,
     ) {
         match node {
             Node::Part(..) => return,
             Node::SinCosPi(_) | Node::SinCosPiMinus(..) => {
                 let value = self.expression(node).tokens;
                 let (first, second) = self.pairs.get(&id).copied().unwrap_or_default();
+                let about = [first, second].into_iter().flatten();
+                let about = about.filter_map(|part| Some(names.get(&part)?.about));
+                let about = about.collect::<Vec<_>>().join(", ");
                 let mut bind = |part: Option<Id>, default: &str| match part {
                     None => code!(_),
                     Some(part) => {
-                        let name = names.get(&part).map_or(default, String::as_str);
+                        let name = names.get(&part).map_or(default, |name| name.text.as_str());
                         let ident = self.fresh(name);
                         self.texts.insert(part, atom(code!(#ident)));
                         code!(#ident)
                     }
                 };
                 let (first, second) = (bind(first, "sine"), bind(second, "cosine"));
+                let about = explained(&about);
                 self.statements
-                    .extend(code!(let (#first, #second) = #value;));
+                    .extend(code!(#about let (#first, #second) = #value;));
                 return;
             }
             _ => {}
         }
         let text = self.expression(node);
-        let trivial = matches!(node, Node::Input(_) | Node::Less(..) | Node::IsZero(_));
+        let trivial = matches!(
+            node,
+            Node::Input(_) | Node::Constant(..) | Node::Less(..) | Node::IsZero(_)
+        );
         let text = if !trivial && (name.is_some() || uses > 1) {
-            let ident = self.fresh(name.unwrap_or_else(|| fallback(node)));
+            let ident = self.fresh(name.map_or_else(|| fallback(node), |name| &name.text));
             let value = text.tokens;
-            self.statements.extend(code!(let #ident = #value;));
+            let about = explained(name.map_or("", |name| name.about));
+            self.statements.extend(code!(#about let #ident = #value;));
             atom(code!(#ident))
         } else {
             text
@@ -173,7 +181,7 @@ impl Printer {
                     Binds::Atom
                 };
                 Text {
-                    tokens: literal(value, self.precision),
+                    tokens: named_number(value).unwrap_or_else(|| literal(value, self.precision)),
                     binds,
                 }
             }
@@ -199,7 +207,9 @@ impl Printer {
     fn expression(&self, node: &Node) -> Text {
         let plain = |operand: &Operand| self.text(operand).tokens;
         match node {
-            Node::Input(text) => atom(mixed(text.parse().unwrap_or_default())),
+            Node::Input(text) | Node::Constant(text, _) => {
+                atom(mixed(text.parse().unwrap_or_default()))
+            }
             Node::Unary(Unary::Neg, a) => {
                 let a = self.within(a, Binds::Unary);
                 Text {
@@ -286,6 +296,29 @@ impl Printer {
             }
         }
     }
+}
+
+/// Returns the doc comment of a `let` statement. The compiler ignores it, and a reader finds it on the line.
+fn explained(about: &str) -> TokenStream {
+    if about.is_empty() {
+        return TokenStream::new();
+    }
+    let about = format!(" {about}");
+    code!(#[doc = #about])
+}
+
+/// Returns π or 2π by its name.
+fn named_number(value: f64) -> Option<TokenStream> {
+    use std::f64::consts::{PI, TAU};
+    let name = [(PI, code!(PI)), (TAU, code!(TAU))];
+    let (_, name) = name
+        .into_iter()
+        .find(|(number, _)| number.to_bits() == value.abs().to_bits())?;
+    Some(if value.is_sign_negative() {
+        code!(-#name)
+    } else {
+        name
+    })
 }
 
 fn atom(tokens: TokenStream) -> Text {

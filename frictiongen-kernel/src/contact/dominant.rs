@@ -38,19 +38,24 @@ impl<S: Scalar> Terms<S> {
 
     /// Returns the same terms, with names for their local variables in emitted code.
     fn named(self, partner: Partner) -> Self {
-        let named = |value: Complex<S>, re, im| {
-            Complex::new(value.re.named(re, None), value.im.named(im, None))
-        };
-        let v = named(self.v, "others_v_re", "others_v_im");
+        const V: [(&str, &str); 2] = [
+            ("others_v_re", "Re of V of the other modes"),
+            ("others_v_im", "Im of V of the other modes"),
+        ];
+        const H: [(&str, &str); 2] = [
+            ("others_h_re", "Re of H of the other modes"),
+            ("others_h_im", "Im of H of the other modes"),
+        ];
+        let v = complex::named(self.v, V, None);
         match partner {
             Partner::U => Self {
                 v,
-                u: self.u.named("others_u", None),
+                u: self.u.named("others_u", "U of the other modes", None),
                 ..self
             },
             Partner::H => Self {
                 v,
-                h: named(self.h, "others_h_re", "others_h_im"),
+                h: complex::named(self.h, H, None),
                 ..self
             },
         }
@@ -126,12 +131,20 @@ impl<S: Scalar> DominantSums<S> {
     /// more accurate phase.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
-        let all = size(contact.v).named("v_size", None);
+        let all = size(contact.v).named("v_size", "(|Re V| + |Im V|)·r²E", None);
         let least = |others: Complex<S>, of: usize| {
             let v = complex::select(size(others).lt(all), others, contact.v);
             Complex::new(
-                v.re.named("turning_re", Some(of)),
-                v.im.named("turning_im", Some(of)),
+                v.re.named(
+                    "turning_re",
+                    "Re of V, less the own term where that is smaller",
+                    Some(of),
+                ),
+                v.im.named(
+                    "turning_im",
+                    "Im of V, less the own term where that is smaller",
+                    Some(of),
+                ),
             )
         };
         let others = match self.which {
@@ -205,7 +218,7 @@ impl<S: Scalar> Chain<S> {
             let Some(at_rest) = self.on_moving_base else {
                 return sums;
             };
-            let r2 = (S::constant(1.0) / (inverse_r * inverse_r)).named("r_squared", None);
+            let r2 = (S::constant(1.0) / (inverse_r * inverse_r)).named("r_squared", "r²", None);
             let kept = complex::real((at_rest - static_residue) * contact.scale);
             let v = complex::scale(self.plus(sums.v, kept), r2);
             Terms { v, ..sums }
@@ -277,7 +290,7 @@ impl<S: Scalar> Chain<S> {
         let outweighs = remains.lt(heaviest.weight);
         let index = S::select(outweighs, heaviest.index, S::constant(-1.0));
         DominantSums {
-            which: Which::Numbered(index.named("heaviest", None)),
+            which: Which::Numbered(index.named("heaviest", "dominant mode, or −1", None)),
             own,
             others: all,
         }
@@ -308,7 +321,7 @@ impl<S: Scalar> Chain<S> {
             Partner::H => weight,
         };
         Heaviest {
-            weight: weight.named("weight", Some(index)),
+            weight: weight.named("weight", "product of both own terms", Some(index)),
             index: S::constant(index as f64),
             own,
             static_residue: mode.static_residue,
@@ -328,13 +341,23 @@ impl<S: Scalar> Chain<S> {
     ) -> Terms<S> {
         let index = Some(index);
         let v = Complex::new(
-            others.v.re.named("v_others_re", index),
-            others.v.im.named("v_others_im", index),
+            others
+                .v
+                .re
+                .named("v_others_re", "Re V without the own term", index),
+            others
+                .v
+                .im
+                .named("v_others_im", "Im V without the own term", index),
         );
         match partner {
             Partner::U => {
                 let slow = is_mass_controlled(mode.kind, mode.zeta, at.x);
-                let u = S::select(slow, contact.u, others.u).named("u_others", index);
+                let u = S::select(slow, contact.u, others.u).named(
+                    "u_others",
+                    "U without the own term, or all of it for x < 1/2",
+                    index,
+                );
                 Terms { v, u, ..*others }
             }
             Partner::H => Terms { v, ..*others },
@@ -347,20 +370,20 @@ impl<S: Scalar> Chain<S> {
         at: &ModeAt<S>,
         index: usize,
     ) -> Terms<S> {
+        const V: [(&str, &str); 2] = [
+            ("v_term_re", "Re of the own term of V"),
+            ("v_term_im", "Im of the own term of V"),
+        ];
+        const H: [(&str, &str); 2] = [
+            ("h_term_re", "Re of the own term of H"),
+            ("h_term_im", "Im of the own term of H"),
+        ];
         let quadrature = quadratures.of(index);
-        let named = |value: Complex<S>, re, im| {
-            let index = Some(index);
-            Complex::new(value.re.named(re, index), value.im.named(im, index))
-        };
         let h = complex::scale(at.response, mode.inverse_mass);
         Terms {
-            v: named(
-                self.load_term(mode, at, quadrature),
-                "v_term_re",
-                "v_term_im",
-            ),
-            u: (mode.inverse_mass * at.u).named("u_term", Some(index)),
-            h: named(h, "h_term_re", "h_term_im"),
+            v: complex::named(self.load_term(mode, at, quadrature), V, Some(index)),
+            u: (mode.inverse_mass * at.u).named("u_term", "the own term of U", Some(index)),
+            h: complex::named(h, H, Some(index)),
         }
     }
 

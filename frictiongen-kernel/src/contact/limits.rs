@@ -51,7 +51,8 @@ impl<S: Scalar> Chain<S> {
     /// in this formula, multiplied by r² and by the scale E (5.65, 5.80, 5.96, 7.49).
     #[inline]
     pub fn continuous_limit(&self, contact: &ContactAt<S>, constraint: S) -> S {
-        let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
+        let modulus_v =
+            complex::modulus(contact.v, self.damped).named("modulus_v", "|V|·r²E", None);
         modulus_v / (contact.u * contact.u + constraint * constraint).sqrt()
     }
 
@@ -59,8 +60,10 @@ impl<S: Scalar> Chain<S> {
     /// β*_lim a stuck state exists (6.11, 6.27, 6.33, and the damped stuck configurations of 7.4.3).
     #[inline]
     pub fn sliding_limit(&self, contact: &ContactAt<S>) -> S {
-        let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
-        let modulus_h = complex::modulus(contact.h, self.damped).named("modulus_h", None);
+        let modulus_v =
+            complex::modulus(contact.v, self.damped).named("modulus_v", "|V|·r²E", None);
+        let modulus_h =
+            complex::modulus(contact.h, self.damped).named("modulus_h", "|H|·r²E", None);
         modulus_v / (self.stiction * modulus_h)
     }
 }

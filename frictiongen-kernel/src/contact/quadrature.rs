@@ -55,9 +55,14 @@ impl<S: Scalar> Mode<S> {
         at: &ModeAt<S>,
         factor: S,
         quadrature: Option<Quadrature<S>>,
+        index: usize,
     ) -> Complex<S> {
         match quadrature {
-            None => complex::scale(at.response, factor * self.load),
+            None => {
+                let by_load = factor * self.load;
+                let about = "φ_k(φᵀp), from the load to mass k";
+                complex::scale(at.response, by_load.named("by_load", about, Some(index)))
+            }
             Some(Quadrature { load, .. }) => {
                 let load = Complex::new(factor * self.load, factor * (load / at.x));
                 complex::mul(at.response, load, true)

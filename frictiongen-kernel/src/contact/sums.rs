@@ -141,37 +141,49 @@ impl<S: Scalar> Chain<S> {
                     g,
                 };
             }
-            let response = (scale / denominator.re).named("response", at);
+            let response = (scale / denominator.re).named("response", "E/(x² − 1)", at);
             let scale_over_size = response.abs();
             return ModeAt {
                 x,
                 response: complex::real(response),
-                u: (u * scale_over_size).named("u_scaled", at),
+                u: (u * scale_over_size).named("u_scaled", "uR²·E", at),
                 g,
             };
         }
-        let inverse = (one / size).named("inverse_size", at);
+        let inverse = (one / size).named("inverse_size", "1/size", at);
         let unit = Complex::new(
-            (denominator.re * inverse).named("unit_re", at),
-            (denominator.im * inverse).named("unit_im", at),
+            (denominator.re * inverse).named("unit_re", "(x² − 1)/size", at),
+            (denominator.im * inverse).named("unit_im", "2ζx/size", at),
         );
         let reciprocal = complex::reciprocal_of_unit(unit, at);
         if single {
             let response = Complex::new(
-                reciprocal.re.named("response_re", at),
-                reciprocal.im.named("response_im", at),
+                reciprocal
+                    .re
+                    .named("response_re", "Re of E/(x² − 1 + 2iζx)", at),
+                reciprocal
+                    .im
+                    .named("response_im", "Im of E/(x² − 1 + 2iζx)", at),
             );
             return ModeAt { x, response, u, g };
         }
-        let scale_over_size = (scale * inverse).named("scale_over_size", at);
+        let scale_over_size = (scale * inverse).named("scale_over_size", "E/size", at);
         ModeAt {
             x,
             response: Complex::new(
-                (reciprocal.re * scale_over_size).named("response_re", at),
-                (reciprocal.im * scale_over_size).named("response_im", at),
+                (reciprocal.re * scale_over_size).named(
+                    "response_re",
+                    "Re of E/(x² − 1 + 2iζx)",
+                    at,
+                ),
+                (reciprocal.im * scale_over_size).named(
+                    "response_im",
+                    "Im of E/(x² − 1 + 2iζx)",
+                    at,
+                ),
             ),
-            u: (u * scale_over_size).named("u_scaled", at),
-            g: (g * scale_over_size).named("g_scaled", at),
+            u: (u * scale_over_size).named("u_scaled", "uR²·E", at),
+            g: (g * scale_over_size).named("g_scaled", "g·E", at),
         }
     }
 
@@ -214,8 +226,22 @@ impl<S: Scalar> Chain<S> {
         self.completed(&sum, inverse_r)
     }
 
+    /// Returns the terms of the first mode in the modal sums V, H, U and H_c of the contact, and in G if `with_g` is
+    /// true. The scene has several modes.
+    #[inline(always)]
+    pub fn begun_by(
+        &self,
+        scale: S,
+        mode: &Mode<S>,
+        response: &ModeResponse<S>,
+        at: &ModeAt<S>,
+        with_g: bool,
+    ) -> ContactAt<S> {
+        self.term(scale, (mode, None), response, at, false, with_g)
+    }
+
     /// Adds the terms of one mode to the modal sums V, H, U and H_c of the contact, and to G if `with_g` is true.
-    #[inline]
+    #[inline(always)]
     pub fn joined_by(
         &self,
         sum: &ContactAt<S>,
@@ -280,14 +306,20 @@ impl<S: Scalar> Chain<S> {
     pub fn completed(&self, sum: &ContactAt<S>, inverse_r: S) -> ContactAt<S> {
         let mut sum = *sum;
         if let Some(at_rest) = self.on_moving_base {
-            let r2 = (S::constant(1.0) / (inverse_r * inverse_r)).named("r_squared", None);
+            let r2 = (S::constant(1.0) / (inverse_r * inverse_r)).named("r_squared", "r²", None);
             sum.v = complex::scale(self.plus(sum.v, complex::real(at_rest * sum.scale)), r2);
         }
-        sum.v = Complex::new(sum.v.re.named("v_re", None), sum.v.im.named("v_im", None));
-        sum.h = Complex::new(sum.h.re.named("h_re", None), sum.h.im.named("h_im", None));
-        sum.u = sum.u.named("u", None);
-        sum.g = sum.g.named("g_sum", None);
-        sum.reversal = sum.reversal.named("reversal", None);
+        sum.v = Complex::new(
+            sum.v.re.named("v_re", "Re V·r²E", None),
+            sum.v.im.named("v_im", "Im V·r²E", None),
+        );
+        sum.h = Complex::new(
+            sum.h.re.named("h_re", "Re H·r²E", None),
+            sum.h.im.named("h_im", "Im H·r²E", None),
+        );
+        sum.u = sum.u.named("u", "U·r²E", None);
+        sum.g = sum.g.named("g_sum", "G·r²E", None);
+        sum.reversal = sum.reversal.named("reversal", "H_c·r²E", None);
         sum
     }
 

@@ -38,6 +38,130 @@ pub use core::result::Result::{self, Err, Ok};
 pub use locals::*;
 pub use shapes::transposed;
 
+/// Writes the items of the trait `Scene` that every emitted scene has alike. The scene has the constants `NUMBERS` and
+/// `MODES`, and the function `functions`, unless it writes its own frequency stage (`in passes`). `functions` of a damped
+/// scene has a constant parameter that asks for G.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! scene_items {
+    ($scalar:ident, damped, $modes:literal) => {
+        $crate::scene_items!(@ $scalar, $crate::emitted::Damped<$scalar>, $modes);
+        $crate::scene_items!(@ $scalar, functions::<true, false>);
+    };
+    ($scalar:ident, undamped, $modes:literal) => {
+        $crate::scene_items!(@ $scalar, $crate::emitted::Undamped, $modes);
+        $crate::scene_items!(@ $scalar, functions);
+    };
+    ($scalar:ident, damped, $modes:literal, in passes) => {
+        $crate::scene_items!(@ $scalar, $crate::emitted::Damped<$scalar>, $modes);
+    };
+    ($scalar:ident, undamped, $modes:literal, in passes) => {
+        $crate::scene_items!(@ $scalar, $crate::emitted::Undamped, $modes);
+    };
+    (@ $scalar:ident, $decay:ty, $modes:literal) => {
+        type Scalar = $scalar;
+        type Decay = $decay;
+        type Modes = [$crate::emitted::ModeAt<$scalar>; $modes];
+        type Waves = [$crate::emitted::Wave<$scalar, $decay>; $modes];
+
+        #[inline]
+        fn numbers(&self) -> $crate::emitted::Numbers<'static, $scalar> {
+            Self::NUMBERS
+        }
+
+        /// Working space of the searches, and of the waves of a motion.
+        #[inline]
+        fn idle(&self) -> Self::Waves {
+            Self::MODES.map(|mode| $crate::emitted::Wave::idle(&mode))
+        }
+
+        /// Copies the modes, so that a motion can own them.
+        #[inline]
+        fn kept(modes: &Self::Modes) -> Self::Modes {
+            *modes
+        }
+    };
+    (@ $scalar:ident, functions$(::<$all:literal, $but_g:literal>)?) => {
+        /// All functions of the contact at 1/r, and of its modes.
+        #[inline]
+        fn frequency_stage(
+            &self,
+            inverse_r: $scalar,
+        ) -> ($crate::emitted::ContactAt<$scalar>, Self::Modes) {
+            Self::functions$(::<$all>)?(inverse_r)
+        }
+
+        /// The functions of the contact without G, which only a motion needs.
+        #[inline]
+        fn contact_without_g(&self, inverse_r: $scalar) -> $crate::emitted::ContactAt<$scalar> {
+            Self::functions$(::<$but_g>)?(inverse_r).0
+        }
+    };
+}
+
+/// Writes the functions of an emitted scene that ask at a frequency ratio. `At` answers from the formulas, `Compiled`
+/// from the tables of a declared accuracy.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! scene_functions {
+    ($type:ident, $at:ident, $scalar:ident, At) => {
+        impl $type {
+            /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁).
+            ///
+            /// # Errors
+            /// `OutOfDomain` for NaN and negative r.  At r = 0 and r = ∞ the limits take their limiting values.
+            #[inline]
+            pub fn at(r: $scalar) -> ::core::result::Result<$at, $crate::errors::OutOfDomain> {
+                $crate::response::At::new(Self, r).map(::core::convert::From::from)
+            }
+        }
+        $crate::scene_functions!(@ $type, $scalar, At);
+    };
+    ($type:ident, $at:ident, $scalar:ident, Compiled) => {
+        impl $type {
+            /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁), to the declared accuracy.
+            ///
+            /// # Errors
+            /// `OutOfDomain` for NaN and negative r, and out of the declared range, unless the scene declares
+            /// `beyond: exact`.
+            #[inline]
+            pub fn at(r: $scalar) -> ::core::result::Result<$at, $crate::errors::OutOfDomain> {
+                $crate::table::Compiled::new(Self, r).map(::core::convert::From::from)
+            }
+        }
+        $crate::scene_functions!(@ $type, $scalar, Compiled);
+    };
+    (@ $type:ident, $scalar:ident, $of:ident) => {
+        impl $type {
+            /// Returns both limits without a search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that
+            /// leaves the velocity constraint S out, and β*_lim (6.11, 6.27, 6.33).
+            ///
+            /// # Errors
+            /// `OutOfDomain` for NaN and negative r.  At r = 0 and r = ∞ the limits take their limiting values.
+            #[inline]
+            pub fn limits_without_search(
+                r: $scalar,
+            ) -> ::core::result::Result<$crate::contact::regime::Limits<$scalar>, $crate::errors::OutOfDomain>
+            {
+                $crate::response::At::limits_without_search(&Self, r)
+            }
+
+            /// Writes both limits at a slice of frequency ratios into slices of the same length.
+            ///
+            /// # Errors
+            /// `OutOfDomain` for slices of unequal lengths, before anything is written, and at the first r that `at`
+            /// refuses, after the limits before it are written.
+            pub fn limits_into(
+                rs: &[$scalar],
+                continuous: &mut [$scalar],
+                sliding: &mut [$scalar],
+            ) -> ::core::result::Result<(), $crate::errors::OutOfDomain> {
+                $crate::emitted::$of::limits_into(Self, rs, continuous, sliding)
+            }
+        }
+    };
+}
+
 /// Implements `Clone`, `Debug`, `From` and `Deref` for an emitted type that wraps a type of this crate. By `Deref`, the
 /// emitted type has all methods of the wrapped type.
 #[doc(hidden)]

@@ -58,28 +58,51 @@ pub(crate) fn select<S: Scalar>(
     )
 }
 
+/// Names the real and the imaginary part of a complex value as [`Scalar::named`] does. `names` has the name and the
+/// explanation of each part.
+#[inline(always)]
+pub(crate) fn named<S: Scalar>(
+    a: Complex<S>,
+    names: [(&'static str, &'static str); 2],
+    mode: Option<usize>,
+) -> Complex<S> {
+    let [(re, about_re), (im, about_im)] = names;
+    Complex::new(
+        a.re.named(re, about_re, mode),
+        a.im.named(im, about_im, mode),
+    )
+}
+
 /// Returns 1/a for a ≠ 0, without overflow of |a|².
 #[inline(always)]
 pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     if damped {
         inverse(a).0
     } else {
-        real((S::constant(1.0) / a.re).named("inverse_re", None))
+        real((S::constant(1.0) / a.re).named("inverse_re", "Re of the reciprocal", None))
     }
 }
 
 /// Returns 1/a for a ≠ 0, and two numbers of about 1/|a| whose product is 1/|a|². No square overflows.
 #[inline(always)]
 pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
-    let inverse = (S::constant(1.0) / size(a, true)).named("inverse_size", None);
-    let (re, im) = (
-        (a.re * inverse).named("unit_re", None),
-        (a.im * inverse).named("unit_im", None),
+    let inverse = (S::constant(1.0) / size(a, true)).named(
+        "inverse_norm",
+        "1/(|Re| + |Im|) of the divisor",
+        None,
     );
-    let k = (inverse / (re * re + im * im)).named("inverse_modulus", None);
+    let (re, im) = (
+        (a.re * inverse).named("unit_re", "Re of the divisor, over |Re| + |Im|", None),
+        (a.im * inverse).named("unit_im", "Im of the divisor, over |Re| + |Im|", None),
+    );
+    let k = (inverse / (re * re + im * im)).named(
+        "inverse_modulus",
+        "(1/(|Re| + |Im|))/(Re² + Im²) of `unit_re`, `unit_im`",
+        None,
+    );
     let reciprocal = Complex::new(
-        (re * k).named("inverse_re", None),
-        (-(im * k)).named("inverse_im", None),
+        (re * k).named("inverse_re", "Re of the reciprocal", None),
+        (-(im * k)).named("inverse_im", "Im of the reciprocal", None),
     );
     (reciprocal, (inverse, k))
 }
@@ -87,7 +110,11 @@ pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
 /// Returns 1/a for a complex number with |Re a| + |Im a| = 1. `mode` only names variables in emitted code.
 #[inline(always)]
 pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>, mode: Option<usize>) -> Complex<S> {
-    let inverse = (S::constant(1.0) / (a.re * a.re + a.im * a.im)).named("inverse_modulus", mode);
+    let inverse = (S::constant(1.0) / (a.re * a.re + a.im * a.im)).named(
+        "inverse_modulus",
+        "1/(Re² + Im²) of `unit_re`, `unit_im`",
+        mode,
+    );
     Complex::new(a.re * inverse, -(a.im * inverse))
 }
 

@@ -6,7 +6,7 @@ use super::scalar::{Float, Scalar};
 #[inline]
 pub(crate) fn wrapped<S: Scalar>(angle: S) -> S {
     let (pi, turn) = (S::pi(), (S::pi() + S::pi()));
-    let angle = S::select(pi.lt(angle), angle - turn, angle).named("phase", None);
+    let angle = S::select(pi.lt(angle), angle - turn, angle).named("phase", "φ, at most π", None);
     S::select((-pi).lt(angle), angle, angle + turn)
 }
 

@@ -102,12 +102,14 @@ pub trait Scalar:
     fn replaced(self, value: f64) -> Self {
         Self::constant(value)
     }
-    /// Names the local variable that emitted code uses for `self`. Numbers ignore the name and return `self`. `mode` is
-    /// the zero-based index of the mode to which `self` belongs, if any.
+    /// Names the local variable that emitted code uses for `self`, and explains it. `about` says which quantity `self`
+    /// is, with the number of its equation. Emitted code has `about` as a doc comment above the variable, so the text
+    /// stands beside the formula and nowhere else. `mode` is the zero-based index of the mode to which `self` belongs,
+    /// if any. The first name of a value counts. Numbers ignore name and text, and return `self`.
     #[inline(always)]
     #[must_use]
-    fn named(self, name: &'static str, mode: Option<usize>) -> Self {
-        let _ = (name, mode);
+    fn named(self, name: &'static str, about: &'static str, mode: Option<usize>) -> Self {
+        let _ = (name, about, mode);
         self
     }
     /// Returns sin πh with h = `self`.

@@ -8,7 +8,7 @@ use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
 /// Upper bound on the events of a half cycle.  More events are an error.
-const MOST_EVENTS: u32 = 4096;
+pub(super) const MOST_EVENTS: u32 = 4096;
 
 /// Numbers of events of each kind in half a cycle, or in several half cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

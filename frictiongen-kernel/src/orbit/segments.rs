@@ -3,6 +3,7 @@
 //! If a period has many segments, only some of them have a stored state at their start, a *mark*.  The other segments
 //! are computed again.
 
+use super::cycle_map::MOST_EVENTS;
 use super::record::{passed, slack, within};
 use super::types::{Orbit, SegmentStart};
 use crate::motion::{ContactChain, Part, leap, span};
@@ -118,7 +119,7 @@ where
         let mut mark = *last;
         // The first turn of the loop passes the last segment.  Further turns pass unsuccessful attempts to leave zero
         // velocity.
-        loop {
+        for _ in 0..MOST_EVENTS {
             let left = (end - mark.contact_state.t - S::constant(2.0) * mark.cycle) * S::pi();
             let reach = left + slack();
             let length = span(setting, modes, stuck_modes, mark.contact_state, reach);
@@ -126,7 +127,8 @@ where
                 mark.length = within(length, left);
                 let found = || setting.relative(modes, mark.contact_state.t.sin_cos_pi());
                 mark.relative = last.stuck_at().unwrap_or_else(found);
-                break;
+                self.more -= 1;
+                return Some(mark);
             }
             if !(zero < left) {
                 return None;
@@ -139,8 +141,7 @@ where
                 ..mark
             };
         }
-        self.more -= 1;
-        Some(mark)
+        None
     }
 }
 

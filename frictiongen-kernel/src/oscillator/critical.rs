@@ -16,13 +16,17 @@ pub(super) fn response<S: Scalar>(
 ) -> ModeResponse<S> {
     let one = S::constant(1.0);
     let (denominator, size) = denominator(x, zeta, at);
-    let decay = (S::pi() * zeta * x).named("decay_exponent", at);
+    let decay = (S::pi() * zeta * x).named("decay_exponent", "a = πζx with ζ = 1", at);
     let (m, e) = complement_and_factor(decay, at);
     // `square` is θ² with θ = πqx.
     let angle = S::pi() * x;
     let square = angle * angle * ((one - zeta) * (one + zeta));
     let sinc_defect = square / S::constant(6.0);
-    let k = (size / ((one + e) * (one + e) - e * square)).named("pole_weight", at);
+    let k = (size / ((one + e) * (one + e) - e * square)).named(
+        "pole_weight",
+        "size/D with D = (1 + e)²",
+        at,
+    );
     let b_over_x = (S::pi() + S::pi()) * e * (k - k * sinc_defect);
     let defect = if with_g {
         decay.scaled_sinh_defect() + S::constant(2.0) * e * decay * sinc_defect
@@ -33,9 +37,13 @@ pub(super) fn response<S: Scalar>(
         x,
         denominator,
         size,
-        u: b_over_x.named("u", at),
-        g: (defect * k).named("g", at),
-        reversal: ((one + e) * m * k + zeta * b_over_x * x).named("reversal", at),
+        u: b_over_x.named("u", "uR²·size = 2πe·size/D (7.11)", at),
+        g: (defect * k).named("g", "g·size = (1 − e² − 2ae)·size/D (7.12)", at),
+        reversal: ((one + e) * m * k + zeta * b_over_x * x).named(
+            "reversal",
+            "(g + 2ζRu)·size, the term of H_c (5.63, 7.47)",
+            at,
+        ),
     }
 }
 

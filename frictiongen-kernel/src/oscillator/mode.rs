@@ -98,7 +98,7 @@ impl<S: Scalar> Mode<S> {
     ) -> ModeResponse<S> {
         let at = Some(index);
         let (zeta, q) = (self.zeta, self.q);
-        let x = (self.resonance * inverse_r).named("x", at);
+        let x = (self.resonance * inverse_r).named("x", "x = √λ/r = 1/R", at);
         match kind {
             Kind::Undamped => undamped::response(x, at),
             Kind::Light => underdamped::response(x, zeta, q, Some(self.q_defect), with_g, at),

@@ -18,19 +18,44 @@ pub(super) fn response<S: Scalar>(
     let one = S::constant(1.0);
     let pi = S::pi();
     let (denominator, size) = denominator(x, zeta, at);
-    let fast = (pi * (zeta + q) * x).named("fast_decay", at);
-    let slow = (pi / (zeta + q) * x).named("slow_decay", at);
-    let fading = (-slow).named("slow_exponent", at);
-    let spread = (S::constant(2.0) * pi * q * x).named("spread", at);
-    let (e_slow, e_fast) = (fading.exp().named("slow_decay_factor", at), (-fast).exp());
-    let k = (size / ((one + e_slow) * (one + e_fast))).named("pole_weight", at);
-    let b = (-(-spread).exp_m1() * e_slow / q * k).named("u_times_r", at);
+    let fast = (pi * (zeta + q) * x).named(
+        "fast_decay",
+        "π(ζ + q)x, the exponent of the fast decay in half a period",
+        at,
+    );
+    let slow = (pi / (zeta + q) * x).named(
+        "slow_decay",
+        "π(ζ − q)x = πx/(ζ + q), the exponent of the slow decay",
+        at,
+    );
+    let fading = (-slow).named("slow_exponent", "−slow_decay", at);
+    let spread =
+        (S::constant(2.0) * pi * q * x).named("spread", "2πqx = fast_decay − slow_decay", at);
+    let (e_slow, e_fast) = (
+        fading
+            .exp()
+            .named("slow_decay_factor", "exp(−slow_decay)", at),
+        (-fast).exp(),
+    );
+    let k = (size / ((one + e_slow) * (one + e_fast))).named(
+        "pole_weight",
+        "size/D with D = (1 + exp(−slow_decay))(1 + exp(−fast_decay))",
+        at,
+    );
+    let b = (-(-spread).exp_m1() * e_slow / q * k).named(
+        "u_times_r",
+        "uR·size = (2e/q) sinh(πqx)·size/D with e = exp(−πζx) (7.11)",
+        at,
+    );
     let a = -(-(S::constant(2.0) * pi * zeta * x)).exp_m1() * k;
     // `defect` is 1 − e^{−2πζx} − (ζ/q)(e^{−slow} − e^{−fast}), written with terms of the third order in x. The
     // subtracted term is at most two thirds of the sum of the other terms.
     let defect = if with_g {
         let half = S::constant(0.5);
-        let minus_one = (-(fast * half)).exp_m1().named("decay_minus_one", at);
+        let minus_one =
+            (-(fast * half))
+                .exp_m1()
+                .named("decay_minus_one", "exp(−fast_decay/2) − 1", at);
         let both = minus_one * minus_one * -fading.exp_m1();
         let small = S::constant(2.0) * (one + minus_one) * (slow * half).scaled_sinh_defect();
         let excess = e_slow * (pi * q * x).scaled_sinh_defect();
@@ -42,9 +67,17 @@ pub(super) fn response<S: Scalar>(
         x,
         denominator,
         size,
-        u: (b / x).named("u", at),
-        g: (defect * k).named("g", at),
-        reversal: (a + zeta * b).named("reversal", at),
+        u: (b / x).named("u", "uR²·size", at),
+        g: (defect * k).named(
+            "g",
+            "g·size = (1 − e² − (2ζe/q) sinh(πqx))·size/D (7.12), in terms of third order in x",
+            at,
+        ),
+        reversal: (a + zeta * b).named(
+            "reversal",
+            "(g + 2ζRu)·size, the term of H_c (5.63, 7.47)",
+            at,
+        ),
     }
 }
 

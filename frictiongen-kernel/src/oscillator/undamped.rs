@@ -19,16 +19,24 @@ pub(super) fn detuning<S: Scalar>(x: S) -> S {
 pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     let zero = S::constant(0.0);
     let (s, c) = (x * S::constant(0.5)).sin_cos_pi();
-    let s = s.named("sine", at);
-    let re = detuning(x).named("detuning", at);
-    let c = c.named("plain_cosine", at);
-    let c = c.cosine_off_pole().named("cosine", at);
-    let size = re.abs().named("size", at);
+    let s = s.named("sine", "sin(πx/2)", at);
+    let re = detuning(x).named(
+        "detuning",
+        "x² − 1; a tiny number in place of an exact 0",
+        at,
+    );
+    let c = c.named("plain_cosine", "cos(πx/2)", at);
+    let c = c.cosine_off_pole().named(
+        "cosine",
+        "cos(πx/2); a tiny number in place of an exact 0",
+        at,
+    );
+    let size = re.abs().named("size", "|x² − 1|", at);
     ModeResponse {
         x,
         denominator: complex::real(re),
         size,
-        u: (s * size / (x * c)).named("u", at),
+        u: (s * size / (x * c)).named("u", "uR²·size = tan(πx/2)/x·size (5.20, 5.34)", at),
         g: zero,
         reversal: zero,
     }

@@ -22,23 +22,46 @@ pub(super) fn response<S: Scalar>(
 ) -> ModeResponse<S> {
     let (one, half) = (S::constant(1.0), S::constant(0.5));
     let (denominator, size) = denominator(x, zeta, at);
-    let decay = (S::pi() * zeta * x).named("decay_exponent", at);
+    let decay = (S::pi() * zeta * x).named("decay_exponent", "a = πζx", at);
     let (m, e) = complement_and_factor(decay, at);
-    let turns = (q * x).named("half_turns", at);
+    let turns = (q * x).named(
+        "half_turns",
+        "qx, the half-turns of the free motion in half a period",
+        at,
+    );
     let (s, c) = if let Some(q_defect) = near {
         (x * half).sin_cos_pi_minus(x * (q_defect * half))
     } else {
         (turns * half).sin_cos_pi()
     };
-    let (s, c) = (s.named("sine", at), c.named("cosine", at));
-    let re = ((one + e).named("one_plus_factor", at) * c).named("nearness_re", at);
-    let im = (m * s).named("nearness_im", at);
-    let inverse = (one / (re.abs() + im.abs())).named("inverse_nearness", at);
-    let re = (re * inverse).named("unit_nearness_re", at);
-    let im = (im * inverse).named("unit_nearness_im", at);
-    let k = (size * inverse / (re * re + im * im)).named("pole_weight", at);
+    let (s, c) = (
+        s.named("sine", "sin(πqx/2)", at),
+        c.named("cosine", "cos(πqx/2)", at),
+    );
+    let re = ((one + e).named("one_plus_factor", "1 + e", at) * c).named(
+        "nearness_re",
+        "(1 + e) cos(πqx/2), whose square plus that of `nearness_im` is D = 1 + 2e cos(πqx) + e²",
+        at,
+    );
+    let im = (m * s).named("nearness_im", "(1 − e) sin(πqx/2)", at);
+    let inverse = (one / (re.abs() + im.abs())).named(
+        "inverse_nearness",
+        "1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance",
+        at,
+    );
+    let re = (re * inverse).named("unit_nearness_re", "nearness_re·inverse_nearness", at);
+    let im = (im * inverse).named("unit_nearness_im", "nearness_im·inverse_nearness", at);
+    let k = (size * inverse / (re * re + im * im)).named(
+        "pole_weight",
+        "size/(D·inverse_nearness)",
+        at,
+    );
     // The division 4/q comes first, since 4/q is a constant of the scene. Emitted code then divides at compile time.
-    let b = (S::constant(4.0) / q * s * e * (c * inverse) * k).named("u_times_r", at);
+    let b = (S::constant(4.0) / q * s * e * (c * inverse) * k).named(
+        "u_times_r",
+        "uR·size = (2e/q) sin(πqx)·size/D (7.11)",
+        at,
+    );
     let a = (one + e) * (m * inverse) * k;
     let defect = if with_g {
         decay.scaled_sinh_defect() + S::constant(2.0) * e * decay * turns.one_minus_sinc_pi()
@@ -49,9 +72,17 @@ pub(super) fn response<S: Scalar>(
         x,
         denominator,
         size,
-        u: (b / x).named("u", at),
-        g: (defect * inverse * k).named("g", at),
-        reversal: (a + zeta * b).named("reversal", at),
+        u: (b / x).named("u", "uR²·size", at),
+        g: (defect * inverse * k).named(
+            "g",
+            "g·size = (1 − e² − (2ζe/q) sin(πqx))·size/D (7.12)",
+            at,
+        ),
+        reversal: (a + zeta * b).named(
+            "reversal",
+            "(g + 2ζRu)·size = ((1 − e²)/D + ζuR)·size, the term of H_c (5.63, 7.47)",
+            at,
+        ),
     }
 }
 

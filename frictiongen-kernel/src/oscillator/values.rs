@@ -105,9 +105,16 @@ impl<S: Float> Turn<S> {
 #[inline]
 pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Complex<S>, S) {
     let one = S::constant(1.0);
-    let re = ((x - one) * (x + one)).named("detuning", at);
-    let im = (S::constant(2.0) * zeta * x).named("loss", at);
-    (Complex::new(re, im), (re.abs() + im).named("size", at))
+    let re = ((x - one) * (x + one)).named("detuning", "x² − 1", at);
+    let im = (S::constant(2.0) * zeta * x).named("loss", "2ζx", at);
+    (
+        Complex::new(re, im),
+        (re.abs() + im).named(
+            "size",
+            "|x² − 1| + 2ζx, which vanishes on the undamped resonance",
+            at,
+        ),
+    )
 }
 
 /// Returns 1 − e^{−decay} and e^{−decay}, both to full relative accuracy. Neither is computed as 1 minus the other,
@@ -115,10 +122,13 @@ pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Compl
 #[inline]
 pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
     let half = (decay * S::constant(-0.5)).exp_m1();
-    let half = half.named("half_decay_minus_one", at);
-    let factor = (S::constant(1.0) + half).named("half_decay_factor", at);
+    let half = half.named("half_decay_minus_one", "exp(−a/2) − 1", at);
+    let factor = (S::constant(1.0) + half).named("half_decay_factor", "exp(−a/2)", at);
     let (m, e) = (-(half * (S::constant(1.0) + factor)), factor * factor);
-    (m.named("decay_complement", at), e.named("decay_factor", at))
+    (
+        m.named("decay_complement", "1 − e", at),
+        e.named("decay_factor", "e = exp(−a) with a = πζx (7.11)", at),
+    )
 }
 
 /// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to the resonance x = 1 both are differences of nearly equal

@@ -9,95 +9,35 @@
 //! Close to a damped resonance g d and Qρ are large and nearly proportional to cos τ. The code therefore moves −g cos τ
 //! into the fundamental component, and keeps g (cos τ − d), which is small.
 
+pub use super::coefficient_types::{Friction, Fundamental, ModalCoefficients};
 use crate::contact::dominant::{DominantParts, DominantSums, Partner};
 use crate::contact::quadrature::{InPhase, Quadratures};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
-use crate::number::complex::{self, Complex};
+use crate::number::complex::{self, Complex, named};
 use crate::number::phase::wrapped;
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// Amplitude and phase of the contact's relative motion at one friction ratio, with intermediate results.
-#[derive(Clone, Copy, Debug)]
-pub struct Friction<S> {
-    /// Friction ratio β = F/P.
-    pub beta: S,
-    /// In-phase term Q = √(|V|² − (βU)²) of the contact's relative motion. V is the response of the contact to the
-    /// load, and βU its velocity term from friction. Q is multiplied by r² and by the scale E of [`ContactAt`].
-    pub root: S,
-    /// Amplitude Z of the contact's relative motion, in units of P/k₁ (for base motion Y).
-    pub amplitude: S,
-    /// Lag φ of the contact's relative motion behind the excitation, rad, in (−π, π].
-    pub phase: S,
-    /// Factor 1/(r²E) that turns sums over the modes into displacements. E is the scale of [`ContactAt`].
-    pub unscale: S,
-}
+/// Explanation of the factor of a mode in the response of mass k to a force in the contact.
+const BY_CONTACT: &str = "φ_k(φᵀw), from the contact to mass k";
 
-/// Fundamental component of a motion, which has the frequency of the excitation: its coefficients.
-#[derive(Clone, Copy, Debug)]
-pub struct Fundamental<S> {
-    /// Coefficient of cos τ in the displacement.
-    pub cosine: S,
-    /// Coefficient of sin τ in the displacement.
-    pub sine: S,
-    /// Complex response V_k of the mass to the load, without friction.
-    pub response: Complex<S>,
-}
-
-impl<S: Scalar> Fundamental<S> {
-    /// Returns zero coefficients, for a mass that does not move.
-    #[inline]
-    #[must_use]
-    pub fn at_rest() -> Self {
-        let zero = S::constant(0.0);
-        Self {
-            cosine: zero,
-            sine: zero,
-            response: complex::real(zero),
-        }
-    }
-}
-
-/// Coefficients of one mode's functions of τ in a motion. The functions are d and q̃, the free vibration of the mode
-/// after a unit displacement and after a unit velocity.
-#[derive(Clone, Copy, Debug)]
-pub struct ModalCoefficients<S> {
-    /// Coefficient of (1 − d)/x², the mode's response from rest to a constant force. Here x = 1/R is the natural
-    /// frequency of the mode divided by the frequency of the excitation.
-    pub rise: S,
-    /// Coefficient of cos τ − d, by which the mode's static displacement lags behind the excitation. The cos τ that
-    /// this term adds is subtracted from the fundamental component. The coefficient is 0 without damping.
-    pub fall: S,
-    /// Coefficient of sin τ − R q̃, by which the mode lags behind the excitation. R is the frequency of the excitation
-    /// divided by the natural frequency of the mode.
-    pub forced: S,
-    /// φ_k(φᵀw)/r², the residue of the mode in the response of mass k to a force in the contact. Only the harmonics
-    /// need it.
-    pub residue: S,
-}
+/// Names of a mode's term in the response V_k of mass k to the load.
+const DRIVEN: [(&str, &str); 2] = [
+    ("driven_re", "Re of the own term of V_k"),
+    ("driven_im", "Im of the own term of V_k"),
+];
 
 /// Factor 2^24, which turns the smallest positive `f32` into a number with a finite reciprocal.
 const INTO_RANGE: f64 = (1_u32 << 24) as f64;
-
-/// Gives names to the real and the imaginary part of a complex value. Emitted code binds each part to a variable of
-/// that name.
-#[inline(always)]
-fn named<S: Scalar>(
-    value: Complex<S>,
-    names: [&'static str; 2],
-    mode: Option<usize>,
-) -> Complex<S> {
-    let [re, im] = names;
-    Complex::new(value.re.named(re, mode), value.im.named(im, mode))
-}
 
 impl<S: Scalar> Chain<S> {
     /// Returns the amplitude Z and the phase φ of the contact's relative motion at β (2.21, 5.35, 5.38, 7.20, 7.21).
     #[inline]
     pub fn friction(&self, contact: &ContactAt<S>, inverse_r: S, beta: S) -> Friction<S> {
-        let modulus_v = complex::modulus(contact.v, self.damped).named("modulus_v", None);
-        let velocity_part = (beta * contact.u).named("friction_quadrature", None);
+        let modulus_v =
+            complex::modulus(contact.v, self.damped).named("modulus_v", "|V|·r²E", None);
+        let velocity_part = (beta * contact.u).named("friction_quadrature", "βU·r²E", None);
         // The formula takes the root of a product. Close to a limit, a difference of squares would lose its digits.
         let zero = S::constant(0.0);
         let less = (modulus_v - velocity_part).max(zero);
@@ -109,8 +49,8 @@ impl<S: Scalar> Chain<S> {
         } else {
             (less * more).sqrt()
         };
-        let root = root.named("in_phase", None);
-        let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", None);
+        let root = root.named("in_phase", "Q·r²E, Q = √(|V|² − (βU)²)", None);
+        let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", "1/(r²E)", None);
         let amplitude = if self.damped {
             root - beta * contact.g
         } else {
@@ -125,8 +65,12 @@ impl<S: Scalar> Chain<S> {
         Friction {
             beta,
             root,
-            amplitude: (amplitude * unscale).named("amplitude", None),
-            phase: wrapped(lag.named("lag", None)),
+            amplitude: (amplitude * unscale).named(
+                "amplitude",
+                "Z = Q − βG (3.11, 5.35, 7.20)",
+                None,
+            ),
+            phase: wrapped(lag.named("lag", "φ, not yet within one turn (5.38, 7.21)", None)),
             unscale,
         }
     }
@@ -157,18 +101,18 @@ impl<S: Scalar> Chain<S> {
         inverse_r: S,
         index: usize,
     ) -> ModalCoefficients<S> {
-        let weight = (friction.beta * friction.unscale).named("friction_weight", None);
-        let force = (weight * residue).named("friction_force", Some(index));
+        let weight = (friction.beta * friction.unscale).named("friction_weight", "β/(r²E)", None);
+        let force = (weight * residue).named("friction_force", "β/(r²E)·φ_k(φᵀw)", Some(index));
         let fall = if self.damped {
-            (force * (at.g / (at.x * at.x))).named("fall", Some(index))
+            (force * (at.g / (at.x * at.x))).named("fall", "coefficient of cos τ − d", Some(index))
         } else {
             S::constant(0.0)
         };
         ModalCoefficients {
-            rise: (force * contact.scale).named("rise", Some(index)),
+            rise: (force * contact.scale).named("rise", "coefficient of (1 − d)/x²", Some(index)),
             fall,
-            forced: (force * at.u).named("forced", Some(index)),
-            residue: residue * inverse_r * inverse_r,
+            forced: (force * at.u).named("forced", "coefficient of sin τ − Rq̃", Some(index)),
+            harmonic: residue * inverse_r * inverse_r,
         }
     }
 
@@ -200,12 +144,20 @@ impl<S: Scalar> Chain<S> {
             S::constant(0.0),
         );
         let g = if self.damped {
-            S::select(slow, zero, at.g).named("offset", Some(index))
+            S::select(slow, zero, at.g).named(
+                "offset",
+                "g·E, or 0 if the mode is mass-controlled (x < 1/2)",
+                Some(index),
+            )
         } else {
             at.g
         };
         ModeAt {
-            u: S::select(slow, zero, at.u).named("u_in_sum", Some(index)),
+            u: S::select(slow, zero, at.u).named(
+                "u_in_sum",
+                "uR²·E, or 0 if the mode is mass-controlled (x < 1/2)",
+                Some(index),
+            ),
             g,
             ..*at
         }
@@ -261,15 +213,16 @@ impl<S: Scalar> Chain<S> {
         let (mut driven, mut rubbed) = (DominantParts::zero(), DominantParts::zero());
         let mut damped_back = S::constant(0.0);
         for (index, component, mode, at) in parts {
-            let free = mode.driven(&at, component, quadratures.of(index));
-            let free = named(free, ["driven_re", "driven_im"], Some(index));
+            let free = mode.driven(&at, component, quadratures.of(index), index);
+            let free = named(free, DRIVEN, Some(index));
             driven = driven.with(self, sums, index, free);
-            let residue = component * mode.contact;
+            let residue = (component * mode.contact).named("by_contact", BY_CONTACT, Some(index));
             let at = self.without_parts(mode, &at, index);
-            let back = (-(residue * at.u)).named("rubbed_back", Some(index));
+            let back =
+                (-(residue * at.u)).named("rubbed_back", "the own term of −U_k", Some(index));
             rubbed = rubbed.with(self, sums, index, complex::real(back));
             if self.damped {
-                let offset = (at.g / (at.x * at.x)).named("fall_per_force", Some(index));
+                let offset = (at.g / (at.x * at.x)).named("fall_per_force", "g·E/x²", Some(index));
                 damped_back = damped_back - residue * offset;
             }
         }
@@ -285,15 +238,42 @@ impl<S: Scalar> Chain<S> {
         // The code multiplies sums instead of ratios. A mass far from the contact moves by V_k U − U_k V, and the
         // factors common to both terms must stay exactly equal.
         let part = |driven, u: S, rubbed: Complex<S>, v| {
-            let (u, rubbed) = ((u * lower).named("u_in_range", None), rubbed.re * lower);
+            let (u, rubbed) = (
+                (u * lower).named(
+                    "u_in_range",
+                    "U of `u_others` over 2²⁴, which keeps products within the range of the scalar",
+                    None,
+                ),
+                rubbed.re * lower,
+            );
             self.plus(complex::scale(driven, u), complex::scale(v, rubbed))
         };
         let mismatch = self.plus(
             part(driven.own, sums.own.u, rubbed.own, sums.own.v),
             part(driven.others, sums.others.u, rubbed.others, sums.others.v),
         );
-        let ratio = named(ratio, ["response_re", "response_im"], None);
-        let mismatch = named(mismatch, ["mismatch_re", "mismatch_im"], None);
+        let ratio = named(
+            ratio,
+            [
+                ("response_re", "Re of V_k·r²E"),
+                ("response_im", "Im of V_k·r²E"),
+            ],
+            None,
+        );
+        let mismatch = named(
+            mismatch,
+            [
+                (
+                    "mismatch_re",
+                    "Re of V_kU − U_kV, without the products of a mode with itself",
+                ),
+                (
+                    "mismatch_im",
+                    "Im of V_kU − U_kV, without the products of a mode with itself",
+                ),
+            ],
+            None,
+        );
         // On a moving base V does not vanish, and β may be as large as the number format allows.
         let vanishes = self.damped && !on_base;
         let raise = if vanishes {
@@ -302,7 +282,20 @@ impl<S: Scalar> Chain<S> {
             one
         };
         let v = complex::scale(contact.v, raise);
-        let v = named(v, ["v_in_range_re", "v_in_range_im"], None);
+        let v = named(
+            v,
+            [
+                (
+                    "v_in_range_re",
+                    "Re of V·r²E, times 2²⁴ where its reciprocal could overflow",
+                ),
+                (
+                    "v_in_range_im",
+                    "Im of V·r²E, times 2²⁴ where its reciprocal could overflow",
+                ),
+            ],
+            None,
+        );
         let inverse_v = complex::reciprocal(v, self.damped);
         let response = complex::scale(ratio, friction.unscale);
         let ratio = complex::mul(ratio, inverse_v, self.damped);
@@ -313,11 +306,23 @@ impl<S: Scalar> Chain<S> {
             unscale,
             ..
         } = *friction;
-        let root = (root * lower * raise).named("root_in_range", None);
-        let raised = (unscale * raise_back).named("unscale_in_range", None);
+        let root = (root * lower * raise).named(
+            "root_in_range",
+            "Q·r²E times the power of 2²⁴ that keeps products in range",
+            None,
+        );
+        let raised = (unscale * raise_back).named(
+            "unscale_in_range",
+            "1/(r²E) times the power of 2²⁴ that keeps products in range",
+            None,
+        );
         if self.damped {
-            let weight = (beta * unscale).named("friction_weight", None);
-            let beta = (beta * raise).named("beta_in_range", None);
+            let weight = (beta * unscale).named("friction_weight", "β/(r²E)", None);
+            let beta = (beta * raise).named(
+                "beta_in_range",
+                "β times the power of 2²⁴ that keeps products in range",
+                None,
+            );
             let (_, (near, far)) = complex::inverse(v);
             let turned = |driven: Complex<S>, v: Complex<S>| {
                 let v = complex::scale(complex::scale(v, raise), far);
@@ -325,7 +330,7 @@ impl<S: Scalar> Chain<S> {
             };
             let (own, others) = sums.turning(contact);
             let lag = turned(driven.own, own) + turned(driven.others, others);
-            let in_phase = (root * near).named("in_phase_over_v", None);
+            let in_phase = (root * near).named("in_phase_over_v", "Q/(|Re V| + |Im V|)", None);
             Fundamental {
                 cosine: (root * ratio.re + beta * mismatch.im) * raised + damped_back * weight,
                 sine: (beta * mismatch.re - in_phase * lag) * raised,
@@ -368,11 +373,19 @@ impl<S: Scalar> Chain<S> {
         let sums = self.dominant_sums(loaded, Partner::H, contact, inverse_r);
         let (mut driven, mut rubbed) = (DominantParts::zero(), DominantParts::zero());
         for (index, (component, (mode, at))) in shape.iter().zip(known).enumerate() {
-            let free = mode.driven(&at, *component, quadratures.of(index));
-            let free = named(free, ["driven_re", "driven_im"], Some(index));
+            let free = mode.driven(&at, *component, quadratures.of(index), index);
+            let free = named(free, DRIVEN, Some(index));
             driven = driven.with(self, &sums, index, free);
-            let back = complex::scale(at.response, -(*component * mode.contact));
-            let back = named(back, ["held_back_re", "held_back_im"], Some(index));
+            let residue = (*component * mode.contact).named("by_contact", BY_CONTACT, Some(index));
+            let back = complex::scale(at.response, -residue);
+            let back = named(
+                back,
+                [
+                    ("held_back_re", "Re of the own term of −H_k"),
+                    ("held_back_im", "Im of the own term of −H_k"),
+                ],
+                Some(index),
+            );
             rubbed = rubbed.with(self, &sums, index, back);
         }
         let part = |driven, h, rubbed, v| {
@@ -383,9 +396,22 @@ impl<S: Scalar> Chain<S> {
             part(driven.own, sums.own.h, rubbed.own, sums.own.v),
             part(driven.others, sums.others.h, rubbed.others, sums.others.v),
         );
-        let sum = named(sum, ["numerator_re", "numerator_im"], None);
+        let sum = named(
+            sum,
+            [
+                (
+                    "numerator_re",
+                    "Re of V_kH − H_kV, without the products of a mode with itself",
+                ),
+                (
+                    "numerator_im",
+                    "Im of V_kH − H_kV, without the products of a mode with itself",
+                ),
+            ],
+            None,
+        );
         let inverse_h = complex::reciprocal(contact.h, self.damped);
-        let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", None);
+        let unscale = (inverse_r * inverse_r / contact.scale).named("unscale", "1/(r²E)", None);
         complex::scale(complex::mul(sum, inverse_h, self.damped), unscale)
     }
 }

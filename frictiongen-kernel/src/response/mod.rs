@@ -7,6 +7,7 @@
 //! nor text.
 
 mod at;
+mod coefficient_types;
 pub mod coefficients;
 mod continuous;
 pub mod motion;

@@ -53,7 +53,7 @@ pub fn motion_wave<S: Float, D: Decay<S>>(
     wave.forced_slope = coefficients.fall;
     wave.free = -((decay.zeta() + decay.zeta()) * x * coefficients.fall);
     wave.forced = coefficients.forced;
-    wave.residue = coefficients.residue;
+    wave.residue = coefficients.harmonic;
     wave
 }
 

@@ -15,7 +15,7 @@ impl<S: Float> StepContact<S> for Chain<S> {
         let mut sum = [zero; 4];
         for (channel, drive) in interval.table.channels.iter().zip(&*interval.store.drive) {
             for (sum, term) in sum.iter_mut().zip(drive) {
-                *sum = *sum + channel.residue * *term;
+                *sum = *sum + channel.acceleration * *term;
             }
         }
         for term in &mut sum {

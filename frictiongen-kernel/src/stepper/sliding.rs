@@ -190,7 +190,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         let mut sum = S::constant(0.0);
         for (channel, drive) in self.table.channels.iter().zip(&*self.store.drive) {
             let now = drive.first().copied().unwrap_or(S::constant(0.0));
-            sum = sum + channel.residue * now;
+            sum = sum + channel.acceleration * now;
         }
         if self.scene.rubs_on_base() {
             let [acceleration, ..] = derived(derived(self.base));

@@ -25,7 +25,7 @@ pub struct HeldLoad<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct Channel<S> {
     /// wᵀΓ⁻¹p, the contact's acceleration per unit of the input.
-    pub residue: S,
+    pub acceleration: S,
     /// Displacement of the input's point of action per unit of displacement of the sticking contact, with the sign of
     /// [`HeldLoad::reach`].
     pub lift: S,
@@ -191,7 +191,7 @@ pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
         *entry = Channel::zero();
         for (index, mode) in dynamics.driven().iter().enumerate() {
             let load = scene.load(channel, index);
-            entry.residue = entry.residue + mode.contact * load;
+            entry.acceleration = entry.acceleration + mode.contact * load;
             entry.lift = entry.lift + load * lift(mode, pace.receptance);
         }
         if scene.is_base_velocity(channel) {
@@ -306,7 +306,7 @@ impl<S: Float> Channel<S> {
     #[must_use]
     pub fn zero() -> Self {
         Self {
-            residue: S::constant(0.0),
+            acceleration: S::constant(0.0),
             lift: S::constant(0.0),
         }
     }

@@ -1,7 +1,7 @@
 /// A spring graph with a wall spring, a second base spring and Rayleigh damping.
 ///
 /// Emitted by frictiongen 0.1.0 from scene e83b5dca6752b54f.
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -13,74 +13,104 @@
 )]
 pub struct Braced;
 /// [`Braced`] at one frequency ratio: limits, regime, continuous motion.
+///
+/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 2 modes.
 #[allow(deprecated, non_camel_case_types)]
 pub struct BracedAt(::frictiongen::kernel::response::At<Braced>);
-/// The exact continuous motion of [`Braced`] at one frequency and one friction ratio.
+/// Exact continuous motion of [`Braced`] at one frequency and one friction ratio.
 #[allow(deprecated, non_camel_case_types)]
 pub struct BracedMotion(::frictiongen::kernel::response::Continuous<Braced>);
-#[automatically_derived]
 #[allow(
     deprecated,
     non_snake_case,
     non_camel_case_types,
-    unused_imports,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::restriction
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
+    use ::core::f64::consts::PI;
     impl Braced {
-        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
             1.0284002101783678,
             1.4722068494967306,
         ];
-        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
         pub const RESONANCES: [f64; 2] = [1.0284002101783678, 1.4722068494967306];
-        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 2]; 2] = [
             [0.613271751551687, 1.2488972723454137],
             [0.7898719888366252, -0.9696677797721163],
         ];
-        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: none, as the contact does not rub on a moving base.
+        /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
+            /// a mode is damped
             damped: true,
+            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
+            /// m* = m₁/(effective mass of the contact)
             inverse_mass: 2.5,
+            /// μ, static over kinetic friction
             stiction: 1.0,
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega
         }
-        /// β = F/(k₁Y) of a kinetic friction force F; `load` is k₁Y, Y the amplitude of the base's motion.
+        /// Returns β = F/(k₁Y) of a kinetic friction force F.  `load` is k₁Y, with Y the amplitude of the base motion.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
-        /// `in_contact`: φᵀw is not 0.
+        /// Modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
+                /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
                 kind: Kind::Light,
+                /// the contact drives the mode: φᵀw is not 0
                 in_contact: true,
+                /// √λ, the frequency ratio r of the undamped resonance
                 resonance: 1.0284002101783678,
+                /// ζ, the modal damping ratio
                 zeta: 0.08921292842710984,
+                /// √|1 − ζ²|
                 q: 0.9960125769293575,
+                /// 1 − q
                 q_defect: 0.0039874230706424575,
+                /// φᵀp, with p where the load acts
                 load: 0.9254960696380404,
+                /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 1.2488972723454137,
+                /// (φᵀp)(φᵀw)
                 residue: 1.15584951693735,
+                /// (φᵀw)², the term of m*
                 inverse_mass: 1.5597443968718145,
+                /// (φᵀp)(φᵀw)/λ
                 static_residue: 1.0928913342651618,
             },
             Mode {
@@ -97,96 +127,93 @@ const _: () = {
                 static_residue: -0.24492536196720122,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
-        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
-        /// the load drives, `invisible`: those that the contact does not touch.
+        /// Constants of the steady response.
         const NUMBERS: Numbers<'static, f64> = Numbers {
+            /// modes that the load or the contact drives
             modes: &Self::MODES,
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// limits at both ends of the range of r
             ends: Ends {
+                /// β*_lim for r → 0
                 sliding_at_rest: 0.4442857142857143,
+                /// β_lim for r → ∞
                 continuous_at_infinity: 0.13425731803657878,
+                /// β*_lim for r → ∞
                 sliding_at_infinity: 0.25,
             },
+            /// index of the mass that rubs on a support
             rubbing: Some(1),
+            /// V and H may have common zeros, at which the holding force decides the limits
             absorbs: false,
+            /// undamped resonances that the load drives
             unbounded: &[],
+            /// those of them in which the contact does not move
             invisible: &[],
         };
-        /// The scene at the frequency ratio r = ω√(m₁/k₁).
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn at(r: f64) -> Result<BracedAt, OutOfDomain> {
-            At::new(Self, r).map(From::from)
-        }
-        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
-        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
-            At::limits_without_search(&Self, r)
-        }
-        /// Both limits over a slice of frequency ratios, into slices of the same length.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first NaN or negative r, after what precedes it is.
-        pub fn limits_into(
-            rs: &[f64],
-            continuous: &mut [f64],
-            sliding: &mut [f64],
-        ) -> Result<(), OutOfDomain> {
-            At::limits_into(Self, rs, continuous, sliding)
-        }
-        /// φ of `MODES`, [mass][mode].
+        /// Mode shapes φ of `MODES`, [mass][mode].
         const SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
-        /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
-        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
-        /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
-        /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2, and sin(πqx) is twice their product; `half_turns` is qx.  D is
-        /// |`nearness`|², of (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that
-        /// over |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is
-        /// uR times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
-        /// `one_minus_sinc_pi` of qx the second, without cancellation.  `reversal`, g + 2ζRu, is (1 − e²)/D + ζuR.
+        ///
+        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        ///
+        /// Operations: 56: 34 ×, 10 +, 4 sign, 4 ÷, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]
         fn damped_mode<const WITH_G: bool>(
             mode: &Mode<f64>,
             inverse_r: f64,
         ) -> ModeResponse<f64> {
+            /// x = √λ/r = 1/R
             let x = mode.resonance * inverse_r;
+            /// x² − 1
             let detuning = (x - 1.0) * (x + 1.0);
+            /// 2ζx
             let loss = 2.0 * mode.zeta * x;
+            /// |x² − 1| + 2ζx, which vanishes on the undamped resonance
             let size = Scalar::abs(detuning) + loss;
-            let decay_exponent = 3.141592653589793 * mode.zeta * x;
+            /// a = πζx
+            let decay_exponent = PI * mode.zeta * x;
+            /// exp(−a/2) − 1
             let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+            /// exp(−a/2)
             let half_decay_factor = 1.0 + half_decay_minus_one;
+            /// 1 − e
             let decay_complement = -(half_decay_minus_one * (1.0 + half_decay_factor));
+            /// e = exp(−a) with a = πζx (7.11)
             let decay_factor = half_decay_factor * half_decay_factor;
+            /// qx, the half-turns of the free motion in half a period
             let half_turns = mode.q * x;
+            /// sin(πqx/2), cos(πqx/2)
             let (sine, cosine) = Scalar::sin_cos_pi_minus(
                 x * 0.5,
                 x * (mode.q_defect * 0.5),
             );
+            /// 1 + e
             let one_plus_factor = 1.0 + decay_factor;
+            /// (1 + e) cos(πqx/2), whose square plus that of `nearness_im` is D = 1 + 2e cos(πqx) + e²
             let nearness_re = one_plus_factor * cosine;
+            /// (1 − e) sin(πqx/2)
             let nearness_im = decay_complement * sine;
+            /// 1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+            /// nearness_re·inverse_nearness
             let unit_nearness_re = nearness_re * inverse_nearness;
+            /// nearness_im·inverse_nearness
             let unit_nearness_im = nearness_im * inverse_nearness;
+            /// size/(D·inverse_nearness)
             let pole_weight = size * inverse_nearness
                 / (unit_nearness_re * unit_nearness_re
                     + unit_nearness_im * unit_nearness_im);
+            /// uR·size = (2e/q) sin(πqx)·size/D (7.11)
             let u_times_r = 4.0 / mode.q * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
+            /// uR²·size
             let u = u_times_r / x;
+            /// (g + 2ζRu)·size = ((1 − e²)/D + ζuR)·size, the term of H_c (5.63, 7.47)
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                 * pole_weight + mode.zeta * u_times_r;
+            /// g·size = (1 − e² − (2ζe/q) sin(πqx))·size/D (7.12)
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -204,11 +231,12 @@ const _: () = {
                 reversal,
             }
         }
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
+        /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
+        ///
+        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
+        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
+        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
+        /// resonance.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -218,25 +246,33 @@ const _: () = {
             let [constants_1, constants_2] = &Self::MODES;
             let mode_1 = Self::damped_mode::<WITH_G>(constants_1, inverse_r);
             let mode_2 = Self::damped_mode::<WITH_G>(constants_2, inverse_r);
+            /// E, the smallest `size` of the modes in contact
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
+            /// Re V·r²E
             let v_re = at_1.response.re * constants_1.residue
                 + at_2.response.re * constants_2.residue;
+            /// Im V·r²E
             let v_im = at_1.response.im * constants_1.residue
                 + at_2.response.im * constants_2.residue;
+            /// Re H·r²E
             let h_re = at_1.response.re * constants_1.inverse_mass
                 + at_2.response.re * constants_2.inverse_mass;
+            /// Im H·r²E
             let h_im = at_1.response.im * constants_1.inverse_mass
                 + at_2.response.im * constants_2.inverse_mass;
+            /// U·r²E
             let u = constants_1.inverse_mass * at_1.u
                 + constants_2.inverse_mass * at_2.u;
+            /// H_c·r²E
             let reversal = constants_1.inverse_mass
                 * (mode_1.reversal * (scale / mode_1.size))
                 + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
+            /// G·r²E
             let g_sum = if WITH_G {
                 constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
                     + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
@@ -254,64 +290,47 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::kernel::scene_functions!(Braced, BracedAt, f64, At);
     ::frictiongen::emitted_system!(Braced, BracedAt, f64, ["left", "right"]);
     ::frictiongen::kernel::wraps!(BracedAt, At of Braced, Copy);
     impl Scene for Braced {
-        type Scalar = f64;
-        type Decay = Damped<f64>;
-        type Modes = [ModeAt<f64>; 2];
-        type Waves = [Wave<f64, Damped<f64>>; 2];
-        #[inline]
-        fn numbers(&self) -> Numbers<'static, f64> {
-            Self::NUMBERS
-        }
-        /// φ of a mass, by modes.
+        ::frictiongen::kernel::scene_items!(f64, damped, 2);
+        /// Components of a mass in the mode shapes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             Self::SHAPES.get(mass).map(<[f64; 2]>::as_slice)
         }
-        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
-        /// Working space of the searches, and of the waves of a motion.
-        #[inline]
-        fn idle(&self) -> Self::Waves {
-            Self::MODES.map(|mode| Wave::idle(&mode))
-        }
-        /// A copy of the modes for a motion to keep.
-        #[inline]
-        fn kept(modes: &Self::Modes) -> Self::Modes {
-            *modes
-        }
-        /// All functions of the contact at 1/r, and of its modes.
-        #[inline]
-        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            Self::functions::<true>(inverse_r)
-        }
-        /// Those of the contact without G, which only a motion needs.
-        #[inline]
-        fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
-            Self::functions::<false>(inverse_r).0
-        }
-        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
+        ///
+        /// Operations: 2: 1 +, 1 ×.
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
-            contact.reversal + 2.5 * contact.scale
+            contact.reversal + Self::CHAIN.inverse_mass * contact.scale
         }
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
         /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            /// |V|·r²E
             let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
             modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 3: 2 hypot, 1 ÷.
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            /// |V|·r²E
             let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            /// |H|·r²E
             let modulus_h = Scalar::hypot(contact.h.re, contact.h.im);
             modulus_v / modulus_h
         }
@@ -321,23 +340,31 @@ const _: () = {
     );
     impl ProvidesMotion for Braced {
         type Motion = BracedMotion;
-        /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
-        /// `forced` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.  `friction_force` is β/(r²E) times a mode's φ_k(φᵀw); `friction` has
-        /// `root`, Q = √(|V|² − (βU)²) times r²E, and `amplitude`, Q − βG.
-        #[allow(unused_variables)]
+        /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
+        ///
+        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
-            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let inverse_r = at.inverse_ratio();
+            let contact = at.contact_sums();
             let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
+            /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
+            /// β/(r²E)·φ_k(φᵀw)
             let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
+            /// coefficient of cos τ − d
             let mode_1_fall = mode_1_friction_force * (mode_1.g / (mode_1.x * mode_1.x));
+            /// coefficient of (1 − d)/x²
             let mode_1_rise = mode_1_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
             let mode_1_forced = mode_1_friction_force * mode_1.u;
+            /// β/(r²E)·φ_k(φᵀw)
             let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
+            /// coefficient of cos τ − d
             let mode_2_fall = mode_2_friction_force * (mode_2.g / (mode_2.x * mode_2.x));
+            /// coefficient of (1 − d)/x²
             let mode_2_rise = mode_2_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
             let mode_2_forced = mode_2_friction_force * mode_2.u;
             let fundamental = Fundamental {
                 cosine: friction.amplitude,
@@ -355,7 +382,7 @@ const _: () = {
                         rise: mode_1_rise,
                         fall: mode_1_fall,
                         forced: mode_1_forced,
-                        residue: constants_1.inverse_mass * inverse_r * inverse_r,
+                        harmonic: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
@@ -365,75 +392,117 @@ const _: () = {
                         rise: mode_2_rise,
                         fall: mode_2_fall,
                         forced: mode_2_forced,
-                        residue: constants_2.inverse_mass * inverse_r * inverse_r,
+                        harmonic: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-        /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
-        /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-        /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
-        /// x < 1/2 the mode is mass-controlled: `mass_wave` has all of its response, so that `u_in_sum` and `offset`, else u and g, are 0
-        /// and `u_others` is all of U.
-        /// `…_in_range` is times 2²⁴ = 16777216, or over it, which keeps products within the scalar's range and cancels.  `inverse` is
-        /// 1/V by way of `unit`, V over its `size`, |re| + |im|; `turning` is V less a mode's own term, or V where that is smaller,
-        /// as a mode is in phase with its own; `in_phase_over_v` is `root` over that `size`.
-        #[allow(unused_variables)]
+        /// The motion of mass k: its fundamental component, and the coefficients of each mode.
+        ///
+        /// Of two products that would cancel, those of a mode with itself, none is computed.  A mode with x < 1/2 is
+        /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
         fn mass_motion(
             at: &At<Self>,
             friction: &Friction<f64>,
             mass: usize,
         ) -> Option<MotionOf<Self>> {
-            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let inverse_r = at.inverse_ratio();
+            let contact = at.contact_sums();
             let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
             if mass != 0 {
                 return None;
             }
+            let [shape_1, shape_2] = *Self::SHAPES.get(mass)?;
+            /// Re of the own term of V
             let mode_2_v_term_re = mode_2.response.re * constants_2.residue;
+            /// Im of the own term of V
             let mode_2_v_term_im = mode_2.response.im * constants_2.residue;
+            /// the own term of U
             let mode_2_u_term = constants_2.inverse_mass * mode_2.u;
+            /// U without the own term, or all of it for x < 1/2
             let mode_1_u_others = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
+            /// Re of the own term of V
             let mode_1_v_term_re = mode_1.response.re * constants_1.residue;
+            /// Im of the own term of V
             let mode_1_v_term_im = mode_1.response.im * constants_1.residue;
+            /// the own term of U
             let mode_1_u_term = constants_1.inverse_mass * mode_1.u;
+            /// U without the own term, or all of it for x < 1/2
             let mode_2_u_others = if mode_2.x < 0.5 { contact.u } else { mode_1_u_term };
-            let mode_1_driven_re = mode_1.response.re * 0.5675805956811232;
-            let mode_1_driven_im = mode_1.response.im * 0.5675805956811232;
+            /// φ_k(φᵀp), from the load to mass k
+            let mode_1_by_load = shape_1 * constants_1.load;
+            /// Re of the own term of V_k
+            let mode_1_driven_re = mode_1.response.re * mode_1_by_load;
+            /// Im of the own term of V_k
+            let mode_1_driven_im = mode_1.response.im * mode_1_by_load;
+            /// φ_k(φᵀw), from the contact to mass k
+            let mode_1_by_contact = shape_1 * constants_1.contact;
+            /// g·E, or 0 if the mode is mass-controlled (x < 1/2)
             let mode_1_offset = if mode_1.x < 0.5 { 0.0 } else { mode_1.g };
+            /// uR²·E, or 0 if the mode is mass-controlled (x < 1/2)
             let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-            let mode_1_rubbed_back = -(0.7659134177193961 * mode_1_u_in_sum);
+            /// the own term of −U_k
+            let mode_1_rubbed_back = -(mode_1_by_contact * mode_1_u_in_sum);
+            /// g·E/x²
             let mode_1_fall_per_force = mode_1_offset / (mode_1.x * mode_1.x);
-            let mode_2_driven_re = mode_2.response.re * 0.4324194043188768;
-            let mode_2_driven_im = mode_2.response.im * 0.4324194043188768;
+            /// φ_k(φᵀp), from the load to mass k
+            let mode_2_by_load = shape_2 * constants_2.load;
+            /// Re of the own term of V_k
+            let mode_2_driven_re = mode_2.response.re * mode_2_by_load;
+            /// Im of the own term of V_k
+            let mode_2_driven_im = mode_2.response.im * mode_2_by_load;
+            /// φ_k(φᵀw), from the contact to mass k
+            let mode_2_by_contact = shape_2 * constants_2.contact;
+            /// g·E, or 0 if the mode is mass-controlled (x < 1/2)
             let mode_2_offset = if mode_2.x < 0.5 { 0.0 } else { mode_2.g };
+            /// uR²·E, or 0 if the mode is mass-controlled (x < 1/2)
             let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
-            let mode_2_rubbed_back = -(-0.7659134177193963 * mode_2_u_in_sum);
+            /// the own term of −U_k
+            let mode_2_rubbed_back = -(mode_2_by_contact * mode_2_u_in_sum);
+            /// g·E/x²
             let mode_2_fall_per_force = mode_2_offset / (mode_2.x * mode_2.x);
+            /// Re of V_k·r²E
             let response_re = mode_1_driven_re + mode_2_driven_re;
+            /// Im of V_k·r²E
             let response_im = mode_1_driven_im + mode_2_driven_im;
+            /// Re of V_kU − U_kV, without the products of a mode with itself
             let mismatch_re = mode_1_driven_re * mode_1_u_others
                 + mode_2_v_term_re * mode_1_rubbed_back
                 + (mode_2_driven_re * mode_2_u_others
                     + mode_1_v_term_re * mode_2_rubbed_back);
+            /// Im of V_kU − U_kV, without the products of a mode with itself
             let mismatch_im = mode_1_driven_im * mode_1_u_others
                 + mode_2_v_term_im * mode_1_rubbed_back
                 + (mode_2_driven_im * mode_2_u_others
                     + mode_1_v_term_im * mode_2_rubbed_back);
+            /// Re of V·r²E, times 2²⁴ where its reciprocal could overflow
             let v_in_range_re = contact.v.re * 16777216.0;
+            /// Im of V·r²E, times 2²⁴ where its reciprocal could overflow
             let v_in_range_im = contact.v.im * 16777216.0;
-            let inverse_size = 1.0
+            /// 1/(|Re| + |Im|) of the divisor
+            let inverse_norm = 1.0
                 / (Scalar::abs(v_in_range_re) + Scalar::abs(v_in_range_im));
-            let unit_re = v_in_range_re * inverse_size;
-            let unit_im = v_in_range_im * inverse_size;
-            let inverse_modulus = inverse_size / (unit_re * unit_re + unit_im * unit_im);
+            /// Re of the divisor, over |Re| + |Im|
+            let unit_re = v_in_range_re * inverse_norm;
+            /// Im of the divisor, over |Re| + |Im|
+            let unit_im = v_in_range_im * inverse_norm;
+            /// (1/(|Re| + |Im|))/(Re² + Im²) of `unit_re`, `unit_im`
+            let inverse_modulus = inverse_norm / (unit_re * unit_re + unit_im * unit_im);
+            /// Re of the reciprocal
             let inverse_re = unit_re * inverse_modulus;
+            /// Im of the reciprocal
             let inverse_im = -(unit_im * inverse_modulus);
+            /// Q·r²E times the power of 2²⁴ that keeps products in range
             let root_in_range = friction.root * 16777216.0;
+            /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
+            /// β times the power of 2²⁴ that keeps products in range
             let beta_in_range = friction.beta * 16777216.0;
+            /// (|Re V| + |Im V|)·r²E
             let v_size = Scalar::abs(contact.v.re) + Scalar::abs(contact.v.im);
+            /// Re of V, less the own term where that is smaller
             let mode_2_turning_re = if Scalar::abs(mode_1_v_term_re)
                 + Scalar::abs(mode_1_v_term_im) < v_size
             {
@@ -441,6 +510,7 @@ const _: () = {
             } else {
                 contact.v.re
             };
+            /// Im of V, less the own term where that is smaller
             let mode_2_turning_im = if Scalar::abs(mode_1_v_term_re)
                 + Scalar::abs(mode_1_v_term_im) < v_size
             {
@@ -448,6 +518,7 @@ const _: () = {
             } else {
                 contact.v.im
             };
+            /// Re of V, less the own term where that is smaller
             let mode_1_turning_re = if Scalar::abs(mode_2_v_term_re)
                 + Scalar::abs(mode_2_v_term_im) < v_size
             {
@@ -455,6 +526,7 @@ const _: () = {
             } else {
                 contact.v.re
             };
+            /// Im of V, less the own term where that is smaller
             let mode_1_turning_im = if Scalar::abs(mode_2_v_term_re)
                 + Scalar::abs(mode_2_v_term_im) < v_size
             {
@@ -462,14 +534,23 @@ const _: () = {
             } else {
                 contact.v.im
             };
-            let in_phase_over_v = root_in_range * inverse_size;
-            let mode_1_friction_force = friction_weight * 0.7659134177193961;
+            /// Q/(|Re V| + |Im V|)
+            let in_phase_over_v = root_in_range * inverse_norm;
+            /// β/(r²E)·φ_k(φᵀw)
+            let mode_1_friction_force = friction_weight * mode_1_by_contact;
+            /// coefficient of cos τ − d
             let mode_1_fall = mode_1_friction_force * mode_1_fall_per_force;
+            /// coefficient of (1 − d)/x²
             let mode_1_rise = mode_1_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
             let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
-            let mode_2_friction_force = friction_weight * -0.7659134177193963;
+            /// β/(r²E)·φ_k(φᵀw)
+            let mode_2_friction_force = friction_weight * mode_2_by_contact;
+            /// coefficient of cos τ − d
             let mode_2_fall = mode_2_friction_force * mode_2_fall_per_force;
+            /// coefficient of (1 − d)/x²
             let mode_2_rise = mode_2_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
             let mode_2_forced = mode_2_friction_force * mode_2_u_in_sum;
             let (fundamental, waves) = (
                 Fundamental {
@@ -478,8 +559,8 @@ const _: () = {
                         + beta_in_range
                             * (mismatch_re * inverse_im + mismatch_im * inverse_re))
                         * friction.unscale
-                        + (-(0.7659134177193961 * mode_1_fall_per_force)
-                            - -0.7659134177193963 * mode_2_fall_per_force)
+                        + (-(mode_1_by_contact * mode_1_fall_per_force)
+                            - mode_2_by_contact * mode_2_fall_per_force)
                             * friction_weight,
                     sine: (beta_in_range
                         * (mismatch_re * inverse_re - mismatch_im * inverse_im)
@@ -506,7 +587,7 @@ const _: () = {
                             rise: mode_1_rise,
                             fall: mode_1_fall,
                             forced: mode_1_forced,
-                            residue: 0.7659134177193961 * inverse_r * inverse_r,
+                            harmonic: mode_1_by_contact * inverse_r * inverse_r,
                         },
                     ),
                     mass_wave(
@@ -516,7 +597,7 @@ const _: () = {
                             rise: mode_2_rise,
                             fall: mode_2_fall,
                             forced: mode_2_forced,
-                            residue: -0.7659134177193963 * inverse_r * inverse_r,
+                            harmonic: mode_2_by_contact * inverse_r * inverse_r,
                         },
                     ),
                 ],
@@ -526,14 +607,14 @@ const _: () = {
     }
     ::frictiongen::kernel::wraps!(BracedMotion, Continuous of Braced, Copy);
     impl BracedMotion {
-        /// The motion of mass `left` (5.50 and its exact form, 7.29).
+        /// Motion of mass `left` (5.50 and its exact form, 7.29).
         #[must_use]
         pub fn left(&self) -> MotionOf<Braced> {
             self.mass(0)
         }
-        /// The motion of mass `right` (5.50 and its exact form, 7.29).
+        /// Motion of mass `right` (5.50 and its exact form, 7.29).
         ///
-        /// It rubs on a support at rest: its motion is the contact's.
+        /// It rubs on a support at rest, so its motion is that of the contact.
         #[must_use]
         pub fn right(&self) -> MotionOf<Braced> {
             self.contact()

@@ -1,7 +1,7 @@
 /// Two masses while their contact is stuck, to a hundredth.
 ///
 /// Emitted by frictiongen 0.1.0 from scene 3a27ff1f80224919.
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -13,71 +13,101 @@
 )]
 pub struct DeclaredStuck;
 /// [`DeclaredStuck`] at one frequency ratio: limits, regime, stuck response.
+///
+/// Worst case: the operations of `tabled_limit` and `tabled_sliding_limit`.
 #[allow(deprecated, non_camel_case_types)]
 pub struct DeclaredStuckAt(::frictiongen::kernel::table::Compiled<DeclaredStuck>);
-/// The response of [`DeclaredStuck`] at one frequency ratio while its contact is stuck.
+/// Response of [`DeclaredStuck`] at one frequency ratio while its contact is stuck.
 #[allow(deprecated, non_camel_case_types)]
 pub struct DeclaredStuckStuck(::frictiongen::kernel::table::Sticking<DeclaredStuck>);
-#[automatically_derived]
 #[allow(
     deprecated,
     non_snake_case,
     non_camel_case_types,
-    unused_imports,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::restriction
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
+    use ::core::f32::consts::PI;
     impl DeclaredStuck {
-        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f32; 2] = [0.618034, 1.618034];
-        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
         pub const RESONANCES: [f32; 2] = [0.618034, 1.618034];
-        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
         pub const MODE_SHAPES: [[f32; 2]; 2] = [
             [0.5257311, 0.8506508],
             [0.8506508, -0.5257311],
         ];
-        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: none, as the contact does not rub on a moving base.
+        /// Constants of the chain.
         const CHAIN: Chain<f32> = Chain {
+            /// a mode is damped
             damped: true,
+            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
+            /// m* = m₁/(effective mass of the contact)
             inverse_mass: 2.0,
+            /// μ, static over kinetic friction
             stiction: 1.0,
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f32) -> f32 {
             omega
         }
-        /// β = F/(k₁Y) of a kinetic friction force F; `load` is k₁Y, Y the amplitude of the base's motion.
+        /// Returns β = F/(k₁Y) of a kinetic friction force F.  `load` is k₁Y, with Y the amplitude of the base motion.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
             friction / load
         }
-        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
-        /// `in_contact`: φᵀw is not 0.
+        /// Modes that the load or the contact drives.
         const MODES: [Mode<f32>; 2] = [
             Mode {
+                /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
                 kind: Kind::Light,
+                /// the contact drives the mode: φᵀw is not 0
                 in_contact: true,
+                /// √λ, the frequency ratio r of the undamped resonance
                 resonance: 0.618034,
+                /// ζ, the modal damping ratio
                 zeta: 0.05,
+                /// √|1 − ζ²|
                 q: 0.9987492,
+                /// 1 − q
                 q_defect: 0.0012507823,
+                /// φᵀp, with p where the load acts
                 load: 0.5257311,
+                /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.3249197,
+                /// (φᵀp)(φᵀw)
                 residue: 0.1708204,
+                /// (φᵀw)², the term of m*
                 inverse_mass: 0.10557281,
+                /// (φᵀp)(φᵀw)/λ
                 static_residue: 0.4472136,
             },
             Mode {
@@ -94,96 +124,93 @@ const _: () = {
                 static_residue: -0.4472136,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
-        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
-        /// the load drives, `invisible`: those that the contact does not touch.
+        /// Constants of the steady response.
         const NUMBERS: Numbers<'static, f32> = Numbers {
+            /// modes that the load or the contact drives
             modes: &Self::MODES,
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// limits at both ends of the range of r
             ends: Ends {
+                /// β*_lim for r → 0
                 sliding_at_rest: 0.0,
+                /// β_lim for r → ∞
                 continuous_at_infinity: 0.26851463,
+                /// β*_lim for r → ∞
                 sliding_at_infinity: 0.5,
             },
+            /// index of the mass that rubs on a support
             rubbing: None,
+            /// V and H may have common zeros, at which the holding force decides the limits
             absorbs: false,
+            /// undamped resonances that the load drives
             unbounded: &[],
+            /// those of them in which the contact does not move
             invisible: &[],
         };
-        /// The scene at the frequency ratio r = ω√(m₁/k₁), to the declared accuracy.
-        ///
-        /// # Errors
-        /// `OutOfDomain` beyond the declared range, and for NaN.
-        #[inline]
-        pub fn at(r: f32) -> Result<DeclaredStuckAt, OutOfDomain> {
-            Compiled::new(Self, r).map(From::from)
-        }
-        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
-        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn limits_without_search(r: f32) -> Result<Limits<f32>, OutOfDomain> {
-            At::limits_without_search(&Self, r)
-        }
-        /// Both limits over a slice of frequency ratios, into slices of the same length.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first r out of the domain, as of `at`, after what precedes it is.
-        pub fn limits_into(
-            rs: &[f32],
-            continuous: &mut [f32],
-            sliding: &mut [f32],
-        ) -> Result<(), OutOfDomain> {
-            Compiled::limits_into(Self, rs, continuous, sliding)
-        }
-        /// φ of `MODES`, [mass][mode].
+        /// Mode shapes φ of `MODES`, [mass][mode].
         const SHAPES: [[f32; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
-        /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
-        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
-        /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
-        /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2, and sin(πqx) is twice their product; `half_turns` is qx.  D is
-        /// |`nearness`|², of (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that
-        /// over |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is
-        /// uR times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
-        /// `one_minus_sinc_pi` of qx the second, without cancellation.  `reversal`, g + 2ζRu, is (1 − e²)/D + ζuR.
+        ///
+        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        ///
+        /// Operations: 56: 34 ×, 10 +, 4 sign, 4 ÷, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]
         fn damped_mode<const WITH_G: bool>(
             mode: &Mode<f32>,
             inverse_r: f32,
         ) -> ModeResponse<f32> {
+            /// x = √λ/r = 1/R
             let x = mode.resonance * inverse_r;
+            /// x² − 1
             let detuning = (x - 1.0) * (x + 1.0);
+            /// 2ζx
             let loss = 2.0 * mode.zeta * x;
+            /// |x² − 1| + 2ζx, which vanishes on the undamped resonance
             let size = Scalar::abs(detuning) + loss;
-            let decay_exponent = 3.1415927 * mode.zeta * x;
+            /// a = πζx
+            let decay_exponent = PI * mode.zeta * x;
+            /// exp(−a/2) − 1
             let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+            /// exp(−a/2)
             let half_decay_factor = 1.0 + half_decay_minus_one;
+            /// 1 − e
             let decay_complement = -(half_decay_minus_one * (1.0 + half_decay_factor));
+            /// e = exp(−a) with a = πζx (7.11)
             let decay_factor = half_decay_factor * half_decay_factor;
+            /// qx, the half-turns of the free motion in half a period
             let half_turns = mode.q * x;
+            /// sin(πqx/2), cos(πqx/2)
             let (sine, cosine) = Scalar::sin_cos_pi_minus(
                 x * 0.5,
                 x * (mode.q_defect * 0.5),
             );
+            /// 1 + e
             let one_plus_factor = 1.0 + decay_factor;
+            /// (1 + e) cos(πqx/2), whose square plus that of `nearness_im` is D = 1 + 2e cos(πqx) + e²
             let nearness_re = one_plus_factor * cosine;
+            /// (1 − e) sin(πqx/2)
             let nearness_im = decay_complement * sine;
+            /// 1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+            /// nearness_re·inverse_nearness
             let unit_nearness_re = nearness_re * inverse_nearness;
+            /// nearness_im·inverse_nearness
             let unit_nearness_im = nearness_im * inverse_nearness;
+            /// size/(D·inverse_nearness)
             let pole_weight = size * inverse_nearness
                 / (unit_nearness_re * unit_nearness_re
                     + unit_nearness_im * unit_nearness_im);
+            /// uR·size = (2e/q) sin(πqx)·size/D (7.11)
             let u_times_r = 4.0 / mode.q * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
+            /// uR²·size
             let u = u_times_r / x;
+            /// (g + 2ζRu)·size = ((1 − e²)/D + ζuR)·size, the term of H_c (5.63, 7.47)
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                 * pole_weight + mode.zeta * u_times_r;
+            /// g·size = (1 − e² − (2ζe/q) sin(πqx))·size/D (7.12)
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -201,11 +228,12 @@ const _: () = {
                 reversal,
             }
         }
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
+        /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
+        ///
+        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
+        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
+        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
+        /// resonance.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -215,25 +243,33 @@ const _: () = {
             let [constants_1, constants_2] = &Self::MODES;
             let mode_1 = Self::damped_mode::<WITH_G>(constants_1, inverse_r);
             let mode_2 = Self::damped_mode::<WITH_G>(constants_2, inverse_r);
+            /// E, the smallest `size` of the modes in contact
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
+            /// Re V·r²E
             let v_re = at_1.response.re * constants_1.residue
                 + at_2.response.re * constants_2.residue;
+            /// Im V·r²E
             let v_im = at_1.response.im * constants_1.residue
                 + at_2.response.im * constants_2.residue;
+            /// Re H·r²E
             let h_re = at_1.response.re * constants_1.inverse_mass
                 + at_2.response.re * constants_2.inverse_mass;
+            /// Im H·r²E
             let h_im = at_1.response.im * constants_1.inverse_mass
                 + at_2.response.im * constants_2.inverse_mass;
+            /// U·r²E
             let u = constants_1.inverse_mass * at_1.u
                 + constants_2.inverse_mass * at_2.u;
+            /// H_c·r²E
             let reversal = constants_1.inverse_mass
                 * (mode_1.reversal * (scale / mode_1.size))
                 + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
+            /// G·r²E
             let g_sum = if WITH_G {
                 constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
                     + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
@@ -250,17 +286,248 @@ const _: () = {
             };
             (contact, modes)
         }
+    }
+    ::frictiongen::kernel::scene_functions!(
+        DeclaredStuck, DeclaredStuckAt, f32, Compiled
+    );
+    ::frictiongen::emitted_system!(
+        DeclaredStuck, DeclaredStuckAt, f32, ["lower", "upper"]
+    );
+    ::frictiongen::kernel::wraps!(
+        DeclaredStuckAt, Compiled of tabled DeclaredStuck, Copy
+    );
+    impl Scene for DeclaredStuck {
+        ::frictiongen::kernel::scene_items!(f32, damped, 2);
+        /// Components of a mass in the mode shapes.
+        #[inline]
+        fn shape(&self, mass: usize) -> Option<&[f32]> {
+            Self::SHAPES.get(mass).map(<[f32; 2]>::as_slice)
+        }
+        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+        #[inline]
+        fn inverse_ratio_range(&self) -> (f32, f32) {
+            (8.881784e-16, 1125899900000000.0)
+        }
+        /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
+        ///
+        /// Operations: 2: 1 +, 1 ×.
+        #[inline]
+        fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
+            contact.reversal + Self::CHAIN.inverse_mass * contact.scale
+        }
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
+        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// `constraint` is r²E times that maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
+        #[inline]
+        fn continuous_limit(&self, contact: &ContactAt<f32>, constraint: f32) -> f32 {
+            /// |V|·r²E
+            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 3: 2 hypot, 1 ÷.
+        #[inline]
+        fn sliding_limit(&self, contact: &ContactAt<f32>) -> f32 {
+            /// |V|·r²E
+            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            /// |H|·r²E
+            let modulus_h = Scalar::hypot(contact.h.re, contact.h.im);
+            modulus_v / modulus_h
+        }
+    }
+    impl Tabled for DeclaredStuck {
+        /// Where the tables hold.
+        #[inline]
+        fn domain(&self) -> Domain<f32> {
+            Domain {
+                r: (0.5, 2.0),
+                beta: (0.0, f32::INFINITY),
+                exact_beyond: false,
+                always_continuous: false,
+                never_stuck: false,
+            }
+        }
+        /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.
+        ///
+        /// Proven at every r: at most 9.61e-3 off, the bound being largest at r = 1.211608857948407.
+        ///
+        /// Operations at every r: a lookup of 2 comparisons, 10 additions and multiplications.
+        #[inline]
+        fn tabled_limit(&self, r: f32) -> f32 {
+            Self::TABLE.first(r)
+        }
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Proven at every r: at most 7.64e-7 off, the bound being largest at r = 1.6766069646300692.
+        ///
+        /// Operations: 15 additions and multiplications, 1 divisions, 1 roots.
+        #[inline]
+        fn tabled_sliding_limit(&self, r: f32) -> Option<f32> {
+            Some(Self::SLIDING_LIMIT.size(r))
+        }
+    }
+    ::frictiongen::kernel::not_provided!(
+        DeclaredStuckAt : motion, orbit; DeclaredStuck : simulation, stepper
+    );
+    impl ProvidesStuck for DeclaredStuck {
+        type Stuck = Stuck<Self>;
+        /// x̄* = (V_kH − H_kV)/H, the complex amplitude of mass k (6.11, 6.27, 6.33).
+        #[inline]
+        fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f32>> {
+            let inverse_r = at.inverse_ratio();
+            let contact = at.contact_sums();
+            let [constants_1, constants_2] = &Self::MODES;
+            let [mode_1, mode_2] = at.modes();
+            let [shape_1, shape_2] = *Self::SHAPES.get(mass)?;
+            /// Re of the own term of H
+            let mode_2_h_term_re = mode_2.response.re * constants_2.inverse_mass;
+            /// Im of the own term of H
+            let mode_2_h_term_im = mode_2.response.im * constants_2.inverse_mass;
+            /// Re of the own term of V
+            let mode_2_v_term_re = mode_2.response.re * constants_2.residue;
+            /// Im of the own term of V
+            let mode_2_v_term_im = mode_2.response.im * constants_2.residue;
+            /// Re of the own term of H
+            let mode_1_h_term_re = mode_1.response.re * constants_1.inverse_mass;
+            /// Im of the own term of H
+            let mode_1_h_term_im = mode_1.response.im * constants_1.inverse_mass;
+            /// Re of the own term of V
+            let mode_1_v_term_re = mode_1.response.re * constants_1.residue;
+            /// Im of the own term of V
+            let mode_1_v_term_im = mode_1.response.im * constants_1.residue;
+            /// φ_k(φᵀp), from the load to mass k
+            let mode_1_by_load = shape_1 * constants_1.load;
+            /// Re of the own term of V_k
+            let mode_1_driven_re = mode_1.response.re * mode_1_by_load;
+            /// Im of the own term of V_k
+            let mode_1_driven_im = mode_1.response.im * mode_1_by_load;
+            /// φ_k(φᵀw), from the contact to mass k
+            let mode_1_by_contact = shape_1 * constants_1.contact;
+            let value = -mode_1_by_contact;
+            /// Re of the own term of −H_k
+            let mode_1_held_back_re = mode_1.response.re * value;
+            /// Im of the own term of −H_k
+            let mode_1_held_back_im = mode_1.response.im * value;
+            /// φ_k(φᵀp), from the load to mass k
+            let mode_2_by_load = shape_2 * constants_2.load;
+            /// Re of the own term of V_k
+            let mode_2_driven_re = mode_2.response.re * mode_2_by_load;
+            /// Im of the own term of V_k
+            let mode_2_driven_im = mode_2.response.im * mode_2_by_load;
+            /// φ_k(φᵀw), from the contact to mass k
+            let mode_2_by_contact = shape_2 * constants_2.contact;
+            let value_2 = -mode_2_by_contact;
+            /// Re of the own term of −H_k
+            let mode_2_held_back_re = mode_2.response.re * value_2;
+            /// Im of the own term of −H_k
+            let mode_2_held_back_im = mode_2.response.im * value_2;
+            /// Re of V_kH − H_kV, without the products of a mode with itself
+            let numerator_re = mode_1_driven_re * mode_2_h_term_re
+                - mode_1_driven_im * mode_2_h_term_im
+                + (mode_1_held_back_re * mode_2_v_term_re
+                    - mode_1_held_back_im * mode_2_v_term_im)
+                + (mode_2_driven_re * mode_1_h_term_re
+                    - mode_2_driven_im * mode_1_h_term_im
+                    + (mode_2_held_back_re * mode_1_v_term_re
+                        - mode_2_held_back_im * mode_1_v_term_im));
+            /// Im of V_kH − H_kV, without the products of a mode with itself
+            let numerator_im = mode_1_driven_re * mode_2_h_term_im
+                + mode_1_driven_im * mode_2_h_term_re
+                + (mode_1_held_back_re * mode_2_v_term_im
+                    + mode_1_held_back_im * mode_2_v_term_re)
+                + (mode_2_driven_re * mode_1_h_term_im
+                    + mode_2_driven_im * mode_1_h_term_re
+                    + (mode_2_held_back_re * mode_1_v_term_im
+                        + mode_2_held_back_im * mode_1_v_term_re));
+            /// 1/(|Re| + |Im|) of the divisor
+            let inverse_norm = 1.0
+                / (Scalar::abs(contact.h.re) + Scalar::abs(contact.h.im));
+            /// Re of the divisor, over |Re| + |Im|
+            let unit_re = contact.h.re * inverse_norm;
+            /// Im of the divisor, over |Re| + |Im|
+            let unit_im = contact.h.im * inverse_norm;
+            /// (1/(|Re| + |Im|))/(Re² + Im²) of `unit_re`, `unit_im`
+            let inverse_modulus = inverse_norm / (unit_re * unit_re + unit_im * unit_im);
+            /// Re of the reciprocal
+            let inverse_re = unit_re * inverse_modulus;
+            /// Im of the reciprocal
+            let inverse_im = -(unit_im * inverse_modulus);
+            /// 1/(r²E)
+            let unscale = inverse_r * inverse_r / contact.scale;
+            Some(Complex {
+                re: (numerator_re * inverse_re - numerator_im * inverse_im) * unscale,
+                im: (numerator_re * inverse_im + numerator_im * inverse_re) * unscale,
+            })
+        }
+    }
+    ::frictiongen::kernel::wraps!(
+        DeclaredStuckStuck, Sticking of tabled DeclaredStuck, Copy
+    );
+    impl DeclaredStuckStuck {
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `lower` over Y (6.11, 6.27, 6.33).
+        #[must_use]
+        pub fn lower(&self) -> Complex<f32> {
+            self.mass(0)
+        }
+        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `upper` over Y (6.11, 6.27, 6.33).
+        #[must_use]
+        pub fn upper(&self) -> Complex<f32> {
+            self.mass(1)
+        }
+    }
+    impl TabledStuck for DeclaredStuck {
+        type Sticking = DeclaredStuckStuck;
+        #[inline]
+        fn holds_stuck(&self) -> bool {
+            true
+        }
+        #[inline]
+        fn stuck_resonances(&self) -> &[f32] {
+            &[]
+        }
+        /// x̄* = V_k − H_kV/H (6.11, 6.27, 6.33) of each mass, as a product over its zeros and poles.
+        ///
+        /// Checked at 219 points, not proven: largest error 2.1e-7 of the modulus, at r = 1.5501099824905396.
+        ///
+        /// Operations: at most 22 additions and multiplications, 2 divisions; all masses and the force hold 36 bytes.
+        #[inline]
+        fn tabled_stuck(&self, mass: usize, r: f32) -> Option<Complex<f32>> {
+            match mass {
+                0 => Some(Self::STUCK_1.value(r)),
+                1 => Some(Self::STUCK_2.value(r)),
+                _ => None,
+            }
+        }
+        /// V/H, the force that holds the contact, in the same way.
+        ///
+        /// Operations: 28 additions and multiplications, 2 divisions.
+        #[inline]
+        fn tabled_holding_force(&self, r: f32) -> Option<Complex<f32>> {
+            Some(Self::STUCK_FORCE.value(r))
+        }
+    }
+    /// Tables: numbers alone, apart from the code that reads them.
+    impl DeclaredStuck {
         /// β_lim over r from 0.5 to 2, to 1e-2:
-        /// 8 pieces of degree 3, each Σ coefficients[j]·(r − origin)^j, and 32 buckets of 1/density; with β*_lim 252 bytes.
+        /// 8 pieces of degree 3 and 32 buckets; with β*_lim 252 bytes.
         /// Largest error 6.9e-3, at r = 0.6490328311920166: checked at 844 points that the fit did not see.
+        /// 83 numbers; CRC-32 of their text, joined by commas: 811c7668.
         const TABLE: Table<'static, f32, ::core::primitive::u8, 1, 4> = Table {
+            /// where the first bucket begins
             low: 0.5,
+            /// buckets per unit of r
             density: 21.333332,
+            /// comparisons that find the piece of r in its bucket
             halvings: 2,
+            /// the first piece of each bucket
             buckets: &[
                 0, 3, 4, 5, 5, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 7, 7, 7, 7, 7, 7, 7,
                 7, 7, 7, 7, 7, 7, 7, 7,
             ],
+            /// from the r `from` on, each function is Σ coefficients[j]·(r − origin)^j
             pieces: &[
                 Piece {
                     from: 0.5,
@@ -306,6 +573,9 @@ const _: () = {
         };
         /// β*_lim as a product over its zeros and poles: `Zero` is (r − at − rest)(r + at), `Pair`
         /// (that + off)² + least, `Real` r² + off.
+        ///
+        /// Largest error 2.1e-7 at the points of the check.
+        /// 7 numbers; CRC-32 of their text, joined by commas: dd68157a.
         const SLIDING_LIMIT: Quotient<'static, f32> = Quotient {
             gain: 0.5,
             squared: true,
@@ -320,6 +590,7 @@ const _: () = {
             ],
         };
         /// Poles of the responses while the contact is stuck, factors of s = ir: `Pair` is off − (r − at − rest)(r + at) + i·rate·r, `Real` rate + ir.
+        /// 4 numbers; CRC-32 of their text, joined by commas: 81b9a5ac.
         const STUCK_POLES: [Root<f32>; 1] = [
             Root::Pair {
                 at: 0.7064279,
@@ -328,276 +599,29 @@ const _: () = {
                 rate: 0.061957426,
             },
         ];
-    }
-    ::frictiongen::emitted_system!(
-        DeclaredStuck, DeclaredStuckAt, f32, ["lower", "upper"]
-    );
-    ::frictiongen::kernel::wraps!(
-        DeclaredStuckAt, Compiled of tabled DeclaredStuck, Copy
-    );
-    impl Scene for DeclaredStuck {
-        type Scalar = f32;
-        type Decay = Damped<f32>;
-        type Modes = [ModeAt<f32>; 2];
-        type Waves = [Wave<f32, Damped<f32>>; 2];
-        #[inline]
-        fn numbers(&self) -> Numbers<'static, f32> {
-            Self::NUMBERS
-        }
-        /// φ of a mass, by modes.
-        #[inline]
-        fn shape(&self, mass: usize) -> Option<&[f32]> {
-            Self::SHAPES.get(mass).map(<[f32; 2]>::as_slice)
-        }
-        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
-        #[inline]
-        fn inverse_ratio_range(&self) -> (f32, f32) {
-            (8.881784e-16, 1125899900000000.0)
-        }
-        /// Working space of the searches, and of the waves of a motion.
-        #[inline]
-        fn idle(&self) -> Self::Waves {
-            Self::MODES.map(|mode| Wave::idle(&mode))
-        }
-        /// A copy of the modes for a motion to keep.
-        #[inline]
-        fn kept(modes: &Self::Modes) -> Self::Modes {
-            *modes
-        }
-        /// All functions of the contact at 1/r, and of its modes.
-        #[inline]
-        fn frequency_stage(&self, inverse_r: f32) -> (ContactAt<f32>, [ModeAt<f32>; 2]) {
-            Self::functions::<true>(inverse_r)
-        }
-        /// Those of the contact without G, which only a motion needs.
-        #[inline]
-        fn contact_without_g(&self, inverse_r: f32) -> ContactAt<f32> {
-            Self::functions::<false>(inverse_r).0
-        }
-        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
-        #[inline]
-        fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
-            contact.reversal + 2.0 * contact.scale
-        }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
-        /// `constraint` is r²E times that maximum.
-        #[inline]
-        fn continuous_limit(&self, contact: &ContactAt<f32>, constraint: f32) -> f32 {
-            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
-            modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
-        }
-        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
-        #[inline]
-        fn sliding_limit(&self, contact: &ContactAt<f32>) -> f32 {
-            let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
-            let modulus_h = Scalar::hypot(contact.h.re, contact.h.im);
-            modulus_v / modulus_h
-        }
-    }
-    impl Tabled for DeclaredStuck {
-        /// Where the tables hold.
-        #[inline]
-        fn domain(&self) -> Domain<f32> {
-            Domain {
-                r: (0.5, 2.0),
-                beta: (0.0, ::core::f32::INFINITY),
-                exact_beyond: false,
-                always_continuous: false,
-                never_stuck: false,
-            }
-        }
-        /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.
-        ///
-        /// Proven at every r: at most 9.61e-3 off, the bound being largest at r = 1.211608857948407.
-        ///
-        /// Operations at every r: a lookup of 2 comparisons, 10 additions and multiplications.
-        #[inline]
-        fn tabled_limit(&self, r: f32) -> f32 {
-            Self::TABLE.first(r)
-        }
-        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
-        ///
-        /// Proven at every r: at most 7.64e-7 off, the bound being largest at r = 1.6766069646300692.
-        ///
-        /// Operations: 15 additions and multiplications, 1 divisions, 1 roots; largest error seen 2.1e-7.
-        #[inline]
-        fn tabled_sliding_limit(&self, r: f32) -> Option<f32> {
-            Some(Self::SLIDING_LIMIT.size(r))
-        }
-    }
-    ::frictiongen::kernel::not_provided!(
-        DeclaredStuckAt : motion, orbit; DeclaredStuck : simulation, stepper
-    );
-    impl ProvidesStuck for DeclaredStuck {
-        type Stuck = Stuck<Self>;
-        /// x̄* = (V_kH − H_kV)/H: `numerator` has each mode's products with the others, as those with itself would cancel.
-        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H; `inverse` is 1/H, `unscale` 1/(r²E).
-        #[allow(unused_variables)]
-        #[inline]
-        fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f32>> {
-            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
-            let [constants_1, constants_2] = &Self::MODES;
-            let [mode_1, mode_2] = at.modes();
-            let mode_2_h_term_re = mode_2.response.re * constants_2.inverse_mass;
-            let mode_2_h_term_im = mode_2.response.im * constants_2.inverse_mass;
-            let mode_2_v_term_re = mode_2.response.re * constants_2.residue;
-            let mode_2_v_term_im = mode_2.response.im * constants_2.residue;
-            let mode_1_h_term_re = mode_1.response.re * constants_1.inverse_mass;
-            let mode_1_h_term_im = mode_1.response.im * constants_1.inverse_mass;
-            let mode_1_v_term_re = mode_1.response.re * constants_1.residue;
-            let mode_1_v_term_im = mode_1.response.im * constants_1.residue;
-            let inverse_size = 1.0
-                / (Scalar::abs(contact.h.re) + Scalar::abs(contact.h.im));
-            let unit_re = contact.h.re * inverse_size;
-            let unit_im = contact.h.im * inverse_size;
-            let inverse_modulus = inverse_size / (unit_re * unit_re + unit_im * unit_im);
-            let inverse_re = unit_re * inverse_modulus;
-            let inverse_im = -(unit_im * inverse_modulus);
-            let unscale = inverse_r * inverse_r / contact.scale;
-            Some(
-                match mass {
-                    0 => {
-                        let mode_1_driven_re = mode_1.response.re * 0.27639318;
-                        let mode_1_driven_im = mode_1.response.im * 0.27639318;
-                        let mode_1_held_back_re = mode_1.response.re * -0.17082039;
-                        let mode_1_held_back_im = mode_1.response.im * -0.17082039;
-                        let mode_2_driven_re = mode_2.response.re * 0.72360677;
-                        let mode_2_driven_im = mode_2.response.im * 0.72360677;
-                        let mode_2_held_back_re = mode_2.response.re * 1.1708204;
-                        let mode_2_held_back_im = mode_2.response.im * 1.1708204;
-                        let numerator_re = mode_1_driven_re * mode_2_h_term_re
-                            - mode_1_driven_im * mode_2_h_term_im
-                            + (mode_1_held_back_re * mode_2_v_term_re
-                                - mode_1_held_back_im * mode_2_v_term_im)
-                            + (mode_2_driven_re * mode_1_h_term_re
-                                - mode_2_driven_im * mode_1_h_term_im
-                                + (mode_2_held_back_re * mode_1_v_term_re
-                                    - mode_2_held_back_im * mode_1_v_term_im));
-                        let numerator_im = mode_1_driven_re * mode_2_h_term_im
-                            + mode_1_driven_im * mode_2_h_term_re
-                            + (mode_1_held_back_re * mode_2_v_term_im
-                                + mode_1_held_back_im * mode_2_v_term_re)
-                            + (mode_2_driven_re * mode_1_h_term_im
-                                + mode_2_driven_im * mode_1_h_term_re
-                                + (mode_2_held_back_re * mode_1_v_term_im
-                                    + mode_2_held_back_im * mode_1_v_term_re));
-                        Complex {
-                            re: (numerator_re * inverse_re - numerator_im * inverse_im)
-                                * unscale,
-                            im: (numerator_re * inverse_im + numerator_im * inverse_re)
-                                * unscale,
-                        }
-                    }
-                    1 => {
-                        let mode_1_driven_re = mode_1.response.re * 0.44721356;
-                        let mode_1_driven_im = mode_1.response.im * 0.44721356;
-                        let mode_1_held_back_re = mode_1.response.re * -0.2763932;
-                        let mode_1_held_back_im = mode_1.response.im * -0.2763932;
-                        let mode_2_driven_re = mode_2.response.re * -0.44721356;
-                        let mode_2_driven_im = mode_2.response.im * -0.44721356;
-                        let mode_2_held_back_re = mode_2.response.re * -0.72360677;
-                        let mode_2_held_back_im = mode_2.response.im * -0.72360677;
-                        let numerator_re = mode_1_driven_re * mode_2_h_term_re
-                            - mode_1_driven_im * mode_2_h_term_im
-                            + (mode_1_held_back_re * mode_2_v_term_re
-                                - mode_1_held_back_im * mode_2_v_term_im)
-                            + (mode_2_driven_re * mode_1_h_term_re
-                                - mode_2_driven_im * mode_1_h_term_im
-                                + (mode_2_held_back_re * mode_1_v_term_re
-                                    - mode_2_held_back_im * mode_1_v_term_im));
-                        let numerator_im = mode_1_driven_re * mode_2_h_term_im
-                            + mode_1_driven_im * mode_2_h_term_re
-                            + (mode_1_held_back_re * mode_2_v_term_im
-                                + mode_1_held_back_im * mode_2_v_term_re)
-                            + (mode_2_driven_re * mode_1_h_term_im
-                                + mode_2_driven_im * mode_1_h_term_re
-                                + (mode_2_held_back_re * mode_1_v_term_im
-                                    + mode_2_held_back_im * mode_1_v_term_re));
-                        Complex {
-                            re: (numerator_re * inverse_re - numerator_im * inverse_im)
-                                * unscale,
-                            im: (numerator_re * inverse_im + numerator_im * inverse_re)
-                                * unscale,
-                        }
-                    }
-                    _ => return None,
-                },
-            )
-        }
-    }
-    ::frictiongen::kernel::wraps!(
-        DeclaredStuckStuck, Sticking of tabled DeclaredStuck, Copy
-    );
-    impl DeclaredStuckStuck {
-        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `lower` over Y (6.11, 6.27, 6.33).
-        #[must_use]
-        pub fn lower(&self) -> Complex<f32> {
-            self.mass(0)
-        }
-        /// x̄* = V_k − H_kV/H, the complex amplitude of mass `upper` over Y (6.11, 6.27, 6.33).
-        #[must_use]
-        pub fn upper(&self) -> Complex<f32> {
-            self.mass(1)
-        }
-    }
-    impl TabledStuck for DeclaredStuck {
-        type Sticking = DeclaredStuckStuck;
-        #[inline]
-        fn holds_stuck(&self) -> bool {
-            true
-        }
-        #[inline]
-        fn stuck_resonances(&self) -> &[f32] {
-            &[]
-        }
-        /// x̄* = V_k − H_kV/H (6.11, 6.27, 6.33) of each mass, as a product over its zeros and poles.
-        ///
-        /// Checked at 219 points, not proven: largest error 2.1e-7 of the modulus, at r = 1.5501099824905396.
-        ///
-        /// Operations: at most 22 additions and multiplications, 2 divisions; all masses and the force hold 36 bytes.
-        #[inline]
-        fn tabled_stuck(&self, mass: usize, r: f32) -> Option<Complex<f32>> {
-            match mass {
-                0 => {
-                    Some(
-                        HeldResponse::Damped(Transfer {
-                                gain: 0.5,
-                                numerator: &[],
-                                denominator: &Self::STUCK_POLES,
-                            })
-                            .value(r),
-                    )
-                }
-                1 => {
-                    Some(
-                        HeldResponse::Damped(Transfer {
-                                gain: 0.5,
-                                numerator: &[],
-                                denominator: &Self::STUCK_POLES,
-                            })
-                            .value(r),
-                    )
-                }
-                _ => None,
-            }
-        }
-        /// V/H, the force that holds the contact, in the same way.
-        ///
-        /// Operations: 28 additions and multiplications, 2 divisions.
-        #[inline]
-        fn tabled_holding_force(&self, r: f32) -> Option<Complex<f32>> {
-            Some(
-                HeldResponse::Damped(Transfer {
-                        gain: -0.5,
-                        numerator: &[
-                            Root::Real { rate: 6.886283e-32 },
-                            Root::Real { rate: 0.061304953 },
-                        ],
-                        denominator: &Self::STUCK_POLES,
-                    })
-                    .value(r),
-            )
-        }
+        /// Stuck response of mass `lower` over r.
+        /// 1 numbers; CRC-32 of their text, joined by commas: 869ef18d.
+        const STUCK_1: HeldResponse<'static, f32> = HeldResponse::Damped(Transfer {
+            gain: 0.5,
+            numerator: &[],
+            denominator: &Self::STUCK_POLES,
+        });
+        /// Stuck response of mass `upper` over r.
+        /// 1 numbers; CRC-32 of their text, joined by commas: 869ef18d.
+        const STUCK_2: HeldResponse<'static, f32> = HeldResponse::Damped(Transfer {
+            gain: 0.5,
+            numerator: &[],
+            denominator: &Self::STUCK_POLES,
+        });
+        /// V/H over r, the force that holds the contact.
+        /// 3 numbers; CRC-32 of their text, joined by commas: 43cfdd91.
+        const STUCK_FORCE: HeldResponse<'static, f32> = HeldResponse::Damped(Transfer {
+            gain: -0.5,
+            numerator: &[
+                Root::Real { rate: 6.886283e-32 },
+                Root::Real { rate: 0.061304953 },
+            ],
+            denominator: &Self::STUCK_POLES,
+        });
     }
 };

@@ -1,7 +1,7 @@
 /// Five masses, damped: sums over modes are calls, the frequency stage is straight lines.
 ///
 /// Emitted by frictiongen 0.1.0 from scene fea12f32a4a7d13c.
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -13,30 +13,49 @@
 )]
 pub struct Five;
 /// [`Five`] at one frequency ratio: limits, regime, continuous motion, stuck response.
+///
+/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 5 modes.
 #[allow(deprecated, non_camel_case_types)]
 pub struct FiveAt(::frictiongen::kernel::response::At<Five>);
-/// The exact continuous motion of [`Five`] at one frequency and one friction ratio.
+/// Exact continuous motion of [`Five`] at one frequency and one friction ratio.
 #[allow(deprecated, non_camel_case_types)]
 pub struct FiveMotion(::frictiongen::kernel::response::Continuous<Five>);
-/// The response of [`Five`] at one frequency ratio while its contact is stuck.
+/// Response of [`Five`] at one frequency ratio while its contact is stuck.
 #[allow(deprecated, non_camel_case_types)]
 pub struct FiveStuck(::frictiongen::kernel::response::Stuck<Five>);
-#[automatically_derived]
 #[allow(
     deprecated,
     non_snake_case,
     non_camel_case_types,
-    unused_imports,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::restriction
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
+    use ::core::f64::consts::PI;
     impl Five {
-        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 5] = [
             0.2846296765465703,
             0.8308300260037729,
@@ -44,7 +63,7 @@ const _: () = {
             1.6825070656623624,
             1.9189859472289947,
         ];
-        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
         pub const RESONANCES: [f64; 5] = [
             0.2846296765465703,
             0.8308300260037729,
@@ -52,7 +71,7 @@ const _: () = {
             1.6825070656623624,
             1.9189859472289947,
         ];
-        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 5]; 5] = [
             [
                 0.16989112404918136,
@@ -90,42 +109,53 @@ const _: () = {
                 0.16989112404918136,
             ],
         ];
-        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: none, as the contact does not rub on a moving base.
+        /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
+            /// a mode is damped
             damped: true,
+            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
+            /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.0,
+            /// μ, static over kinetic friction
             stiction: 1.0,
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega
         }
-        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
+        /// Returns β = F/P of a kinetic friction force F.  `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
-        /// `in_contact`: φᵀw is not 0.
+        /// Modes that the load or the contact drives.
         const MODES: [Mode<f64>; 5] = [
             Mode {
+                /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
                 kind: Kind::Light,
+                /// the contact drives the mode: φᵀw is not 0
                 in_contact: true,
+                /// √λ, the frequency ratio r of the undamped resonance
                 resonance: 0.2846296765465703,
+                /// ζ, the modal damping ratio
                 zeta: 0.01,
+                /// √|1 − ζ²|
                 q: 0.9999499987499375,
+                /// 1 − q
                 q_defect: 5.000125006250391e-5,
+                /// φᵀp, with p where the load acts
                 load: 0.16989112404918136,
+                /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.16989112404918136,
+                /// (φᵀp)(φᵀw)
                 residue: 0.028862994030694332,
+                /// (φᵀw)², the term of m*
                 inverse_mass: 0.028862994030694332,
+                /// (φᵀp)(φᵀw)/λ
                 static_residue: 0.35627144974809044,
             },
             Mode {
@@ -181,96 +211,93 @@ const _: () = {
                 static_residue: 0.028862994030694332,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
-        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
-        /// the load drives, `invisible`: those that the contact does not touch.
+        /// Constants of the steady response.
         const NUMBERS: Numbers<'static, f64> = Numbers {
+            /// modes that the load or the contact drives
             modes: &Self::MODES,
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// limits at both ends of the range of r
             ends: Ends {
+                /// β*_lim for r → 0
                 sliding_at_rest: 1.0,
+                /// β_lim for r → ∞
                 continuous_at_infinity: 0.5370292721463151,
+                /// β*_lim for r → ∞
                 sliding_at_infinity: 1.0,
             },
+            /// index of the mass that rubs on a support
             rubbing: Some(0),
+            /// V and H may have common zeros, at which the holding force decides the limits
             absorbs: false,
+            /// undamped resonances that the load drives
             unbounded: &[],
+            /// those of them in which the contact does not move
             invisible: &[],
         };
-        /// The scene at the frequency ratio r = ω√(m₁/k₁).
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn at(r: f64) -> Result<FiveAt, OutOfDomain> {
-            At::new(Self, r).map(From::from)
-        }
-        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
-        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
-            At::limits_without_search(&Self, r)
-        }
-        /// Both limits over a slice of frequency ratios, into slices of the same length.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first NaN or negative r, after what precedes it is.
-        pub fn limits_into(
-            rs: &[f64],
-            continuous: &mut [f64],
-            sliding: &mut [f64],
-        ) -> Result<(), OutOfDomain> {
-            At::limits_into(Self, rs, continuous, sliding)
-        }
-        /// φ of `MODES`, [mass][mode].
+        /// Mode shapes φ of `MODES`, [mass][mode].
         const SHAPES: [[f64; 5]; 5] = transposed(&Self::MODE_SHAPES);
         /// The functions of a lightly damped mode, ζ < 1/2.
-        /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
-        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
-        /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
-        /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2, and sin(πqx) is twice their product; `half_turns` is qx.  D is
-        /// |`nearness`|², of (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that
-        /// over |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is
-        /// uR times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
-        /// `one_minus_sinc_pi` of qx the second, without cancellation.  `reversal`, g + 2ζRu, is (1 − e²)/D + ζuR.
+        ///
+        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        ///
+        /// Operations: 56: 34 ×, 10 +, 4 sign, 4 ÷, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]
         fn damped_mode<const WITH_G: bool>(
             mode: &Mode<f64>,
             inverse_r: f64,
         ) -> ModeResponse<f64> {
+            /// x = √λ/r = 1/R
             let x = mode.resonance * inverse_r;
+            /// x² − 1
             let detuning = (x - 1.0) * (x + 1.0);
+            /// 2ζx
             let loss = 2.0 * mode.zeta * x;
+            /// |x² − 1| + 2ζx, which vanishes on the undamped resonance
             let size = Scalar::abs(detuning) + loss;
-            let decay_exponent = 3.141592653589793 * mode.zeta * x;
+            /// a = πζx
+            let decay_exponent = PI * mode.zeta * x;
+            /// exp(−a/2) − 1
             let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+            /// exp(−a/2)
             let half_decay_factor = 1.0 + half_decay_minus_one;
+            /// 1 − e
             let decay_complement = -(half_decay_minus_one * (1.0 + half_decay_factor));
+            /// e = exp(−a) with a = πζx (7.11)
             let decay_factor = half_decay_factor * half_decay_factor;
+            /// qx, the half-turns of the free motion in half a period
             let half_turns = mode.q * x;
+            /// sin(πqx/2), cos(πqx/2)
             let (sine, cosine) = Scalar::sin_cos_pi_minus(
                 x * 0.5,
                 x * (mode.q_defect * 0.5),
             );
+            /// 1 + e
             let one_plus_factor = 1.0 + decay_factor;
+            /// (1 + e) cos(πqx/2), whose square plus that of `nearness_im` is D = 1 + 2e cos(πqx) + e²
             let nearness_re = one_plus_factor * cosine;
+            /// (1 − e) sin(πqx/2)
             let nearness_im = decay_complement * sine;
+            /// 1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+            /// nearness_re·inverse_nearness
             let unit_nearness_re = nearness_re * inverse_nearness;
+            /// nearness_im·inverse_nearness
             let unit_nearness_im = nearness_im * inverse_nearness;
+            /// size/(D·inverse_nearness)
             let pole_weight = size * inverse_nearness
                 / (unit_nearness_re * unit_nearness_re
                     + unit_nearness_im * unit_nearness_im);
+            /// uR·size = (2e/q) sin(πqx)·size/D (7.11)
             let u_times_r = 4.0 / mode.q * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
+            /// uR²·size
             let u = u_times_r / x;
+            /// (g + 2ζRu)·size = ((1 − e²)/D + ζuR)·size, the term of H_c (5.63, 7.47)
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                 * pole_weight + mode.zeta * u_times_r;
+            /// g·size = (1 − e² − (2ζe/q) sin(πqx))·size/D (7.12)
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -288,12 +315,12 @@ const _: () = {
                 reversal,
             }
         }
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
-        /// The load acts on the mass that rubs: a residue is (φᵀw)², and V = H.
+        /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
+        ///
+        /// Sums over the modes: V = H, as the load acts on the mass that rubs,
+        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
+        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
+        /// resonance.
         ///
         /// Operations: 404: 245 ×, 75 +, 35 ÷, 25 sign, 5 exp_m1, 5 one_minus_sinc_pi, 5 scaled_sinh_defect, 5 sin_cos_pi, 4 compare.
         #[inline(always)]
@@ -306,13 +333,11 @@ const _: () = {
             let mode_3 = Self::damped_mode::<WITH_G>(constants_3, inverse_r);
             let mode_4 = Self::damped_mode::<WITH_G>(constants_4, inverse_r);
             let mode_5 = Self::damped_mode::<WITH_G>(constants_5, inverse_r);
-            let scale = Scalar::min(
-                Scalar::min(
-                    Scalar::min(Scalar::min(mode_1.size, mode_2.size), mode_3.size),
-                    mode_4.size,
-                ),
-                mode_5.size,
-            );
+            /// E, the smallest `size` of the modes in contact
+            let scale = Scalar::min(mode_1.size, mode_2.size);
+            let scale = Scalar::min(scale, mode_3.size);
+            let scale = Scalar::min(scale, mode_4.size);
+            let scale = Scalar::min(scale, mode_5.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
@@ -321,62 +346,30 @@ const _: () = {
                 Self::CHAIN.at_scale(&mode_5, scale),
             ];
             let [at_1, at_2, at_3, at_4, at_5] = &modes;
-            let v_re = at_1.response.re * constants_1.inverse_mass
-                + at_2.response.re * constants_2.inverse_mass
-                + at_3.response.re * constants_3.inverse_mass
-                + at_4.response.re * constants_4.inverse_mass
-                + at_5.response.re * constants_5.inverse_mass;
-            let v_im = at_1.response.im * constants_1.inverse_mass
-                + at_2.response.im * constants_2.inverse_mass
-                + at_3.response.im * constants_3.inverse_mass
-                + at_4.response.im * constants_4.inverse_mass
-                + at_5.response.im * constants_5.inverse_mass;
-            let u = constants_1.inverse_mass * at_1.u + constants_2.inverse_mass * at_2.u
-                + constants_3.inverse_mass * at_3.u + constants_4.inverse_mass * at_4.u
-                + constants_5.inverse_mass * at_5.u;
-            let reversal = constants_1.inverse_mass
-                * (mode_1.reversal * (scale / mode_1.size))
-                + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size))
-                + constants_3.inverse_mass * (mode_3.reversal * (scale / mode_3.size))
-                + constants_4.inverse_mass * (mode_4.reversal * (scale / mode_4.size))
-                + constants_5.inverse_mass * (mode_5.reversal * (scale / mode_5.size));
-            let g_sum = if WITH_G {
-                constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
-                    + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
-                    + constants_3.inverse_mass * (at_3.g / (at_3.x * at_3.x))
-                    + constants_4.inverse_mass * (at_4.g / (at_4.x * at_4.x))
-                    + constants_5.inverse_mass * (at_5.g / (at_5.x * at_5.x))
-            } else {
-                0.0
-            };
-            let contact = ContactAt {
-                scale,
-                v: Complex { re: v_re, im: v_im },
-                u,
-                g: g_sum,
-                reversal,
-                h: Complex { re: v_re, im: v_im },
-            };
+            let sum = Self::CHAIN.begun_by(scale, constants_1, &mode_1, at_1, WITH_G);
+            let sum = Self::CHAIN
+                .joined_by(&sum, constants_2, &mode_2, at_2, false, WITH_G);
+            let sum = Self::CHAIN
+                .joined_by(&sum, constants_3, &mode_3, at_3, false, WITH_G);
+            let sum = Self::CHAIN
+                .joined_by(&sum, constants_4, &mode_4, at_4, false, WITH_G);
+            let sum = Self::CHAIN
+                .joined_by(&sum, constants_5, &mode_5, at_5, false, WITH_G);
+            let contact = Self::CHAIN.completed(&sum, inverse_r);
             (contact, modes)
         }
     }
+    ::frictiongen::kernel::scene_functions!(Five, FiveAt, f64, At);
     ::frictiongen::emitted_system!(Five, FiveAt, f64, ["m1", "m2", "m3", "m4", "m5"]);
     ::frictiongen::kernel::wraps!(FiveAt, At of Five, Copy);
     impl Scene for Five {
-        type Scalar = f64;
-        type Decay = Damped<f64>;
-        type Modes = [ModeAt<f64>; 5];
-        type Waves = [Wave<f64, Damped<f64>>; 5];
-        #[inline]
-        fn numbers(&self) -> Numbers<'static, f64> {
-            Self::NUMBERS
-        }
-        /// φ of a mass, by modes.
+        ::frictiongen::kernel::scene_items!(f64, damped, 5);
+        /// Components of a mass in the mode shapes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             Self::SHAPES.get(mass).map(<[f64; 5]>::as_slice)
         }
-        /// Whether the motion of this mass is provided; others have shapes for the stuck response alone.
+        /// Returns whether the motion of this mass is provided.  Other masses have shapes for the stuck response alone.
         #[inline]
         fn moves(&self, mass: usize) -> bool {
             match mass {
@@ -384,32 +377,14 @@ const _: () = {
                 _ => false,
             }
         }
-        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
-        /// Working space of the searches, and of the waves of a motion.
-        #[inline]
-        fn idle(&self) -> Self::Waves {
-            Self::MODES.map(|mode| Wave::idle(&mode))
-        }
-        /// A copy of the modes for a motion to keep.
-        #[inline]
-        fn kept(modes: &Self::Modes) -> Self::Modes {
-            *modes
-        }
-        /// All functions of the contact at 1/r, and of its modes.
-        #[inline]
-        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 5]) {
-            Self::functions::<true>(inverse_r)
-        }
-        /// Those of the contact without G, which only a motion needs.
-        #[inline]
-        fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
-            Self::functions::<false>(inverse_r).0
-        }
-        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
+        ///
+        /// Operations: 1: 1 +.
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.reversal + contact.scale
@@ -417,14 +392,19 @@ const _: () = {
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
         /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            /// |V|·r²E
             let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
             modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
         ///
         /// The load acts on the mass that rubs: V = H.
+        ///
+        /// Operations: none.
         #[inline]
         fn sliding_limit(&self, _: &ContactAt<f64>) -> f64 {
             1.0
@@ -432,17 +412,19 @@ const _: () = {
     }
     ::frictiongen::kernel::not_provided!(FiveAt : orbit; Five : simulation, stepper);
     ::frictiongen::kernel::left_out!(FiveMotion : m1, m2, m3, m4);
+    /// The motions are those of the kernel, which sums over the modes in loops.
     impl ProvidesMotion for Five {
         type Motion = FiveMotion;
     }
     ::frictiongen::kernel::wraps!(FiveMotion, Continuous of Five, Copy);
     impl FiveMotion {
-        /// The motion of mass `m5` (5.50 and its exact form, 7.29).
+        /// Motion of mass `m5` (5.50 and its exact form, 7.29).
         #[must_use]
         pub fn m5(&self) -> MotionOf<Five> {
             self.mass(4)
         }
     }
+    /// The responses are those of the kernel, which sums over the modes in loops.
     impl ProvidesStuck for Five {
         type Stuck = FiveStuck;
     }
@@ -450,7 +432,7 @@ const _: () = {
     impl FiveStuck {
         /// x̄* = V_k − H_kV/H, the complex amplitude of mass `m1` over P/k₁ (6.11, 6.27, 6.33).
         ///
-        /// It is 0: the contact holds the mass to a support at rest.
+        /// It is 0, because the contact holds the mass to a support at rest.
         #[must_use]
         pub fn m1(&self) -> Complex<f64> {
             self.mass(0)

@@ -1,7 +1,7 @@
 /// The two limits alone.
 ///
 /// Emitted by frictiongen 0.1.0 from scene c884e1ff1edbc4b7.
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -13,68 +13,97 @@
 )]
 pub struct LimitsOnly;
 /// [`LimitsOnly`] at one frequency ratio: limits, regime.
+///
+/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 2 modes.
 #[allow(deprecated, non_camel_case_types)]
 pub struct LimitsOnlyAt(::frictiongen::kernel::response::At<LimitsOnly>);
-#[automatically_derived]
 #[allow(
     deprecated,
     non_snake_case,
     non_camel_case_types,
-    unused_imports,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::restriction
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl LimitsOnly {
-        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f32; 2] = [0.618034, 1.618034];
-        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
         pub const RESONANCES: [f32; 2] = [0.618034, 1.618034];
-        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
         pub const MODE_SHAPES: [[f32; 2]; 2] = [
             [0.5257311, 0.8506508],
             [0.8506508, -0.5257311],
         ];
-        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: none, as the contact does not rub on a moving base.
+        /// Constants of the chain.
         const CHAIN: Chain<f32> = Chain {
+            /// a mode is damped
             damped: false,
+            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
+            /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.0,
+            /// μ, static over kinetic friction
             stiction: 1.0,
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f32) -> f32 {
             omega
         }
-        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
+        /// Returns β = F/P of a kinetic friction force F.  `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
             friction / load
         }
-        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
-        /// `in_contact`: φᵀw is not 0.
+        /// Modes that the load or the contact drives.
         const MODES: [Mode<f32>; 2] = [
             Mode {
+                /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
                 kind: Kind::Undamped,
+                /// the contact drives the mode: φᵀw is not 0
                 in_contact: true,
+                /// √λ, the frequency ratio r of the undamped resonance
                 resonance: 0.618034,
+                /// ζ, the modal damping ratio
                 zeta: 0.0,
+                /// √|1 − ζ²|
                 q: 1.0,
+                /// 1 − q
                 q_defect: 0.0,
+                /// φᵀp, with p where the load acts
                 load: 0.5257311,
+                /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.8506508,
+                /// (φᵀp)(φᵀw)
                 residue: 0.4472136,
+                /// (φᵀw)², the term of m*
                 inverse_mass: 0.7236068,
+                /// (φᵀp)(φᵀw)/λ
                 static_residue: 1.1708204,
             },
             Mode {
@@ -91,62 +120,48 @@ const _: () = {
                 static_residue: -0.1708204,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
-        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
-        /// the load drives, `invisible`: those that the contact does not touch.
+        /// Constants of the steady response.
         const NUMBERS: Numbers<'static, f32> = Numbers {
+            /// modes that the load or the contact drives
             modes: &Self::MODES,
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// limits at both ends of the range of r
             ends: Ends {
+                /// β*_lim for r → 0
                 sliding_at_rest: 0.5,
+                /// β_lim for r → ∞
                 continuous_at_infinity: 0.0,
+                /// β*_lim for r → ∞
                 sliding_at_infinity: 0.0,
             },
+            /// index of the mass that rubs on a support
             rubbing: Some(1),
+            /// V and H may have common zeros, at which the holding force decides the limits
             absorbs: false,
+            /// undamped resonances that the load drives
             unbounded: &[0.618034, 1.618034],
+            /// those of them in which the contact does not move
             invisible: &[],
         };
-        /// The scene at the frequency ratio r = ω√(m₁/k₁).
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn at(r: f32) -> Result<LimitsOnlyAt, OutOfDomain> {
-            At::new(Self, r).map(From::from)
-        }
-        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
-        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn limits_without_search(r: f32) -> Result<Limits<f32>, OutOfDomain> {
-            At::limits_without_search(&Self, r)
-        }
-        /// Both limits over a slice of frequency ratios, into slices of the same length.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first NaN or negative r, after what precedes it is.
-        pub fn limits_into(
-            rs: &[f32],
-            continuous: &mut [f32],
-            sliding: &mut [f32],
-        ) -> Result<(), OutOfDomain> {
-            At::limits_into(Self, rs, continuous, sliding)
-        }
         /// The functions of an undamped mode.
-        /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
-        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.
-        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` takes the place of an exact 0, so that no
-        /// quotient is 0/0.
+        ///
+        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        ///
+        /// Operations: 12: 5 ×, 2 +, 2 compare, 1 sign, 1 sin_cos_pi, 1 ÷.
         #[inline(always)]
         fn undamped_mode(mode: &Mode<f32>, inverse_r: f32) -> ModeResponse<f32> {
+            /// x = √λ/r = 1/R
             let x = mode.resonance * inverse_r;
+            /// sin(πx/2), cos(πx/2)
             let (sine, plain_cosine) = Scalar::sin_cos_pi(x * 0.5);
+            /// x² − 1; a tiny number in place of an exact 0
             let detuning = Scalar::detuning_off_pole((x - 1.0) * (x + 1.0));
+            /// cos(πx/2); a tiny number in place of an exact 0
             let cosine = Scalar::cosine_off_pole(plain_cosine);
+            /// |x² − 1|
             let size = Scalar::abs(detuning);
+            /// uR²·size = tan(πx/2)/x·size (5.20, 5.34)
             let u = sine * size / (x * cosine);
             ModeResponse {
                 x,
@@ -157,11 +172,12 @@ const _: () = {
                 reversal: 0.0,
             }
         }
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
+        /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
+        ///
+        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
+        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
+        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
+        /// resonance.
         ///
         /// Operations: 40: 18 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline(always)]
@@ -169,16 +185,20 @@ const _: () = {
             let [constants_1, constants_2] = &Self::MODES;
             let mode_1 = Self::undamped_mode(constants_1, inverse_r);
             let mode_2 = Self::undamped_mode(constants_2, inverse_r);
+            /// E, the smallest `size` of the modes in contact
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
+            /// Re V·r²E
             let v_re = at_1.response.re * constants_1.residue
                 + at_2.response.re * constants_2.residue;
+            /// Re H·r²E
             let h_re = at_1.response.re * constants_1.inverse_mass
                 + at_2.response.re * constants_2.inverse_mass;
+            /// U·r²E
             let u = constants_1.inverse_mass * at_1.u
                 + constants_2.inverse_mass * at_2.u;
             let contact = ContactAt {
@@ -192,43 +212,24 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::kernel::scene_functions!(LimitsOnly, LimitsOnlyAt, f32, At);
     ::frictiongen::emitted_system!(LimitsOnly, LimitsOnlyAt, f32, ["lower", "upper"]);
     ::frictiongen::kernel::wraps!(LimitsOnlyAt, At of LimitsOnly, Copy);
     impl Scene for LimitsOnly {
-        type Scalar = f32;
-        type Decay = Undamped;
-        type Modes = [ModeAt<f32>; 2];
-        type Waves = [Wave<f32, Undamped>; 2];
-        #[inline]
-        fn numbers(&self) -> Numbers<'static, f32> {
-            Self::NUMBERS
-        }
-        /// φ of a mass, by modes: of none here, as no motion of a mass is provided.
+        ::frictiongen::kernel::scene_items!(f32, undamped, 2);
+        /// No motion of a mass is provided, so no mode shapes are needed.
         #[inline]
         fn shape(&self, _: usize) -> Option<&[f32]> {
             None
         }
-        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
         #[inline]
         fn inverse_ratio_range(&self) -> (f32, f32) {
             (8.881784e-16, 1125899900000000.0)
         }
-        /// Working space of the searches, and of the waves of a motion.
-        #[inline]
-        fn idle(&self) -> Self::Waves {
-            Self::MODES.map(|mode| Wave::idle(&mode))
-        }
-        /// All functions of the contact at 1/r, and of its modes.
-        #[inline]
-        fn frequency_stage(&self, inverse_r: f32) -> (ContactAt<f32>, [ModeAt<f32>; 2]) {
-            Self::functions(inverse_r)
-        }
-        /// Those of the contact without G, which only a motion needs.
-        #[inline]
-        fn contact_without_g(&self, inverse_r: f32) -> ContactAt<f32> {
-            Self::functions(inverse_r).0
-        }
-        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
+        ///
+        /// Operations: 0.
         #[inline]
         fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
             contact.scale
@@ -236,15 +237,22 @@ const _: () = {
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
         /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f32>, constraint: f32) -> f32 {
+            /// |V|·r²E
             let modulus_v = Scalar::abs(contact.v.re);
             modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 3: 2 sign, 1 ÷.
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f32>) -> f32 {
+            /// |V|·r²E
             let modulus_v = Scalar::abs(contact.v.re);
+            /// |H|·r²E
             let modulus_h = Scalar::abs(contact.h.re);
             modulus_v / modulus_h
         }

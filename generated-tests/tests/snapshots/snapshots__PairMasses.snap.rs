@@ -1,7 +1,7 @@
 /// Two masses, rubbing on each other, with static friction above kinetic.
 ///
 /// Emitted by frictiongen 0.1.0 from scene 06c755b1a07e51ab.
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -13,77 +13,106 @@
 )]
 pub struct PairMasses;
 /// [`PairMasses`] at one frequency ratio: limits, regime, continuous motion, stuck response.
+///
+/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 2 modes.
 #[allow(deprecated, non_camel_case_types)]
 pub struct PairMassesAt(::frictiongen::kernel::response::At<PairMasses>);
-/// The exact continuous motion of [`PairMasses`] at one frequency and one friction ratio.
+/// Exact continuous motion of [`PairMasses`] at one frequency and one friction ratio.
 #[allow(deprecated, non_camel_case_types)]
 pub struct PairMassesMotion(::frictiongen::kernel::response::Continuous<PairMasses>);
-/// The response of [`PairMasses`] at one frequency ratio while its contact is stuck.
+/// Response of [`PairMasses`] at one frequency ratio while its contact is stuck.
 #[allow(deprecated, non_camel_case_types)]
 pub struct PairMassesStuck(::frictiongen::kernel::response::Stuck<PairMasses>);
-#[automatically_derived]
 #[allow(
     deprecated,
     non_snake_case,
     non_camel_case_types,
-    unused_imports,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::restriction
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl PairMasses {
-        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
             0.7071067811865476,
             1.4142135623730951,
         ];
-        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
         pub const RESONANCES: [f64; 2] = [0.7071067811865476, 1.4142135623730951];
-        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 2]; 2] = [
             [0.5773502691896257, 1.1547005383792515],
             [0.816496580927726, -0.816496580927726],
         ];
-        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: none, as the contact does not rub on a moving base.
+        /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
+            /// a mode is damped
             damped: false,
+            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
+            /// m* = m₁/(effective mass of the contact)
             inverse_mass: 3.0,
+            /// μ, static over kinetic friction
             stiction: 1.2,
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega
         }
-        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
+        /// Returns β = F/P of a kinetic friction force F.  `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
-        /// `in_contact`: φᵀw is not 0.
+        /// Modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
+                /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
                 kind: Kind::Undamped,
+                /// the contact drives the mode: φᵀw is not 0
                 in_contact: true,
+                /// √λ, the frequency ratio r of the undamped resonance
                 resonance: 0.7071067811865476,
+                /// ζ, the modal damping ratio
                 zeta: 0.0,
+                /// √|1 − ζ²|
                 q: 1.0,
+                /// 1 − q
                 q_defect: 0.0,
+                /// φᵀp, with p where the load acts
                 load: 0.5773502691896257,
+                /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.5773502691896257,
+                /// (φᵀp)(φᵀw)
                 residue: 0.3333333333333333,
+                /// (φᵀw)², the term of m*
                 inverse_mass: 0.3333333333333333,
+                /// (φᵀp)(φᵀw)/λ
                 static_residue: 0.6666666666666666,
             },
             Mode {
@@ -100,64 +129,50 @@ const _: () = {
                 static_residue: -0.6666666666666666,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
-        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
-        /// the load drives, `invisible`: those that the contact does not touch.
+        /// Constants of the steady response.
         const NUMBERS: Numbers<'static, f64> = Numbers {
+            /// modes that the load or the contact drives
             modes: &Self::MODES,
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// limits at both ends of the range of r
             ends: Ends {
+                /// β*_lim for r → 0
                 sliding_at_rest: 0.0,
+                /// β_lim for r → ∞
                 continuous_at_infinity: 0.16862996429274377,
+                /// β*_lim for r → ∞
                 sliding_at_infinity: 0.2777777777777778,
             },
+            /// index of the mass that rubs on a support
             rubbing: None,
+            /// V and H may have common zeros, at which the holding force decides the limits
             absorbs: false,
+            /// undamped resonances that the load drives
             unbounded: &[0.7071067811865476, 1.4142135623730951],
+            /// those of them in which the contact does not move
             invisible: &[],
         };
-        /// The scene at the frequency ratio r = ω√(m₁/k₁).
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn at(r: f64) -> Result<PairMassesAt, OutOfDomain> {
-            At::new(Self, r).map(From::from)
-        }
-        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
-        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
-            At::limits_without_search(&Self, r)
-        }
-        /// Both limits over a slice of frequency ratios, into slices of the same length.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first NaN or negative r, after what precedes it is.
-        pub fn limits_into(
-            rs: &[f64],
-            continuous: &mut [f64],
-            sliding: &mut [f64],
-        ) -> Result<(), OutOfDomain> {
-            At::limits_into(Self, rs, continuous, sliding)
-        }
-        /// φ of `MODES`, [mass][mode].
+        /// Mode shapes φ of `MODES`, [mass][mode].
         const SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of an undamped mode.
-        /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
-        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.
-        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` takes the place of an exact 0, so that no
-        /// quotient is 0/0.
+        ///
+        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        ///
+        /// Operations: 12: 5 ×, 2 +, 2 compare, 1 sign, 1 sin_cos_pi, 1 ÷.
         #[inline(always)]
         fn undamped_mode(mode: &Mode<f64>, inverse_r: f64) -> ModeResponse<f64> {
+            /// x = √λ/r = 1/R
             let x = mode.resonance * inverse_r;
+            /// sin(πx/2), cos(πx/2)
             let (sine, plain_cosine) = Scalar::sin_cos_pi(x * 0.5);
+            /// x² − 1; a tiny number in place of an exact 0
             let detuning = Scalar::detuning_off_pole((x - 1.0) * (x + 1.0));
+            /// cos(πx/2); a tiny number in place of an exact 0
             let cosine = Scalar::cosine_off_pole(plain_cosine);
+            /// |x² − 1|
             let size = Scalar::abs(detuning);
+            /// uR²·size = tan(πx/2)/x·size (5.20, 5.34)
             let u = sine * size / (x * cosine);
             ModeResponse {
                 x,
@@ -168,11 +183,12 @@ const _: () = {
                 reversal: 0.0,
             }
         }
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
+        /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
+        ///
+        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
+        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
+        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
+        /// resonance.
         ///
         /// Operations: 40: 18 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline(always)]
@@ -180,16 +196,20 @@ const _: () = {
             let [constants_1, constants_2] = &Self::MODES;
             let mode_1 = Self::undamped_mode(constants_1, inverse_r);
             let mode_2 = Self::undamped_mode(constants_2, inverse_r);
+            /// E, the smallest `size` of the modes in contact
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
+            /// Re V·r²E
             let v_re = at_1.response.re * constants_1.residue
                 + at_2.response.re * constants_2.residue;
+            /// Re H·r²E
             let h_re = at_1.response.re * constants_1.inverse_mass
                 + at_2.response.re * constants_2.inverse_mass;
+            /// U·r²E
             let u = constants_1.inverse_mass * at_1.u
                 + constants_2.inverse_mass * at_2.u;
             let contact = ContactAt {
@@ -203,66 +223,49 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::kernel::scene_functions!(PairMasses, PairMassesAt, f64, At);
     ::frictiongen::emitted_system!(PairMasses, PairMassesAt, f64, ["inner", "outer"]);
     ::frictiongen::kernel::wraps!(PairMassesAt, At of PairMasses, Copy);
     impl Scene for PairMasses {
-        type Scalar = f64;
-        type Decay = Undamped;
-        type Modes = [ModeAt<f64>; 2];
-        type Waves = [Wave<f64, Undamped>; 2];
-        #[inline]
-        fn numbers(&self) -> Numbers<'static, f64> {
-            Self::NUMBERS
-        }
-        /// φ of a mass, by modes.
+        ::frictiongen::kernel::scene_items!(f64, undamped, 2);
+        /// Components of a mass in the mode shapes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             Self::SHAPES.get(mass).map(<[f64; 2]>::as_slice)
         }
-        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
-        /// Working space of the searches, and of the waves of a motion.
-        #[inline]
-        fn idle(&self) -> Self::Waves {
-            Self::MODES.map(|mode| Wave::idle(&mode))
-        }
-        /// A copy of the modes for a motion to keep.
-        #[inline]
-        fn kept(modes: &Self::Modes) -> Self::Modes {
-            *modes
-        }
-        /// All functions of the contact at 1/r, and of its modes.
-        #[inline]
-        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            Self::functions(inverse_r)
-        }
-        /// Those of the contact without G, which only a motion needs.
-        #[inline]
-        fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
-            Self::functions(inverse_r).0
-        }
-        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
+        ///
+        /// Operations: 1: 1 ×.
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
-            3.5999999999999996 * contact.scale
+            Self::CHAIN.stiction * Self::CHAIN.inverse_mass * contact.scale
         }
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
         /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            /// |V|·r²E
             let modulus_v = Scalar::abs(contact.v.re);
             modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 4: 2 sign, 1 ×, 1 ÷.
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            /// |V|·r²E
             let modulus_v = Scalar::abs(contact.v.re);
+            /// |H|·r²E
             let modulus_h = Scalar::abs(contact.h.re);
-            modulus_v / (1.2 * modulus_h)
+            modulus_v / (Self::CHAIN.stiction * modulus_h)
         }
     }
     ::frictiongen::kernel::not_provided!(
@@ -270,21 +273,27 @@ const _: () = {
     );
     impl ProvidesMotion for PairMasses {
         type Motion = PairMassesMotion;
-        /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
-        /// `forced` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.  `friction_force` is β/(r²E) times a mode's φ_k(φᵀw); `friction` has
-        /// `root`, Q = √(|V|² − (βU)²) times r²E, and `amplitude`, Q − βG.
-        #[allow(unused_variables)]
+        /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
+        ///
+        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
-            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let inverse_r = at.inverse_ratio();
+            let contact = at.contact_sums();
             let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
+            /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
+            /// β/(r²E)·φ_k(φᵀw)
             let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
+            /// coefficient of (1 − d)/x²
             let mode_1_rise = mode_1_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
             let mode_1_forced = mode_1_friction_force * mode_1.u;
+            /// β/(r²E)·φ_k(φᵀw)
             let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
+            /// coefficient of (1 − d)/x²
             let mode_2_rise = mode_2_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
             let mode_2_forced = mode_2_friction_force * mode_2.u;
             let fundamental = Fundamental {
                 cosine: friction.amplitude,
@@ -302,7 +311,7 @@ const _: () = {
                         rise: mode_1_rise,
                         fall: 0.0,
                         forced: mode_1_forced,
-                        residue: constants_1.inverse_mass * inverse_r * inverse_r,
+                        harmonic: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
@@ -312,152 +321,125 @@ const _: () = {
                         rise: mode_2_rise,
                         fall: 0.0,
                         forced: mode_2_forced,
-                        residue: constants_2.inverse_mass * inverse_r * inverse_r,
+                        harmonic: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-        /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
-        /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-        /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
-        /// x < 1/2 the mode is mass-controlled: `mass_wave` has all of its response, so that `u_in_sum` and `offset`, else u and g, are 0
-        /// and `u_others` is all of U.
-        #[allow(unused_variables)]
+        /// The motion of mass k: its fundamental component, and the coefficients of each mode.
+        ///
+        /// Of two products that would cancel, those of a mode with itself, none is computed.  A mode with x < 1/2 is
+        /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
         fn mass_motion(
             at: &At<Self>,
             friction: &Friction<f64>,
             mass: usize,
         ) -> Option<MotionOf<Self>> {
-            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let inverse_r = at.inverse_ratio();
+            let contact = at.contact_sums();
             let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
+            let [shape_1, shape_2] = *Self::SHAPES.get(mass)?;
+            /// Re of the own term of V
             let mode_2_v_term_re = mode_2.response.re * constants_2.residue;
+            /// the own term of U
             let mode_2_u_term = constants_2.inverse_mass * mode_2.u;
+            /// U without the own term, or all of it for x < 1/2
             let mode_1_u_others = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
+            /// Re of the own term of V
             let mode_1_v_term_re = mode_1.response.re * constants_1.residue;
+            /// the own term of U
             let mode_1_u_term = constants_1.inverse_mass * mode_1.u;
+            /// U without the own term, or all of it for x < 1/2
             let mode_2_u_others = if mode_2.x < 0.5 { contact.u } else { mode_1_u_term };
+            /// φ_k(φᵀp), from the load to mass k
+            let mode_1_by_load = shape_1 * constants_1.load;
+            /// Re of the own term of V_k
+            let mode_1_driven_re = mode_1.response.re * mode_1_by_load;
+            /// φ_k(φᵀw), from the contact to mass k
+            let mode_1_by_contact = shape_1 * constants_1.contact;
+            /// uR²·E, or 0 if the mode is mass-controlled (x < 1/2)
             let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
+            /// the own term of −U_k
+            let mode_1_rubbed_back = -(mode_1_by_contact * mode_1_u_in_sum);
+            /// φ_k(φᵀp), from the load to mass k
+            let mode_2_by_load = shape_2 * constants_2.load;
+            /// Re of the own term of V_k
+            let mode_2_driven_re = mode_2.response.re * mode_2_by_load;
+            /// φ_k(φᵀw), from the contact to mass k
+            let mode_2_by_contact = shape_2 * constants_2.contact;
+            /// uR²·E, or 0 if the mode is mass-controlled (x < 1/2)
             let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
+            /// the own term of −U_k
+            let mode_2_rubbed_back = -(mode_2_by_contact * mode_2_u_in_sum);
+            /// Re of V_k·r²E
+            let response_re = mode_1_driven_re + mode_2_driven_re;
+            /// Re of V_kU − U_kV, without the products of a mode with itself
+            let mismatch_re = mode_1_driven_re * mode_1_u_others
+                + mode_2_v_term_re * mode_1_rubbed_back
+                + (mode_2_driven_re * mode_2_u_others
+                    + mode_1_v_term_re * mode_2_rubbed_back);
+            /// Re of the reciprocal
             let inverse_re = 1.0 / contact.v.re;
+            /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
-            let (fundamental, waves) = match mass {
-                0 => {
-                    let mode_1_driven_re = mode_1.response.re * 0.3333333333333333;
-                    let mode_1_rubbed_back = -(0.3333333333333333 * mode_1_u_in_sum);
-                    let mode_2_driven_re = mode_2.response.re * 0.6666666666666666;
-                    let mode_2_rubbed_back = -(-1.3333333333333333 * mode_2_u_in_sum);
-                    let response_re = mode_1_driven_re + mode_2_driven_re;
-                    let mismatch_re = mode_1_driven_re * mode_1_u_others
-                        + mode_2_v_term_re * mode_1_rubbed_back
-                        + (mode_2_driven_re * mode_2_u_others
-                            + mode_1_v_term_re * mode_2_rubbed_back);
-                    let mode_1_friction_force = friction_weight * 0.3333333333333333;
-                    let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
-                    let mode_2_friction_force = friction_weight * -1.3333333333333333;
-                    let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_forced = mode_2_friction_force * mode_2_u_in_sum;
-                    (
-                        Fundamental {
-                            cosine: friction.root * (response_re * inverse_re)
-                                * friction.unscale,
-                            sine: friction.beta * (mismatch_re * inverse_re)
-                                * friction.unscale,
-                            response: Complex {
-                                re: response_re * friction.unscale,
-                                im: 0.0,
-                            },
+            /// β/(r²E)·φ_k(φᵀw)
+            let mode_1_friction_force = friction_weight * mode_1_by_contact;
+            /// coefficient of (1 − d)/x²
+            let mode_1_rise = mode_1_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
+            let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
+            /// β/(r²E)·φ_k(φᵀw)
+            let mode_2_friction_force = friction_weight * mode_2_by_contact;
+            /// coefficient of (1 − d)/x²
+            let mode_2_rise = mode_2_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
+            let mode_2_forced = mode_2_friction_force * mode_2_u_in_sum;
+            let (fundamental, waves) = (
+                Fundamental {
+                    cosine: friction.root * (response_re * inverse_re)
+                        * friction.unscale,
+                    sine: friction.beta * (mismatch_re * inverse_re) * friction.unscale,
+                    response: Complex {
+                        re: response_re * friction.unscale,
+                        im: 0.0,
+                    },
+                },
+                [
+                    mass_wave(
+                        mode_1.x,
+                        Undamped,
+                        ModalCoefficients {
+                            rise: mode_1_rise,
+                            fall: 0.0,
+                            forced: mode_1_forced,
+                            harmonic: mode_1_by_contact * inverse_r * inverse_r,
                         },
-                        [
-                            mass_wave(
-                                mode_1.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise: mode_1_rise,
-                                    fall: 0.0,
-                                    forced: mode_1_forced,
-                                    residue: 0.3333333333333333 * inverse_r * inverse_r,
-                                },
-                            ),
-                            mass_wave(
-                                mode_2.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise: mode_2_rise,
-                                    fall: 0.0,
-                                    forced: mode_2_forced,
-                                    residue: -1.3333333333333333 * inverse_r * inverse_r,
-                                },
-                            ),
-                        ],
-                    )
-                }
-                1 => {
-                    let mode_1_driven_re = mode_1.response.re * 0.6666666666666666;
-                    let mode_1_rubbed_back = -(0.6666666666666666 * mode_1_u_in_sum);
-                    let mode_2_driven_re = mode_2.response.re * -0.6666666666666666;
-                    let mode_2_rubbed_back = -(1.3333333333333333 * mode_2_u_in_sum);
-                    let response_re = mode_1_driven_re + mode_2_driven_re;
-                    let mismatch_re = mode_1_driven_re * mode_1_u_others
-                        + mode_2_v_term_re * mode_1_rubbed_back
-                        + (mode_2_driven_re * mode_2_u_others
-                            + mode_1_v_term_re * mode_2_rubbed_back);
-                    let mode_1_friction_force = friction_weight * 0.6666666666666666;
-                    let mode_1_rise = mode_1_friction_force * contact.scale;
-                    let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
-                    let mode_2_friction_force = friction_weight * 1.3333333333333333;
-                    let mode_2_rise = mode_2_friction_force * contact.scale;
-                    let mode_2_forced = mode_2_friction_force * mode_2_u_in_sum;
-                    (
-                        Fundamental {
-                            cosine: friction.root * (response_re * inverse_re)
-                                * friction.unscale,
-                            sine: friction.beta * (mismatch_re * inverse_re)
-                                * friction.unscale,
-                            response: Complex {
-                                re: response_re * friction.unscale,
-                                im: 0.0,
-                            },
+                    ),
+                    mass_wave(
+                        mode_2.x,
+                        Undamped,
+                        ModalCoefficients {
+                            rise: mode_2_rise,
+                            fall: 0.0,
+                            forced: mode_2_forced,
+                            harmonic: mode_2_by_contact * inverse_r * inverse_r,
                         },
-                        [
-                            mass_wave(
-                                mode_1.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise: mode_1_rise,
-                                    fall: 0.0,
-                                    forced: mode_1_forced,
-                                    residue: 0.6666666666666666 * inverse_r * inverse_r,
-                                },
-                            ),
-                            mass_wave(
-                                mode_2.x,
-                                Undamped,
-                                ModalCoefficients {
-                                    rise: mode_2_rise,
-                                    fall: 0.0,
-                                    forced: mode_2_forced,
-                                    residue: 1.3333333333333333 * inverse_r * inverse_r,
-                                },
-                            ),
-                        ],
-                    )
-                }
-                _ => return None,
-            };
+                    ),
+                ],
+            );
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }
     ::frictiongen::kernel::wraps!(PairMassesMotion, Continuous of PairMasses, Copy);
     impl PairMassesMotion {
-        /// The motion of mass `inner` (5.50 and its exact form, 7.29).
+        /// Motion of mass `inner` (5.50 and its exact form, 7.29).
         #[must_use]
         pub fn inner(&self) -> MotionOf<PairMasses> {
             self.mass(0)
         }
-        /// The motion of mass `outer` (5.50 and its exact form, 7.29).
+        /// Motion of mass `outer` (5.50 and its exact form, 7.29).
         #[must_use]
         pub fn outer(&self) -> MotionOf<PairMasses> {
             self.mass(1)
@@ -465,57 +447,51 @@ const _: () = {
     }
     impl ProvidesStuck for PairMasses {
         type Stuck = PairMassesStuck;
-        /// x̄* = (V_kH − H_kV)/H: `numerator` has each mode's products with the others, as those with itself would cancel.
-        /// `driven` is a mode's part of V_k, `held_back` of −H_k; `v_term` and `h_term` of V and H; `inverse` is 1/H, `unscale` 1/(r²E).
-        #[allow(unused_variables)]
+        /// x̄* = (V_kH − H_kV)/H, the complex amplitude of mass k (6.11, 6.27, 6.33).
         #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<f64>> {
-            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let inverse_r = at.inverse_ratio();
+            let contact = at.contact_sums();
             let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
+            let [shape_1, shape_2] = *Self::SHAPES.get(mass)?;
+            /// Re of the own term of H
             let mode_2_h_term_re = mode_2.response.re * constants_2.inverse_mass;
+            /// Re of the own term of V
             let mode_2_v_term_re = mode_2.response.re * constants_2.residue;
+            /// Re of the own term of H
             let mode_1_h_term_re = mode_1.response.re * constants_1.inverse_mass;
+            /// Re of the own term of V
             let mode_1_v_term_re = mode_1.response.re * constants_1.residue;
+            /// φ_k(φᵀp), from the load to mass k
+            let mode_1_by_load = shape_1 * constants_1.load;
+            /// Re of the own term of V_k
+            let mode_1_driven_re = mode_1.response.re * mode_1_by_load;
+            /// φ_k(φᵀw), from the contact to mass k
+            let mode_1_by_contact = shape_1 * constants_1.contact;
+            /// Re of the own term of −H_k
+            let mode_1_held_back_re = mode_1.response.re * -mode_1_by_contact;
+            /// φ_k(φᵀp), from the load to mass k
+            let mode_2_by_load = shape_2 * constants_2.load;
+            /// Re of the own term of V_k
+            let mode_2_driven_re = mode_2.response.re * mode_2_by_load;
+            /// φ_k(φᵀw), from the contact to mass k
+            let mode_2_by_contact = shape_2 * constants_2.contact;
+            /// Re of the own term of −H_k
+            let mode_2_held_back_re = mode_2.response.re * -mode_2_by_contact;
+            /// Re of V_kH − H_kV, without the products of a mode with itself
+            let numerator_re = mode_1_driven_re * mode_2_h_term_re
+                + mode_1_held_back_re * mode_2_v_term_re
+                + (mode_2_driven_re * mode_1_h_term_re
+                    + mode_2_held_back_re * mode_1_v_term_re);
+            /// Re of the reciprocal
             let inverse_re = 1.0 / contact.h.re;
+            /// 1/(r²E)
             let unscale = inverse_r * inverse_r / contact.scale;
-            Some(
-                match mass {
-                    0 => {
-                        let mode_1_driven_re = mode_1.response.re * 0.3333333333333333;
-                        let mode_1_held_back_re = mode_1.response.re
-                            * -0.3333333333333333;
-                        let mode_2_driven_re = mode_2.response.re * 0.6666666666666666;
-                        let mode_2_held_back_re = mode_2.response.re
-                            * 1.3333333333333333;
-                        let numerator_re = mode_1_driven_re * mode_2_h_term_re
-                            + mode_1_held_back_re * mode_2_v_term_re
-                            + (mode_2_driven_re * mode_1_h_term_re
-                                + mode_2_held_back_re * mode_1_v_term_re);
-                        Complex {
-                            re: numerator_re * inverse_re * unscale,
-                            im: 0.0,
-                        }
-                    }
-                    1 => {
-                        let mode_1_driven_re = mode_1.response.re * 0.6666666666666666;
-                        let mode_1_held_back_re = mode_1.response.re
-                            * -0.6666666666666666;
-                        let mode_2_driven_re = mode_2.response.re * -0.6666666666666666;
-                        let mode_2_held_back_re = mode_2.response.re
-                            * -1.3333333333333333;
-                        let numerator_re = mode_1_driven_re * mode_2_h_term_re
-                            + mode_1_held_back_re * mode_2_v_term_re
-                            + (mode_2_driven_re * mode_1_h_term_re
-                                + mode_2_held_back_re * mode_1_v_term_re);
-                        Complex {
-                            re: numerator_re * inverse_re * unscale,
-                            im: 0.0,
-                        }
-                    }
-                    _ => return None,
-                },
-            )
+            Some(Complex {
+                re: numerator_re * inverse_re * unscale,
+                im: 0.0,
+            })
         }
     }
     ::frictiongen::kernel::wraps!(PairMassesStuck, Stuck of PairMasses, Copy);

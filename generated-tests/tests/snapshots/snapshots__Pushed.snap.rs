@@ -1,7 +1,7 @@
 /// One mass under a force that is held over a step, in single precision.
 ///
 /// Emitted by frictiongen 0.1.0 from scene 41220f0eb63f241c.
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -12,12 +12,12 @@
     ::core::hash::Hash
 )]
 pub struct Pushed;
-/// The motion of [`Pushed`] by steps of one length, under any input; `advance` takes a step.
+/// Stepper: motion of [`Pushed`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
 /// A step of dt, in s, has ⌈20.00·dt⌉ parts, at most 1024.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
-/// Any other is followed from event to event, for at most 8 events and, where the friction law bends, 64 stretches;
-/// what is left of a part after that passes without creating energy, and `exceeded` tells.
+/// Any other part is followed from event to event, for at most 8 events and, where the friction law bends, 64 stretches.
+/// The rest of the part then passes without creating energy, and `exceeded` counts the step.
 ///
 /// A part has at most 132 floating-point operations by the tables, about 7896 with one event, never
 /// more than 1559192.  A Cortex-M4F takes up to 4 instructions for each, and 400 for a part.
@@ -25,7 +25,7 @@ pub struct Pushed;
 pub struct PushedStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f32, 1, 1, 0, 1>,
 );
-/// What acts on [`Pushed`] at an instant, in the scene's units.
+/// Loads on [`Pushed`] at an instant, in the units of the scene: the input of a step.
 #[allow(deprecated, non_camel_case_types, non_snake_case)]
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -35,47 +35,66 @@ pub struct PushedStepper(
     ::core::default::Default
 )]
 pub struct PushedInput {
-    /// The force on mass `block`.
+    /// Force on mass `block`.
     pub force: ::core::primitive::f32,
-    /// The kinetic friction force F, not negative; at rest the contact holds up to μF.
+    /// Kinetic friction force F, not negative.  A stuck contact holds up to μF.
     pub friction: ::core::primitive::f32,
 }
-#[automatically_derived]
 #[allow(
     deprecated,
     non_snake_case,
     non_camel_case_types,
-    unused_imports,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::restriction
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Pushed {
-        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f32; 1] = [20.0];
-        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
         pub const RESONANCES: [f32; 1] = [1.0];
-        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
         pub const MODE_SHAPES: [[f32; 1]; 1] = [[1.0]];
-        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: none, as the contact does not rub on a moving base.
+        /// Constants of the chain.
         const CHAIN: Chain<f32> = Chain {
+            /// a mode is damped
             damped: false,
+            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
+            /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.0,
+            /// μ, static over kinetic friction
             stiction: 1.0,
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f32) -> f32 {
             omega / 20.0
         }
-        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
+        /// Returns β = F/P of a kinetic friction force F.  `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
@@ -83,53 +102,76 @@ const _: () = {
         }
         /// φ of all modes, [mass][mode].
         const ALL_SHAPES: [[f32; 1]; 1] = transposed(&Self::MODE_SHAPES);
-        /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
-        /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `participations`: how far
-        /// each free mode takes part in y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after
-        /// mode.
+        /// Constants of the motion in time.
         const DYNAMICS: Dynamics<'static, f32> = Dynamics {
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// all modes, those that the contact drives first
             modes: &[
                 Mode {
+                    /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
                     kind: Kind::Undamped,
+                    /// the contact drives the mode: φᵀw is not 0
                     in_contact: true,
+                    /// √λ, the frequency ratio r of the undamped resonance
                     resonance: 1.0,
+                    /// ζ, the modal damping ratio
                     zeta: 0.0,
+                    /// √|1 − ζ²|
                     q: 1.0,
+                    /// 1 − q
                     q_defect: 0.0,
+                    /// φᵀp, with p where the load acts
                     load: 1.0,
+                    /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                     contact: 1.0,
+                    /// (φᵀp)(φᵀw)
                     residue: 1.0,
+                    /// (φᵀw)², the term of m*
                     inverse_mass: 1.0,
+                    /// (φᵀp)(φᵀw)/λ
                     static_residue: 1.0,
                 },
             ],
+            /// modes of the chain with its contact stuck, of states y and u
             held: &[],
+            /// factors of each mode in y and u of each mode of the stuck chain
             participations: &[],
+            /// φ, mass after mass
             shapes: Self::ALL_SHAPES.as_flattened(),
+            /// φᵀΓ, mode after mode
             weights: &[1.0],
+            /// index of the mass that rubs on a support
             rubbing: Some(0),
         };
-        /// What a stepper is told of the scene: `units`: k₁, √(k₁/m₁) in rad/s and the springs to the base over k₁;
-        /// `forces`: the loaded masses; `law`: Stribeck's points, speed and kinetic friction over F.
+        /// Constants of the stepper.
         const STEP_SCENE: StepScene<'static, f32> = StepScene {
+            /// modes of the chain, and of the chain with its contact stuck
             dynamics: Self::DYNAMICS,
+            /// factors to the units of the scene
             units: Units {
+                /// k₁
                 stiffness: 200.0,
+                /// √(k₁/m₁), rad/s
                 rate: 20.0,
+                /// sum of the springs to the base, over k₁
                 support: 1.0,
             },
+            /// the base moves
             on_base: false,
+            /// indices of the loaded masses
             forces: &[0],
+            /// interpolation of the input between two samples
             input: Input::Hold,
+            /// points of a friction law over the speed: speed, kinetic friction over F
             law: &[],
         };
+        /// Tables for a step of dt: constants for `STEP`, if the scene declares a step, otherwise computed here.
         #[inline]
         fn step_tables(dt: f32) -> Result<FixedTables<f32, 1, 1, 0, 1>, OutOfDomain> {
             FixedTables::new(&Self::STEP_SCENE, dt)
         }
-        /// The motion by steps of dt, in s, from rest under no load.
+        /// Creates a stepper with the step dt, s, for a chain at rest without load.
         ///
         /// # Errors
         /// `OutOfDomain` for a step that is not positive and finite, or too long.
@@ -139,7 +181,7 @@ const _: () = {
             Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None)
                 .map(From::from)
         }
-        /// The same from a state: displacement and velocity of every mass.
+        /// Creates a stepper that starts from the displacement and velocity of every mass.
         ///
         /// # Errors
         /// `OutOfDomain` also for a state that is not finite.
@@ -157,10 +199,10 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(Pushed : limits, simulation);
     ::frictiongen::kernel::wraps!(PushedStepper, FixedStepper of f32, 1, 1, 0, 1);
     impl PushedStepper {
-        /// Says what the input is before the first step; otherwise it is none.  The contact answers for it at once.
+        /// Sets the input at the start, before the first step.  Without this call it is 0.
         ///
         /// # Errors
-        /// `OutOfDomain` as of `advance`, and after the first step.
+        /// `OutOfDomain` where `advance` returns it, and after the first step.
         pub fn begin(&mut self, input: PushedInput) -> Result<(), OutOfDomain> {
             self.0
                 .begin(Sample {
@@ -169,12 +211,12 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Takes a step under an input that is held over it.
-        /// [`PushedStepper`] says what it costs.
+        /// Takes a step, over which the input is constant.
+        /// [`PushedStepper`] has the number of operations.
         ///
         /// # Errors
-        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, for numbers whose squares
-        /// overflow, and before the work does: the stepper is then what it was.
+        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the work
+        /// would overflow.  The stepper then keeps its state.
         pub fn advance(
             &mut self,
             input: PushedInput,

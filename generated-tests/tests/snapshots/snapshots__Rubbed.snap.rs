@@ -1,7 +1,7 @@
 /// A block whose kinetic friction falls with the speed, from event to event.
 ///
 /// Emitted by frictiongen 0.1.0 from scene 0c93a0f50ccc50b4.
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -12,47 +12,66 @@
     ::core::hash::Hash
 )]
 pub struct Rubbed;
-/// The exact motion of [`Rubbed`] in time, from event to event; `next` gives its segments.
+/// Exact motion of [`Rubbed`] in time, from event to event.  `next` returns its segments.
 #[allow(deprecated, non_camel_case_types)]
 pub struct RubbedSimulation(
     ::frictiongen::kernel::simulation::FixedLinesSimulation<::core::primitive::f64, 1>,
 );
-#[automatically_derived]
 #[allow(
     deprecated,
     non_snake_case,
     non_camel_case_types,
-    unused_imports,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::restriction
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Rubbed {
-        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 1] = [20.0];
-        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
         pub const RESONANCES: [f64; 1] = [1.0];
-        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
-        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: none, as the contact does not rub on a moving base.
+        /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
+            /// a mode is damped
             damped: false,
+            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
+            /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.0,
+            /// μ, static over kinetic friction
             stiction: 1.2,
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega / 20.0
         }
-        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
+        /// Returns β = F/P of a kinetic friction force F.  `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -60,40 +79,54 @@ const _: () = {
         }
         /// φ of all modes, [mass][mode].
         const ALL_SHAPES: [[f64; 1]; 1] = transposed(&Self::MODE_SHAPES);
-        /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
-        /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `participations`: how far
-        /// each free mode takes part in y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after
-        /// mode.
+        /// Constants of the motion in time.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// all modes, those that the contact drives first
             modes: &[
                 Mode {
+                    /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
                     kind: Kind::Undamped,
+                    /// the contact drives the mode: φᵀw is not 0
                     in_contact: true,
+                    /// √λ, the frequency ratio r of the undamped resonance
                     resonance: 1.0,
+                    /// ζ, the modal damping ratio
                     zeta: 0.0,
+                    /// √|1 − ζ²|
                     q: 1.0,
+                    /// 1 − q
                     q_defect: 0.0,
+                    /// φᵀp, with p where the load acts
                     load: 1.0,
+                    /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                     contact: 1.0,
+                    /// (φᵀp)(φᵀw)
                     residue: 1.0,
+                    /// (φᵀw)², the term of m*
                     inverse_mass: 1.0,
+                    /// (φᵀp)(φᵀw)/λ
                     static_residue: 1.0,
                 },
             ],
+            /// modes of the chain with its contact stuck, of states y and u
             held: &[],
+            /// factors of each mode in y and u of each mode of the stuck chain
             participations: &[],
+            /// φ, mass after mass
             shapes: Self::ALL_SHAPES.as_flattened(),
+            /// φᵀΓ, mode after mode
             weights: &[1.0],
+            /// index of the mass that rubs on a support
             rubbing: Some(0),
         };
-        /// The points of the friction law: speed, and kinetic friction over F.
+        /// Points of the friction law: speed, and kinetic friction over F.
         const LAW: &'static [[f64; 2]] = &[[0.02, 0.7], [0.1, 0.55]];
-        /// The velocity for which dz̄/dτ is 1, where r and the load's amplitude are.
+        /// Relative velocity at dz̄/dτ = 1, for r = 1 and a load of amplitude 1.
         const SPEED: f64 = 0.025;
-        /// The exact motion in time from rest, the excitation at its maximum, under a load of this amplitude in the
-        /// scene's units; β is the kinetic friction at vanishing speed.
+        /// Starts the exact motion in time from rest, at a maximum of the excitation.  `amplitude` is that of the load, in
+        /// the units of the scene; β is the kinetic friction at vanishing speed.
         ///
         /// # Errors
         /// `OutOfDomain` unless r and the amplitude are positive and finite, and β finite and not negative; and for a
@@ -105,7 +138,7 @@ const _: () = {
         ) -> Result<RubbedSimulation, OutOfDomain> {
             Self::started(r, beta, amplitude, None)
         }
-        /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+        /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
         ///
         /// # Errors
         /// `OutOfDomain` also for a state that is not finite.
@@ -132,7 +165,7 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(Rubbed : limits, stepper);
     ::frictiongen::kernel::wraps!(RubbedSimulation, FixedLinesSimulation of f64, 1);
     impl RubbedSimulation {
-        /// Displacement and velocity of mass `block` now.
+        /// Displacement and velocity of mass `block` at the present instant.
         #[must_use]
         pub fn block(&self) -> Moment<f64> {
             self.mass(0)

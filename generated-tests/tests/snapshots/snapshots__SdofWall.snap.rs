@@ -1,7 +1,7 @@
 /// One mass on a spring, rubbing on a wall: no sums, no damping.
 ///
 /// Emitted by frictiongen 0.1.0 from scene c6a0013aa6d29f2b.
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -13,136 +13,149 @@
 )]
 pub struct SdofWall;
 /// [`SdofWall`] at one frequency ratio: limits, regime, continuous motion.
+///
+/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 1 mode.
 #[allow(deprecated, non_camel_case_types)]
 pub struct SdofWallAt(::frictiongen::kernel::response::At<SdofWall>);
-/// The exact continuous motion of [`SdofWall`] at one frequency and one friction ratio.
+/// Exact continuous motion of [`SdofWall`] at one frequency and one friction ratio.
 #[allow(deprecated, non_camel_case_types)]
 pub struct SdofWallMotion(::frictiongen::kernel::response::Continuous<SdofWall>);
-#[automatically_derived]
 #[allow(
     deprecated,
     non_snake_case,
     non_camel_case_types,
-    unused_imports,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::restriction
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl SdofWall {
-        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 1] = [1.0];
-        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
         pub const RESONANCES: [f64; 1] = [1.0];
-        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
-        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: none, as the contact does not rub on a moving base.
+        /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
+            /// a mode is damped
             damped: false,
+            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
+            /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.0,
+            /// μ, static over kinetic friction
             stiction: 1.0,
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega
         }
-        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
+        /// Returns β = F/P of a kinetic friction force F.  `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
-        /// `in_contact`: φᵀw is not 0.
+        /// Modes that the load or the contact drives.
         const MODES: [Mode<f64>; 1] = [
             Mode {
+                /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
                 kind: Kind::Undamped,
+                /// the contact drives the mode: φᵀw is not 0
                 in_contact: true,
+                /// √λ, the frequency ratio r of the undamped resonance
                 resonance: 1.0,
+                /// ζ, the modal damping ratio
                 zeta: 0.0,
+                /// √|1 − ζ²|
                 q: 1.0,
+                /// 1 − q
                 q_defect: 0.0,
+                /// φᵀp, with p where the load acts
                 load: 1.0,
+                /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 1.0,
+                /// (φᵀp)(φᵀw)
                 residue: 1.0,
+                /// (φᵀw)², the term of m*
                 inverse_mass: 1.0,
+                /// (φᵀp)(φᵀw)/λ
                 static_residue: 1.0,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
-        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
-        /// the load drives, `invisible`: those that the contact does not touch.
+        /// Constants of the steady response.
         const NUMBERS: Numbers<'static, f64> = Numbers {
+            /// modes that the load or the contact drives
             modes: &Self::MODES,
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// limits at both ends of the range of r
             ends: Ends {
+                /// β*_lim for r → 0
                 sliding_at_rest: 1.0,
+                /// β_lim for r → ∞
                 continuous_at_infinity: 0.5370292721463151,
+                /// β*_lim for r → ∞
                 sliding_at_infinity: 1.0,
             },
+            /// index of the mass that rubs on a support
             rubbing: Some(0),
+            /// V and H may have common zeros, at which the holding force decides the limits
             absorbs: false,
+            /// undamped resonances that the load drives
             unbounded: &[1.0],
+            /// those of them in which the contact does not move
             invisible: &[],
         };
-        /// The scene at the frequency ratio r = ω√(m₁/k₁).
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn at(r: f64) -> Result<SdofWallAt, OutOfDomain> {
-            At::new(Self, r).map(From::from)
-        }
-        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
-        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
-            At::limits_without_search(&Self, r)
-        }
-        /// Both limits over a slice of frequency ratios, into slices of the same length.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first NaN or negative r, after what precedes it is.
-        pub fn limits_into(
-            rs: &[f64],
-            continuous: &mut [f64],
-            sliding: &mut [f64],
-        ) -> Result<(), OutOfDomain> {
-            At::limits_into(Self, rs, continuous, sliding)
-        }
-        /// φ of `MODES`, [mass][mode].
+        /// Mode shapes φ of `MODES`, [mass][mode].
         const SHAPES: [[f64; 1]; 1] = transposed(&Self::MODE_SHAPES);
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `inverse_r` is x = 1/r, as √λ is 1; `detuning` is x² − 1, `size` |x² − 1| + 2ζx, which is E, `scale`.
-        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.
-        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` takes the place of an exact 0, so that no
-        /// quotient is 0/0.
+        /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
+        ///
+        /// Sums over the modes: V = H, as the load acts on the mass that rubs,
+        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
+        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
+        /// resonance.
         ///
         /// Operations: 12: 4 ×, 2 +, 2 compare, 2 sign, 1 sin_cos_pi, 1 ÷.
         #[inline(always)]
         fn functions(inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
+            /// sin(πx/2), cos(πx/2)
             let (sine, plain_cosine) = Scalar::sin_cos_pi(inverse_r * 0.5);
+            /// x² − 1; a tiny number in place of an exact 0
             let detuning = Scalar::detuning_off_pole(
                 (inverse_r - 1.0) * (inverse_r + 1.0),
             );
+            /// cos(πx/2); a tiny number in place of an exact 0
             let cosine = Scalar::cosine_off_pole(plain_cosine);
+            /// |x² − 1|
             let size = Scalar::abs(detuning);
+            /// uR²·size = tan(πx/2)/x·size (5.20, 5.34)
             let u = sine * size / (inverse_r * cosine);
+            /// Re V·r²E
             let v_re = Scalar::copysign(1.0, detuning);
             let contact = ContactAt {
                 scale: size,
@@ -163,48 +176,24 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::kernel::scene_functions!(SdofWall, SdofWallAt, f64, At);
     ::frictiongen::emitted_system!(SdofWall, SdofWallAt, f64, ["block"]);
     ::frictiongen::kernel::wraps!(SdofWallAt, At of SdofWall, Copy);
     impl Scene for SdofWall {
-        type Scalar = f64;
-        type Decay = Undamped;
-        type Modes = [ModeAt<f64>; 1];
-        type Waves = [Wave<f64, Undamped>; 1];
-        #[inline]
-        fn numbers(&self) -> Numbers<'static, f64> {
-            Self::NUMBERS
-        }
-        /// φ of a mass, by modes.
+        ::frictiongen::kernel::scene_items!(f64, undamped, 1);
+        /// Components of a mass in the mode shapes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             Self::SHAPES.get(mass).map(<[f64; 1]>::as_slice)
         }
-        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
-        /// Working space of the searches, and of the waves of a motion.
-        #[inline]
-        fn idle(&self) -> Self::Waves {
-            Self::MODES.map(|mode| Wave::idle(&mode))
-        }
-        /// A copy of the modes for a motion to keep.
-        #[inline]
-        fn kept(modes: &Self::Modes) -> Self::Modes {
-            *modes
-        }
-        /// All functions of the contact at 1/r, and of its modes.
-        #[inline]
-        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 1]) {
-            Self::functions(inverse_r)
-        }
-        /// Those of the contact without G, which only a motion needs.
-        #[inline]
-        fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
-            Self::functions(inverse_r).0
-        }
-        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
+        ///
+        /// Operations: 0.
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.scale
@@ -212,14 +201,19 @@ const _: () = {
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
         /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            /// |V|·r²E
             let modulus_v = Scalar::abs(contact.v.re);
             modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
         ///
         /// The load acts on the mass that rubs: V = H.
+        ///
+        /// Operations: none.
         #[inline]
         fn sliding_limit(&self, _: &ContactAt<f64>) -> f64 {
             1.0
@@ -230,16 +224,18 @@ const _: () = {
     );
     impl ProvidesMotion for SdofWall {
         type Motion = SdofWallMotion;
-        /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
-        /// `forced` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.  `friction_force` is β/(r²E) times a mode's φ_k(φᵀw); `friction` has
-        /// `root`, Q = √(|V|² − (βU)²) times r²E, and `amplitude`, Q − βG.
-        #[allow(unused_variables)]
+        /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
+        ///
+        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
-            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let inverse_r = at.inverse_ratio();
+            let contact = at.contact_sums();
             let [mode_1] = at.modes();
+            /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
+            /// coefficient of (1 − d)/x²
             let rise = friction_weight * contact.scale;
+            /// coefficient of sin τ − Rq̃
             let forced = friction_weight * mode_1.u;
             let fundamental = Fundamental {
                 cosine: friction.amplitude,
@@ -257,7 +253,7 @@ const _: () = {
                         rise,
                         fall: 0.0,
                         forced,
-                        residue: inverse_r * inverse_r,
+                        harmonic: inverse_r * inverse_r,
                     },
                 ),
             ];
@@ -266,9 +262,9 @@ const _: () = {
     }
     ::frictiongen::kernel::wraps!(SdofWallMotion, Continuous of SdofWall, Copy);
     impl SdofWallMotion {
-        /// The motion of mass `block` (5.50 and its exact form, 7.29).
+        /// Motion of mass `block` (5.50 and its exact form, 7.29).
         ///
-        /// It rubs on a support at rest: its motion is the contact's.
+        /// It rubs on a support at rest, so its motion is that of the contact.
         #[must_use]
         pub fn block(&self) -> MotionOf<SdofWall> {
             self.contact()

@@ -1,7 +1,7 @@
 /// Two masses on a moving base, by steps of a millisecond: constant tables, and nothing at a frequency.
 ///
 /// Emitted by frictiongen 0.1.0 from scene 091ff501af35821c.
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -12,12 +12,12 @@
     ::core::hash::Hash
 )]
 pub struct Shaken;
-/// The motion of [`Shaken`] by steps of one length, under any input; `advance` takes a step.
+/// Stepper: motion of [`Shaken`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
 /// A step of dt, in s, has ⌈32.90·dt⌉ parts, at most 1024: `STEP` has 1.
 /// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
-/// Any other is followed from event to event, for at most 8 events and, where the friction law bends, 64 stretches;
-/// what is left of a part after that passes without creating energy, and `exceeded` tells.
+/// Any other part is followed from event to event, for at most 8 events and, where the friction law bends, 64 stretches.
+/// The rest of the part then passes without creating energy, and `exceeded` counts the step.
 ///
 /// A step of `STEP` has at most 386 floating-point operations by the tables, about 10634 with one event, never
 /// more than 1638804.
@@ -25,7 +25,7 @@ pub struct Shaken;
 pub struct ShakenStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f64, 4, 2, 1, 1>,
 );
-/// What acts on [`Shaken`] at an instant, in the scene's units.
+/// Loads on [`Shaken`] at an instant, in the units of the scene: the input of a step.
 #[allow(deprecated, non_camel_case_types, non_snake_case)]
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -35,55 +35,74 @@ pub struct ShakenStepper(
     ::core::default::Default
 )]
 pub struct ShakenInput {
-    /// The base's displacement.
+    /// Displacement of the base.
     pub displacement: ::core::primitive::f64,
-    /// The base's velocity, in that unit a second.
+    /// Velocity of the base, in the unit of displacement per second.
     pub velocity: ::core::primitive::f64,
-    /// The kinetic friction force F, not negative; at rest the contact holds up to μF.
+    /// Kinetic friction force F, not negative.  A stuck contact holds up to μF.
     pub friction: ::core::primitive::f64,
 }
-#[automatically_derived]
 #[allow(
     deprecated,
     non_snake_case,
     non_camel_case_types,
-    unused_imports,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::restriction
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Shaken {
-        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
             11.980928093791238,
             32.12531422632804,
         ];
-        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
         pub const RESONANCES: [f64; 2] = [0.6280451371556012, 1.6840220742078127];
-        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 2]; 2] = [
             [0.5446174012864552, 0.8412612267718186],
             [0.8386846166563378, -0.5462905769681745],
         ];
-        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: none, as the contact does not rub on a moving base.
+        /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
+            /// a mode is damped
             damped: true,
+            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
+            /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.0061538461538462,
+            /// μ, static over kinetic friction
             stiction: 1.2,
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega / 19.07653986153372
         }
-        /// β = F/(k₁Y) of a kinetic friction force F; `load` is k₁Y, Y the amplitude of the base's motion.
+        /// Returns β = F/(k₁Y) of a kinetic friction force F.  `load` is k₁Y, with Y the amplitude of the base motion.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
@@ -91,25 +110,34 @@ const _: () = {
         }
         /// φ of all modes, [mass][mode].
         const ALL_SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
-        /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
-        /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `participations`: how far
-        /// each free mode takes part in y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after
-        /// mode.
+        /// Constants of the motion in time.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// all modes, those that the contact drives first
             modes: &[
                 Mode {
+                    /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
                     kind: Kind::Light,
+                    /// the contact drives the mode: φᵀw is not 0
                     in_contact: true,
+                    /// √λ, the frequency ratio r of the undamped resonance
                     resonance: 0.6280451371556012,
+                    /// ζ, the modal damping ratio
                     zeta: 0.01,
+                    /// √|1 − ζ²|
                     q: 0.9999499987499375,
+                    /// 1 − q
                     q_defect: 5.000125006250391e-5,
+                    /// φᵀp, with p where the load acts
                     load: 0.5446174012864552,
+                    /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                     contact: 0.8412612267718186,
+                    /// (φᵀp)(φᵀw)
                     residue: 0.4581655031275231,
+                    /// (φᵀw)², the term of m*
                     inverse_mass: 0.7077204516696252,
+                    /// (φᵀp)(φᵀw)/λ
                     static_residue: 1.1615573893435114,
                 },
                 Mode {
@@ -126,13 +154,20 @@ const _: () = {
                     static_residue: -0.16155738934351133,
                 },
             ],
+            /// modes of the chain with its contact stuck, of states y and u
             held: &[
                 HeldMode {
+                    /// kind of damping
                     kind: Kind::Light,
+                    /// frequency ratio r of the undamped resonance
                     frequency: 1.4531912144939334,
+                    /// ζ
                     zeta: 0.01106334956690814,
+                    /// √|1 − ζ²|
                     q: 0.9999387992754158,
+                    /// −(contact force)/y
                     force: 1.3259697517355205,
+                    /// [m₁₁, m₁₂, m₂₂], which turns the products of a motion with both states into y and u
                     inverse: [
                         0.01603861671693582,
                         0.4832786094746962,
@@ -140,55 +175,169 @@ const _: () = {
                     ],
                 },
             ],
+            /// factors of each mode in y and u of each mode of the stuck chain
             participations: &[
                 [-0.6493709202128115, 0.010770429057713646],
                 [-1.0, 0.01658594298337838],
             ],
+            /// φ, mass after mass
             shapes: Self::ALL_SHAPES.as_flattened(),
+            /// φᵀΓ, mode after mode
             weights: &[
                 0.5446174012864552,
                 0.8361158981677096,
                 0.8386846166563378,
                 -0.5429493501977269,
             ],
+            /// index of the mass that rubs on a support
             rubbing: Some(1),
         };
-        /// The step of which the tables are constants, in s.
+        /// Step, s, for which the tables are constants.
         pub const STEP: f64 = 0.001;
-        /// What a stepper is told of the scene: `units`: k₁, √(k₁/m₁) in rad/s and the springs to the base over k₁;
-        /// `forces`: the loaded masses; `law`: Stribeck's points, speed and kinetic friction over F.
+        /// Constants of the stepper.
         const STEP_SCENE: StepScene<'static, f64> = StepScene {
+            /// modes of the chain, and of the chain with its contact stuck
             dynamics: Self::DYNAMICS,
+            /// factors to the units of the scene
             units: Units {
+                /// k₁
                 stiffness: 1190.0,
+                /// √(k₁/m₁), rad/s
                 rate: 19.07653986153372,
+                /// sum of the springs to the base, over k₁
                 support: 1.0,
             },
+            /// the base moves
             on_base: true,
+            /// indices of the loaded masses
             forces: &[],
+            /// interpolation of the input between two samples
             input: Input::Linear,
+            /// points of a friction law over the speed: speed, kinetic friction over F
             law: &[],
         };
-        /// What each oscillator does over a part of `STEP`, time s counted in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with
-        /// `angle` Ω.  A row has the weights of the state (y, u) and of the drive's coefficients: `moments` give ∫ sʲy′ ds, `turns`
-        /// ∫ sʲu′ ds.  The first of `moments`, with [a, a′], and `turn` or the first of `turns`, with [−b, −c], are three shears:
-        /// y gains a·u, u gains −b·y − c·u and its drive, y gains a′·u and its drive.
+        /// Tables for a step of dt: constants for `STEP`, if the scene declares a step, otherwise computed here.
+        #[inline]
+        fn step_tables(dt: f64) -> Result<FixedTables<f64, 4, 2, 1, 1>, OutOfDomain> {
+            if dt.to_bits() == Self::STEP.to_bits() {
+                return Ok(Self::STEP_TABLES);
+            }
+            FixedTables::new(&Self::STEP_SCENE, dt)
+        }
+        /// Creates a stepper with the step dt, s, for a chain at rest without load.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a step that is not positive and finite, or too long.
+        #[inline]
+        pub fn stepper(dt: f64) -> Result<ShakenStepper, OutOfDomain> {
+            let tables = Self::step_tables(dt)?;
+            Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None)
+                .map(From::from)
+        }
+        /// Creates a stepper that starts from the displacement and velocity of every mass.
+        ///
+        /// # Errors
+        /// `OutOfDomain` also for a state that is not finite.
+        #[inline]
+        pub fn stepper_from(
+            dt: f64,
+            state: (&[f64; 2], &[f64; 2]),
+        ) -> Result<ShakenStepper, OutOfDomain> {
+            let tables = Self::step_tables(dt)?;
+            let state = Some((&state.0[..], &state.1[..]));
+            Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), state)
+                .map(From::from)
+        }
+    }
+    ::frictiongen::kernel::not_provided!(Shaken : limits, simulation);
+    ::frictiongen::kernel::wraps!(ShakenStepper, FixedStepper of f64, 4, 2, 1, 1);
+    impl ShakenStepper {
+        /// Sets the input at the start, before the first step.  Without this call it is 0.
+        ///
+        /// # Errors
+        /// `OutOfDomain` where `advance` returns it, and after the first step.
+        pub fn begin(&mut self, input: ShakenInput) -> Result<(), OutOfDomain> {
+            self.0
+                .begin(Sample {
+                    base: [input.displacement, input.velocity],
+                    forces: &[],
+                    friction: input.friction,
+                })
+        }
+        /// Takes a step, over which the input changes linearly from the last input to this one.
+        /// [`ShakenStepper`] has the number of operations.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the work
+        /// would overflow.  The stepper then keeps its state.
+        pub fn advance(
+            &mut self,
+            input: ShakenInput,
+        ) -> Result<Stepped<f64>, OutOfDomain> {
+            self.0
+                .advance(Sample {
+                    base: [input.displacement, input.velocity],
+                    forces: &[],
+                    friction: input.friction,
+                })
+        }
+        /// Displacement and velocity of mass `lower` now.
+        #[must_use]
+        pub fn lower(&self) -> MassNow<f64> {
+            self.mass(0)
+        }
+        /// Displacement and velocity of mass `upper` now.
+        #[must_use]
+        pub fn upper(&self) -> MassNow<f64> {
+            self.mass(1)
+        }
+    }
+    impl ::core::ops::DerefMut for ShakenStepper {
+        fn deref_mut(&mut self) -> &mut Self::Target {
+            &mut self.0
+        }
+    }
+    ::frictiongen::emitted_stepper!(Shaken, ShakenStepper, f64, true, []);
+    /// Tables: numbers alone, apart from the code that reads them.
+    impl Shaken {
+        /// Advance of each oscillator over a part of `STEP`, with the time s in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
+        ///
+        /// A `Row` has the weights of the state (y, u) and of the drive's coefficients.  The first of `moments`, with the
+        /// state weights [a, a′], and `turn` or the first of `turns`, with [−b, −c], are three shears: y gains a·u, u gains
+        /// −b·y − c·u and its drive, y gains a′·u and its drive.
+        ///
+        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.
+        /// 170 numbers; CRC-32 of their text, joined by commas: b70f2bc5.
         const STEP_TABLES: FixedTables<f64, 4, 2, 1, 1> = FixedTables {
+            /// how the step is divided into parts
             pace: Pace {
+                /// the step, s
                 step: 0.001,
+                /// number of parts of the step
                 parts: 1,
+                /// length of a part in the time t√(k₁/m₁)
                 span: 0.019076539861533723,
+                /// largest angle of an oscillator in a part, with its damping, rad
                 rate: 0.03289632176775991,
+                /// terms of a power series over a part
                 terms: 9,
+                /// wᵀK̄⁻¹w, displacement of the contact per unit of steady force
                 receptance: 1.8994708994708995,
+                /// m* times the damping force per unit of velocity of the contact, Σ 2ζc/σ over the receptance
                 drag: 0.01410413805963866,
             },
+            /// the modes of the chain
             modes: [
                 ModeStep {
+                    /// Ω, angle of the undamped mode in a part, rad
                     angle: 0.011980928093791239,
+                    /// ζ, the modal damping ratio
                     zeta: 0.01,
+                    /// Ω/σ², rate of u per unit of modal force
                     per_force: 0.030374472681901233,
+                    /// φᵀw, displacement of the contact per unit of the mode
                     contact: 0.8412612267718186,
+                    /// weights of the gain of u
                     turn: Row {
                         state: [-0.011979206189447332, -0.00023958985564112174],
                         drive: [
@@ -198,6 +347,7 @@ const _: () = {
                             0.2499868234466716,
                         ],
                     },
+                    /// weights of ∫ sʲy′ ds for j = 0, 1, …; the first is the gain of y
                     moments: [
                         Row {
                             state: [0.0059902964634389174, 0.0059907749469114],
@@ -291,12 +441,18 @@ const _: () = {
                     ],
                 },
             ],
+            /// the modes of the chain with its contact stuck
             held: [
                 HeldStep {
+                    /// Ω, angle of the undamped mode in a part, rad
                     angle: 0.02772186012972412,
+                    /// ζ, the modal damping ratio
                     zeta: 0.01106334956690814,
+                    /// −(contact force)/y
                     force: 1.3259697517355205,
+                    /// rates of y and u per unit velocity and acceleration of a base to which the contact sticks
                     from_base: [[0.0, 0.0], [0.0, 0.0]],
+                    /// weights of ∫ sʲy′ ds for j = 0, 1, …
                     moments: [
                         HeldRow {
                             state: [0.013860400651348838, 0.01386323497246942],
@@ -367,6 +523,7 @@ const _: () = {
                             ],
                         },
                     ],
+                    /// weights of ∫ sʲu′ ds for j = 0, 1, …
                     turns: [
                         HeldRow {
                             state: [-0.027709810176664487, -0.0006132051713344467],
@@ -439,101 +596,28 @@ const _: () = {
                     ],
                 },
             ],
+            /// rate of u of each mode per unit of each input
             loads: [[0.016542466377463476], [0.009500588362789723]],
+            /// the same of each mode of the stuck chain
             held_loads: [
                 [
                     HeldLoad {
+                        /// rates of y and u per unit of the input
                         drive: [-0.0001824890966018129, -0.011002636195282627],
+                        /// displacement where the input acts per unit of y and of u
                         reach: [-1.1923433196936333, 0.019776138317050704],
                     },
                 ],
             ],
+            /// coupling of each input to the contact
             channels: [
                 Channel {
-                    residue: 0.0,
+                    /// wᵀΓ⁻¹p, acceleration of the contact per unit of the input
+                    acceleration: 0.0,
+                    /// displacement where the input acts per unit of displacement of the stuck contact
                     lift: 0.5264623955431755,
                 },
             ],
         };
-        #[inline]
-        fn step_tables(dt: f64) -> Result<FixedTables<f64, 4, 2, 1, 1>, OutOfDomain> {
-            if dt == Self::STEP {
-                return Ok(Self::STEP_TABLES);
-            }
-            FixedTables::new(&Self::STEP_SCENE, dt)
-        }
-        /// The motion by steps of dt, in s, from rest under no load.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for a step that is not positive and finite, or too long.
-        #[inline]
-        pub fn stepper(dt: f64) -> Result<ShakenStepper, OutOfDomain> {
-            let tables = Self::step_tables(dt)?;
-            Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), None)
-                .map(From::from)
-        }
-        /// The same from a state: displacement and velocity of every mass.
-        ///
-        /// # Errors
-        /// `OutOfDomain` also for a state that is not finite.
-        #[inline]
-        pub fn stepper_from(
-            dt: f64,
-            state: (&[f64; 2], &[f64; 2]),
-        ) -> Result<ShakenStepper, OutOfDomain> {
-            let tables = Self::step_tables(dt)?;
-            let state = Some((&state.0[..], &state.1[..]));
-            Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), state)
-                .map(From::from)
-        }
     }
-    ::frictiongen::kernel::not_provided!(Shaken : limits, simulation);
-    ::frictiongen::kernel::wraps!(ShakenStepper, FixedStepper of f64, 4, 2, 1, 1);
-    impl ShakenStepper {
-        /// Says what the input is before the first step; otherwise it is none.  The contact answers for it at once.
-        ///
-        /// # Errors
-        /// `OutOfDomain` as of `advance`, and after the first step.
-        pub fn begin(&mut self, input: ShakenInput) -> Result<(), OutOfDomain> {
-            self.0
-                .begin(Sample {
-                    base: [input.displacement, input.velocity],
-                    forces: &[],
-                    friction: input.friction,
-                })
-        }
-        /// Takes a step, in a straight line from the last input to this one.
-        /// [`ShakenStepper`] says what it costs.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for what is NaN or infinite, for friction below zero, for numbers whose squares
-        /// overflow, and before the work does: the stepper is then what it was.
-        pub fn advance(
-            &mut self,
-            input: ShakenInput,
-        ) -> Result<Stepped<f64>, OutOfDomain> {
-            self.0
-                .advance(Sample {
-                    base: [input.displacement, input.velocity],
-                    forces: &[],
-                    friction: input.friction,
-                })
-        }
-        /// Displacement and velocity of mass `lower` now.
-        #[must_use]
-        pub fn lower(&self) -> MassNow<f64> {
-            self.mass(0)
-        }
-        /// Displacement and velocity of mass `upper` now.
-        #[must_use]
-        pub fn upper(&self) -> MassNow<f64> {
-            self.mass(1)
-        }
-    }
-    impl ::core::ops::DerefMut for ShakenStepper {
-        fn deref_mut(&mut self) -> &mut Self::Target {
-            &mut self.0
-        }
-    }
-    ::frictiongen::emitted_stepper!(Shaken, ShakenStepper, f64, true, []);
 };

@@ -1,7 +1,7 @@
 /// Single precision.
 ///
 /// Emitted by frictiongen 0.1.0 from scene 3c6b3b16c9451275.
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -13,71 +13,100 @@
 )]
 pub struct Single;
 /// [`Single`] at one frequency ratio: limits, regime, continuous motion.
+///
+/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 2 modes.
 #[allow(deprecated, non_camel_case_types)]
 pub struct SingleAt(::frictiongen::kernel::response::At<Single>);
-/// The exact continuous motion of [`Single`] at one frequency and one friction ratio.
+/// Exact continuous motion of [`Single`] at one frequency and one friction ratio.
 #[allow(deprecated, non_camel_case_types)]
 pub struct SingleMotion(::frictiongen::kernel::response::Continuous<Single>);
-#[automatically_derived]
 #[allow(
     deprecated,
     non_snake_case,
     non_camel_case_types,
-    unused_imports,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::restriction
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Single {
-        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f32; 2] = [0.618034, 1.618034];
-        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
         pub const RESONANCES: [f32; 2] = [0.618034, 1.618034];
-        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
         pub const MODE_SHAPES: [[f32; 2]; 2] = [
             [0.5257311, 0.8506508],
             [0.8506508, -0.5257311],
         ];
-        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: none, as the contact does not rub on a moving base.
+        /// Constants of the chain.
         const CHAIN: Chain<f32> = Chain {
+            /// a mode is damped
             damped: false,
+            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
+            /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.0,
+            /// μ, static over kinetic friction
             stiction: 1.0,
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f32) -> f32 {
             omega
         }
-        /// β = F/P of a kinetic friction force F; `load` is P, the amplitude of the force.
+        /// Returns β = F/P of a kinetic friction force F.  `load` is P, the amplitude of the force.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f32, load: f32) -> f32 {
             friction / load
         }
-        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
-        /// `in_contact`: φᵀw is not 0.
+        /// Modes that the load or the contact drives.
         const MODES: [Mode<f32>; 2] = [
             Mode {
+                /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
                 kind: Kind::Undamped,
+                /// the contact drives the mode: φᵀw is not 0
                 in_contact: true,
+                /// √λ, the frequency ratio r of the undamped resonance
                 resonance: 0.618034,
+                /// ζ, the modal damping ratio
                 zeta: 0.0,
+                /// √|1 − ζ²|
                 q: 1.0,
+                /// 1 − q
                 q_defect: 0.0,
+                /// φᵀp, with p where the load acts
                 load: 0.5257311,
+                /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.8506508,
+                /// (φᵀp)(φᵀw)
                 residue: 0.4472136,
+                /// (φᵀw)², the term of m*
                 inverse_mass: 0.7236068,
+                /// (φᵀp)(φᵀw)/λ
                 static_residue: 1.1708204,
             },
             Mode {
@@ -94,64 +123,50 @@ const _: () = {
                 static_residue: -0.1708204,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
-        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
-        /// the load drives, `invisible`: those that the contact does not touch.
+        /// Constants of the steady response.
         const NUMBERS: Numbers<'static, f32> = Numbers {
+            /// modes that the load or the contact drives
             modes: &Self::MODES,
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// limits at both ends of the range of r
             ends: Ends {
+                /// β*_lim for r → 0
                 sliding_at_rest: 0.5,
+                /// β_lim for r → ∞
                 continuous_at_infinity: 0.0,
+                /// β*_lim for r → ∞
                 sliding_at_infinity: 0.0,
             },
+            /// index of the mass that rubs on a support
             rubbing: Some(1),
+            /// V and H may have common zeros, at which the holding force decides the limits
             absorbs: false,
+            /// undamped resonances that the load drives
             unbounded: &[0.618034, 1.618034],
+            /// those of them in which the contact does not move
             invisible: &[],
         };
-        /// The scene at the frequency ratio r = ω√(m₁/k₁).
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn at(r: f32) -> Result<SingleAt, OutOfDomain> {
-            At::new(Self, r).map(From::from)
-        }
-        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
-        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn limits_without_search(r: f32) -> Result<Limits<f32>, OutOfDomain> {
-            At::limits_without_search(&Self, r)
-        }
-        /// Both limits over a slice of frequency ratios, into slices of the same length.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first NaN or negative r, after what precedes it is.
-        pub fn limits_into(
-            rs: &[f32],
-            continuous: &mut [f32],
-            sliding: &mut [f32],
-        ) -> Result<(), OutOfDomain> {
-            At::limits_into(Self, rs, continuous, sliding)
-        }
-        /// φ of `MODES`, [mass][mode].
+        /// Mode shapes φ of `MODES`, [mass][mode].
         const SHAPES: [[f32; 2]; 2] = transposed(&Self::MODE_SHAPES);
         /// The functions of an undamped mode.
-        /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
-        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.
-        /// Undamped: u = x·tan(πx/2), g = 0.  `sine` and `cosine` are of πx/2; `…_off_pole` takes the place of an exact 0, so that no
-        /// quotient is 0/0.
+        ///
+        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        ///
+        /// Operations: 12: 5 ×, 2 +, 2 compare, 1 sign, 1 sin_cos_pi, 1 ÷.
         #[inline(always)]
         fn undamped_mode(mode: &Mode<f32>, inverse_r: f32) -> ModeResponse<f32> {
+            /// x = √λ/r = 1/R
             let x = mode.resonance * inverse_r;
+            /// sin(πx/2), cos(πx/2)
             let (sine, plain_cosine) = Scalar::sin_cos_pi(x * 0.5);
+            /// x² − 1; a tiny number in place of an exact 0
             let detuning = Scalar::detuning_off_pole((x - 1.0) * (x + 1.0));
+            /// cos(πx/2); a tiny number in place of an exact 0
             let cosine = Scalar::cosine_off_pole(plain_cosine);
+            /// |x² − 1|
             let size = Scalar::abs(detuning);
+            /// uR²·size = tan(πx/2)/x·size (5.20, 5.34)
             let u = sine * size / (x * cosine);
             ModeResponse {
                 x,
@@ -162,11 +177,12 @@ const _: () = {
                 reversal: 0.0,
             }
         }
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
+        /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
+        ///
+        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
+        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
+        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
+        /// resonance.
         ///
         /// Operations: 40: 18 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline(always)]
@@ -174,16 +190,20 @@ const _: () = {
             let [constants_1, constants_2] = &Self::MODES;
             let mode_1 = Self::undamped_mode(constants_1, inverse_r);
             let mode_2 = Self::undamped_mode(constants_2, inverse_r);
+            /// E, the smallest `size` of the modes in contact
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
+            /// Re V·r²E
             let v_re = at_1.response.re * constants_1.residue
                 + at_2.response.re * constants_2.residue;
+            /// Re H·r²E
             let h_re = at_1.response.re * constants_1.inverse_mass
                 + at_2.response.re * constants_2.inverse_mass;
+            /// U·r²E
             let u = constants_1.inverse_mass * at_1.u
                 + constants_2.inverse_mass * at_2.u;
             let contact = ContactAt {
@@ -197,48 +217,24 @@ const _: () = {
             (contact, modes)
         }
     }
+    ::frictiongen::kernel::scene_functions!(Single, SingleAt, f32, At);
     ::frictiongen::emitted_system!(Single, SingleAt, f32, ["lower", "upper"]);
     ::frictiongen::kernel::wraps!(SingleAt, At of Single, Copy);
     impl Scene for Single {
-        type Scalar = f32;
-        type Decay = Undamped;
-        type Modes = [ModeAt<f32>; 2];
-        type Waves = [Wave<f32, Undamped>; 2];
-        #[inline]
-        fn numbers(&self) -> Numbers<'static, f32> {
-            Self::NUMBERS
-        }
-        /// φ of a mass, by modes.
+        ::frictiongen::kernel::scene_items!(f32, undamped, 2);
+        /// Components of a mass in the mode shapes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f32]> {
             Self::SHAPES.get(mass).map(<[f32; 2]>::as_slice)
         }
-        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
         #[inline]
         fn inverse_ratio_range(&self) -> (f32, f32) {
             (8.881784e-16, 1125899900000000.0)
         }
-        /// Working space of the searches, and of the waves of a motion.
-        #[inline]
-        fn idle(&self) -> Self::Waves {
-            Self::MODES.map(|mode| Wave::idle(&mode))
-        }
-        /// A copy of the modes for a motion to keep.
-        #[inline]
-        fn kept(modes: &Self::Modes) -> Self::Modes {
-            *modes
-        }
-        /// All functions of the contact at 1/r, and of its modes.
-        #[inline]
-        fn frequency_stage(&self, inverse_r: f32) -> (ContactAt<f32>, [ModeAt<f32>; 2]) {
-            Self::functions(inverse_r)
-        }
-        /// Those of the contact without G, which only a motion needs.
-        #[inline]
-        fn contact_without_g(&self, inverse_r: f32) -> ContactAt<f32> {
-            Self::functions(inverse_r).0
-        }
-        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
+        ///
+        /// Operations: 0.
         #[inline]
         fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
             contact.scale
@@ -246,15 +242,22 @@ const _: () = {
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
         /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f32>, constraint: f32) -> f32 {
+            /// |V|·r²E
             let modulus_v = Scalar::abs(contact.v.re);
             modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 3: 2 sign, 1 ÷.
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f32>) -> f32 {
+            /// |V|·r²E
             let modulus_v = Scalar::abs(contact.v.re);
+            /// |H|·r²E
             let modulus_h = Scalar::abs(contact.h.re);
             modulus_v / modulus_h
         }
@@ -264,21 +267,27 @@ const _: () = {
     );
     impl ProvidesMotion for Single {
         type Motion = SingleMotion;
-        /// The relative motion in the contact, and each mode's part in it: `rise` times (1 − d)/x², `fall` times cos τ − d and
-        /// `forced` times sin τ − R·q̃, with d and q̃ the mode's free decays from a displacement and from a velocity; `unscale`
-        /// is 1/(r²E), `residue` φ_k(φᵀw)/r², for the harmonics.  `friction_force` is β/(r²E) times a mode's φ_k(φᵀw); `friction` has
-        /// `root`, Q = √(|V|² − (βU)²) times r²E, and `amplitude`, Q − βG.
-        #[allow(unused_variables)]
+        /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
+        ///
+        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
         fn contact_motion(at: &At<Self>, friction: &Friction<f32>) -> MotionOf<Self> {
-            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let inverse_r = at.inverse_ratio();
+            let contact = at.contact_sums();
             let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
+            /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
+            /// β/(r²E)·φ_k(φᵀw)
             let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
+            /// coefficient of (1 − d)/x²
             let mode_1_rise = mode_1_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
             let mode_1_forced = mode_1_friction_force * mode_1.u;
+            /// β/(r²E)·φ_k(φᵀw)
             let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
+            /// coefficient of (1 − d)/x²
             let mode_2_rise = mode_2_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
             let mode_2_forced = mode_2_friction_force * mode_2.u;
             let fundamental = Fundamental {
                 cosine: friction.amplitude,
@@ -296,7 +305,7 @@ const _: () = {
                         rise: mode_1_rise,
                         fall: 0.0,
                         forced: mode_1_forced,
-                        residue: constants_1.inverse_mass * inverse_r * inverse_r,
+                        harmonic: constants_1.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
@@ -306,53 +315,83 @@ const _: () = {
                         rise: mode_2_rise,
                         fall: 0.0,
                         forced: mode_2_forced,
-                        residue: constants_2.inverse_mass * inverse_r * inverse_r,
+                        harmonic: constants_2.inverse_mass * inverse_r * inverse_r,
                     },
                 ),
             ];
             Motion::of_contact(*friction, fundamental, waves)
         }
-        /// The motion of a mass k, in the same coefficients.  `driven` is a mode's φ_k(φᵀp)·`response`, their sum V_k; `rubbed_back`
-        /// is −φ_k(φᵀw)·u, their sum −U_k; `mismatch` is V_kU − U_kV, in which each mode's product with itself, which would cancel,
-        /// is left out: `v_term` and `u_term` are a mode's own in V and U, `v_others` and `u_others` what is left without them.  Where
-        /// x < 1/2 the mode is mass-controlled: `mass_wave` has all of its response, so that `u_in_sum` and `offset`, else u and g, are 0
-        /// and `u_others` is all of U.
-        #[allow(unused_variables)]
+        /// The motion of mass k: its fundamental component, and the coefficients of each mode.
+        ///
+        /// Of two products that would cancel, those of a mode with itself, none is computed.  A mode with x < 1/2 is
+        /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
         fn mass_motion(
             at: &At<Self>,
             friction: &Friction<f32>,
             mass: usize,
         ) -> Option<MotionOf<Self>> {
-            let (inverse_r, contact) = (at.inverse_ratio(), at.contact_sums());
+            let inverse_r = at.inverse_ratio();
+            let contact = at.contact_sums();
             let [constants_1, constants_2] = &Self::MODES;
             let [mode_1, mode_2] = at.modes();
             if mass != 0 {
                 return None;
             }
+            let [shape_1, shape_2] = *Self::SHAPES.get(mass)?;
+            /// Re of the own term of V
             let mode_2_v_term_re = mode_2.response.re * constants_2.residue;
+            /// the own term of U
             let mode_2_u_term = constants_2.inverse_mass * mode_2.u;
+            /// U without the own term, or all of it for x < 1/2
             let mode_1_u_others = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
+            /// Re of the own term of V
             let mode_1_v_term_re = mode_1.response.re * constants_1.residue;
+            /// the own term of U
             let mode_1_u_term = constants_1.inverse_mass * mode_1.u;
+            /// U without the own term, or all of it for x < 1/2
             let mode_2_u_others = if mode_2.x < 0.5 { contact.u } else { mode_1_u_term };
-            let mode_1_driven_re = mode_1.response.re * 0.27639318;
+            /// φ_k(φᵀp), from the load to mass k
+            let mode_1_by_load = shape_1 * constants_1.load;
+            /// Re of the own term of V_k
+            let mode_1_driven_re = mode_1.response.re * mode_1_by_load;
+            /// φ_k(φᵀw), from the contact to mass k
+            let mode_1_by_contact = shape_1 * constants_1.contact;
+            /// uR²·E, or 0 if the mode is mass-controlled (x < 1/2)
             let mode_1_u_in_sum = if mode_1.x < 0.5 { 0.0 } else { mode_1.u };
-            let mode_1_rubbed_back = -(0.44721356 * mode_1_u_in_sum);
-            let mode_2_driven_re = mode_2.response.re * 0.72360677;
+            /// the own term of −U_k
+            let mode_1_rubbed_back = -(mode_1_by_contact * mode_1_u_in_sum);
+            /// φ_k(φᵀp), from the load to mass k
+            let mode_2_by_load = shape_2 * constants_2.load;
+            /// Re of the own term of V_k
+            let mode_2_driven_re = mode_2.response.re * mode_2_by_load;
+            /// φ_k(φᵀw), from the contact to mass k
+            let mode_2_by_contact = shape_2 * constants_2.contact;
+            /// uR²·E, or 0 if the mode is mass-controlled (x < 1/2)
             let mode_2_u_in_sum = if mode_2.x < 0.5 { 0.0 } else { mode_2.u };
-            let mode_2_rubbed_back = -(-0.44721356 * mode_2_u_in_sum);
+            /// the own term of −U_k
+            let mode_2_rubbed_back = -(mode_2_by_contact * mode_2_u_in_sum);
+            /// Re of V_k·r²E
             let response_re = mode_1_driven_re + mode_2_driven_re;
+            /// Re of V_kU − U_kV, without the products of a mode with itself
             let mismatch_re = mode_1_driven_re * mode_1_u_others
                 + mode_2_v_term_re * mode_1_rubbed_back
                 + (mode_2_driven_re * mode_2_u_others
                     + mode_1_v_term_re * mode_2_rubbed_back);
+            /// Re of the reciprocal
             let inverse_re = 1.0 / contact.v.re;
+            /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
-            let mode_1_friction_force = friction_weight * 0.44721356;
+            /// β/(r²E)·φ_k(φᵀw)
+            let mode_1_friction_force = friction_weight * mode_1_by_contact;
+            /// coefficient of (1 − d)/x²
             let mode_1_rise = mode_1_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
             let mode_1_forced = mode_1_friction_force * mode_1_u_in_sum;
-            let mode_2_friction_force = friction_weight * -0.44721356;
+            /// β/(r²E)·φ_k(φᵀw)
+            let mode_2_friction_force = friction_weight * mode_2_by_contact;
+            /// coefficient of (1 − d)/x²
             let mode_2_rise = mode_2_friction_force * contact.scale;
+            /// coefficient of sin τ − Rq̃
             let mode_2_forced = mode_2_friction_force * mode_2_u_in_sum;
             let (fundamental, waves) = (
                 Fundamental {
@@ -372,7 +411,7 @@ const _: () = {
                             rise: mode_1_rise,
                             fall: 0.0,
                             forced: mode_1_forced,
-                            residue: 0.44721356 * inverse_r * inverse_r,
+                            harmonic: mode_1_by_contact * inverse_r * inverse_r,
                         },
                     ),
                     mass_wave(
@@ -382,7 +421,7 @@ const _: () = {
                             rise: mode_2_rise,
                             fall: 0.0,
                             forced: mode_2_forced,
-                            residue: -0.44721356 * inverse_r * inverse_r,
+                            harmonic: mode_2_by_contact * inverse_r * inverse_r,
                         },
                     ),
                 ],
@@ -392,14 +431,14 @@ const _: () = {
     }
     ::frictiongen::kernel::wraps!(SingleMotion, Continuous of Single, Copy);
     impl SingleMotion {
-        /// The motion of mass `lower` (5.50 and its exact form, 7.29).
+        /// Motion of mass `lower` (5.50 and its exact form, 7.29).
         #[must_use]
         pub fn lower(&self) -> MotionOf<Single> {
             self.mass(0)
         }
-        /// The motion of mass `upper` (5.50 and its exact form, 7.29).
+        /// Motion of mass `upper` (5.50 and its exact form, 7.29).
         ///
-        /// It rubs on a support at rest: its motion is the contact's.
+        /// It rubs on a support at rest, so its motion is that of the contact.
         #[must_use]
         pub fn upper(&self) -> MotionOf<Single> {
             self.contact()

@@ -1,7 +1,7 @@
 /// The motion in time and the steady state in any regime.
 ///
 /// Emitted by frictiongen 0.1.0 from scene eedbe5be51e36513.
-/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.
+/// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -13,83 +13,115 @@
 )]
 pub struct Stopping;
 /// [`Stopping`] at one frequency ratio: limits, regime, steady states.
+///
+/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 2 modes.
 #[allow(deprecated, non_camel_case_types)]
 pub struct StoppingAt(::frictiongen::kernel::response::At<Stopping>);
-/// The exact motion of [`Stopping`] in time, from event to event; `next` gives its segments.
+/// Exact motion of [`Stopping`] in time, from event to event.  `next` returns its segments.
 #[allow(deprecated, non_camel_case_types)]
 pub struct StoppingSimulation(
     ::frictiongen::kernel::simulation::FixedSimulation<::core::primitive::f64, 3>,
 );
-/// The steady state of [`Stopping`] at one frequency and one friction ratio, in any regime.
+/// Steady state of [`Stopping`] at one frequency and one friction ratio, in any regime.
 ///
-/// Its sizes: 3 modes and held modes, room for 280 numbers, 4 Floquet multipliers.
+/// Room for 3 modes of the chain and of the stuck chain, for 280 numbers (states at the starts of segments, Jacobian matrices) and for 4 Floquet multipliers.
+///
+/// Worst case: 1048576 steps of all searches for events together, each a sum over at most 3 modes, and Newton's method on 4 unknowns.
 #[allow(deprecated, non_camel_case_types)]
 pub struct StoppingOrbit(
     ::frictiongen::kernel::orbit::FixedOrbit<::core::primitive::f64, 3, 280, 4>,
 );
-#[automatically_derived]
 #[allow(
     deprecated,
     non_snake_case,
     non_camel_case_types,
-    unused_imports,
-    unused_qualifications,
-    clippy::all,
-    clippy::pedantic,
-    clippy::nursery,
-    clippy::restriction
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
+    use ::core::f64::consts::PI;
     impl Stopping {
-        /// ω_i, the natural frequencies, ascending: rad/s if masses are in kg and springs in N/m.
+        /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
             0.6490960526996967,
             1.7032018484583367,
         ];
-        /// √λ_i = ω_i√(m₁/k₁): the frequency ratios r of the undamped resonances.
+        /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
         pub const RESONANCES: [f64; 2] = [0.6490960526996967, 1.7032018484583367];
-        /// φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁); the first component of each that is not 0 is positive.
+        /// Mode shapes φ, [mode][mass], with φᵀΓφ = 1 and Γ = diag(m_i/m₁).  The first component that is not 0 is positive.
         pub const MODE_SHAPES: [[f64; 2]; 2] = [
             [0.5683291693328758, 0.8673087078783189],
             [0.8228012854179333, -0.5990715452678017],
         ];
-        /// The chain: `damped`, whether a mode is; `inverse_mass` m* = m₁/(effective mass of the contact), `stiction` μ, static over kinetic friction.
-        /// `on_moving_base`: none, as the contact does not rub on a moving base.
+        /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
+            /// a mode is damped
             damped: true,
+            /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
+            /// m* = m₁/(effective mass of the contact)
             inverse_mass: 1.1111111111111112,
+            /// μ, static over kinetic friction
             stiction: 1.2,
         };
-        /// An angular frequency, rad/s, as frequency ratio r = ω√(m₁/k₁).
+        /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f64) -> f64 {
             omega
         }
-        /// β = F/(k₁Y) of a kinetic friction force F; `load` is k₁Y, Y the amplitude of the base's motion.
+        /// Returns β = F/(k₁Y) of a kinetic friction force F.  `load` is k₁Y, with Y the amplitude of the base motion.
         #[inline]
         #[must_use]
         pub const fn friction_ratio(friction: f64, load: f64) -> f64 {
             friction / load
         }
-        /// The modes that the load or the contact drives: `resonance` √λ, `q` √|1 − ζ²|, `q_defect` 1 − q, `load` φᵀp,
-        /// with p where the load acts; `contact` φᵀw, with w 1 at the mass that rubs and −1 at its partner; `residue` their
-        /// product, `inverse_mass` (φᵀw)², `static_residue` residue/λ.  A mode is `Light` below ζ = 1/2, `Heavy` below 1, `Over` above;
-        /// `in_contact`: φᵀw is not 0.
+        /// Modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
+                /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
                 kind: Kind::Light,
+                /// the contact drives the mode: φᵀw is not 0
                 in_contact: true,
+                /// √λ, the frequency ratio r of the undamped resonance
                 resonance: 0.6490960526996967,
+                /// ζ, the modal damping ratio
                 zeta: 0.01,
+                /// √|1 − ζ²|
                 q: 0.9999499987499375,
+                /// 1 − q
                 q_defect: 5.000125006250391e-5,
+                /// φᵀp, with p where the load acts
                 load: 0.5683291693328758,
+                /// φᵀw, with w = 1 at the mass that rubs and −1 at its partner
                 contact: 0.8673087078783189,
+                /// (φᵀp)(φᵀw)
                 residue: 0.4929168375036549,
+                /// (φᵀw)², the term of m*
                 inverse_mass: 0.7522243947615592,
+                /// (φᵀp)(φᵀw)/λ
                 static_residue: 1.1699187927890582,
             },
             Mode {
@@ -106,94 +138,91 @@ const _: () = {
                 static_residue: -0.16991879278905825,
             },
         ];
-        /// `ends`: β*_lim for r → 0, both limits for r → ∞; `rubbing`: the mass that rubs on a support at rest; `absorbs`:
-        /// V and H may share zeros, where the holding force says what a limit is; `unbounded`: undamped resonances that
-        /// the load drives, `invisible`: those that the contact does not touch.
+        /// Constants of the steady response.
         const NUMBERS: Numbers<'static, f64> = Numbers {
+            /// modes that the load or the contact drives
             modes: &Self::MODES,
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// limits at both ends of the range of r
             ends: Ends {
+                /// β*_lim for r → 0
                 sliding_at_rest: 0.43650793650793657,
+                /// β_lim for r → ∞
                 continuous_at_infinity: 0.0,
+                /// β*_lim for r → ∞
                 sliding_at_infinity: 0.0,
             },
+            /// index of the mass that rubs on a support
             rubbing: Some(1),
+            /// V and H may have common zeros, at which the holding force decides the limits
             absorbs: false,
+            /// undamped resonances that the load drives
             unbounded: &[],
+            /// those of them in which the contact does not move
             invisible: &[],
         };
-        /// The scene at the frequency ratio r = ω√(m₁/k₁).
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn at(r: f64) -> Result<StoppingAt, OutOfDomain> {
-            At::new(Self, r).map(From::from)
-        }
-        /// Both limits without search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that leaves S out, and
-        /// β*_lim (6.11, 6.27, 6.33).  Where nothing else is asked of r, this is the shortest way.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for NaN and negative r; 0 and ∞ answer with the limits.
-        #[inline]
-        pub fn limits_without_search(r: f64) -> Result<Limits<f64>, OutOfDomain> {
-            At::limits_without_search(&Self, r)
-        }
-        /// Both limits over a slice of frequency ratios, into slices of the same length.
-        ///
-        /// # Errors
-        /// `OutOfDomain` for slices of unequal lengths, before anything is written; and at the first NaN or negative r, after what precedes it is.
-        pub fn limits_into(
-            rs: &[f64],
-            continuous: &mut [f64],
-            sliding: &mut [f64],
-        ) -> Result<(), OutOfDomain> {
-            At::limits_into(Self, rs, continuous, sliding)
-        }
         /// The functions of a lightly damped mode, ζ < 1/2.
-        /// `x` is √λ/r = 1/R, `detuning` x² − 1, `size` |x² − 1| + 2ζx; E, `scale`, is the least of the modes in contact.
-        /// `u` is uR².  It, `g` and `reversal` are multiplied by `size`, which removes the pole at x = 1; then by E over `size`.  `loss` is 2ζx.
-        /// Below critical damping: u = x·(2e/q) sin(πqx)/D, g = (1 − e² − (2ζe/q) sin(πqx))/D, D = 1 + 2e cos(πqx) + e².
-        /// `decay_exponent` is πζx, `decay_factor` e = exp(−πζx), `half_decay_factor` its root, `decay_complement` 1 − e; `sine` and
-        /// `cosine` are of πqx/2, the difference of πx/2 and π(1 − q)x/2, and sin(πqx) is twice their product; `half_turns` is qx.  D is
-        /// |`nearness`|², of (1 + e) cos(πqx/2) + i(1 − e) sin(πqx/2); `inverse_nearness` is 1/(|re| + |im|), `pole_weight` `size` times that
-        /// over |`unit_nearness`|²: their product is `size`/D, in two factors, so that neither overflows beside a resonance.  `u_times_r` is
-        /// uR times `size`.  g·D is (1 − e² − 2ae) + 2ae(1 − sin(πqx)/(πqx)) with a = πζx: `scaled_sinh_defect` of a is the first bracket,
-        /// `one_minus_sinc_pi` of qx the second, without cancellation.  `reversal`, g + 2ζRu, is (1 − e²)/D + ζuR.
+        ///
+        /// u, g and `reversal` are times `size`, which removes the pole at x = 1.
+        ///
+        /// Operations: 56: 34 ×, 10 +, 4 sign, 4 ÷, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]
         fn damped_mode<const WITH_G: bool>(
             mode: &Mode<f64>,
             inverse_r: f64,
         ) -> ModeResponse<f64> {
+            /// x = √λ/r = 1/R
             let x = mode.resonance * inverse_r;
+            /// x² − 1
             let detuning = (x - 1.0) * (x + 1.0);
+            /// 2ζx
             let loss = 2.0 * mode.zeta * x;
+            /// |x² − 1| + 2ζx, which vanishes on the undamped resonance
             let size = Scalar::abs(detuning) + loss;
-            let decay_exponent = 3.141592653589793 * mode.zeta * x;
+            /// a = πζx
+            let decay_exponent = PI * mode.zeta * x;
+            /// exp(−a/2) − 1
             let half_decay_minus_one = Scalar::exp_m1(decay_exponent * -0.5);
+            /// exp(−a/2)
             let half_decay_factor = 1.0 + half_decay_minus_one;
+            /// 1 − e
             let decay_complement = -(half_decay_minus_one * (1.0 + half_decay_factor));
+            /// e = exp(−a) with a = πζx (7.11)
             let decay_factor = half_decay_factor * half_decay_factor;
+            /// qx, the half-turns of the free motion in half a period
             let half_turns = mode.q * x;
+            /// sin(πqx/2), cos(πqx/2)
             let (sine, cosine) = Scalar::sin_cos_pi_minus(
                 x * 0.5,
                 x * (mode.q_defect * 0.5),
             );
+            /// 1 + e
             let one_plus_factor = 1.0 + decay_factor;
+            /// (1 + e) cos(πqx/2), whose square plus that of `nearness_im` is D = 1 + 2e cos(πqx) + e²
             let nearness_re = one_plus_factor * cosine;
+            /// (1 − e) sin(πqx/2)
             let nearness_im = decay_complement * sine;
+            /// 1/(|nearness_re| + |nearness_im|): D itself could underflow beside a resonance
             let inverse_nearness = 1.0
                 / (Scalar::abs(nearness_re) + Scalar::abs(nearness_im));
+            /// nearness_re·inverse_nearness
             let unit_nearness_re = nearness_re * inverse_nearness;
+            /// nearness_im·inverse_nearness
             let unit_nearness_im = nearness_im * inverse_nearness;
+            /// size/(D·inverse_nearness)
             let pole_weight = size * inverse_nearness
                 / (unit_nearness_re * unit_nearness_re
                     + unit_nearness_im * unit_nearness_im);
+            /// uR·size = (2e/q) sin(πqx)·size/D (7.11)
             let u_times_r = 4.0 / mode.q * sine * decay_factor
                 * (cosine * inverse_nearness) * pole_weight;
+            /// uR²·size
             let u = u_times_r / x;
+            /// (g + 2ζRu)·size = ((1 − e²)/D + ζuR)·size, the term of H_c (5.63, 7.47)
             let reversal = one_plus_factor * (decay_complement * inverse_nearness)
                 * pole_weight + mode.zeta * u_times_r;
+            /// g·size = (1 − e² − (2ζe/q) sin(πqx))·size/D (7.12)
             let g = if WITH_G {
                 (Scalar::scaled_sinh_defect(decay_exponent)
                     + 2.0 * decay_factor * decay_exponent
@@ -211,11 +240,12 @@ const _: () = {
                 reversal,
             }
         }
-        /// The response and damping functions V, U, G, H of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), each
-        /// times r²E with the scale E that keeps them finite on a resonance, and each mode's part in them.
-        /// Of each mode `response` is 1/(x² − 1 + 2iζx) and R = 1/x.  Sums over modes: V of residue·`response`; H, U, G and r²H_c of
-        /// (φᵀw)² times `response`, uR², gR² and g + 2ζRu (`reversal`).
-        /// `at_scale` has `response`, u and g of a mode times E: the last two times E over `size`.
+        /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
+        ///
+        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
+        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
+        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
+        /// resonance.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -225,25 +255,33 @@ const _: () = {
             let [constants_1, constants_2] = &Self::MODES;
             let mode_1 = Self::damped_mode::<WITH_G>(constants_1, inverse_r);
             let mode_2 = Self::damped_mode::<WITH_G>(constants_2, inverse_r);
+            /// E, the smallest `size` of the modes in contact
             let scale = Scalar::min(mode_1.size, mode_2.size);
             let modes = [
                 Self::CHAIN.at_scale(&mode_1, scale),
                 Self::CHAIN.at_scale(&mode_2, scale),
             ];
             let [at_1, at_2] = &modes;
+            /// Re V·r²E
             let v_re = at_1.response.re * constants_1.residue
                 + at_2.response.re * constants_2.residue;
+            /// Im V·r²E
             let v_im = at_1.response.im * constants_1.residue
                 + at_2.response.im * constants_2.residue;
+            /// Re H·r²E
             let h_re = at_1.response.re * constants_1.inverse_mass
                 + at_2.response.re * constants_2.inverse_mass;
+            /// Im H·r²E
             let h_im = at_1.response.im * constants_1.inverse_mass
                 + at_2.response.im * constants_2.inverse_mass;
+            /// U·r²E
             let u = constants_1.inverse_mass * at_1.u
                 + constants_2.inverse_mass * at_2.u;
+            /// H_c·r²E
             let reversal = constants_1.inverse_mass
                 * (mode_1.reversal * (scale / mode_1.size))
                 + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
+            /// G·r²E
             let g_sum = if WITH_G {
                 constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
                     + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
@@ -262,21 +300,26 @@ const _: () = {
         }
         /// φ of all modes, [mass][mode].
         const ALL_SHAPES: [[f64; 2]; 2] = transposed(&Self::MODE_SHAPES);
-        /// The motion in time: all modes, those that the contact drives first, and the modes of the chain with its contact
-        /// held.  Of a held mode `frequency` is √λ, `force` −(contact force)/y, and `inverse` the symmetric matrix
-        /// [m₁₁, m₁₂, m₂₂] that takes the products of a motion with its two states to y and u.  `participations`: how far
-        /// each free mode takes part in y and u of each held one; `shapes`: φ, mass after mass; `weights`: φᵀΓ, mode after
-        /// mode.
+        /// Constants of the motion in time.
         const DYNAMICS: Dynamics<'static, f64> = Dynamics {
+            /// constants of the chain
             chain: Self::CHAIN,
+            /// all modes, those that the contact drives first
             modes: &Self::MODES,
+            /// modes of the chain with its contact stuck, of states y and u
             held: &[
                 HeldMode {
+                    /// kind of damping
                     kind: Kind::Light,
+                    /// frequency ratio r of the undamped resonance
                     frequency: 1.449137674618944,
+                    /// ζ
                     zeta: 0.010995103927964253,
+                    /// √|1 − ζ²|
                     q: 0.9999395520178274,
+                    /// −(contact force)/y
                     force: 1.337251750218044,
+                    /// [m₁₁, m₁₂, m₂₂], which turns the products of a motion with both states into y and u
                     inverse: [
                         0.015221582697280134,
                         0.46646859015104253,
@@ -284,20 +327,24 @@ const _: () = {
                     ],
                 },
             ],
+            /// factors of each mode in y and u of each mode of the stuck chain
             participations: &[
                 [-0.6907246979374844, 0.011264683757455306],
                 [-1.0, 0.016308500030608204],
             ],
+            /// φ, mass after mass
             shapes: Self::ALL_SHAPES.as_flattened(),
+            /// φᵀΓ, mode after mode
             weights: &[
                 0.5683291693328758,
                 0.7805778370904871,
                 0.8228012854179333,
                 -0.5391643907410216,
             ],
+            /// index of the mass that rubs on a support
             rubbing: Some(1),
         };
-        /// The exact motion in time from rest, the excitation at its maximum.
+        /// Starts the exact motion in time from rest, at a maximum of the excitation.
         ///
         /// # Errors
         /// `OutOfDomain` unless r is positive and finite, and β finite and not negative.
@@ -305,7 +352,7 @@ const _: () = {
             let parts = [Part::empty(); 3];
             Simulation::new(Self::DYNAMICS, r, beta, None, parts).map(From::from)
         }
-        /// The same from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+        /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
         ///
         /// # Errors
         /// `OutOfDomain` also for a state that is not finite.
@@ -319,72 +366,61 @@ const _: () = {
             Simulation::new(Self::DYNAMICS, r, beta, start, parts).map(From::from)
         }
     }
+    ::frictiongen::kernel::scene_functions!(Stopping, StoppingAt, f64, At);
     ::frictiongen::emitted_system!(Stopping, StoppingAt, f64, ["lower", "upper"]);
     ::frictiongen::kernel::wraps!(StoppingAt, At of Stopping, Copy);
     impl Scene for Stopping {
-        type Scalar = f64;
-        type Decay = Damped<f64>;
-        type Modes = [ModeAt<f64>; 2];
-        type Waves = [Wave<f64, Damped<f64>>; 2];
-        #[inline]
-        fn numbers(&self) -> Numbers<'static, f64> {
-            Self::NUMBERS
-        }
-        /// φ of a mass, by modes: of none here, as no motion of a mass is provided.
+        ::frictiongen::kernel::scene_items!(f64, damped, 2);
+        /// No motion of a mass is provided, so no mode shapes are needed.
         #[inline]
         fn shape(&self, _: usize) -> Option<&[f64]> {
             None
         }
-        /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
-        /// Working space of the searches, and of the waves of a motion.
-        #[inline]
-        fn idle(&self) -> Self::Waves {
-            Self::MODES.map(|mode| Wave::idle(&mode))
-        }
-        /// All functions of the contact at 1/r, and of its modes.
-        #[inline]
-        fn frequency_stage(&self, inverse_r: f64) -> (ContactAt<f64>, [ModeAt<f64>; 2]) {
-            Self::functions::<true>(inverse_r)
-        }
-        /// Those of the contact without G, which only a motion needs.
-        #[inline]
-        fn contact_without_g(&self, inverse_r: f64) -> ContactAt<f64> {
-            Self::functions::<false>(inverse_r).0
-        }
-        /// r²E(H_c + μm*/r²) = `reversal` + μm*E: in β_lim it ensures that the contact breaks away at once at every reversal (5.63, 7.47).
+        /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
+        ///
+        /// Operations: 2: 1 +, 1 ×.
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
-            contact.reversal + 1.3333333333333333 * contact.scale
+            contact.reversal
+                + Self::CHAIN.stiction * Self::CHAIN.inverse_mass * contact.scale
         }
         /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
         /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
+        ///
+        /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
         #[inline]
         fn continuous_limit(&self, contact: &ContactAt<f64>, constraint: f64) -> f64 {
+            /// |V|·r²E
             let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
             modulus_v / Scalar::sqrt(contact.u * contact.u + constraint * constraint)
         }
         /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        ///
+        /// Operations: 4: 2 hypot, 1 ×, 1 ÷.
         #[inline]
         fn sliding_limit(&self, contact: &ContactAt<f64>) -> f64 {
+            /// |V|·r²E
             let modulus_v = Scalar::hypot(contact.v.re, contact.v.im);
+            /// |H|·r²E
             let modulus_h = Scalar::hypot(contact.h.re, contact.h.im);
-            modulus_v / (1.2 * modulus_h)
+            modulus_v / (Self::CHAIN.stiction * modulus_h)
         }
     }
     ::frictiongen::kernel::not_provided!(StoppingAt : motion, stuck; Stopping : stepper);
     ::frictiongen::kernel::wraps!(StoppingSimulation, FixedSimulation of f64, 3);
     impl StoppingSimulation {
-        /// Displacement and velocity of mass `lower` now.
+        /// Displacement and velocity of mass `lower` at the present instant.
         #[must_use]
         pub fn lower(&self) -> Moment<f64> {
             self.mass(0)
         }
-        /// Displacement and velocity of mass `upper` now.
+        /// Displacement and velocity of mass `upper` at the present instant.
         #[must_use]
         pub fn upper(&self) -> Moment<f64> {
             self.mass(1)
@@ -438,12 +474,12 @@ const _: () = {
     }
     ::frictiongen::kernel::wraps!(StoppingOrbit, FixedOrbit of f64, 3, 280, 4);
     impl StoppingOrbit {
-        /// The motion of mass `lower`.
+        /// Motion of mass `lower`.
         #[must_use]
         pub fn lower(&self) -> FixedOrbitMotion<'_, f64, 3, 280, 4> {
             self.mass(0)
         }
-        /// The motion of mass `upper`.
+        /// Motion of mass `upper`.
         #[must_use]
         pub fn upper(&self) -> FixedOrbitMotion<'_, f64, 3, 280, 4> {
             self.mass(1)

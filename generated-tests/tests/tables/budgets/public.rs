@@ -115,6 +115,7 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
             "contact::absorber::Chain::absorbed_force",
             "contact::absorber::Chain::stuck_under",
             "contact::driven::Chain::limits_of_driven",
+            "contact::sums::Chain::begun_by",
             "contact::sums::Chain::completed",
             "contact::pairs::Chain::contact",
             "contact::sums::Chain::joined_by",

@@ -1,0 +1,74 @@
+//! Documents the work of a step of the stepper.
+
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::stepper::{
+    Cost, MAX_EVENTS, MAX_PARTS, MAX_STRETCHES, StepScene, series_terms,
+};
+use frictiongen_model::scene::Precision;
+
+/// Returns documentation lines about the parts of a step.
+pub(super) fn parts(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
+    let fastest = scene.fastest().to_f64();
+    let shown = if (0.1..1e7).contains(&fastest) {
+        format!("{fastest:.2}")
+    } else {
+        format!("{fastest:.3e}")
+    };
+    let mut parts = format!(" A step of dt, in s, has ⌈{shown}·dt⌉ parts, at most {MAX_PARTS}");
+    if let Some(step) = step {
+        parts += &format!(": `STEP` has {}", (fastest * step).ceil().max(1.0));
+    }
+    vec![
+        parts + ".",
+        " A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.".to_owned(),
+        format!(" Any other part is followed from event to event, for at most {MAX_EVENTS} events and, where the friction law bends, {MAX_STRETCHES} stretches."),
+        " The rest of the part then passes without creating energy, and `exceeded` counts the step.".to_owned(),
+    ]
+}
+
+/// Returns documentation lines about the number of operations of a step.
+pub(super) fn operations(
+    scene: &StepScene<'_, Dd>,
+    step: Option<f64>,
+    coefficients: usize,
+    precision: Precision,
+) -> Vec<String> {
+    let angle = step.map_or(1.0, |step| scene.fastest().to_f64() * step);
+    let parts = angle.ceil().clamp(1.0, f64::from(MAX_PARTS));
+    let epsilon = match precision {
+        Precision::F32 => f64::from(f32::EPSILON),
+        Precision::F64 => f64::EPSILON,
+    };
+    let terms = series_terms(angle / parts, epsilon);
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "from 1 to MAX_PARTS"
+    )]
+    let cost = scene.cost(coefficients, parts as u32, terms);
+    let of = if step.is_some() {
+        "step of `STEP`"
+    } else {
+        "part"
+    };
+    let Cost {
+        tables,
+        one_event,
+        most,
+    } = cost;
+    let (each, beside) = (Cost::INSTRUCTIONS, Cost::FIXED);
+    let processor = match precision {
+        Precision::F32 => format!(
+            "  A Cortex-M4F takes up to {each} instructions for each, and {beside} for a part."
+        ),
+        // A Cortex-M4F has no registers for doubles, so no instruction count is given.
+        Precision::F64 => String::new(),
+    };
+    vec![
+        String::new(),
+        format!(
+            " A {of} has at most {tables} floating-point operations by the tables, about {one_event} with one event, never"
+        ),
+        format!(" more than {most}.{processor}"),
+    ]
+}
