@@ -5,7 +5,7 @@ use super::systems::system;
 use super::tidy::{one_turn, tidy, without_specks};
 use frictiongen::System;
 use frictiongen_plot::desk::{self, Reading, Scales, sketch};
-use frictiongen_plot::{Colour, Key, Layer, Marker, Panel, Scale, Sketch, Stroke};
+use frictiongen_plot::{Key, Layer, Marker, Panel, Scale, Sketch, Stroke};
 
 /// Label of the frequency axis for a system of several masses.
 pub const RATIO: &str = "frequency ratio *r*_1";

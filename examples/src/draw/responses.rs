@@ -8,7 +8,6 @@ use frictiongen::study::curve::{Curve, CurveError, CurvePoint, CurveRequest, End
 use frictiongen::{Of, Regime, System};
 use frictiongen_plot::desk::{self, Drawn, Reading, Scales};
 use frictiongen_plot::{Colour, Layer, Line, Marker, Markers, Panel, Point};
-use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Lowest r at which the response at β_lim is drawn. Its peaks crowd at lower r.
 const LOWEST_LIMIT: f64 = 0.2;
