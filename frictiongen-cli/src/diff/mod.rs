@@ -247,10 +247,7 @@ impl Differences {
             )?;
         }
         if code.functions.is_empty() {
-            writeln!(
-                out,
-                "  operations       the same number in every function"
-            )?;
+            writeln!(out, "  operations       the same number in every function")?;
         }
         for (name, old, new) in &code.functions {
             let text = |operations: &Option<String>| {
