@@ -9,10 +9,12 @@ use frictiongen_kernel::Float;
 /// Returns the beginning of a list of imported types.
 pub(super) fn imported<S: Float>(source: &Source<'_, S>) -> &'static str {
     let (_, known) = known_answers(source);
-    match (known.is_empty(), source.tables.moves()) {
-        (true, _) => "",
-        (false, false) => "Known, ",
-        (false, true) => "Error, Known, ",
+    if known.is_empty() {
+        ""
+    } else if known.iter().any(|known| status(known) != "Ok") {
+        "Error, Known, "
+    } else {
+        "Known, "
     }
 }
 

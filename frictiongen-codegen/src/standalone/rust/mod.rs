@@ -114,7 +114,7 @@ fn units<S: Float>(source: &Source<'_, S>, words: &Words) -> String {
 }
 
 /// The attribute of a constant with all its digits.
-const DIGITS: &str = "#[allow(clippy::unreadable_literal, clippy::excessive_precision, reason = \"all digits, as they are printed\")]\n";
+const DIGITS: &str = "#[allow(clippy::approx_constant, clippy::unreadable_literal, clippy::excessive_precision, reason = \"all digits, as they are printed\")]\n";
 
 /// Writes the limits.
 fn limits(formulas: &Formulas, words: &Words) -> String {
@@ -267,7 +267,7 @@ fn numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let reference = UnitConstants::of::<S>(source.scene).reference;
     format!(
         "/// All numbers.\n\
-         #[allow(clippy::unreadable_literal, clippy::excessive_precision, reason = \"all digits, as they are printed\")]\n\
+         #[allow(clippy::approx_constant, clippy::unreadable_literal, clippy::excessive_precision, reason = \"all digits, as they are printed\")]\n\
          mod numbers {{\n    use super::{{{known}Piece{used}}};\n\n    \
          /// √(k₁/m₁), by which angular frequencies are divided: rad/s.\n    \
          pub(super) const REFERENCE: {real} = {reference};\n{constants}{checked}\n    \

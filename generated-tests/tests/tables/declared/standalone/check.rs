@@ -116,7 +116,7 @@ fn faults_in_c() {
         ),
         (
             "scene_tables.h",
-            &|text| with_a_wrong_digit(text, "HELD_POLE_1 = {"),
+            &|text| with_a_wrong_digit(text, "HELD_POLE_1 = "),
             3,
         ),
         (
