@@ -124,4 +124,17 @@ struct Frame {
 }
 }
 
+mod case_534_damping_from_elsewhere {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal(0.01),
+    damping_from: wall,
+}
+}
+}
+
 fn main() {}
