@@ -161,7 +161,7 @@ fn beta(question: &Question, continuous: f64, sliding: f64, place: usize) -> f64
     let wanted = match place % 3 {
         0 => 0.5 * continuous,
         1 => 0.8 * continuous,
-        _ if continuous * (1.0 + 4.0 * APART) < sliding && place % 2 == 0 => {
+        _ if continuous * (1.0 + 4.0 * APART) < sliding && place.is_multiple_of(2) => {
             0.5 * (continuous + sliding)
         }
         _ => 1.5 * continuous.max(sliding),

@@ -40,10 +40,7 @@ fn beside_rest(at: &SystemAt<'_>, part: usize) -> Vec<(Kind, f64)> {
     let found = at.states(BETA).into_iter().flatten();
     let sliding = found.filter(|orbit| orbit.is_stable() && !orbit.never_slides());
     let sized = sliding.filter_map(|orbit| {
-        let size = match of {
-            Of::Mass(index) => orbit.mass_at(index)?.amplitude(),
-            Of::Contact => orbit.contact().amplitude(),
-        };
+        let size = orbit.ask_of(of, |motion| motion.amplitude())?;
         Some((kind(&orbit), size))
     });
     let other =

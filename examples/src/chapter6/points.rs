@@ -10,10 +10,7 @@ fn gain(system: &System, of: Of, r: f64) -> Option<f64> {
     let beta = 0.5 * at.limits().continuous;
     let estimate = |beta: f64| {
         let motion = at.motion(beta).ok()?;
-        Some(match of {
-            Of::Contact => motion.contact().amplitude_monoharmonic(),
-            Of::Mass(index) => motion.mass_at(index)?.amplitude_monoharmonic(),
-        })
+        Some(motion.motion_of(of)?.amplitude_monoharmonic())
     };
     Some((estimate(beta)? - estimate(0.0)?) / beta)
 }

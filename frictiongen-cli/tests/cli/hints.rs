@@ -229,7 +229,7 @@ fn a_contact_rests_where_a_run_leaves_it() {
         let names = lines.next().unwrap();
         let displacement = |name: &&str| name.starts_with("contact.displacement");
         let place = names.iter().position(displacement).unwrap();
-        let rests: f64 = lines.last().unwrap()[place].parse().unwrap();
+        let rests: f64 = lines.next_back().unwrap()[place].parse().unwrap();
         let offset: f64 = row[at].parse().unwrap();
         // 600 cycles add roundings of 1 mm, not more.
         assert!((rests - offset).abs() < 1e-13, "{row:?}: {rests}");

@@ -1,6 +1,11 @@
 //! Tests of `--of` with relative motions, forces, velocities and accelerations.
 
-#![allow(clippy::unwrap_used, reason = "a test may fail")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    reason = "a test may fail"
+)]
 
 use crate::common::{FRAME, failure, output};
 

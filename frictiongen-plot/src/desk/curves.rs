@@ -420,7 +420,7 @@ mod tests {
         let (phases, svg) = figure(0.0)?;
         let least = phases.iter().copied().fold(0.0, f64::min);
         let most = phases.iter().copied().fold(0.0, f64::max);
-        assert!(-180.0 <= least && least < -90.0, "{least}");
+        assert!((-180.0..-90.0).contains(&least), "{least}");
         assert!(90.0 < most && most < 180.1, "{most}");
         assert!(svg.contains(">continuous<") && !svg.contains(">stuck<"));
         let (_, svg) = figure(1e3)?;

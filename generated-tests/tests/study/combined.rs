@@ -6,8 +6,11 @@ use frictiongen::study::scene::{Node, Spring};
 use frictiongen::{Of, System};
 use std::f64::consts::TAU;
 
+/// A combination, with its coefficients of the masses and of the base.
+type Terms = (Of, Vec<(usize, f64)>, f64);
+
 /// All combinations of a system, each with its coefficients of the masses and of the base.
-fn combinations(system: &System) -> Vec<(Of, Vec<(usize, f64)>, f64)> {
+fn combinations(system: &System) -> Vec<Terms> {
     let scene = system.scene();
     let masses = scene.masses.len();
     let first = scene.springs[0].stiffness;

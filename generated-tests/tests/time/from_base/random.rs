@@ -30,7 +30,7 @@ fn text(seed: u64, from: &str) -> String {
             100.0 * random.power(-0.4, 0.4)
         ));
     }
-    if seed % 3 != 0 {
+    if !seed.is_multiple_of(3) {
         springs.push(format!(
             "m{} - wall: {:.3}",
             n - 1,
@@ -75,7 +75,7 @@ fn text(seed: u64, from: &str) -> String {
             damping: {damping}, damping_from: {from}, stiction: {:.2} }}",
         masses.join(", "),
         springs.join(", "),
-        if seed % 2 == 0 { 1.0 } else { random.between(1.0, 1.3) },
+        if seed.is_multiple_of(2) { 1.0 } else { random.between(1.0, 1.3) },
     )
 }
 

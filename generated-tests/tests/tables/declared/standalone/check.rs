@@ -79,6 +79,9 @@ fn known_answers_are_right() {
     assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
 }
 
+/// File, change of its text, and the status that the self-check then returns.
+type Wrong<'f> = (&'f str, &'f dyn Fn(&str) -> String, i32);
+
 /// A wrong digit in a number, or a wrong sign in a formula, is found in C. The number of the fault is that of the
 /// header.
 #[test]
@@ -98,7 +101,7 @@ fn faults_in_c() {
         run(&mut Command::new(folder.join("program")))
     };
     assert_eq!(found(), "0\n");
-    let wrong: [(&str, &dyn Fn(&str) -> String, i32); 9] = [
+    let wrong: [Wrong<'_>; 9] = [
         (
             "scene_tables.h",
             &|text| with_a_wrong_digit(text, "buckets[BUCKETS] = {"),
