@@ -91,7 +91,13 @@ pub fn masses(system: &System, option: &str, names: &[String]) -> Result<Vec<Mas
 
 /// Returns the contact, and the named motions, each once. Without names it returns the contact and all masses.
 pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
-    let mut parts = parts(system, names)?;
+    let mut once: Vec<String> = Vec::new();
+    for name in names {
+        if !once.contains(name) {
+            once.push(name.clone());
+        }
+    }
+    let mut parts = parts(system, &once)?;
     parts.retain(|part| part.name != CONTACT);
     parts.insert(0, Part::contact());
     Ok(parts)

@@ -109,6 +109,13 @@ fn specialised_away() {
         "Single",
     ] {
         let source = source(undamped);
+        // Comments and reasons of lints may have words with these letters.
+        let is_code = |line: &&str| {
+            let line = line.trim_start();
+            !line.starts_with("///") && !line.starts_with("reason")
+        };
+        let code: Vec<&str> = source.lines().filter(is_code).collect();
+        let source = code.join("\n");
         assert!(!source.contains("exp"), "{undamped} has exponentials");
         assert!(!source.contains(".im *"), "{undamped} has imaginary parts");
     }
