@@ -112,7 +112,9 @@ fn specialised_away() {
         // Comments and reasons of lints may have words with these letters.
         let is_code = |line: &&str| {
             let line = line.trim_start();
-            !line.starts_with("///") && !line.starts_with("reason")
+            !["///", "reason", "clippy::"]
+                .iter()
+                .any(|start| line.starts_with(start))
         };
         let code: Vec<&str> = source.lines().filter(is_code).collect();
         let source = code.join("\n");

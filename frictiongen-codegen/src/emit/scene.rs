@@ -47,7 +47,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
 
             #quadratures_of
 
-            /// The smallest and the largest 1/r at which the formulas are evaluated: beyond, squares leave the scalar's range.
+            /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
             #[inline]
             fn inverse_ratio_range(&self) -> (#scalar, #scalar) {
                 (#low, #high)

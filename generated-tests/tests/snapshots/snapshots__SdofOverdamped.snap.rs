@@ -35,12 +35,15 @@ pub struct SdofOverdampedMotion(
 )]
 #[allow(
     clippy::unreadable_literal,
+    clippy::excessive_precision,
+    clippy::approx_constant,
     clippy::similar_names,
     clippy::too_many_lines,
     reason = "numbers have all their digits, and formulas are written out"
 )]
 #[allow(
     clippy::suboptimal_flops,
+    clippy::assign_op_pattern,
     clippy::suspicious_operation_groupings,
     reason = "operations and their order are those of the tested formulas"
 )]

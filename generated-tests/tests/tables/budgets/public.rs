@@ -54,11 +54,16 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
             "modal_sum::search::Peak::effort",
             "modal_sum::search::most_evaluations",
             "orbit::Orbit::beta",
+            "orbit::Orbit::shapes",
+            "contact::quadrature::Quadratures::of",
         ],
     ),
     (
-        "is never called",
+        "is never called, or only passes a call on",
         &[
+            "emitted::at",
+            "emitted::limits_into",
+            "emitted::limits_without_search",
             "emitted::missing::AddLimitsToProvide::answer",
             "emitted::missing::AddMassToMotion::answer",
             "emitted::missing::AddMotionToProvide::answer",
@@ -168,7 +173,9 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
     (
         "motion in time and its steady states: stick_slip",
         &[
+            "orbit::Orbit::combination",
             "orbit::Orbit::contact",
+            "orbit::Orbit::reversed_contact",
             "orbit::Orbit::friction",
             "orbit::Orbit::intervals",
             "orbit::Orbit::is_marginal",
