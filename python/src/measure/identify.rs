@@ -62,9 +62,7 @@ pub fn identify<'py>(
             match system.motion_named(&name) {
                 Ok(Of::Mass(mass)) => kept.push(mass),
                 Ok(_) => {
-                    return Err(domain(
-                        "of: a measured motion must be that of a mass",
-                    ));
+                    return Err(domain("of: a measured motion must be that of a mass"));
                 }
                 Err(error) => return Err(domain(format_args!("of: {error}"))),
             }

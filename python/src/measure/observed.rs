@@ -104,9 +104,7 @@ impl Motion {
         let mass = match system.motion_named(&name) {
             Ok(Of::Mass(mass)) => mass,
             Ok(_) => {
-                return Err(domain(
-                    "a measured motion must be that of a mass",
-                ));
+                return Err(domain("a measured motion must be that of a mass"));
             }
             Err(error) => return Err(domain(error)),
         };
