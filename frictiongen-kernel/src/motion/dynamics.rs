@@ -40,7 +40,7 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
     /// Mode shapes φ, mass after mass.
     pub shapes: &'a [S],
     /// Products φᵀΓ, mode after mode.  Where damping acts relative to the moving base, the loads in quadrature follow
-    /// ([`quadratures`](Self::quadratures)).
+    /// (`quadratures`).
     pub weights: &'a [S],
     /// Index of the mass that rubs on a support, or `None` where two masses rub on each other.
     pub rubbing: Option<usize>,

@@ -9,13 +9,13 @@ pub struct Friction<S> {
     /// Friction ratio β = F/P.
     pub beta: S,
     /// In-phase term Q = √(|V|² − (βU)²) of the contact's relative motion. V is the response of the contact to the
-    /// load, and βU its velocity term from friction. Q is multiplied by r² and by the scale E of [`ContactAt`].
+    /// load, and βU its velocity term from friction. Q is multiplied by r² and by the scale E of [`ContactAt`](crate::contact::sums::ContactAt).
     pub root: S,
     /// Amplitude Z of the contact's relative motion, in units of P/k₁ (for base motion Y).
     pub amplitude: S,
     /// Lag φ of the contact's relative motion behind the excitation, rad, in (−π, π].
     pub phase: S,
-    /// Factor 1/(r²E) that turns sums over the modes into displacements. E is the scale of [`ContactAt`].
+    /// Factor 1/(r²E) that turns sums over the modes into displacements. E is the scale of [`ContactAt`](crate::contact::sums::ContactAt).
     pub unscale: S,
 }
 

@@ -39,4 +39,6 @@ pub use measured::{Measured, Transmissibility};
 pub use recording::{Channel, Column, CsvRequest, Dimension, Recording, Unit};
 pub use regression::Regression;
 pub use sweep::{SweepFit, SweepPoint, two_storeys};
-pub use tone::{HARMONICS, Tone};
+#[doc(hidden)]
+pub use tone::HARMONICS;
+pub use tone::Tone;
