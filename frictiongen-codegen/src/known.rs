@@ -9,9 +9,9 @@ use frictiongen_model::scene::Precision;
 
 /// Number of frequency ratios with known answers.
 pub const POINTS: usize = 10;
-/// Number of frequency ratios that are tried before fewer known answers have to do.
+/// Number of frequency ratios that are tried. Fewer known answers remain if too many tries depend on roundings.
 const TRIED: u32 = 400;
-/// Fractions of the range between two tries. By the golden ratio the tries spread evenly.
+/// Step between two tries, as a fraction of the range. Steps of the golden ratio spread the tries evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Displacements and velocities of a mass are known at this phase τ, rad.
 pub const TAU: f64 = 1.0;
@@ -24,7 +24,7 @@ const APART: f64 = 0.05;
 /// Largest modulus of a known phase, so that no rounding takes it across π.
 const WRAPS: f64 = 3.0;
 
-/// What is asked of the known answers.
+/// Question that the known answers of a scene answer: the ranges, the tolerance and the kinds of answers.
 #[derive(Clone, Copy, Debug)]
 pub struct Question {
     /// Precision in which r and β are given.
@@ -35,9 +35,9 @@ pub struct Question {
     pub beta: (f64, f64),
     /// Largest error of an emitted answer.
     pub tolerance: f64,
-    /// True if the motion is asked for.
+    /// True if the answers contain the motion.
     pub motion: bool,
-    /// True if the responses while the contact is stuck are asked for.
+    /// True if the answers contain the responses while the contact is stuck.
     pub stuck: bool,
 }
 

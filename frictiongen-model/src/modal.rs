@@ -91,7 +91,7 @@ impl Assembled {
     fn of(scene: &Scene) -> Self {
         let n = scene.masses.len();
         let m1 = dd(scene.masses.first().map_or(1.0, |mass| mass.value));
-        let k1 = dd(scene.springs.first().map_or(1.0, |spring| spring.stiffness));
+        let k1 = dd(scene.first_stiffness());
         let root_gamma: Vec<Dd> = scene
             .masses
             .iter()

@@ -168,7 +168,7 @@ pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], 
 /// Upper bound on the number of iteration steps, and the relative correction at which the iteration ends. The iteration
 /// begins in double precision with these values, and ends in double-double with `LAST_STEPS`.
 const FIRST_STEPS: (usize, f64) = (100, 1e-14);
-/// The same two bounds for the iteration in double-double.
+/// Upper bound on the steps in double-double, and the relative correction at which they end.
 const LAST_STEPS: (usize, f64) = (60, 1e-29);
 
 /// Largest imaginary part of a root that counts as real, relative to the modulus of the root. Rounding gives such an

@@ -335,6 +335,13 @@ impl Scene {
         self.provide.iter().any(|item| in_time.contains(item))
     }
 
+    /// Returns k₁, the stiffness of the first spring, to which all stiffness ratios refer. Every valid scene has a
+    /// spring; without one the result is 1.
+    #[must_use]
+    pub fn first_stiffness(&self) -> f64 {
+        self.springs.first().map_or(1.0, |spring| spring.stiffness)
+    }
+
     /// Returns the name of a node in the description. Returns `?` for a mass that does not exist.
     #[must_use]
     pub fn node_name(&self, node: Node) -> &str {

@@ -200,7 +200,7 @@ impl Change {
 
     fn perturb(&self, modal: &Modal, scene: &Scene, along: &mut Modal<Dual<Dd>>) {
         let m1 = scene.masses.first().map_or(1.0, |mass| mass.value);
-        let k1 = scene.springs.first().map_or(1.0, |spring| spring.stiffness);
+        let k1 = scene.first_stiffness();
         let gamma: Vec<Dd> = scene
             .masses
             .iter()

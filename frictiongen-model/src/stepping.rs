@@ -53,7 +53,7 @@ impl<S: Scalar> Steps<S> {
                 forces.push(mass);
             }
         }
-        let reference = scene.springs.first().map_or(1.0, |spring| spring.stiffness);
+        let reference = scene.first_stiffness();
         let speed = match scene.excitation {
             Excitation::Force(_) => modal.reference / Dd::from(reference),
             Excitation::Base => modal.reference,

@@ -76,7 +76,7 @@ fn emitted_tables() {
     }
 }
 
-/// The same text gives the same bytes, whatever its layout.
+/// Checks that the layout of a description does not change the emitted bytes.
 #[test]
 fn emission_is_deterministic() {
     for (_, text) in SCENES {

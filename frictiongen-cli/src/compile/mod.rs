@@ -177,7 +177,8 @@ fn range(scene: &Scene, arguments: &CompileArguments) -> Result<Option<(f64, f64
     if unit == FrequencyUnit::Ratio {
         return Ok(Some((low, high)));
     }
-    // What the description declares may lack the range, so that only the chain makes the system.
+    // The description may declare an accuracy without a range, which is an error here. The conversion to r needs only
+    // the chain.
     let chain = Scene {
         declared: Declared::default(),
         ..scene.clone()

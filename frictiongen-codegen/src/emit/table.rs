@@ -177,7 +177,7 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
         impl TabledMotion for #name {
             type Moving = #motion;
 
-            /// What amplitude and phase of the contact follow from (2.21, 5.35, 5.38, 7.20, 7.21).
+            /// Numbers from which amplitude and phase of the contact follow (2.21, 5.35, 5.38, 7.20, 7.21).
             ///
             #[doc = #about]
             ///

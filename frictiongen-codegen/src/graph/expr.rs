@@ -342,9 +342,9 @@ impl<'g> Scalar for Expr<'g> {
     }
 }
 
-/// Returns whether an operation on constants of the scene stays in the emitted code. The compiler rounds it in the
-/// scene's precision, and must arrive at `value`, which was rounded in double precision, rounded once more. Numbers that
-/// fold further operations, and functions that a compiler may round in another way, do not stay.
+/// Returns true if an operation on constants of the scene stays in the emitted code. The compiler computes it in the
+/// scene's precision. The result must equal `value`, computed in double precision and then rounded to the scene's
+/// precision. Numbers that fold further operations do not stay, nor do functions that a compiler may round differently.
 fn stays(precision: Precision, op: Binary, operands: [f64; 2], value: f64) -> bool {
     let rounded = |value: f64| match precision {
         Precision::F64 => value,

@@ -41,7 +41,7 @@ impl UnitConstants {
         let hertz = modal.natural_frequencies().into_iter();
         let hertz = hertz.map(|omega| round(omega.to_f64() / core::f64::consts::TAU));
         Self {
-            k1: round(spring.map_or(1.0, |spring| spring.stiffness)),
+            k1: round(scene.first_stiffness()),
             spring: ends.unwrap_or_default(),
             m1: round(mass.map_or(1.0, |mass| mass.value)),
             mass: mass.map(|mass| mass.name.clone()).unwrap_or_default(),

@@ -97,7 +97,7 @@ impl Extent {
         } else {
             sliding
         };
-        // The work of the damping load takes every mode once more.
+        // The work of the damping load adds a loop over all modes.
         let reaction = if self.damped_from_base {
             modes * (mode + 10) + 2 * d * d + 80
         } else {

@@ -9,12 +9,11 @@ use std::f64::consts::PI;
 
 /// Step to which the origin of a polynomial piece is rounded, as a fraction of half the length of the piece.
 const ORIGIN: f64 = 0.1;
-/// Smallest relative error down to which tables of polynomials with four coefficients store the fewest numbers. The
-/// next two constants are the same for six and eight coefficients.
+/// Smallest relative error down to which tables of polynomials with four coefficients store the fewest numbers.
 const FOUR_TERMS: f64 = 3e-3;
-/// The same bound for polynomials with six coefficients.
+/// Smallest relative error down to which six coefficients store the fewest numbers.
 const SIX_TERMS: f64 = 1e-7;
-/// The same bound for polynomials with eight coefficients.
+/// Smallest relative error down to which eight coefficients store the fewest numbers.
 const EIGHT_TERMS: f64 = 1e-10;
 
 /// Polynomial piece of a table, with the functions in vectors: one interval of r, on which each function is a

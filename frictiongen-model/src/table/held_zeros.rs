@@ -17,7 +17,7 @@ const ON_RESONANCE: f64 = 1e-12;
 /// iteration begins in double precision with these values, and ends in double-double with `LAST_STEPS`. Near
 /// convergence each correction is about the cube of the previous one, so after 10⁻²³ only rounding is left.
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
-/// The same two bounds for the iteration in double-double.
+/// Upper bound on the corrections in double-double, and the relative correction at which they end.
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
 
 /// Response of a mass, or the contact force, while the contact is stuck.

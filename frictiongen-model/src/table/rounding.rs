@@ -4,10 +4,9 @@ use super::request::is_single;
 use crate::interval::Interval;
 use frictiongen_kernel::Float;
 
-/// Allowance for products that underflow in a polynomial. It is some of the smallest numbers of single and of double
-/// precision.
+/// Allowance for products that underflow in a polynomial in single precision: some of its smallest numbers.
 const UNDERFLOW_SINGLE: f64 = 1e-43;
-/// The same allowance in double precision.
+/// Allowance for products that underflow in a polynomial in double precision: some of its smallest numbers.
 const UNDERFLOW: f64 = 1e-321;
 /// Factor on a sum of roundings, for their products and for the roundings of the sum itself.
 const UP: f64 = 1.001;

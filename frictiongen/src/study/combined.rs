@@ -7,14 +7,12 @@ use super::motion::{SystemMotion, SystemSteady, SystemStuck};
 use super::orbit::{SystemOrbit, SystemOrbitMotion};
 use super::simulation::SystemSimulation;
 use super::stepper::SystemStepper;
-use super::system::System;
+use super::system::{System, rounded};
 use crate::{Complex, Of};
 use frictiongen_kernel::combination::Combination;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Float, Scalar};
-use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{Excitation, Node, Scene, Spring};
-use frictiongen_model::transient::Transient;
+use frictiongen_model::scene::{Excitation, Node, Spring};
 
 /// A sum of displacements of masses and of the moving base, each with its coefficient.
 #[derive(Clone, Debug)]
@@ -64,25 +62,6 @@ impl<S: Copy> Combined<S> {
     }
 }
 
-/// Components of all masses in the mode shapes, to about 30 digits, mass after mass. A difference of two masses keeps
-/// its digits, although the masses may move almost alike.
-#[derive(Clone, Debug)]
-pub(super) struct Shapes {
-    /// In the modes of the closed forms.
-    sliding: Vec<Dd>,
-    /// In the modes of the motion in time, which are sorted otherwise.
-    in_time: Vec<Dd>,
-}
-
-impl Shapes {
-    pub(super) fn of(scene: &Scene, modal: &Modal) -> Self {
-        Self {
-            sliding: modal.reduced(|value| value).shapes,
-            in_time: Transient::of(scene, modal, |value| value).shapes,
-        }
-    }
-}
-
 impl Terms {
     fn none() -> Self {
         Self {
@@ -98,6 +77,24 @@ impl Terms {
             Node::Base => self.base = self.base + coefficient,
             Node::Wall => {}
         }
+    }
+
+    /// Returns Σ c_k x_k + b y for several numbers at once. `base` has the numbers y of the base, and `mass` returns the
+    /// numbers x_k of a mass. `None` if a mass has none.
+    fn sum<S: Float, const N: usize>(
+        &self,
+        base: [S; N],
+        mass: impl Fn(usize) -> Option<[S; N]>,
+    ) -> Option<[S; N]> {
+        let of_base = rounded::<S>(self.base);
+        let mut sum = base.map(|value| of_base * value);
+        for (index, factor) in &self.masses {
+            let factor = rounded::<S>(*factor);
+            for (sum, value) in sum.iter_mut().zip(mass(*index)?) {
+                *sum = *sum + factor * value;
+            }
+        }
+        Some(sum)
     }
 
     /// Returns Σ c_k φ_k for every mode, from the components of all masses.
@@ -204,42 +201,37 @@ impl<S: Float> System<S> {
 
     /// Returns k/k₁ of a spring.
     fn stiffness_ratio(&self, spring: &Spring) -> Dd {
-        let first = self.scene.springs.first();
-        Dd::constant(spring.stiffness) / Dd::constant(first.map_or(1.0, |first| first.stiffness))
+        Dd::constant(spring.stiffness) / Dd::constant(self.scene.first_stiffness())
     }
 
     /// Returns a combination in the modes of the closed forms.
     fn in_sliding_modes(&self, of: Of) -> Combined<S> {
         let reduced = &self.reduced;
         let (own, modes) = (&reduced.shapes, reduced.modes.len());
-        self.combined(&self.terms(of), own, modes, |exact| &exact.sliding)
+        self.combined(&self.terms(of), own, modes, || self.exact_shapes())
     }
 
-    fn combined(
+    /// Returns a combination in modes of which `own` has the components of all masses, mass after mass. `exact` returns
+    /// them to about 30 digits, so that a difference of two masses that move almost alike keeps its digits.
+    fn combined<'e>(
         &self,
         terms: &Terms,
         own: &[S],
         modes: usize,
-        exact: impl Fn(&Shapes) -> &Vec<Dd>,
+        exact: impl FnOnce() -> &'e [Dd],
     ) -> Combined<S> {
-        let constant = constant_of::<S>;
         let shape = if S::CARRIES {
             // Components with derivatives have about 30 digits.
-            terms.shape(own, modes, constant)
+            terms.shape(own, modes, rounded)
         } else {
-            let shape = terms.shape(exact(self.exact_shapes()), modes, |value| value);
-            shape.into_iter().map(constant).collect()
+            let shape = terms.shape(exact(), modes, |value| value);
+            shape.into_iter().map(rounded).collect()
         };
         Combined {
             shape,
-            base: constant(terms.base),
+            base: rounded(terms.base),
         }
     }
-}
-
-/// Converts a number to the scalar.
-fn constant_of<S: Float>(value: Dd) -> S {
-    S::constant(value.hi) + S::constant(value.lo)
 }
 
 impl<'a, S: Float> SystemMotion<'a, S> {
@@ -284,7 +276,9 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
                 // Only the state's own components have its derivatives.
                 let (own, modes) = self.orbit.shapes();
                 let terms = system.terms(of);
-                InOrbit::Combined(system.combined(&terms, own, modes, |exact| &exact.in_time))
+                InOrbit::Combined(
+                    system.combined(&terms, own, modes, || system.exact_shapes_in_time()),
+                )
             }
         })
     }
@@ -305,17 +299,12 @@ impl<S: Float> SystemStuck<'_, S> {
         if system.is_reversed_contact(of) {
             return Some((rest, -offset));
         }
-        let terms = system.terms(of);
-        let (mut harmonic, mut constant) = (rest, zero);
-        for (mass, factor) in terms.masses {
-            let factor = constant_of::<S>(factor);
+        let one = S::constant(1.0);
+        let [re, im, constant] = system.terms(of).sum([one, zero, zero], |mass| {
             let moved = self.mass_at(mass)?;
-            harmonic.re = harmonic.re + moved.re * factor;
-            harmonic.im = harmonic.im + moved.im * factor;
-            constant = constant + offset * static_share(system, mass)? * factor;
-        }
-        harmonic.re = harmonic.re + constant_of(terms.base);
-        Some((harmonic, constant))
+            Some([moved.re, moved.im, offset * static_share(system, mass)?])
+        })?;
+        Some((Complex::new(re, im), constant))
     }
 }
 
@@ -341,21 +330,20 @@ impl SystemStepper<'_> {
             let contact = self.contact();
             return Some((contact.displacement(), contact.velocity()));
         }
-        let terms = system.terms(of);
+        let base = self.base();
+        let [value, rate] =
+            system
+                .terms(of)
+                .sum([base.displacement(), base.velocity()], |mass| {
+                    let now = self.mass_at(mass);
+                    Some([now.displacement(), now.velocity()])
+                })?;
         // The terms of a force are over k₁.
-        let first = system.scene.springs.first();
         let unit = match of.is_force() {
-            true => first.map_or(1.0, |spring| spring.stiffness),
+            true => system.scene.first_stiffness(),
             false => 1.0,
         };
-        let (now, base) = (self.base(), terms.base.to_f64() * unit);
-        let mut sum = (base * now.displacement(), base * now.velocity());
-        for (mass, factor) in terms.masses {
-            let (now, factor) = (self.mass_at(mass), factor.to_f64() * unit);
-            sum.0 += factor * now.displacement();
-            sum.1 += factor * now.velocity();
-        }
-        Some(sum)
+        Some((unit * value, unit * rate))
     }
 }
 
@@ -370,15 +358,11 @@ impl SystemSimulation<'_> {
         if system.simplest(of) == Of::Contact {
             return Some(self.relative());
         }
-        let terms = system.terms(of);
         let (sine, cosine) = self.phase().sin_cos();
-        let base = terms.base.to_f64();
-        let mut sum = (base * cosine, -(base * sine));
-        for (mass, factor) in terms.masses {
-            let (moment, factor) = (self.run().mass(mass), factor.to_f64());
-            sum.0 += factor * moment.displacement();
-            sum.1 += factor * moment.velocity();
-        }
-        Some(sum)
+        let [displacement, velocity] = system.terms(of).sum([cosine, -sine], |mass| {
+            let moment = self.run().mass(mass);
+            Some([moment.displacement(), moment.velocity()])
+        })?;
+        Some((displacement, velocity))
     }
 }

@@ -205,17 +205,17 @@ impl<S: Float> System<S> {
     /// the scene does not have are replaced by a question mark.
     #[must_use]
     pub fn name_of_motion(&self, of: Of) -> String {
-        let mass = |index: usize| self.node_name(Node::Mass(index));
+        let mass = |index: usize| self.scene.node_name(Node::Mass(index));
         match of {
             Of::Contact => "contact".to_owned(),
-            Of::Mass(index) => mass(index),
+            Of::Mass(index) => mass(index).to_owned(),
             Of::Relative(of, to) => format!("{}-{}", mass(of), mass(to)),
             Of::FromBase(index) => format!("{}-base", mass(index)),
             Of::Spring(index) => match self.scene.springs.get(index) {
                 Some(spring) => format!(
                     "spring({}-{})",
-                    self.node_name(spring.from),
-                    self.node_name(spring.to)
+                    self.scene.node_name(spring.from),
+                    self.scene.node_name(spring.to)
                 ),
                 None => "spring(?)".to_owned(),
             },
@@ -233,7 +233,7 @@ impl<S: Float> System<S> {
         let ends = name.split_once('-').map(|(a, b)| [a.trim(), b.trim()]);
         let found = ends.and_then(|[a, b]| {
             self.scene.springs.iter().position(|spring| {
-                let own = [spring.from, spring.to].map(|node| self.node_name(node));
+                let own = [spring.from, spring.to].map(|node| self.scene.node_name(node));
                 own == [a, b] || own == [b, a]
             })
         });
@@ -242,16 +242,5 @@ impl<S: Float> System<S> {
             let known = springs.map(|index| self.name_of_motion(Of::Spring(index)));
             UnknownMotion::Spring(name.trim().to_owned(), known.collect())
         })
-    }
-
-    fn node_name(&self, node: Node) -> String {
-        match node {
-            Node::Mass(index) => {
-                let mass = self.scene.masses.get(index);
-                mass.map_or_else(|| "?".to_owned(), |mass| mass.name.clone())
-            }
-            Node::Base => "base".to_owned(),
-            Node::Wall => "wall".to_owned(),
-        }
     }
 }

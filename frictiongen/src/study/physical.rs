@@ -286,8 +286,7 @@ fn groups(
         } => {
             let hertz = number(hertz, parameter == Parameter::Frequency);
             let friction = number(friction, parameter == Parameter::Friction);
-            let first = system.scene.springs.first();
-            let first = first.map_or(1.0, |spring| spring.stiffness);
+            let first = system.scene.first_stiffness();
             let stiffness = number(
                 first,
                 parameter == Parameter::Quantity(Quantity::Stiffness(0)),

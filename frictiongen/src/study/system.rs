@@ -1,6 +1,5 @@
 //! The run-time system. It evaluates the closed forms over vectors instead of arrays.
 
-use super::combined::Shapes;
 use super::error::{InvalidScene, UnknownMass};
 use super::large;
 use crate::{OutOfDomain, Unsupported};
@@ -54,7 +53,8 @@ pub struct System<S = f64> {
     transient: OnceLock<Transient<S>>,
     steps: OnceLock<Steps<S>>,
     loses_motion: OnceLock<bool>,
-    exact_shapes: OnceLock<Shapes>,
+    exact_shapes: OnceLock<Vec<Dd>>,
+    exact_shapes_in_time: OnceLock<Vec<Dd>>,
 }
 
 impl<S: Float> std::str::FromStr for System<S> {
@@ -78,7 +78,7 @@ impl<S: Float> TryFrom<Scene> for System<S> {
 }
 
 /// Rounds a double-double number once to the scalar type.
-fn rounded<S: Float>(value: Dd) -> S {
+pub(super) fn rounded<S: Float>(value: Dd) -> S {
     let plain = S::constant(value.hi);
     if plain.to_f64() == value.hi {
         // A scalar wider than f64 also takes the low part, which the conversion of the high part omits.
@@ -128,6 +128,7 @@ impl<S: Float> System<S> {
             steps: OnceLock::new(),
             loses_motion: OnceLock::new(),
             exact_shapes: OnceLock::new(),
+            exact_shapes_in_time: OnceLock::new(),
         }
     }
 
@@ -155,10 +156,18 @@ impl<S: Float> System<S> {
             .get_or_init(|| self.transient().excess_loss().is_some())
     }
 
-    /// Returns the mode shapes to about 30 digits. The first call computes them.
-    pub(super) fn exact_shapes(&self) -> &Shapes {
+    /// Returns the components of all masses in the modes of the closed forms to about 30 digits, mass after mass. The
+    /// first call computes them.
+    pub(super) fn exact_shapes(&self) -> &[Dd] {
         self.exact_shapes
-            .get_or_init(|| Shapes::of(&self.scene, &self.modal))
+            .get_or_init(|| self.modal.reduced(|value| value).shapes)
+    }
+
+    /// Returns the components as [`exact_shapes`](Self::exact_shapes) does, in the modes of the motion in time. Those have
+    /// another order.
+    pub(super) fn exact_shapes_in_time(&self) -> &[Dd] {
+        self.exact_shapes_in_time
+            .get_or_init(|| Transient::of(&self.scene, &self.modal, |value| value).shapes)
     }
 
     /// Returns the additional data of a stepper, in which a force can act on every mass.

@@ -192,9 +192,7 @@ impl<S: Float> System<S> {
             _ if !usable(amplitude) => return Err(LoadError::Amplitude),
             _ => {}
         }
-        // Every scene has a spring, so the default is never used.
-        let first = self.scene.springs.first();
-        let stiffness = S::constant(first.map_or(1.0, |spring| spring.stiffness));
+        let stiffness = S::constant(self.scene.first_stiffness());
         let scale = match load {
             Load::Force(force) => LoadScale {
                 length: force / stiffness,

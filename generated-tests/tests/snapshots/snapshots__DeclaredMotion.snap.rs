@@ -265,7 +265,7 @@ const _: () = {
     }
     impl TabledMotion for DeclaredMotion {
         type Moving = DeclaredMotionMotion;
-        /// What amplitude and phase of the contact follow from (2.21, 5.35, 5.38, 7.20, 7.21).
+        /// Numbers from which amplitude and phase of the contact follow (2.21, 5.35, 5.38, 7.20, 7.21).
         ///
         /// To 1e-3 up to β = 0.98·β_lim; nearer to it the error grows at most as 1/(1 − (β/β_lim)²).
         ///
@@ -319,7 +319,7 @@ const _: () = {
         }
         /// The motion of mass k: its fundamental component, and the coefficients of each mode.
         ///
-        /// Of two products that would cancel, those of a mode with itself, none is computed.  A mode with x < 1/2 is
+        /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
         /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
         fn mass_motion(
             at: &At<Self>,

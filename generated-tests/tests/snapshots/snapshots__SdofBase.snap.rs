@@ -270,7 +270,7 @@ const _: () = {
         }
         /// The motion of mass k: its fundamental component, and the coefficients of each mode.
         ///
-        /// Of two products that would cancel, those of a mode with itself, none is computed.  A mode with x < 1/2 is
+        /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
         /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
         fn mass_motion(
             at: &At<Self>,

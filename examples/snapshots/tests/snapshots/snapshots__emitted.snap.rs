@@ -42,12 +42,15 @@ pub struct MountOrbit(
 )]
 #[allow(
     clippy::unreadable_literal,
+    clippy::excessive_precision,
+    clippy::approx_constant,
     clippy::similar_names,
     clippy::too_many_lines,
     reason = "numbers have all their digits, and formulas are written out"
 )]
 #[allow(
     clippy::suboptimal_flops,
+    clippy::assign_op_pattern,
     clippy::suspicious_operation_groupings,
     reason = "operations and their order are those of the tested formulas"
 )]
@@ -453,7 +456,7 @@ const _: () = {
         }
         /// The motion of mass k: its fundamental component, and the coefficients of each mode.
         ///
-        /// Of two products that would cancel, those of a mode with itself, none is computed.  A mode with x < 1/2 is
+        /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
         /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
         fn mass_motion(
             at: &At<Self>,

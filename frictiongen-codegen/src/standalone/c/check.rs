@@ -117,7 +117,7 @@ fn ratios<S: Float>(source: &Source<'_, S>, numbers: Numbers, name: &str) -> Str
         )
     });
     format!(
-        "    /* Of the frequency, of a turn, of their product and of its ratio. */\n    \
+        "    /* Roundings of the frequency, of 2 pi, of their product and of the ratio. */\n    \
          const {real} roundings = {roundings};\n{}",
         compared.collect::<String>()
     )

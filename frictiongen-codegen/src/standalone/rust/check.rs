@@ -234,7 +234,7 @@ fn ratios(numbers: Numbers) -> String {
     let Numbers { real, .. } = numbers;
     format!(
         "fn checked_ratios() -> Result<(), Fault> {{\n    \
-         // Of the frequency, of a turn, of their product and of its ratio.\n    \
+         // Roundings of the frequency, of 2π, of their product and of the ratio.\n    \
          let roundings = 16.0 * {real}::EPSILON;\n    \
          let both = NATURAL_FREQUENCIES_HZ.iter().zip(&RESONANCES);\n    \
          for (hertz, own) in both {{\n        \

@@ -48,7 +48,7 @@ pub(super) fn source(numbers: Numbers) -> String {
          let root = (({wide}::from(fraction) << shift).isqrt() + 1) >> 1;\n        \
          let exponent = (exponent - shift) / 2 + 1 + {bias};\n        \
          root as {real} * {real}::from_bits((exponent as {bits}) << {fraction})\n    }}\n\n    \
-         /// Of a point that is not left of the origin.  With s the smaller and l the larger coordinate,\n    \
+         /// Returns the angle of a point with x ≥ 0.  With s the smaller and l the larger coordinate,\n    \
          /// atan(s/l) = atan(k/{PARTS}) + atan((s − l·k/{PARTS})/(l + s·k/{PARTS})).\n    \
          fn atan2(self, x: {real}) -> {real} {{\n        \
          const ARCS: [{real}; {one_more}] = [{arcs}];\n        \

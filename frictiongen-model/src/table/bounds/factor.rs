@@ -16,10 +16,10 @@ const NORMAL_SINGLE: f64 = 1.2e-38;
 /// Smallest normal number in double precision, up to rounding.
 const NORMAL: f64 = 2.3e-308;
 
-/// Factors on positive expressions of a few operations in double precision. They cover the roundings and the neglected
-/// terms with a wide margin.
+/// Factor that makes a positive expression of a few operations in double precision an upper bound. It covers the
+/// roundings and the neglected terms with a wide margin.
 const MORE: f64 = 1.01;
-/// The same factor for lower bounds.
+/// Factor that makes such an expression a lower bound, with the same margin.
 const LESS: f64 = 0.99;
 /// Bound on the relative error of a zero's position. It is a hundred roundings of double precision, for one rounding to
 /// double precision and a few further ones.

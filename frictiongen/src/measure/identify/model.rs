@@ -23,27 +23,18 @@ pub(super) struct ComputedResponse {
     pub(super) values: Vec<Complex<f64>>,
 }
 
-/// Returns the stiffness of the first spring, N/m.
-fn reference(system: &System) -> f64 {
-    system
-        .scene()
-        .springs
-        .first()
-        .map_or(1.0, |spring| spring.stiffness)
-}
-
 /// Returns the factor from x̄ to the response over the load: x/Y, or x/P in m/N.
 fn over_load(system: &System, load: Load) -> f64 {
     match load {
         Load::Base(_) => 1.0,
-        Load::Force(_) => 1.0 / reference(system),
+        Load::Force(_) => 1.0 / system.scene().first_stiffness(),
     }
 }
 
 /// Returns the friction force in N that corresponds to β = 1.
 pub(super) fn force_scale(system: &System, load: Load) -> f64 {
     match load {
-        Load::Base(length) => reference(system) * length,
+        Load::Base(length) => system.scene().first_stiffness() * length,
         Load::Force(force) => force,
     }
 }
@@ -204,7 +195,7 @@ impl<'s> Along<'s> {
         };
         let factor = number(1.0, matches!(self.direction, Direction::Frequencies));
         let own = matches!(self.direction, Direction::Quantity(Quantity::Stiffness(0)));
-        let stiffness = number(reference(self.system), own) * factor * factor;
+        let stiffness = number(self.system.scene().first_stiffness(), own) * factor * factor;
         let friction_dual = number(friction, matches!(self.direction, Direction::Friction));
         let (force, scale) = match seen.load {
             Load::Base(length) => (stiffness * number(length, false), number(1.0, false)),

@@ -99,7 +99,7 @@ impl<'a> Sweep<'a> {
         }
         let spring = index + 1 - masses;
         if spring < scene.springs.len() {
-            let first = scene.springs.first().map_or(1.0, |spring| spring.stiffness);
+            let first = scene.first_stiffness();
             return vec![(Quantity::Stiffness(spring), first)];
         }
         (0..masses)

@@ -264,9 +264,8 @@ fn units(system: &System, load: Option<Load>, parameter: Parameter) -> [Sensitiv
             Dual::fixed(Dd::from(value))
         }
     };
-    let first = system.scene().springs.first();
     let stiffness = number(
-        first.map_or(1.0, |spring| spring.stiffness),
+        system.scene().first_stiffness(),
         parameter == Parameter::Quantity(Quantity::Stiffness(0)),
     );
     let own = parameter == Parameter::Load;

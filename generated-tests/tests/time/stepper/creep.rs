@@ -75,7 +75,7 @@ fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
         scene.name
     );
     assert!(largest > share && largest < 1.0);
-    // The same comparison must detect a slip, which a larger force causes.
+    // A larger force makes the contact slip. The comparison of displacements must detect this slip.
     load.forces[contact] = 3.0 * grip + mean;
     advance(&mut rig, &load);
     advance(&mut rig, &load);

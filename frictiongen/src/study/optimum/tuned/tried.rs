@@ -53,11 +53,7 @@ pub(super) struct GroupRatios {
 
 impl GroupRatios {
     pub(super) fn new(described: &System, varied: &System) -> Self {
-        let first = |system: &System| {
-            let first = system.scene().springs.first();
-            first.map_or(1.0, |spring| spring.stiffness)
-        };
-        let stiffer = first(varied) / first(described);
+        let stiffer = varied.scene().first_stiffness() / described.scene().first_stiffness();
         let (beta, length) = match described.scene().excitation {
             Excitation::Base => (stiffer, 1.0),
             Excitation::Force(_) => (1.0, 1.0 / stiffer),

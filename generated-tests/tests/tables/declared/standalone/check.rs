@@ -155,7 +155,7 @@ fn faults_in_c() {
     }
 }
 
-/// The same in Rust, where the fault has a name.
+/// A wrong digit in a number, or a wrong sign in a formula, is found in Rust. The error names the number or function.
 #[test]
 fn faults_in_rust() {
     let system: System = SCENE.parse().expect("a scene");
