@@ -146,10 +146,16 @@ fn local_names_are_shielded() {
         let bindings = source
             .lines()
             .filter_map(|line| line.trim().strip_prefix("let "));
-        for local in bindings.filter_map(|rest| rest.split([' ', ':', ';']).next()) {
-            let plain = local
-                .chars()
-                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+        // A pattern is one name, or a tuple of names.
+        let locals = bindings.flat_map(|rest| match rest.strip_prefix('(') {
+            Some(tuple) => tuple.split(')').next().unwrap_or("").split(", ").collect(),
+            None => rest.split([' ', ':', ';']).take(1).collect::<Vec<_>>(),
+        });
+        for local in locals.map(|local| local.trim_start_matches("mut ")) {
+            let plain = !local.is_empty()
+                && local
+                    .chars()
+                    .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
             if plain && local != "mut" && !local.starts_with("mode_") {
                 assert!(
                     shielded.contains(&local),

@@ -50,22 +50,13 @@ fn combinations(system: &System) -> Vec<Terms> {
 }
 
 /// Number of samples of a cycle.
-const SAMPLES: u32 = 2000;
+const SAMPLES: u32 = 400;
 
 /// Compares every combination with sums of the masses' motions, in every regime.
 #[test]
 fn sums_of_masses_in_every_regime() {
     let mut seen = [0; 3];
-    for (masses, index) in [
-        (1, 1),
-        (2, 4),
-        (2, 3),
-        (3, 4),
-        (3, 5),
-        (3, 8),
-        (4, 6),
-        (5, 7),
-    ] {
+    for (masses, index) in [(1, 1), (2, 4), (2, 3), (3, 5), (3, 8), (4, 6), (5, 7)] {
         let frame = frame(masses, index);
         let system = &frame.system;
         let moves = f64::from(u8::from(

@@ -95,12 +95,9 @@ fn outcome(frame: &Frame, work: Option<usize>) -> Option<Outcome> {
 /// Checks a few frames in every run of the tests.
 #[test]
 fn optima_of_some_frames() {
-    let mut compared = 0;
-    for (masses, index) in [(1, 3), (2, 4), (2, 6), (2, 8), (3, 5)] {
+    for (masses, index) in [(2, 4), (3, 5)] {
         let frame = frame(masses, index);
-        let Some(outcome) = outcome(&frame, Some(WORK)) else {
-            continue;
-        };
+        let outcome = outcome(&frame, Some(WORK)).expect("an optimum and a map");
         let most = if outcome.end == OptimumEnd::WorkSpent {
             ABOVE_IF_SPENT
         } else {
@@ -108,9 +105,7 @@ fn optima_of_some_frames() {
         };
         assert!(outcome.above < most, "{}: {}", frame.text, outcome.above);
         assert!(outcome.higher < most, "{}: {}", frame.text, outcome.higher);
-        compared += 1;
     }
-    assert!(compared >= 3, "{compared}");
 }
 
 /// Checks a resonance of the stuck chain that the load does not drive. If the contact sticks, the mass next to the base
@@ -138,7 +133,7 @@ fn a_frame_on_which_the_search_gave_up() {
         load: Some(load),
     };
     let found = system
-        .optimum_within(&request, 300_000)
+        .optimum_within(&request, 100_000)
         .expect("the best so far at least");
     let scale = system.load_scale(load).expect("a force");
     let (force, millimetres) = (
@@ -153,8 +148,7 @@ fn a_frame_on_which_the_search_gave_up() {
     assert!(from <= found.beta && found.beta <= to);
 }
 
-/// Checks 200 frames of one to six masses. The test prints every frame, the slowest frame, and the number of frames
-/// more than 2 % above the map. In one of the frames motion from rest reaches a stick-slip state between 2.13 Hz and
+/// Checks a frame with a narrow range of stick-slip motion. Motion from rest reaches a stick-slip state between 2.13 Hz and
 /// 2.146 Hz, and has 5.69 mm at 2.143 Hz and 2146 N. A search that misses this range takes 2146 N for the best
 /// friction, with 5.08 mm.
 #[test]
@@ -190,8 +184,10 @@ fn a_narrow_range_of_stick_slip_counts() {
     assert!(found.amplitude < 5.5, "{}", found.amplitude);
 }
 
+/// Checks 200 frames of one to six masses. The test prints every frame, the slowest frame, and the number of frames
+/// more than 2 % above the map.
 #[test]
-#[ignore = "200 optima, each with a map: some minutes"]
+#[ignore = "200 optima, each with a map: some hours"]
 fn optima_of_two_hundred_frames() {
     let (mut slowest, mut above, mut spent) = ((0.0, String::new()), 0, 0);
     let mut compared = 0_usize;

@@ -168,7 +168,7 @@ fn fuzz(count: u64, seed: u64, often: u64) {
 
 #[test]
 fn random_systems_answer_by_numbers() {
-    fuzz(1_600, 21, 4);
+    fuzz(800, 21, 4);
 }
 
 #[test]

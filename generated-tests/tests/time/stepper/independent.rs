@@ -100,10 +100,10 @@ fn damping_from_the_base() {
         for mu in [1.0, 1.3] {
             let text = sticky(&from_base(text), mu);
             for kind in [LINEAR, HOLD] {
-                compare(&text, kind, 2000, BAR);
+                compare(&text, kind, 600, BAR);
             }
             let input = Input::Linear;
-            compare(&text, Kind { input, law }, 1000, BAR);
+            compare(&text, Kind { input, law }, 400, BAR);
         }
     }
 }
