@@ -14,7 +14,7 @@ pub enum Layout {
     Objects,
     /// Text has one line for each row. JSON has an object for the contact and a list of the masses.
     Masses,
-    /// Text has a line for each contact or mass that moves. JSON is that of [`Layout::Masses`].
+    /// Text has a line for each contact or mass that moves. JSON is as for [`Layout::Masses`].
     Lines,
 }
 

@@ -32,12 +32,12 @@ pub trait Table {
     fn has_motions(&self, _row: &Self::Row) -> bool {
         true
     }
-    /// Returns the fields that JSON contains once, after those of the scene.
+    /// Returns the fields that JSON contains once, after the fields of the scene.
     fn head(&self) -> Vec<(String, serde_json::Value)> {
         Vec::new()
     }
-    /// Returns the lines that a printed table has above its rows, after those of the scene. Each has a title and a
-    /// text.
+    /// Returns the lines that a printed table has above its rows, after the lines of the scene. Each line has a
+    /// title and a text.
     fn preamble(&self) -> Vec<(&'static str, String)> {
         Vec::new()
     }

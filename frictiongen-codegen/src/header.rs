@@ -1,4 +1,4 @@
-//! Turns the attributes, the visibility and the paths of a description into those of `syn`.
+//! Turns the attributes, the visibility and the paths of a description into types of `syn`.
 
 use frictiongen_syntax::{Attribute, Problems, RustPath, Syntax, Visibility};
 use proc_macro2::{Ident, Punct, Spacing, Span, TokenStream, TokenTree};

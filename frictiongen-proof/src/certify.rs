@@ -31,8 +31,8 @@ const COMPETE: f64 = 0.1;
 /// Largest number of searches for another instant with nearly the same constraint as the witness. Tuned: it bounds the
 /// work of the searches.
 const MOST_TRIED: usize = 4;
-/// Ratio of the next cell's length to that of a certified cell. Tuned: fast growth saves cells, but a cell that fails
-/// is lost work.
+/// Ratio of the next cell's length to the length of a certified cell. Tuned: fast growth saves cells, but a cell that
+/// fails is lost work.
 const LONGER: f64 = 1.4;
 /// First length of the range that a single bound covers from the start of the half period, in radians of the fastest
 /// mode. Tuned: a longer range saves cells, but its bound is wider.

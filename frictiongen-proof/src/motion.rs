@@ -1,5 +1,5 @@
-//! Errors of amplitude and phase of the contact at any β over an interval of r. They follow from the polynomials of a
-//! piece other than that of β_lim.
+//! Errors of amplitude and phase of the contact at any β over an interval of r. They follow from all
+//! polynomials of a piece except the polynomial of β_lim.
 //!
 //! The amplitude is |V|(√(1 − ρ²α²) − ργ), with α = β_lim·U/|V|, γ = β_lim·G/|V| and ρ = β/β_lim. The table has the
 //! polynomials a and g in place of α and γ. They are relative to the table's own β_lim, so that a·β_lim/β_table is

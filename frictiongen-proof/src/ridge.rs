@@ -1,5 +1,5 @@
-//! Finds other instants whose velocity constraint is close to that of the witness. Near a kink of β_lim there are two
-//! such instants.
+//! Finds other instants whose velocity constraint is close to the constraint of the witness. Near a kink of β_lim there
+//! are two such instants.
 
 use crate::cells::{BENT, Flank, HalfPeriodCells, ROUNDING};
 use crate::force;

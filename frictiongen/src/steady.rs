@@ -30,7 +30,7 @@ pub enum Of {
 }
 
 impl Of {
-    /// Returns true if this is a force: that of a spring, or the base shear.
+    /// Returns true if this is the force of a spring or the base shear.
     #[must_use]
     pub fn is_force(self) -> bool {
         matches!(self, Self::Spring(_) | Self::Shear)

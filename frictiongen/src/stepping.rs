@@ -106,10 +106,10 @@ pub trait Stepping {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Sets the input at the start of the first step. Without this call no load acts at the start.
+    /// Sets the input at the start of the first step. Without this call the input there is 0.
     ///
     /// # Errors
-    /// Same errors as [`step`](Self::step). [`OutOfDomain`] also after the first step.
+    /// Same errors as [`step`](Self::step). A call after the first step returns [`OutOfDomain`].
     fn begin_with(&mut self, load: &StepLoad<'_, Self::Scalar>) -> Result<(), OutOfDomain>;
     /// Takes a step at whose end the input is `load`. With `input: linear` the forces change linearly during the step,
     /// and the base follows a cubic. With `input: hold` the load acts over the whole step.

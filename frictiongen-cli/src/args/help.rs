@@ -20,9 +20,9 @@ Units:
   --hz or --omega       adds frequency_Hz (and omega_rad_s) to r
   --force P or --base Y adds friction_N, and gives amplitudes in m and phases in degrees; limits are
                         also given as friction forces in N
-  r and beta refer to the first mass and the first spring of the description. In another order, r and
-  beta change, but no physical result does. In degrees, the phase of a contact a - b of two masses is
-  that of b relative to a.
+  r and beta refer to the first mass and the first spring of the description. If the description lists
+  the masses in another order, r and beta change, but no physical result does. With --force or --base,
+  the phase of a contact a - b of two masses is the phase of b relative to a.
 
 ";
 
@@ -193,7 +193,7 @@ Regions:
   continuous        the contact slides all the time
   stuck             the contact never slides: it locks
   n stops           the contact stops n times in a cycle of the excitation
-  sliding reversals the contact reverses without a stop, but not in the continuous motion
+  sliding reversals the contact reverses and never stops, but the motion is not that of the closed form
   subharmonic       the motion repeats after several cycles
   unsettled         the motion does not repeat
   other words       the reason why there is no answer, in the words of `orbit`

@@ -199,8 +199,9 @@ Quantities:
 pub const FITS: &str = "\
 The sweep must be measured without friction, and the scene must be driven by its base. The command
 `frictiongen transmissibility -o sweep.csv` writes a sweep from recordings. With one mass the fit gives
-the natural frequency. With two masses it gives r, gamma and kappa (thesis 6.15 to 6.20), and with more
-masses the same kind of ratios. The first mass keeps its value, because base motion determines only ratios.
+the natural frequency. With two masses it gives the frequency ratio r per Hz, the mass ratio gamma and the
+stiffness ratio kappa (equations 6.15 to 6.20 of the thesis). Each further mass adds a mass ratio and a
+stiffness ratio. Base motion determines only ratios. The first mass therefore keeps its value.
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.";

@@ -15,8 +15,8 @@ use serde_json::{Value as Json, json};
 
 /// Largest number of masses of a chain for which the page has best frictions.
 const MOST_MASSES: usize = 16;
-/// Bound on the work of one search, in units of about 10 µs. It is below that of `frictiongen optimum`, because a page
-/// should be ready within seconds.
+/// Bound on the work of one search, in units of about 10 µs. The bound is lower than in `frictiongen optimum`,
+/// because a page should be ready within seconds.
 const WORK: usize = 150_000;
 /// Largest number of motions that are searched in a chain of at most [`ALL_MOTIONS`] masses.
 const MOST_MOTIONS: usize = 4;

@@ -257,7 +257,7 @@ fn measured(text: &str, asked: &Asked) -> Result<Vec<Measured>, String> {
     ])
 }
 
-/// Returns the largest differences between the answers of a system and those of a reference.
+/// Returns the largest differences between the answers of a system and the answers of a reference.
 fn compared<S: Float>(
     precision: &'static str,
     system: &System<S>,

@@ -13,7 +13,8 @@ pub const STUCK: f64 = 1e9;
 /// Regime, amplitude and phase, or the reason why there are none.
 pub type Found = Result<(Regime, Swing), Error>;
 
-/// Returns the motion at one frequency and one friction. [`STUCK`] stands for a contact that sticks at any frequency.
+/// Returns the motion at the frequency ratio `r` and the friction ratio `beta`. If `beta` is [`STUCK`], the contact is
+/// stuck at every frequency.
 pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
     let at = asked.system.at(r)?;
     let rest = Swing::REST;

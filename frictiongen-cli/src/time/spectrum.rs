@@ -17,7 +17,7 @@ pub struct SpectrumReport<'m> {
     pub spectra: &'m [Spectrum],
 }
 
-/// Returns the exact spectra of a steady state, or computes those of a run's samples.
+/// Returns the exact spectra of a steady state, or computes the spectra of a run's samples.
 pub fn spectra<'m>(motion: &'m Motion<'_>) -> Cow<'m, [Spectrum]> {
     if !motion.exact.is_empty() {
         return Cow::Borrowed(&*motion.exact);

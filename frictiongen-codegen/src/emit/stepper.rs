@@ -118,10 +118,10 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         #facade::kernel::wraps!(#stepper, FixedStepper of #scalar, #literals);
 
         impl #stepper {
-            /// Sets the input at the start, before the first step.  Without this call it is 0.
+            /// Sets the input at the start of the first step.  Without this call the input there is 0.
             ///
             /// # Errors
-            /// `OutOfDomain` where `advance` returns it, and after the first step.
+            /// Same errors as `advance`.  A call after the first step returns `OutOfDomain`.
             pub fn begin(&mut self, input: #input) -> Result<(), OutOfDomain> {
                 self.0.begin(#sample)
             }

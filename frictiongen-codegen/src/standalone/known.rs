@@ -11,7 +11,7 @@ const ROUNDINGS: f64 = 64.0;
 
 /// Returns the largest error of an answer against a known one, and the known answers.
 ///
-/// The error is the accuracy of the tables, and 64 roundings: those of the emitted arithmetic, and of r and β.
+/// The error is the accuracy of the tables, and 64 roundings for the emitted arithmetic and for r and β.
 #[must_use]
 pub fn known_answers<S: Float>(source: &Source<'_, S>) -> (f64, Vec<Known>) {
     let Source { scene, tables, .. } = source;

@@ -113,7 +113,8 @@ impl<S: Scalar> Chain<S> {
 
     /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest
     /// |x² − 1| + 2ζx of the modes that the contact drives, so that E is known only after a first pass over the modes.
-    /// If `single` is true, E is |x² − 1| + 2ζx of this mode, and their quotient is 1 without rounding.
+    /// If `single` is true, E is the |x² − 1| + 2ζx of this mode itself. The code then takes E/(|x² − 1| + 2ζx) as
+    /// exactly 1.
     #[inline]
     pub fn scaled(
         &self,

@@ -74,7 +74,7 @@ pub enum Given {
     NotANumber,
     /// A number below zero, −∞ included.
     Negative,
-    /// Zero.
+    /// The number 0.
     Zero,
     /// A finite number above zero.
     Positive,

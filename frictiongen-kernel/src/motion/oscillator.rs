@@ -40,10 +40,10 @@ pub struct Part<S> {
     pub(crate) near: bool,
     /// Displacement about which the oscillator moves, from the constant forces.
     pub(crate) centre: S,
-    /// y and u at the present instant, or at the start of the segment.
+    /// Displacement y and scaled velocity u at the present instant, or at the start of the segment.
     pub(crate) y: S,
     pub(crate) u: S,
-    /// y and u of the free motion at the start of the segment.
+    /// Displacement y and scaled velocity u of the free part of the motion, at the start of the segment.
     pub(crate) free: [S; 2],
     /// Coefficients of the decaying cosine c and sine s ([`Turn`]) in the searched function of the contact.  `slope`
     /// has the coefficients in the derivative of that function.
@@ -52,7 +52,7 @@ pub struct Part<S> {
     /// Upper bound on the oscillator's term in the third derivative of the searched function, at the start.  If the
     /// motion is an oscillation, the bound falls as e^{−ζxτ}.
     pub(crate) bound: S,
-    /// Weights of y and u in the searched function of the contact.
+    /// Weights of the displacement y and the scaled velocity u in the searched function of the contact.
     pub(crate) weight: [S; 2],
 }
 

@@ -19,8 +19,8 @@ const fn terms(orders: usize) -> usize {
     orders * (orders + 1) / 2
 }
 
-/// Computes the coefficients from the recurrence e_n″ = e_n−2, from the highest power of w down. In this order nothing
-/// cancels.
+/// Computes the coefficients of each e_n from the coefficients of e_(n−2), the second derivative of e_n. The recurrence
+/// runs from the highest power of w down to the lowest. In this order no terms cancel.
 #[allow(clippy::indexing_slicing, reason = "at compile time")]
 const fn coefficients<const N: usize>() -> [f64; N] {
     const SQUARE: f64 = core::f64::consts::PI * core::f64::consts::PI;

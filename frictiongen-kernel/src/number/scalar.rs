@@ -215,10 +215,10 @@ pub trait Float:
     }
 }
 
-/// A scalar that carries no derivative next to its value, which excludes dual numbers.
+/// A scalar that carries no derivative next to its value. Dual numbers are not plain.
 ///
-/// Motions from rest and steady states are found by iteration. The iteration stops as soon as the value is correct,
-/// when a derivative might not be correct yet. Functions that start such an iteration require this trait, so that the
-/// compiler rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady state
-/// that is already known.
+/// Motions from rest and steady states are found by iteration. The iteration stops as soon as the value is correct. A
+/// derivative may still be wrong at that instant. Functions that start such an iteration require this trait, so that
+/// the compiler rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady
+/// state that is already known.
 pub trait Plain: Float {}

@@ -302,7 +302,7 @@ where
     }
 }
 
-/// Fails if r or β differs from that of the known steady state by more than rounding.
+/// Fails if r or β differs from the value of the known steady state by more than rounding.
 fn check_same<S: Float>(given: S, known: impl Float, ratio: Ratio) -> Result<(), OutOfDomain> {
     let known = S::constant(known.to_f64());
     if (given - known).abs() <= known * S::constant(SAME) {

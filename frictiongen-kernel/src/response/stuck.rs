@@ -13,7 +13,7 @@ pub trait ProvidesStuck: Scene {
 
     /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (6.11, 6.27, 6.33). V/H
     /// is the force that keeps the contact stuck. The mass must not be the one that the stuck contact fixes to its
-    /// support. A generator may write its own body.
+    /// support. The default body is valid for every chain. A generator replaces it where constants save work.
     #[inline]
     fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<Self::Scalar>> {
         let numbers = at.scene.numbers();

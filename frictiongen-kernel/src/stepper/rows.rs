@@ -35,7 +35,8 @@ pub struct ModeStep<S, const D: usize> {
     pub angle: S,
     /// ζ, the modal damping ratio.
     pub zeta: S,
-    /// Rate of u per unit of force on the mode: Ω/σ², with the natural frequency ratio σ.
+    /// Rate u′ that a unit force on the mode causes: Ω/σ².  σ is the natural frequency of the mode as a frequency
+    /// ratio.
     pub per_force: S,
     /// φᵀw, the component of the mode in the contact's displacement.
     pub contact: S,
@@ -54,10 +55,10 @@ pub struct HeldStep<S, const D: usize> {
     pub angle: S,
     /// ζ, the modal damping ratio.
     pub zeta: S,
-    /// −(contact force)/y: the contact force per unit of y, with the opposite sign.
+    /// Contact force per unit of the displacement y, with the opposite sign.
     pub force: S,
-    /// Rates of y and u per unit of velocity and of acceleration of a moving base.  They apply while the contact sticks
-    /// to the base.
+    /// Rates y′ and u′ that a unit velocity and a unit acceleration of a moving base cause, while the contact sticks to
+    /// the base.
     pub from_base: [[S; 2]; 2],
     /// Weights that give ∫ sʲ y′ ds over the sub-interval.
     pub moments: [HeldRow<S, D>; D],

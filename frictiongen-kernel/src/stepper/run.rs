@@ -83,9 +83,9 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         Ok(())
     }
 
-    /// Sets the input at the start, from which the first step of a linear input begins.  Without this call that input
-    /// is zero.  [`contact`](Self::contact) reflects the sample at once.  For a moving base it assumes that the base's
-    /// velocity stays constant.
+    /// Sets the input at the start of the first step.  Without this call the input there is 0.  A linear input begins
+    /// at this value.  [`contact`](Self::contact) responds to the sample at once.  If the base moves, `contact` assumes
+    /// that the velocity of the base stays constant.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
@@ -243,7 +243,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         self.status.unknown = true;
     }
 
-    /// Computes the state of the modes from that of the stuck chain, while the contact sticks.
+    /// Computes the state of the chain's modes from the state of the stuck chain's modes, while the contact sticks.
     fn release(&mut self) {
         let lifted = self.lifted();
         let receptance = self.tables.view().pace.receptance;

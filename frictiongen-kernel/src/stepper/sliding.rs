@@ -171,8 +171,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         })
     }
 
-    /// Returns the length over which a power series of the sliding motion converges, in sub-intervals.  A steep law
-    /// changes the motion faster than the modes do.
+    /// Returns the length over which a power series of the sliding motion converges.  The unit is one sub-interval.  A
+    /// steep friction law makes the length shorter, because the motion then changes faster than the modes turn.
     fn series_reach(&self, slope: S) -> S {
         let left = S::constant(1.0) - self.progress;
         let pace = &self.table.pace;

@@ -8,7 +8,7 @@ use crate::number::scalar::Float;
 pub struct Piece<S, const F: usize, const C: usize> {
     /// Smallest r of the interval. The interval ends where the next one begins.
     pub from: S,
-    /// Origin from which the polynomials count r. Near a zero of a function, the origin is that zero of the function.
+    /// Origin of the piece: its polynomials are in r − `origin`. Near a zero of a function, the origin is that zero.
     /// The relative accuracy is then kept up to the zero.
     pub origin: S,
     /// Polynomial coefficients of each function, from the constant term upwards.

@@ -20,8 +20,8 @@ const END: f64 = 0.02;
 const KINK: f64 = 30.0;
 /// Ratio of lengths at which a kink counts as located: a length that is too long divided by a length that is not.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
-/// Largest number of polynomial pieces that are fitted again after the check. Each repetition adds a point to check.
-/// With more repetitions, the construction would not end.
+/// Largest number of polynomial pieces that are fitted again after the check. Each repetition adds a point at which
+/// later fits are compared. Beyond this number the construction fails, because it would probably never end.
 const MOST_AGAIN: usize = 1000;
 /// Length of the shortest polynomial piece, as a fraction of r. It is some hundreds of roundings of double precision.
 const SHORTEST: f64 = 1e-13;

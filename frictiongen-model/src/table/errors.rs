@@ -29,8 +29,7 @@ pub(super) struct Comparison<'a, 'm, S> {
 }
 
 impl<S: Float> Comparison<'_, '_, S> {
-    /// Returns the zero of β_lim from which the polynomials of a piece count r. Returns `None` if the origin of the
-    /// piece is not a zero.
+    /// Returns the zero of β_lim at the origin of a polynomial piece. Returns `None` if the origin is not a zero.
     pub fn zero_of(&self, piece: &Fitted<S>) -> Option<Edge> {
         let to = |at: f64| S::constant(at).to_f64();
         self.landmarks.zero_at(piece.origin.to_f64(), to)

@@ -9,11 +9,11 @@ use std::f64::consts::PI;
 
 /// Step to which the origin of a polynomial piece is rounded, as a fraction of half the length of the piece.
 const ORIGIN: f64 = 0.1;
-/// Smallest relative error down to which tables of polynomials with four coefficients store the fewest numbers.
+/// Smallest allowed relative error at which polynomials with four coefficients still make the smallest table.
 const FOUR_TERMS: f64 = 3e-3;
-/// Smallest relative error down to which six coefficients store the fewest numbers.
+/// Smallest allowed relative error at which polynomials with six coefficients still make the smallest table.
 const SIX_TERMS: f64 = 1e-7;
-/// Smallest relative error down to which eight coefficients store the fewest numbers.
+/// Smallest allowed relative error at which polynomials with eight coefficients still make the smallest table.
 const EIGHT_TERMS: f64 = 1e-10;
 
 /// Polynomial piece of a table, with the functions in vectors: one interval of r, on which each function is a
@@ -22,7 +22,7 @@ const EIGHT_TERMS: f64 = 1e-10;
 pub struct Fitted<S> {
     /// Smallest r of the polynomial piece.
     pub from: S,
-    /// Origin from which the polynomials of the piece count r.
+    /// Origin of the piece: its polynomials are in r − `origin`.
     pub origin: S,
     /// Coefficients of each function's polynomial in r − `origin`, from the constant term upwards.
     pub coefficients: Vec<Vec<S>>,

@@ -14,10 +14,10 @@ const HALVINGS: u32 = 12;
 /// Number of equal intervals of r with which the proof that a limit exceeds a friction ratio begins.
 const PARTS: usize = 64;
 
-/// Regimes that friction ratios up to a largest one exclude, over the range of the tables.
+/// Regimes that cannot occur at friction ratios up to a largest one, over the range of the tables.
 ///
-/// A flag is true only if that is proven for every number of the type in the range, in the emitted arithmetic. If a
-/// flag is false, nothing is known.
+/// A flag is true only if a proof covers every number of the type in the range, in the emitted arithmetic. A flag that
+/// is false excludes nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
     /// True if every friction ratio is below β_lim, so that the closed form of the continuous motion is always used.
@@ -27,8 +27,8 @@ pub struct Reach {
 }
 
 impl<S: Float> Tables<S> {
-    /// Returns which regimes the declared friction ratios exclude. Both flags are false if the scene uses the exact
-    /// formulas beyond the declared range.
+    /// Returns the regimes that cannot occur at any declared friction ratio. Both flags are false if the scene uses the
+    /// exact formulas beyond the declared range.
     #[must_use]
     pub fn declared_reach(&self, scene: &Scene) -> Reach {
         let declared = &scene.declared;
@@ -38,7 +38,7 @@ impl<S: Float> Tables<S> {
         }
     }
 
-    /// Returns which regimes friction ratios from 0 to `most` exclude. `most` is included. `stiction` is μ.
+    /// Returns the regimes that cannot occur at any friction ratio from 0 up to and including `most`. `stiction` is μ.
     #[must_use]
     pub fn reach(&self, stiction: f64, most: f64) -> Reach {
         let most = S::constant(most).to_f64();

@@ -33,8 +33,8 @@ const BESIDE: [f64; 13] = [
 ];
 /// Largest relative distance of a zero of β_lim from the range of r at which the zero still influences the table.
 const OUTSIDE: f64 = 1e-2;
-/// A mode with more damping has no narrow feature in β_lim. The bound applies to the damping ratio times the order of a
-/// sub-harmonic, and to |x|/y for a zero x + iy.
+/// Largest damping with which a resonance, a sub-harmonic or a zero makes a narrow feature in β_lim. The damping is ζ
+/// times the order for a sub-harmonic of a mode, and |x|/y for a complex zero x + iy of V.
 const BROAD: f64 = 0.5;
 /// Largest number of sub-harmonics that are considered for each mode.
 const MOST: usize = 10_000;
@@ -53,8 +53,8 @@ pub struct Landmarks {
 }
 
 impl Landmarks {
-    /// Returns the zero of β_lim from which a polynomial piece counts r. `to` rounds a zero to the number type of the
-    /// table. Returns `None` if the origin of the piece is not a zero.
+    /// Returns the zero of β_lim at the origin of a polynomial piece. `to` rounds a zero to the number type of the
+    /// table. Returns `None` if the origin is not a zero.
     pub fn zero_at(&self, origin: f64, to: impl Fn(f64) -> f64) -> Option<Edge> {
         let mut zeros = self.zeros.iter().copied();
         zeros.find(|zero| to(zero.at) == origin)

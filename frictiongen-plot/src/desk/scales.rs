@@ -106,7 +106,7 @@ impl Scales {
         }
     }
 
-    /// Converts an order, a frequency over that of the excitation, to the unit of its axis.
+    /// Converts an order to the unit of its axis. An order is a frequency divided by the frequency of the excitation.
     #[must_use]
     pub fn order(&self, order: f64) -> f64 {
         self.omega

@@ -1,4 +1,4 @@
-//! Turns the written damping, declarations and provided items into those of the scene.
+//! Turns the damping, declarations and provided items as written into the fields of the scene.
 
 use std::collections::HashSet;
 

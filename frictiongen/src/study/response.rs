@@ -154,8 +154,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the largest |offset| of the contact among all steady states of the same continuum, as
-    /// [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range) does.
+    /// Returns the largest |offset| of the contact, if this state is one of a continuum of steady states that differ by
+    /// their offset. See [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
     #[must_use]
     pub fn offset_range(&self) -> Option<f64> {
         match self {

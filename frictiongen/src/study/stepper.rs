@@ -261,7 +261,7 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
     /// once.
     ///
     /// # Errors
-    /// Same errors as [`advance`](Self::advance). [`OutOfDomain`] after the first step.
+    /// Same errors as [`advance`](Self::advance). A call after the first step returns [`OutOfDomain`].
     pub fn begin(&mut self, input: SystemInput<'_, S>) -> Result<(), StudyError> {
         let (base, friction) = self.lay(&input)?;
         let forces = &self.forces;

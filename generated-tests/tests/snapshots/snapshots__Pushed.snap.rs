@@ -202,10 +202,10 @@ const _: () = {
     ::frictiongen::kernel::not_provided!(Pushed : limits, simulation);
     ::frictiongen::kernel::wraps!(PushedStepper, FixedStepper of f32, 1, 1, 0, 1);
     impl PushedStepper {
-        /// Sets the input at the start, before the first step.  Without this call it is 0.
+        /// Sets the input at the start of the first step.  Without this call the input there is 0.
         ///
         /// # Errors
-        /// `OutOfDomain` where `advance` returns it, and after the first step.
+        /// Same errors as `advance`.  A call after the first step returns `OutOfDomain`.
         pub fn begin(&mut self, input: PushedInput) -> Result<(), OutOfDomain> {
             self.0
                 .begin(Sample {

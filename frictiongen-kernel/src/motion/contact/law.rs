@@ -106,7 +106,8 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// Relative velocity z̄′ while the contact sticks.  `at` is the sine and the cosine of the excitation's angle.
     fn stuck_velocity(setting: &Setting<'_, S, Self>, modes: &[Part<S>], at: (S, S)) -> S;
 
-    /// The contact force over P while the contact sticks.  `contact_state` is that of the segment's start.
+    /// The contact force over P while the contact sticks.  `contact_state` is the state of the contact at the start of
+    /// the segment.
     fn stuck_force(
         setting: &Setting<'_, S, Self>,
         modes: &[Part<S>],

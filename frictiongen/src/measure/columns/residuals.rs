@@ -53,8 +53,8 @@ impl Row for FittedRow<'_> {}
 impl Row for ExtremeRow {}
 
 impl ResidualRow<'_> {
-    /// Returns the residual over its standard deviation. The residual is that of the complex value, of the amplitude or
-    /// of the phase, whichever was measured.
+    /// Returns the residual divided by its standard deviation. The residual belongs to the measured quantity: complex
+    /// value, amplitude or phase.
     fn over_deviation(&self) -> f64 {
         let apart = match self.known {
             MotionKnown::Amplitude => (self.datum.value.norm() - self.model.norm()).abs(),

@@ -35,8 +35,8 @@ pub struct FreeDecay {
     pub linear_decrement: f64,
     /// Extremes that were used, as pairs: time from the first sample in s, and displacement in m.
     pub extremes: Vec<(f64, f64)>,
-    /// Standard deviation of the residuals over that of the noise. Well above 1, the mass does not move as the model
-    /// says.
+    /// Standard deviation of the residuals, divided by the standard deviation of the noise. If it is far above 1, the
+    /// mass does not move as the model says.
     pub misfit: f64,
 }
 

@@ -98,8 +98,8 @@ impl IdentifyProblem<'_> {
         parts.fold(f64::INFINITY, f64::min) < MENDED
     }
 
-    /// Returns true if two things hold for amplitudes without phases. They are as small as those of an almost stuck
-    /// contact, and amplitudes larger by a power of 1000 are explained too.
+    /// Returns true if the unit of measured amplitudes without phases is in doubt. Two conditions must be true. The
+    /// amplitudes are as small as with an almost stuck contact. Amplitudes larger by a power of 1000 are explained too.
     pub(super) fn doubts_unit(&self) -> bool {
         if self.using != Using::Amplitude {
             return false;

@@ -40,7 +40,7 @@ pub(super) fn steps([from, to]: [f64; 2]) -> Vec<f64> {
         .collect()
 }
 
-/// Adds to the ascending points `places` those of `steps` that lie between the first and the last point.
+/// Adds to the ascending points `places` the points of `steps` that lie between its first and its last point.
 pub(super) fn merge(places: &mut Vec<f64>, steps: &[f64]) {
     let (Some(first), Some(last)) = (places.first().copied(), places.last().copied()) else {
         return;

@@ -227,7 +227,7 @@ impl Track {
         self.displacement.split_last().map_or(&[], |(_, rest)| rest)
     }
 
-    /// Returns the largest |x̄| of the samples, which may be below that of the motion.
+    /// Returns the largest |x̄| of the samples. The largest |x̄| of the motion may be larger.
     #[must_use]
     pub fn largest(&self) -> f64 {
         let sizes = self.displacement.iter().map(|value| value.abs());

@@ -19,7 +19,7 @@ pub struct Spectrum {
 /// One component of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectralLine {
-    /// Order n, the frequency over that of the excitation.
+    /// Order n: the frequency divided by the frequency of the excitation.
     pub order: f64,
     /// Complex amplitude X in Re(X e^{inτ}), over P/k₁, for base motion over Y. τ counts from a maximum of the
     /// excitation. The component of order 0 is the mean.

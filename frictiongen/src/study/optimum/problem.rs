@@ -195,8 +195,8 @@ impl<'s> OptimumProblem<'s> {
     }
 }
 
-/// Returns the largest amplitude at the ends of the bracket, if it is above that of the best friction. One of the ends
-/// is beyond the jump.
+/// Returns the largest amplitude at the ends of the bracket, if it is above the amplitude at the best friction. One of
+/// the ends is beyond the jump.
 fn beyond(band: &AmplitudeBand<'_>, least: &Least) -> Option<f64> {
     let others = least
         .bracket
