@@ -31,7 +31,7 @@ pub fn of(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure
     Ok(measure)
 }
 
-/// Returns the option with which the user gives this scene's load.
+/// Returns the option for the load: `--base` if the base drives the scene, otherwise `--force`.
 pub fn option(measure: &Measure) -> &'static str {
     if measure.is_base_motion() {
         "--base"

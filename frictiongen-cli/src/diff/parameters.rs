@@ -10,7 +10,7 @@ use frictiongen::study::scene::{
 pub struct Field {
     /// Name of the field, with the name of its mass or spring.
     pub name: String,
-    /// Value in the language of descriptions.
+    /// Value as a description writes it.
     pub text: String,
     /// Value as a number.
     pub number: Option<f64>,

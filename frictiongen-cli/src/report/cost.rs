@@ -51,7 +51,8 @@ struct Bounds {
     amplitude: u32,
     /// Size of a steady state with stops, in bytes.
     orbit: usize,
-    /// Length of a step in seconds, its operations by the tables, and its operations with one event.
+    /// Length of a step of the stepper in seconds, then the operations of two kinds of steps: a step that uses only the
+    /// constant tables, and a step with one event. `None` if the scene gives no step.
     step: Option<(f64, u64, u64)>,
 }
 

@@ -15,7 +15,7 @@ pub(super) struct Constants {
     pub associated: TokenStream,
     /// Number of modes that the contact drives.
     pub driven: usize,
-    /// Number of all modes and all held modes together.
+    /// Number of oscillators: the modes of the chain, plus the modes of the chain with its contact stuck.
     pub parts: usize,
 }
 

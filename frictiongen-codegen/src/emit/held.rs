@@ -1,4 +1,4 @@
-//! Emits the stuck responses of a scene with a declared accuracy.
+//! Emits the tables and functions that compute the stuck responses of a scene with a declared accuracy.
 
 use super::checksum;
 use super::emission::{Emission, Part};

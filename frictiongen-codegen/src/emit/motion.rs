@@ -1,4 +1,4 @@
-//! Emits the continuous motion of the contact and of the masses that the scene provides.
+//! Emits the code that computes the continuous motion of the contact and of the masses that the scene provides.
 
 use super::arm::{self, Arm};
 use super::emission::{Emission, Part};
@@ -115,7 +115,8 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     }
 }
 
-/// Emits the motions of a scene with few modes in straight lines, as methods of the kernel's `ProvidesMotion`.
+/// Emits straight-line code for the motions of a scene with few modes. The code consists of methods of the kernel's
+/// `ProvidesMotion`.
 fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream {
     let scalar = &emission.scalar;
     let masses: Vec<usize> = masses

@@ -1,4 +1,4 @@
-//! Emits the steady state in any regime.
+//! Emits the type of the steady state in any regime, with the code that computes it.
 
 use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part};

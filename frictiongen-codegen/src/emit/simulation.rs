@@ -1,4 +1,4 @@
-//! Emits the exact motion in time.
+//! Emits the type that simulates the exact motion in time, with its constructors.
 
 use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part, rounded};

@@ -1,4 +1,4 @@
-//! Emits the response while the contact is stuck.
+//! Emits the code that computes the response while the contact is stuck.
 
 use super::arm::{self, Arm};
 use super::emission::{Emission, Part};
@@ -96,7 +96,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     }
 }
 
-/// Emits the stuck response of a scene with few modes in straight lines, as a method of the kernel's `ProvidesStuck`.
+/// Emits straight-line code for the stuck response of a scene with few modes. The code is a method of the kernel's
+/// `ProvidesStuck`.
 fn in_lines(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
     let graph = emission.graph(emission.modes());

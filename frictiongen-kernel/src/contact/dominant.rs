@@ -125,10 +125,10 @@ pub(crate) struct DominantSums<S> {
 }
 
 impl<S: Scalar> DominantSums<S> {
-    /// Returns two responses V of the contact to the load. The phase of the dominant mode is measured against the
-    /// first, the phases of the other modes against the second. The chain is damped. A mode is in phase with its own
-    /// term of V. V without this term therefore gives the same phase as the full V. Of the two, the smaller one gives a
-    /// more accurate phase.
+    /// Returns two responses V of the contact of a damped chain to the load. The phase of the dominant mode is measured
+    /// against the first response. The phases of the other modes are measured against the second response. A mode is in
+    /// phase with its own term of V. V without this term therefore gives the same phase as the full V. The smaller of
+    /// the two gives a more accurate phase.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", "(|Re V| + |Im V|)·r²E", None);

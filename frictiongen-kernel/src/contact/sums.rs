@@ -227,8 +227,8 @@ impl<S: Scalar> Chain<S> {
         self.completed(&sum, inverse_r)
     }
 
-    /// Returns the terms of the first mode in the modal sums V, H, U and H_c of the contact, and in G if `with_g` is
-    /// true. The scene has several modes.
+    /// Returns the modal sums V, H, U and H_c of the contact with the terms of the first mode only, and also G if
+    /// `with_g` is true. Call it only for a scene with several modes.
     #[inline(always)]
     pub fn begun_by(
         &self,

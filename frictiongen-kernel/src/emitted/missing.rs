@@ -96,9 +96,10 @@ pub trait AddMassToMotion {
     fn answer() -> Self::Answer;
 }
 
-/// Writes a placeholder for each method that a scene does not provide. A call to a placeholder does not compile. If the
-/// method takes a number as its argument, it requires the trait of the number's type, and the compiler prints the
-/// trait's message. For the other methods the compiler prints only the trait's name.
+/// Writes a placeholder for each method that a scene does not provide. A call to a placeholder does not compile,
+/// because the placeholder requires a trait of this module that no type implements. The compiler prints the message of
+/// the trait if the method has a number as its argument. For other methods the compiler prints only the name of the
+/// trait.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! not_provided {

@@ -50,9 +50,9 @@ pub enum OutOfDomain {
     Friction(Given),
     /// Stiction μ.
     Stiction(Given),
-    /// Input at the start, given after the first step.
+    /// Input at the start of the first step, given after that step.
     Begun,
-    /// State saved by a stepper of another scene or step.
+    /// State that a stepper with another scene or another step dt has saved.
     Saved,
     /// Work of the load, which another step could make too large for the scalar.
     Work,

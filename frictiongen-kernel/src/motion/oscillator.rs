@@ -40,8 +40,9 @@ pub struct Part<S> {
     pub(crate) near: bool,
     /// Displacement about which the oscillator moves, from the constant forces.
     pub(crate) centre: S,
-    /// Displacement y and scaled velocity u at the present instant, or at the start of the segment.
+    /// Displacement y at the present instant, or at the start of the segment.
     pub(crate) y: S,
+    /// Scaled velocity u at the same instant as y.
     pub(crate) u: S,
     /// Displacement y and scaled velocity u of the free part of the motion, at the start of the segment.
     pub(crate) free: [S; 2],
@@ -227,7 +228,8 @@ impl<S: Float> Part<S> {
         )
     }
 
-    /// Adds the contribution of [`grown`](Self::grown) to the derivatives of the searched function at the start.
+    /// Adds the contribution of [`grown`](Self::grown) to the derivatives of the searched function at the start of the
+    /// segment.
     pub(crate) fn grown_series(&self, phase: (S, S), terms: &mut [S]) {
         let zero = S::constant(0.0);
         let [of_y, of_u] = self.weight;

@@ -1,4 +1,4 @@
-//! A scene at one frequency ratio and one friction ratio, which all segments of its motion share.
+//! A *setting*: a scene at one frequency ratio and one friction ratio.  All segments of a motion share it.
 
 use super::contact::{ContactChain, Law};
 use super::dynamics::Dynamics;
@@ -31,12 +31,13 @@ pub struct Setting<'a, S, K = Chain<S>> {
 }
 
 impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
-    /// Creates the setting of a scene at r and β, and fills `parts`: one oscillator for each mode, then one for each
-    /// mode of the stuck chain.
+    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β.  Also computes the
+    /// oscillators: `parts` receives one for each mode of the chain, and then one for each mode of the stuck chain.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN, negative, zero and infinite r, and for r so near to 0 or ∞ that the formulas leave the
-    /// scalar's range.  NaN, negative and infinite β and μβ, and a wrong number of `parts` give the same error.
+    /// [`OutOfDomain`] if r is NaN, negative, zero or infinite, or so near to 0 or ∞ that the formulas leave the
+    /// scalar's range.  The same error results if β or μβ is NaN, negative or infinite, or if `parts` has the
+    /// wrong length.
     pub fn new(
         dynamics: Dynamics<'a, S, K>,
         r: S,

@@ -1,8 +1,9 @@
 //! Selects one member of a continuum of steady motions.  Such a continuum exists at r = 1/2n without damping.
 //!
 //! Two members differ by a free vibration at an even multiple of the excitation's frequency, in step with the
-//! reversals.  A motion that never stops keeps its amount of that vibration.  Each stop removes a part, which becomes
-//! smaller from stop to stop.  The motion thus tends to the last member that has no stop.
+//! reversals.  A motion that never stops keeps its amplitude of that vibration.  Each stop reduces the amplitude, and
+//! the reductions become smaller from stop to stop.  A motion with stops thus tends to the member without stops that
+//! has the largest such amplitude.
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
@@ -25,9 +26,13 @@ const SHIFT: f64 = 1e-8;
 /// Sets the cycle map to the member of the continuum to which the motion tends.
 ///
 /// Before the call the cycle map is at the symmetric member, and `workspace.state` is the motion in the same section.
-/// The *share* of a member is its amount of the free vibration.  The result is the share of the last member over the
-/// share of this member.  `monotone` states that μ = 1.  With μ > 1 a stop does not become shorter, because the contact
-/// sticks until the force has grown.  Only a motion without a stop is then a member.
+/// The *share* of a member is the amplitude of the free vibration in it.  The *last member* has the largest share of
+/// all members without a stop.  The result is the share of the last member, divided by the share of the member that the
+/// function has set.
+///
+/// `monotone` is true if μ = 1.  Stops then become shorter and shorter, so a motion with stops tends to the last
+/// member.  With μ > 1 a stop does not become shorter, because the contact sticks until the force has grown.  A motion
+/// with stops then tends to no member, and the function returns an error.
 pub(super) fn member<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

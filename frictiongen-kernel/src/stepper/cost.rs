@@ -28,9 +28,9 @@ pub struct Extent {
 
 /// Floating-point operations of a step: sums, products, quotients and comparisons.
 ///
-/// `tables` and `most` are bounds by construction.  No step by the tables exceeds `tables`, and no step exceeds `most`.
-/// On an emulated Cortex-M4F, in single precision and optimised for size, an operation takes at most
-/// [`Cost::INSTRUCTIONS`] instructions, and a sub-interval at most [`Cost::FIXED`] further instructions.
+/// `tables` and `most` are bounds by construction.  No step that uses only the constant tables exceeds `tables`, and no
+/// step exceeds `most`.  On an emulated Cortex-M4F, in single precision and optimised for size, an operation takes at
+/// most [`Cost::INSTRUCTIONS`] instructions, and a sub-interval at most [`Cost::FIXED`] further instructions.
 /// `scripts/firmware` checks these bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cost {
@@ -75,8 +75,8 @@ impl Cost {
 }
 
 impl Extent {
-    /// Returns the cost of advancing one sub-interval by the tables.  The cost is the same if the contact turns out to
-    /// have an event.
+    /// Returns the cost of advancing one sub-interval with the constant tables.  The cost is the same if the contact
+    /// turns out to have an event.
     const fn attempt(&self) -> u64 {
         let Self {
             modes,

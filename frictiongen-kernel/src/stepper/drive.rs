@@ -104,8 +104,8 @@ impl<S: Float> SubInterval<S> {
 }
 
 /// Returns the base's displacement over a step as a cubic, with the step as the unit of time.  With linear input the
-/// cubic has the given displacement and velocity at both end points.  With zero-order hold it is the straight line from
-/// the displacement at the start.
+/// cubic has the given displacement and velocity at both end points.  With zero-order hold it is a straight line
+/// from the displacement at the start of the step.
 pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [S; 4] {
     let zero = S::constant(0.0);
     let (two, three) = (S::constant(2.0), S::constant(3.0));

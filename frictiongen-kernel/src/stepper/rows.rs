@@ -4,14 +4,15 @@ use super::dot::dot;
 use crate::motion::TERMS;
 use crate::number::scalar::Float;
 
-/// A row of a mode's table: weights of the mode's state (y and u), and of the coefficients of its drive.
+/// A row of a mode's table: weights of the mode's displacement y and scaled velocity u, and of the coefficients of its
+/// drive.
 ///
 /// The first row of `moments` and the row `turn` are written as three shears, so that rounded weights create no energy.
 /// First y gains before·u, then u gains turn·y + loss·u, then y gains after·u.  The `state` of the first moment is
 /// [before, after], and the `state` of `turn` is [turn, loss].  See docs/decisions/0001-passive-step.md.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<S, const D: usize> {
-    /// Weights of y and u at the start.
+    /// Weights of y and u at the start of the sub-interval.
     pub state: [S; 2],
     /// Weights of the coefficients of the mode's drive.
     pub drive: [S; D],
@@ -21,7 +22,7 @@ pub struct Row<S, const D: usize> {
 /// and u′.  The first moment and the first of `turns` are three shears, as [`Row`] describes.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldRow<S, const D: usize> {
-    /// Weights of y and u at the start.
+    /// Weights of y and u at the start of the sub-interval.
     pub state: [S; 2],
     /// Weights of the coefficients of the drive of y′ and of the drive of u′.
     pub drive: [[S; D]; 2],
@@ -57,8 +58,8 @@ pub struct HeldStep<S, const D: usize> {
     pub zeta: S,
     /// Contact force per unit of the displacement y, with the opposite sign.
     pub force: S,
-    /// Rates y′ and u′ that a unit velocity and a unit acceleration of a moving base cause, while the contact sticks to
-    /// the base.
+    /// Rates of the mode's displacement y and scaled velocity u per unit of velocity of a moving base, and then per
+    /// unit of its acceleration.  They apply while the contact sticks to the base.
     pub from_base: [[S; 2]; 2],
     /// Weights that give ∫ sʲ y′ ds over the sub-interval.
     pub moments: [HeldRow<S, D>; D],

@@ -1,5 +1,5 @@
-//! A sub-interval in which the contact slides.  The stepper advances by the tables, or by a power series up to an
-//! event.
+//! A sub-interval in which the contact slides.  The stepper advances with the constant tables, or with a power series
+//! up to an event.
 
 use super::dot::add;
 use super::drive::{at, derived, growth};
@@ -46,7 +46,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         [velocity[0], at(&velocity, S::constant(1.0))]
     }
 
-    /// Advances by the tables if the contact certainly keeps sliding.  Returns true if it did.
+    /// Advances the sub-interval with the constant tables, if the contact certainly keeps sliding.  Returns true if it
+    /// advanced.
     pub(super) fn slide_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);
         let line = self.line();

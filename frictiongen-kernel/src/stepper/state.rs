@@ -7,9 +7,11 @@ use crate::number::scalar::Float;
 /// Mutable view of a stepper's numbers.
 #[derive(Debug)]
 pub struct StoreMut<'s, S, const D: usize> {
-    /// y and u of the modes.  While the contact sticks, only modes that the contact does not drive have current values.
+    /// Displacement y and scaled velocity u of each mode of the chain.  While the contact sticks, only modes that the
+    /// contact does not drive have current values.
     pub modes: &'s mut [[S; 2]],
-    /// y and u of the modes of the stuck chain, current while the contact sticks.
+    /// Displacement y and scaled velocity u of each mode of the stuck chain.  They are current while the contact
+    /// sticks.
     pub held: &'s mut [[S; 2]],
     /// Working space, with one entry for each mode.
     pub scratch: &'s mut [[S; 2]],
@@ -37,9 +39,9 @@ impl<S: Float, const D: usize> StoreMut<'_, S, D> {
 /// Read-only view of a stepper's numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct StoreRef<'s, S> {
-    /// y and u of the modes.
+    /// Displacement y and scaled velocity u of each mode of the chain.
     pub modes: &'s [[S; 2]],
-    /// y and u of the modes of the stuck chain.
+    /// Displacement y and scaled velocity u of each mode of the stuck chain.
     pub held: &'s [[S; 2]],
     /// The forces at the last sample, over k₁.
     pub last: &'s [S],
@@ -138,10 +140,11 @@ pub struct Status<S> {
     pub exceeded: u64,
     /// The contact force at the end of the last step, over k₁, if the contact sticks or its state is unknown.
     pub contact_force: S,
-    /// Work of the load (`load`), work dissipated by friction (`dissipated`), and the chain's energy at the start
-    /// (`energy`).  All are over k₁.
+    /// Work of the load since the start, divided by k₁.
     pub load: Total<S>,
+    /// Energy that friction has dissipated since the start, divided by k₁.
     pub dissipated: Total<S>,
+    /// Energy of the chain at the start of the first step, divided by k₁.
     pub energy: S,
     pub pull: S,
     /// Sum of the absolute values of the terms of the contact's velocity in the given start state.  It measures the

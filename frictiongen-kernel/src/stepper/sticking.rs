@@ -1,5 +1,5 @@
-//! A sub-interval in which the contact sticks.  The stepper advances by the tables, or by a power series up to an
-//! event.
+//! A sub-interval in which the contact sticks.  The stepper advances with the constant tables, or with a power series
+//! up to an event.
 
 use super::drive::at;
 use super::interval::{Departure, OFF_CHORD, ROUNDINGS, StepInterval};
@@ -9,7 +9,8 @@ use crate::motion::{Contact, Law, Walk, WalkStart, first_reach, lift};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Advances by the tables if the contact certainly keeps sticking.  Returns true if it did.
+    /// Advances the sub-interval with the constant tables, if the contact certainly keeps sticking.  Returns true if it
+    /// advanced.
     pub(super) fn stick_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);
         if self.status.wedged {

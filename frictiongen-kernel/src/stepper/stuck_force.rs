@@ -10,8 +10,9 @@ use crate::motion::Power;
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns the rates that the inputs add to y and u of a stuck chain's mode, as polynomials.  The base on which the
-    /// contact sticks counts as an input.
+    /// Returns the rates that the inputs add to one mode of the stuck chain, as polynomials.  The first rate belongs to
+    /// the displacement y of the mode, the second to its scaled velocity u.  The base on which the contact sticks
+    /// counts as an input.
     #[inline]
     pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
         let mut sum = [[S::constant(0.0); D]; 2];
@@ -162,7 +163,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 }
 
-/// Returns one coefficient of the rates that the inputs add to y and u of a stuck chain's mode.
+/// Returns one coefficient of the rates that the inputs add to one mode of the stuck chain.  The first result belongs
+/// to the displacement y of the mode, the second to its scaled velocity u.
 #[inline]
 fn held_load_term<S: Float, const D: usize>(
     loads: &[HeldLoad<S>],

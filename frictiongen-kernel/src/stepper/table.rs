@@ -14,7 +14,7 @@ const BELOW_ROUNDING: f64 = 16.0;
 /// Coupling of one input with one mode of the stuck chain.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldLoad<S> {
-    /// Rates of y and u of the mode per unit of the input.
+    /// Rates of the mode's displacement y and scaled velocity u per unit of the input.
     pub drive: [S; 2],
     /// Displacement of the input's point of action per unit of y, and per unit of u, for the work of the input.  It has
     /// the opposite sign for the velocity of the base, because damping relative to the base reacts on the base.

@@ -44,7 +44,7 @@ pub use frictiongen_model::scene;
 pub use naming::UnknownMotion;
 /// Tables of the response with a declared accuracy.
 pub mod table {
-    /// The contents of a table and of its report, for the command that writes them as code.
+    /// Types and constants that describe a table and its report. The commands `compile` and `report` use them.
     #[doc(hidden)]
     pub use frictiongen_model::table::{
         COARSEST, Evidence, FINEST, FINEST_PROVEN, FINEST_SINGLE, FRICTION_SHARES, Fitted, Held,

@@ -146,8 +146,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response with so much friction that the contact never moves from its initial position. The contact
-    /// is then at its centre, or on a moving base at z̄ = −Y.
+    /// Returns the response with so much friction that the contact never moves from its initial position. A contact on
+    /// a moving base stays at the relative displacement −Y. Any other contact stays at its centre.
     pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
         let offset = -share_of_base(self.scene());
         Ok(SystemResponse::Stuck(self.held(offset, f64::INFINITY)?))

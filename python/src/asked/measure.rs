@@ -31,7 +31,7 @@ pub fn of(system: &System, (force, base): &LoadArguments<'_>) -> PyResult<Measur
     })
 }
 
-/// Returns the name of the argument that gives this scene's load.
+/// Returns the name of the Python argument for the load: `base` if the base drives the scene, otherwise `force`.
 pub fn argument(measure: &Measure) -> &'static str {
     if measure.is_base_motion() {
         "base"

@@ -11,7 +11,7 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 
 impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
-    /// Computes y and u of this setting's stuck chain, as [`Dynamics::project`] does.
+    /// Computes the displacements y and scaled velocities u of the stuck chain's modes, as [`Dynamics::project`] does.
     pub(crate) fn project(
         &self,
         states: impl Iterator<Item = [S; 2]> + Clone,

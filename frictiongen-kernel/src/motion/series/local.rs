@@ -26,7 +26,7 @@ pub(crate) struct Local<S> {
 /// Number of derivatives in a series, including the value.
 pub(crate) const ORDER: usize = 9;
 
-/// A function of time, given by its derivatives at the start.
+/// A function of time, given by its value and derivatives at the start of the interval in which it is searched.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LocalSeries<S> {
     terms: [S; ORDER],
@@ -90,7 +90,7 @@ impl<S: Float> LocalSeries<S> {
         }
     }
 
-    /// Returns the derivative of the given order at the start.
+    /// Returns the derivative of the given order at the start of the interval.
     pub(crate) fn term(&self, order: usize) -> S {
         self.terms.get(order).copied().unwrap_or(S::constant(0.0))
     }

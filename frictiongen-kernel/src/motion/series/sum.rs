@@ -14,7 +14,7 @@ pub(crate) struct OscillatorSum<'a, S> {
     pub constant: S,
     pub cosine: S,
     pub sine: S,
-    /// Sine and cosine of the excitation's angle at the start.
+    /// Sine and cosine of the excitation's angle at the start of the searched interval.
     pub phase: (S, S),
     /// Length in τ over which the function is searched.
     pub reach: S,

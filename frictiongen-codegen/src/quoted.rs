@@ -1,0 +1,79 @@
+//! Reads the value of a string literal among the compiler's tokens.
+
+use core::iter::Peekable;
+use core::str::Chars;
+use proc_macro2::Literal;
+
+/// Returns the value of a string literal, plain or raw. Returns `None` for every other literal.
+pub(crate) fn value(literal: &Literal) -> Option<String> {
+    let text = literal.to_string();
+    if let Some(raw) = text.strip_prefix('r') {
+        let inside = raw.trim_start_matches('#').strip_prefix('"')?;
+        return Some(inside.trim_end_matches('#').strip_suffix('"')?.to_owned());
+    }
+    let inside = text.strip_prefix('"')?.strip_suffix('"')?;
+    let mut value = String::new();
+    let mut rest = inside.chars().peekable();
+    while let Some(next) = rest.next() {
+        if next == '\\' {
+            value.extend(escaped(&mut rest)?);
+        } else {
+            value.push(next);
+        }
+    }
+    Some(value)
+}
+
+/// Reads an escape after its backslash. The outer `None` means that it is not one of Rust's. The inner `None` means
+/// that it stands for no character, because a line continues.
+#[allow(clippy::option_option, reason = "the two have different meanings")]
+fn escaped(rest: &mut Peekable<Chars<'_>>) -> Option<Option<char>> {
+    Some(Some(match rest.next()? {
+        'n' => '\n',
+        'r' => '\r',
+        't' => '\t',
+        '0' => '\0',
+        same @ ('\\' | '\'' | '"') => same,
+        'x' => code(&rest.by_ref().take(2).collect::<String>())?,
+        'u' => {
+            let digits = rest.by_ref().skip(1).take_while(|next| *next != '}');
+            code(&digits.filter(|next| *next != '_').collect::<String>())?
+        }
+        '\n' => {
+            while rest.next_if(|next| next.is_ascii_whitespace()).is_some() {}
+            return Some(None);
+        }
+        _ => return None,
+    }))
+}
+
+fn code(digits: &str) -> Option<char> {
+    char::from_u32(u32::from_str_radix(digits, 16).ok()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Compares with `syn`, which knows every literal of the language.
+    #[test]
+    fn as_syn_reads_them() {
+        for text in [
+            r#""""#,
+            r#""frame.friction""#,
+            r##"r"C:\frames""##,
+            r####"r##"a"#b"##"####,
+            r#""C:\\a\tb\u{1f_600}\x41\'\"\0\r\n""#,
+            "\"one \\\n     line\"",
+            "\"ä\"",
+        ] {
+            let literal: Literal = text.parse().expect("a literal");
+            let own: syn::LitStr = syn::parse_str(text).expect("a string");
+            assert_eq!(value(&literal), Some(own.value()), "{text}");
+        }
+        for text in ["1.5", "'a'", "b\"a\"", "c\"a\"", "br\"a\""] {
+            let literal: Literal = text.parse().expect("a literal");
+            assert_eq!(value(&literal), None, "{text}");
+        }
+    }
+}
