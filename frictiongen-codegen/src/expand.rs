@@ -3,37 +3,51 @@
 //! After errors it emits a type of the same shape, so that the user's crate does not report
 //! follow-up errors.
 
-use crate::diagnostics::{Failure, Partial};
+use crate::diagnostics::{Failure, Partial, compile_error};
 use crate::lower::{Description, Limits, parse_text, parse_tokens};
-use crate::{Diagnostics, emit};
+use crate::{Diagnostics, emit, quoted};
 use frictiongen_model::scene::{
     Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Mass, Node, Provide, Scene,
     Spring, Stepping,
 };
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
 use std::path::{Path, PathBuf};
-use syn::LitStr;
 
 /// Returns the expansion of a macro call for any input.
 #[must_use]
 pub fn expand(input: TokenStream) -> TokenStream {
-    match syn::parse2::<LitStr>(input.clone()) {
-        Ok(path) => expand_file(&path),
-        Err(_) => match parse_tokens(input, &Limits::MACRO) {
+    match file(&input) {
+        Some((path, relative)) => expand_file(&path, &relative),
+        None => match parse_tokens(input, &Limits::MACRO) {
             Ok(description) => emit(&description),
             Err(failure) => emit_failure(failure),
         },
     }
 }
 
+/// Returns the literal and its value if the input is one string, which is the path of a file.
+fn file(input: &TokenStream) -> Option<(Literal, String)> {
+    let mut trees = input.clone().into_iter();
+    match (trees.next()?, trees.next()) {
+        (TokenTree::Literal(path), None) => {
+            let relative = quoted::value(&path)?;
+            Some((path, relative))
+        }
+        // `macro_rules!` passes a literal between invisible brackets.
+        (TokenTree::Group(group), None) if group.delimiter() == Delimiter::None => {
+            file(&group.stream())
+        }
+        _ => None,
+    }
+}
+
 /// Expands `friction_system!("frame.friction")`. The path starts at the folder of Cargo.toml. The
 /// compiler expands the call again when the file changes.
-fn expand_file(path: &LitStr) -> TokenStream {
-    let relative = path.value();
+fn expand_file(path: &Literal, relative: &str) -> TokenStream {
     let folder = std::env::var_os("CARGO_MANIFEST_DIR")
         .map(PathBuf::from)
         .unwrap_or_default();
-    let full = folder.join(&relative);
+    let full = folder.join(relative);
     let text = match std::fs::read_to_string(&full) {
         Ok(text) => text,
         Err(error) => {
@@ -41,14 +55,14 @@ fn expand_file(path: &LitStr) -> TokenStream {
                 "cannot read `{relative}`: {error}; the path must be relative to the folder of Cargo.toml, {}",
                 folder.display()
             );
-            return syn::Error::new(path.span(), message).to_compile_error();
+            return compile_error(path.span(), &message);
         }
     };
-    let mut tokens = tracked(&relative);
+    let mut tokens = tracked(relative);
     match parse_text(&text, &Limits::MACRO) {
         Ok(description) => tokens.extend(emit(&description)),
         Err(diagnostics) => {
-            tokens.extend(file_errors(path, &relative, &diagnostics));
+            tokens.extend(file_errors(path.span(), relative, &diagnostics));
             // The names that could be read prevent follow-up errors in the user's crate.
             let partial = text.parse().ok().and_then(|tokens| {
                 parse_tokens(tokens, &Limits::MACRO)
@@ -77,10 +91,11 @@ fn tracked(relative: &str) -> TokenStream {
 }
 
 /// Emits each error of a file at the path argument, with its line and column in the text.
-fn file_errors(path: &LitStr, relative: &str, diagnostics: &Diagnostics) -> TokenStream {
-    let errors = diagnostics.list.iter().map(|diagnostic| {
-        syn::Error::new(path.span(), format!("{relative}:{diagnostic}")).to_compile_error()
-    });
+fn file_errors(path: Span, relative: &str, diagnostics: &Diagnostics) -> TokenStream {
+    let errors = diagnostics
+        .list
+        .iter()
+        .map(|diagnostic| compile_error(path, &format!("{relative}:{diagnostic}")));
     errors.collect()
 }
 
@@ -96,6 +111,7 @@ fn emit_failure(failure: Failure) -> TokenStream {
 fn stand_in(partial: Partial) -> Option<TokenStream> {
     let Partial {
         attributes,
+        documentation,
         visibility,
         name,
         facade,
@@ -162,6 +178,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
     };
     Some(emit(&Description {
         attributes,
+        documentation,
         visibility,
         name,
         facade,

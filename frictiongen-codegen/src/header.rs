@@ -1,39 +1,41 @@
-//! Turns the attributes, the visibility and the paths of a description into types of `syn`.
+//! Turns the attributes, the visibility and the paths of a description into tokens.
 
-use frictiongen_syntax::{Attribute, Problems, RustPath, Syntax, Visibility};
-use proc_macro2::{Ident, Punct, Spacing, Span, TokenStream, TokenTree};
-use syn::parse::Parser;
+use frictiongen_syntax::{Attribute, RustPath, Syntax, Visibility};
+use proc_macro2::{Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use quote::quote_spanned;
 
+use crate::quoted;
 use crate::tokens::Sources;
 
 /// The text before the braces, and the path of the facade crate.
 pub(crate) struct Header {
-    pub(crate) attributes: Vec<syn::Attribute>,
-    pub(crate) visibility: syn::Visibility,
-    pub(crate) facade: syn::Path,
+    pub(crate) attributes: TokenStream,
+    pub(crate) documentation: Vec<String>,
+    pub(crate) visibility: TokenStream,
+    pub(crate) facade: TokenStream,
 }
 
 impl Header {
-    /// Converts the header, and reports every attribute that `syn` cannot read.
-    pub(crate) fn of(syntax: &Syntax, sources: &Sources, problems: &mut Problems) -> Self {
-        let mut attributes = Vec::new();
+    /// Converts the header.
+    pub(crate) fn of(syntax: &Syntax, sources: &Sources) -> Self {
+        let (mut attributes, mut documentation) = (TokenStream::new(), Vec::new());
         for attribute in &syntax.attributes {
             match attribute {
-                Attribute::Doc { text, place } => attributes.push(doc(text, sources.span(*place))),
+                Attribute::Doc { text, place } => {
+                    documentation.push(text.clone());
+                    attributes.extend(doc(text, sources.span(*place)));
+                }
                 Attribute::Other { group, place } => {
                     let inside = sources.stream(core::slice::from_ref(group));
-                    match attribute_of(inside, sources.span(*place)) {
-                        Ok(mut parsed) => attributes.append(&mut parsed),
-                        Err(error) => {
-                            let message = format!("this attribute cannot be read: {error}");
-                            problems.report(*place, message);
-                        }
-                    }
+                    documentation.extend(documented(&inside));
+                    attributes.extend([pound(sources.span(*place))]);
+                    attributes.extend(inside);
                 }
             }
         }
         Self {
             attributes,
+            documentation,
             visibility: visibility(&syntax.visibility, sources),
             facade: syntax
                 .facade()
@@ -43,82 +45,66 @@ impl Header {
 }
 
 /// Turns `/// text` into `#[doc = "text"]`, as the compiler does.
-fn doc(text: &str, span: Span) -> syn::Attribute {
-    syn::Attribute {
-        pound_token: syn::Token![#](span),
-        style: syn::AttrStyle::Outer,
-        bracket_token: syn::token::Bracket(span),
-        meta: syn::Meta::NameValue(syn::MetaNameValue {
-            path: syn::Path::from(Ident::new("doc", span)),
-            eq_token: syn::Token![=](span),
-            value: syn::Expr::Lit(syn::ExprLit {
-                attrs: Vec::new(),
-                lit: syn::Lit::Str(syn::LitStr::new(text, span)),
-            }),
-        }),
+fn doc(text: &str, span: Span) -> TokenStream {
+    let mut text = Literal::string(text);
+    text.set_span(span);
+    quote_spanned!(span=> #[doc = #text])
+}
+
+/// Returns the text of an attribute `[doc = "text"]`.
+fn documented(attribute: &TokenStream) -> Option<String> {
+    let Some(TokenTree::Group(group)) = attribute.clone().into_iter().next() else {
+        return None;
+    };
+    let mut inside = group.stream().into_iter();
+    match (inside.next()?, inside.next()?, inside.next()?) {
+        (TokenTree::Ident(name), TokenTree::Punct(_), TokenTree::Literal(text))
+            if name == "doc" && inside.next().is_none() =>
+        {
+            quoted::value(&text)
+        }
+        _ => None,
     }
 }
 
-/// Parses an attribute from the tokens after its `#`.
-fn attribute_of(inside: TokenStream, span: Span) -> syn::Result<Vec<syn::Attribute>> {
+fn pound(span: Span) -> TokenTree {
     let mut pound = Punct::new('#', Spacing::Alone);
     pound.set_span(span);
-    let stream = core::iter::once(TokenTree::from(pound))
-        .chain(inside)
-        .collect();
-    syn::Attribute::parse_outer.parse2(stream)
+    pound.into()
 }
 
-fn visibility(visibility: &Visibility, sources: &Sources) -> syn::Visibility {
+fn visibility(visibility: &Visibility, sources: &Sources) -> TokenStream {
     match visibility {
-        Visibility::Inherited => syn::Visibility::Inherited,
-        Visibility::Public(place) => {
-            syn::Visibility::Public(syn::Token![pub](sources.span(*place)))
-        }
+        Visibility::Inherited => TokenStream::new(),
+        Visibility::Public(place) => quote_spanned!(sources.span(*place)=> pub),
         Visibility::Restricted {
             place,
             bracket,
             is_in,
             path: written,
         } => {
-            let bracket = sources.span(*bracket);
-            syn::Visibility::Restricted(syn::VisRestricted {
-                pub_token: syn::Token![pub](sources.span(*place)),
-                paren_token: syn::token::Paren(bracket),
-                in_token: is_in.then(|| syn::Token![in](bracket)),
-                path: Box::new(path(written, sources)),
-            })
+            let span = sources.span(*bracket);
+            let mut inside = TokenStream::new();
+            inside.extend(is_in.then(|| TokenTree::from(Ident::new("in", span))));
+            inside.extend(path(written, sources));
+            let mut group = Group::new(proc_macro2::Delimiter::Parenthesis, inside);
+            group.set_span(span);
+            quote_spanned!(sources.span(*place)=> pub #group)
         }
     }
 }
 
-fn path(written: &RustPath, sources: &Sources) -> syn::Path {
-    let mut path = syn::Path {
-        leading_colon: None,
-        segments: syn::punctuated::Punctuated::new(),
-    };
+fn path(written: &RustPath, sources: &Sources) -> TokenStream {
+    let mut path = TokenStream::new();
     for (colons, name) in &written.segments {
-        let colons = colons.map(|place| {
-            let span = sources.span(place);
-            syn::Token![::]([span, span])
-        });
-        match colons {
-            Some(sign) if path.segments.is_empty() => path.leading_colon = Some(sign),
-            Some(sign) => path.segments.push_punct(sign),
-            None => {}
+        if let Some(place) = colons {
+            path.extend(quote_spanned!(sources.span(*place)=> ::));
         }
-        let segment = syn::PathSegment::from(sources.ident(name));
-        path.segments.push_value(segment);
+        path.extend([TokenTree::from(sources.ident(name))]);
     }
     path
 }
 
-fn default_facade() -> syn::Path {
-    let span = Span::call_site();
-    let mut segments = syn::punctuated::Punctuated::new();
-    segments.push_value(syn::PathSegment::from(Ident::new("frictiongen", span)));
-    syn::Path {
-        leading_colon: Some(syn::Token![::]([span, span])),
-        segments,
-    }
+fn default_facade() -> TokenStream {
+    quote_spanned!(Span::call_site()=> ::frictiongen)
 }

@@ -18,10 +18,11 @@ pub mod graph;
 mod header;
 pub mod known;
 mod lower;
+mod quoted;
 pub mod standalone;
 mod tokens;
 
-pub use diagnostics::{Failure, Partial};
+pub use diagnostics::{Errors, Failure, Partial};
 pub use emit::{PASSES_FROM, emit, emit_in_passes, traces};
 pub use expand::expand;
 pub use frictiongen_syntax::{Diagnostic, Diagnostics, warnings};

@@ -1,5 +1,6 @@
 //! Passes the compiler's tokens to the parser, and keeps their spans.
 
+use crate::diagnostics::Errors;
 use frictiongen_syntax::{
     DEEPEST, Delimiter, Kind, Name, Place, Problem, Problems, Syntax, TOO_DEEP, Token,
     parse_faulty, parse_tokens,
@@ -61,7 +62,7 @@ impl Sources {
         let plain = text.strip_prefix("r#").unwrap_or(text);
         // `Ident::new` panics on letters that the present compiler does not know.
         if !plain.is_ascii() {
-            let mut ident = syn::parse_str(plain).unwrap_or_else(|_| Ident::new("_", span));
+            let mut ident = parsed(plain).unwrap_or_else(|| Ident::new("_", span));
             ident.set_span(span);
             return ident;
         }
@@ -73,18 +74,16 @@ impl Sources {
         }
     }
 
-    /// Returns the errors as one `syn::Error`, which becomes a `compile_error!` for each, in the
-    /// order of the source.
-    pub(crate) fn error(&self, problems: Problems) -> syn::Error {
-        problems
-            .into_sorted()
-            .into_iter()
-            .map(|Problem { place, message }| syn::Error::new(self.span(place), message))
-            .reduce(|mut all, next| {
-                all.combine(next);
-                all
-            })
-            .unwrap_or_else(|| syn::Error::new(Span::call_site(), "this is not a scene"))
+    /// Returns the errors in the order of the source.
+    pub(crate) fn errors(&self, problems: Problems) -> Errors {
+        let sorted = problems.into_sorted().into_iter();
+        let mut list: Vec<(Span, String)> = sorted
+            .map(|Problem { place, message }| (self.span(place), message))
+            .collect();
+        if list.is_empty() {
+            list.push((Span::call_site(), "this is not a scene".to_owned()));
+        }
+        Errors { list }
     }
 
     /// Keeps a token and returns its position.
@@ -195,8 +194,7 @@ impl Sources {
         sound
     }
 
-    /// Converts tokens back to the compiler's, for the attributes that `syn` parses. Attributes
-    /// contain no numbers.
+    /// Converts tokens back to the compiler's, for attributes. Attributes contain no numbers.
     pub(crate) fn stream(&self, tokens: &[Token]) -> TokenStream {
         let trees = tokens.iter().filter_map(|token| {
             let mut tree = match &token.kind {
@@ -219,6 +217,15 @@ impl Sources {
             Some(TokenTree::Literal(literal)) => literal.clone(),
             _ => Literal::string(value),
         }
+    }
+}
+
+/// Returns the identifier that a text consists of, if the present compiler knows its letters.
+fn parsed(text: &str) -> Option<Ident> {
+    let mut tokens = text.parse::<TokenStream>().ok()?.into_iter();
+    match (tokens.next()?, tokens.next()) {
+        (TokenTree::Ident(ident), None) => Some(ident),
+        _ => None,
     }
 }
 

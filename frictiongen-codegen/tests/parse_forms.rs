@@ -11,6 +11,7 @@ use frictiongen_model::scene::{
     Accuracy, Contact, Damping, Excitation, FrictionLaw, Node, Precision, Provide, Scene, Spring,
     StepInput, Stepping,
 };
+use syn::parse::Parser;
 
 /// Reads a text with both parsers.
 fn read(text: &str) -> Description {
@@ -20,8 +21,17 @@ fn read(text: &str) -> Description {
     assert_eq!(from_text.scene, from_tokens.scene);
     assert_eq!(from_text.mass_names, from_tokens.mass_names);
     assert_eq!(from_text.name, from_tokens.name);
-    assert_eq!(from_text.attributes.len(), from_tokens.attributes.len());
+    let attributes = [&from_text, &from_tokens].map(|one| attributes(one).len());
+    assert_eq!(attributes[0], attributes[1]);
+    assert_eq!(from_text.documentation, from_tokens.documentation);
     from_text
+}
+
+/// Returns the attributes of a description, as `syn` reads them.
+fn attributes(description: &Description) -> Vec<syn::Attribute> {
+    let tokens = description.attributes.clone();
+    let parsed = syn::Attribute::parse_outer.parse2(tokens);
+    parsed.expect("attributes of Rust")
 }
 
 /// Returns a scene of two masses with more fields.
@@ -47,10 +57,12 @@ fn the_frame_of_the_manual() {
         }",
     );
     assert_eq!(description.name, "Frame");
-    assert!(matches!(description.visibility, syn::Visibility::Public(_)));
-    assert_eq!(description.attributes.len(), 1);
-    assert!(description.facade.leading_colon.is_some());
-    assert_eq!(description.facade.segments[0].ident, "frictiongen");
+    assert_eq!(description.visibility.to_string(), "pub");
+    assert_eq!(attributes(&description).len(), 1);
+    assert_eq!(description.documentation.len(), 1);
+    let facade: syn::Path = syn::parse2(description.facade).expect("a path");
+    assert!(facade.leading_colon.is_some());
+    assert_eq!(facade.segments[0].ident, "frictiongen");
     let scene = description.scene;
     assert_eq!(scene.masses[1].name, "upper");
     assert_eq!(scene.masses[1].value, 3.25);
@@ -183,7 +195,8 @@ fn odd_layout_and_comments_change_nothing() {
         masses:{a:1,b:2,},springs:{base-a:1,// k\n\na-b:1,},}";
     let odd = parse_text(odd, &Limits::MACRO).expect("only the layout is odd");
     assert_eq!(odd.scene, tidy);
-    assert!(matches!(odd.visibility, syn::Visibility::Restricted(_)));
+    let visibility: syn::Visibility = syn::parse2(odd.visibility).expect("a visibility");
+    assert!(matches!(visibility, syn::Visibility::Restricted(_)));
 }
 
 #[test]
@@ -192,8 +205,8 @@ fn documentation_is_kept() {
     let rest =
         "struct S { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall, excitation: a }";
     let description = read(&format!("{doc}{rest}"));
-    let paths: Vec<_> = description
-        .attributes
+    assert_eq!(description.documentation(), "One\nTwo\nThree");
+    let paths: Vec<_> = attributes(&description)
         .iter()
         .map(|one| one.path().segments[0].ident.to_string())
         .collect();
@@ -214,9 +227,9 @@ fn the_facade_may_have_another_name() {
             "struct S {{ crate: {text}, masses: {{ a: 1 }}, springs: {{ base - a: 1 }}, \
              contact: a - wall, excitation: a }}"
         ));
-        assert_eq!(description.facade.leading_colon.is_some(), leading);
-        let found: Vec<_> = description
-            .facade
+        let facade: syn::Path = syn::parse2(description.facade).expect("a path");
+        assert_eq!(facade.leading_colon.is_some(), leading);
+        let found: Vec<_> = facade
             .segments
             .iter()
             .map(|segment| segment.ident.to_string())

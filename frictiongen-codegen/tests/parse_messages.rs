@@ -26,11 +26,8 @@ fn errors(changes: &[(&str, &str)]) -> Vec<String> {
     // A text that does not consist of Rust tokens never reaches the token parser.
     if let Ok(tokens) = text.parse() {
         let failure = parse_tokens(tokens, &Limits::MACRO).expect_err("the tokens are faulty");
-        let messages: Vec<_> = failure
-            .errors
-            .into_iter()
-            .map(|error| error.to_string())
-            .collect();
+        let errors = failure.errors.list.into_iter();
+        let messages: Vec<_> = errors.map(|(_, message)| message).collect();
         let expected: Vec<_> = diagnostics
             .list
             .iter()

@@ -3,7 +3,6 @@
 
 use frictiongen_codegen::{Limits, parse_text, parse_tokens};
 use frictiongen_syntax::read_scene;
-use quote::ToTokens;
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 use syn::parse::Parser;
@@ -113,12 +112,8 @@ fn attributes_of_every_form() {
         match parse_tokens(tokens, &Limits::MACRO) {
             Ok(from_tokens) => {
                 let from_text = from_text.expect("both read the attribute");
-                let [text, tokens] = [from_text, from_tokens].map(|description| {
-                    let attributes = description.attributes.into_iter();
-                    attributes
-                        .map(|one| one.to_token_stream().to_string())
-                        .collect::<Vec<_>>()
-                });
+                let [text, tokens] =
+                    [from_text, from_tokens].map(|description| description.attributes.to_string());
                 assert_eq!(text, tokens, "{attribute}");
                 assert!(read_at_run_time, "{attribute}");
             }
@@ -160,8 +155,10 @@ fn paths_are_alike_in_a_text_and_in_tokens() {
         let tokens = text.parse().expect("the text is made of tokens");
         let from_tokens = parse_tokens(tokens, &Limits::MACRO).expect("a scene");
         let [text, tokens] = [from_text, from_tokens].map(|description| {
-            let visibility = description.visibility.to_token_stream().to_string();
-            (visibility, description.facade.to_token_stream().to_string())
+            (
+                description.visibility.to_string(),
+                description.facade.to_string(),
+            )
         });
         // A text reads a raw word of other letters as the plain word, which is the same name.
         assert_eq!(text.0.replace("r#é", "é"), tokens.0.replace("r#é", "é"));

@@ -17,7 +17,7 @@ pub const UNITS: &str = "\
 Units:
   The units are those of the scene. With masses in kg and springs in N/m, forces are in N, lengths
   in m and angular frequencies in rad/s.
-  --hz or --omega       adds frequency_Hz (and omega_rad_s) to r
+  --hz or --omega       adds the column frequency_Hz beside r; --omega also omega_rad_s
   --force P or --base Y adds friction_N, and gives amplitudes in m and phases in degrees; limits are
                         also given as friction forces in N
   r and beta refer to the first mass and the first spring of the description. If the description lists
@@ -303,8 +303,9 @@ Answers:
   These words mean that there is no derivative:
   bend        an event is about to appear or to vanish, or the friction is at a limit
   marginal    the steady state is one of a continuum
-  degenerate  two modes coincide and separate, or the contact is about to act on a mode
-  other words the reason why there is no steady state, in the words of `orbit`
+  degenerate  two modes coincide, and the parameter separates them; or the contact starts to drive a
+              mode that it does not drive yet
+  other words there is no steady state; `orbit` gives the same reason
 
 Quantities:
   X, d/dp     the answer X on the first line; on the others its derivative with respect to the parameter

@@ -165,7 +165,7 @@ Recordings:
   A universal file has a data set 58 for each channel, with the unit as label of its ordinate.
   --channel upper=AI1:mm  the column AI1 is the mass upper, in mm; columns that are not named are ignored
   --channel upper=3:mm    the third column is the mass upper
-  A recording has one driving frequency, or is a free vibration for --decay of identify.
+  A recording must have one driving frequency. Only `identify --decay` reads a free vibration.
   The command finds the steady interval of the recording. A constant or clipped channel, a drifting
   excitation, uneven time steps and fewer than 8 cycles are errors.
 

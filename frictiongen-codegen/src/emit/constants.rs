@@ -45,12 +45,10 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         }
     });
     // An empty doc line separates the header from the scene's own documentation.
-    let documented = attributes
-        .iter()
-        .any(|attribute| attribute.path().is_ident("doc"));
+    let documented = !description.documentation.is_empty();
     let blank = documented.then(|| code!(#[doc = ""]));
     let types = code! {
-        #(#attributes)*
+        #attributes
         #blank
         #[doc = #header]
         #[doc = #source]

@@ -25,7 +25,7 @@ pub(super) struct Emission<'a> {
     /// The scalar type, `f64` or `f32`.
     pub scalar: TokenStream,
     pub names: TypeNames,
-    pub facade: &'a syn::Path,
+    pub facade: &'a TokenStream,
     /// From this number of modes on, the frequency stage is emitted as passes.
     pub passes_from: usize,
 }

@@ -26,14 +26,16 @@ const WITHOUT_PROOF: &str = "`proof: whole` needs the feature `proof` of frictio
 
 /// A description that was read and that makes physical sense.
 pub struct Description {
-    /// The doc comments and attributes before the struct.
-    pub attributes: Vec<syn::Attribute>,
+    /// The doc comments and attributes before the struct, as attributes of Rust.
+    pub attributes: TokenStream,
+    /// The lines of the doc comments before the struct.
+    pub documentation: Vec<String>,
     /// The visibility of the struct.
-    pub visibility: syn::Visibility,
+    pub visibility: TokenStream,
     /// The name of the struct.
     pub name: Ident,
     /// The path of the facade crate, `::frictiongen` unless the description gives another one.
-    pub facade: syn::Path,
+    pub facade: TokenStream,
     /// The scene that the description defines.
     pub scene: Scene,
     /// The names of the masses with the user's spans, in the order of [`Scene::masses`].
@@ -46,17 +48,7 @@ impl Description {
     /// Returns the text of the doc comments before the struct, line by line.
     #[must_use]
     pub fn documentation(&self) -> String {
-        let text = |attribute: &syn::Attribute| match &attribute.meta {
-            syn::Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
-                syn::Expr::Lit(syn::ExprLit {
-                    lit: syn::Lit::Str(text),
-                    ..
-                }) => Some(text.value().trim().to_owned()),
-                _ => None,
-            },
-            _ => None,
-        };
-        let lines: Vec<String> = self.attributes.iter().filter_map(text).collect();
+        let lines: Vec<&str> = self.documentation.iter().map(|line| line.trim()).collect();
         lines.join("\n")
     }
 }
@@ -132,7 +124,7 @@ pub fn parse_tokens(tokens: TokenStream, limits: &Limits) -> Result<Description,
     let mut problems = Problems::default();
     let (syntax, sources) = tokens::parse(tokens, &mut problems);
     lower(&syntax, &sources, limits, &mut problems).map_err(|partial| Failure {
-        errors: sources.error(problems),
+        errors: sources.errors(problems),
         partial: *partial,
     })
 }
@@ -157,7 +149,7 @@ fn lower(
     limits: &Limits,
     problems: &mut Problems,
 ) -> Result<Description, Box<Partial>> {
-    let header = Header::of(syntax, sources, problems);
+    let header = Header::of(syntax, sources);
     let located = syntax.lower(limits.masses, problems);
     if let Some(located) = &located
         && limits.proof == ProofAt::Missing
@@ -186,6 +178,7 @@ fn lower(
             // The proof takes longest, so it runs after all checks.
             tables: proven(tables, &scene, limits),
             attributes: header.attributes,
+            documentation: header.documentation,
             visibility: header.visibility,
             name: sources.ident(name),
             facade: header.facade,
@@ -233,6 +226,7 @@ fn partial(syntax: &Syntax, sources: &Sources, header: Header) -> Partial {
     } = syntax.readable();
     Partial {
         attributes: header.attributes,
+        documentation: header.documentation,
         visibility: header.visibility,
         name: syntax.name.as_ref().map(|name| sources.ident(name)),
         facade: header.facade,

@@ -55,7 +55,7 @@ impl fmt::Display for NoDerivative {
             Self::Marginal => "no derivative: the steady state is one of a continuum",
             Self::Graze => "no derivative: an event is about to appear or to vanish",
             Self::Degenerate => {
-                "no derivative: two modes coincide, or the contact is about to act on a mode"
+                "no derivative: two modes coincide, or the contact starts to drive a mode"
             }
         })
     }
