@@ -4,7 +4,11 @@ use super::asked::Asked;
 use super::plot::{Across, Axes, Plot, Series};
 use super::words::{digits, number, object, rounded};
 use crate::failure::Failure;
+use crate::layout::Layout;
 use frictiongen::Limits;
+use frictiongen::study::columns::{
+    Frequency, FrequencyUnit, LimitsAsked, LimitsRow, LimitsTable, Setting,
+};
 use frictiongen::study::{
     map::{LimitLines, Map, MapRequest, Pattern},
     words,
@@ -25,7 +29,7 @@ pub struct Regimes {
     /// The map; `None` for a long chain, whose steady states take too long.
     map: Option<Map>,
     top: f64,
-    rows: Vec<(f64, Limits<f64>)>,
+    rows: Vec<LimitsRow>,
     /// The smallest and the largest values of both limits over the range.
     pub spread: Spread,
     levels: Vec<f64>,
@@ -98,7 +102,8 @@ impl Regimes {
                 Some(system.map(&request, |_| true).map_err(Failure::new)?)
             }
         };
-        let row = |r: f64| Some((r, system.at(r).ok()?.limits()));
+        let table = table(asked);
+        let row = |r: f64| table.row(Frequency::at(system, r)).ok();
         Ok(Self {
             rows: asked.even(ROWS).filter_map(row).collect(),
             lines,
@@ -244,10 +249,10 @@ impl Regimes {
                                 th scope="col" { "limit of continuous motion" }
                                 th scope="col" { "limit of sliding" }
                             } }
-                            tbody { @for (r, limits) in &self.rows { tr {
-                                th scope="row" { (digits(words.scales.frequency(*r))) }
-                                td { (words.friction(limits.continuous)) }
-                                td { (words.friction(limits.sliding)) }
+                            tbody { @for row in &self.rows { tr {
+                                th scope="row" { (digits(words.scales.frequency(row.frequency.r))) }
+                                td { (row.continuous.map(|beta| words.friction(beta)).unwrap_or_default()) }
+                                td { (words.friction(row.sliding)) }
                             } } }
                         }
                     }
@@ -256,22 +261,35 @@ impl Regimes {
         }
     }
 
-    /// Returns the limits as JSON data.
+    /// Returns the limits as JSON data. The points are those of `frictiongen limits --json`.
     pub fn data(&self, asked: &Asked) -> Json {
         let words = &asked.words;
         let limit = |beta: f64| object(words.friction_json(beta));
-        let points = self.rows.iter().map(|(r, limits)| {
-            let mut fields = words.frequency_json(&asked.system, *r);
-            fields.push(("continuous_limit", limit(limits.continuous)));
-            fields.push(("sliding_limit", limit(limits.sliding)));
-            object(fields)
-        });
+        let columns = table(asked).columns();
+        let points = self.rows.iter();
+        let points = points.map(|row| Layout::Flat.json(&columns, row, false));
         json!({
             "nothing_sticks_up_to": limit(self.spread.continuous_to),
             "stuck_from": limit(self.spread.stuck_from),
             "highest_shown": number(words.scales.friction(self.top)),
             "points": points.collect::<Vec<_>>(),
         })
+    }
+}
+
+/// Returns the table of both limits in the units of the page.
+fn table(asked: &Asked) -> LimitsTable<'_> {
+    LimitsTable {
+        setting: Setting {
+            system: &asked.system,
+            measure: asked.words.measure,
+            frequency: FrequencyUnit::Ratio.under(&asked.words.measure),
+            frequencies: &[],
+            frictions: &[],
+            forces: false,
+            parts: &[],
+        },
+        asked: LimitsAsked::Exact,
     }
 }
 
