@@ -83,7 +83,7 @@ const OF_TABLED: [Case; 7] = [
     (&["const SLIDING_LIMIT", "gain: "], "SLIDING_LIMIT", true),
     (&["const STUCK_POLES", "at: "], "STUCK_1", true),
     (&["const STUCK_1", "gain: "], "STUCK_1", true),
-    (&["fn domain", "r: ("], "domain", false),
+    (&["fn domain", "r: ("], "domain", true),
 ];
 
 /// Returns the text with another digit in the number after the marks: the last one, or the one at `place`.
