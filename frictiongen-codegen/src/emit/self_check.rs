@@ -255,7 +255,8 @@ fn compared(emission: &Emission<'_>, wanted: &Wanted<'_>, tolerance: f64) -> Tok
         });
         code! {
             if let Some(known) = &known.motion {
-                if let Some(motion) = known.found(at.motion(known.beta))? {
+                let motion = known.found(at.motion(known.beta))?;
+                if let Some(motion) = motion {
                     let largest = motion.contact().largest();
                     known.contact([largest.amplitude, largest.phase], Self::TOLERANCE)?;
                     #(#masses)*
