@@ -1,8 +1,10 @@
-//! `frictiongen expand`: prints the Rust code that the macro emits.
+//! `frictiongen expand`: prints the Rust code that the macro emits, after comments that say where it comes from.
 
 use crate::args::ExpandArguments;
+use crate::compile::command;
 use crate::failure::Failure;
 use crate::file::write_file;
+use frictiongen_codegen::standalone::Origin;
 use frictiongen_codegen::{Limits, pretty};
 use std::io::Write;
 
@@ -15,6 +17,14 @@ pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failu
             "a defect of frictiongen: the emitted code is not valid Rust: {error}"
         ))
     })?;
+    let origin = Origin {
+        description: &description.written,
+        command: &format!(
+            "frictiongen expand {}",
+            command::description(&arguments.file)
+        ),
+    };
+    let source = format!("{}\n{source}", origin.rust_head(&description.scene));
     match arguments.output.as_deref() {
         Some(path) => write_file(path, arguments.file.path(), &source),
         None => {

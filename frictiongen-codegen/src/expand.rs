@@ -167,6 +167,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
             Provide::Orbit,
             Provide::Simulation,
             Provide::Stepper,
+            Provide::SelfCheck,
         ],
         declared: Declared::default(),
         friction: FrictionLaw::default(),
@@ -185,5 +186,6 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
         scene,
         mass_names,
         tables: None,
+        written: String::new(),
     }))
 }

@@ -54,6 +54,7 @@ fn every_field_counts() {
         ("stuck", "orbit"),
         ("simulation, ", ""),
         (", stepper", ""),
+        (", stepper", ", stepper, self_check"),
         ("1.5", "1.5, accuracy: 1e-4, range: { r: 0.2..2.5 }"),
         ("1.5", "1.5, accuracy: 1e-5, range: { r: 0.2..2.5 }"),
         ("1.5", "1.5, accuracy: 1e-4, range: { r: 0.3..2.5 }"),

@@ -82,7 +82,7 @@ const PROVIDE: [&str; 7] = [
     "[orbit]",
     "[simulation]",
     "[stepper], step: 1e-2",
-    "[limits, motion, stuck, orbit, simulation, stepper]",
+    "[limits, motion, stuck, orbit, simulation, stepper, self_check]",
 ];
 const CROWDED: &str = "[limits, motion, stuck]";
 const DAMPING: [&str; 4] = ["none", "modal(0.02)", "rayleigh(0.01, 0.02)", "modal(1)"];

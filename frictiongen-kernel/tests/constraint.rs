@@ -68,7 +68,7 @@ impl<S: Float> At<S> {
                     load,
                     contact,
                     residue: load * contact,
-                    inverse_mass: contact * contact,
+                    contact_squared: contact * contact,
                     static_residue: load * contact / (resonance * resonance),
                 }
             })
@@ -78,7 +78,7 @@ impl<S: Float> At<S> {
             on_moving_base: None,
             inverse_mass: modes
                 .iter()
-                .fold(c(0.0), |sum, mode| sum + mode.inverse_mass),
+                .fold(c(0.0), |sum, mode| sum + mode.contact_squared),
             stiction: c(1.0),
         };
         let mut at = Vec::new();

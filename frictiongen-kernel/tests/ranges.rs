@@ -17,7 +17,7 @@ fn undamped<S: Float>(resonance: S) -> Mode<S> {
         load: one,
         contact: one,
         residue: one,
-        inverse_mass: one,
+        contact_squared: one,
         static_residue: one,
     }
 }

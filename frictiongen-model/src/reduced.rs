@@ -159,7 +159,7 @@ pub(crate) fn mode<T: Float, S>(
         load: to(load),
         contact: to(contact),
         residue: to(contact * load),
-        inverse_mass: to(contact * contact),
+        contact_squared: to(contact * contact),
         static_residue: to(contact * load / (resonance * resonance)),
     }
 }

@@ -115,6 +115,8 @@ pub enum Provide {
     Simulation,
     /// The stepper, which advances the motion by a fixed step in physical time, under any force.
     Stepper,
+    /// The self-check, which compares checksums of the constants, and answers of the other groups with known ones.
+    SelfCheck,
 }
 
 /// The accuracy that the description demands of the emitted code.
@@ -302,7 +304,7 @@ impl Scene {
         let constant = self.friction == FrictionLaw::Coulomb;
         let mut items = self.provide.iter();
         items.any(|item| match item {
-            Provide::Stepper => false,
+            Provide::Stepper | Provide::SelfCheck => false,
             Provide::Simulation => constant,
             _ => true,
         })

@@ -69,8 +69,8 @@ fn compare(name: &str, modal: &Modal, r: f64, t: f64, compared: &mut ComparedFor
             let size = at.response.re.abs() + at.response.im.abs();
             [
                 mode.residue.abs() * size / scale,
-                mode.inverse_mass * at.u.abs() / scale,
-                mode.inverse_mass * (Dd::ONE + (at.g / scale).abs()),
+                mode.contact_squared * at.u.abs() / scale,
+                mode.contact_squared * (Dd::ONE + (at.g / scale).abs()),
             ]
         })
         .collect();
@@ -119,8 +119,8 @@ fn compare(name: &str, modal: &Modal, r: f64, t: f64, compared: &mut ComparedFor
     let (mut value, mut sizes) = (Dd::ZERO, 0.0);
     for (mode, at) in driven {
         let basis = Damped::of(mode).basis(at.x, &instant);
-        let free = mode.inverse_mass * (Dd::ONE + at.g / scale);
-        let slope = mode.inverse_mass * at.u / scale;
+        let free = mode.contact_squared * (Dd::ONE + at.g / scale);
+        let slope = mode.contact_squared * at.u / scale;
         value = value + free * basis.free + slope * basis.forced_slope;
         sizes += (free.abs() + slope.abs()).to_f64();
     }

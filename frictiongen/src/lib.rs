@@ -40,6 +40,7 @@
 //! | item | meaning |
 //! |---|---|
 //! | `Frame::NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES` | ω_i in rad/s; the frequency ratios r of the resonances; φ by mode and mass with φᵀΓφ = 1 |
+//! | `Frame::K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `SCENE_HASH` | k₁ and m₁ in the scene's units; ω_i/2π in Hz; the hash of the scene, which changes with every field of the description |
 //! | `Frame::frequency_ratio(omega)`, `friction_ratio(friction, load)` | r = ω√(m₁/k₁), β = F/P |
 //! | `Frame::at(r)` | the scene at one frequency ratio, `FrameAt`, or [`OutOfDomain`] |
 //! | `at.limits()`, `at.limits_searched()` | both limits by one search, as [`Limits`], which then answers for every β; `limits_searched` also returns the search's [`Effort`] |
@@ -55,6 +56,7 @@
 //! | `Frame::simulation_under(r, beta, amplitude)`, `simulation_under_from(r, beta, amplitude, state)` | the exact motion in time with `friction: stribeck`, under a load of that amplitude in the scene's units: P, or Y for base motion |
 //! | `Frame::stepper(dt)`, `stepper_from(dt, state)` | the motion in steps of one length dt (s) under any input, `FrameStepper`, in the scene's units: `advance(FrameInput)` returns the contact's state, its force and its events, as [`Stepped`](answer::Stepped); `upper()`, `contact()`, `work()`, `steps()`, `exceeded()`, `begin`, `set_stiction`, `save`, `restore` |
 //! | `FrameInput { force, friction }`, `{ displacement, velocity, friction }` | the input at the end of a step (`input: linear`) or over the whole step (`hold`): the force on the excited mass or the motion of the base; one more field for each mass of `force`, by its name; and the friction force F |
+//! | `Frame::self_check()` | with `self_check` under `provide`: compares checksums of all constants, and answers at ten frequencies with those of double-double arithmetic. The error names the first constant or method that is wrong |
 //! | `Frame::STEP` | the declared step, whose tables are constants |
 //! | `Frame::limits_without_search(r)` | β_lim with S at τ → 0, and β*_lim: the fastest call if nothing else is needed at r |
 //! | `Frame::limits_into(&rs, &mut continuous, &mut sliding)` | both limits over a slice |
@@ -72,7 +74,7 @@
 //! | `damping_from` | `rest` (damping acts on absolute velocities), `base` (on velocities relative to the moving base) | `rest` |
 //! | `stiction` | μ = static over kinetic friction, at least 1 | 1 |
 //! | `scalar` | `f64`, `f32` | `f64` |
-//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation`, `stepper`. A scene with `stepper` alone, or with `simulation` and `friction: stribeck`, gives no answers at a frequency | `[limits, motion]` |
+//! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation`, `stepper`, `self_check`. A scene with `stepper` alone, or with `simulation` and `friction: stribeck`, gives no answers at a frequency | `[limits, motion]` |
 //! | `accuracy` | `exact`, or the largest relative error of an answer from tables: `1e-4` | `exact` |
 //! | `range` | the range in which the accuracy is kept: `{ r: 0.2..2.5 }`, also `beta: 0..1.5` | |
 //! | `side` | `near`; or `safe`: β_lim is never above and β*_lim never below the exact one | `near` |
@@ -140,6 +142,9 @@ pub mod scalar {
 pub use frictiongen_kernel as kernel;
 pub use frictiongen_kernel::Complex;
 pub use frictiongen_kernel::contact::regime::Limits;
+/// What a self-check finds wrong first.
+#[doc(hidden)]
+pub use frictiongen_kernel::emitted::check::Fault;
 pub use frictiongen_kernel::errors::{
     Error, Given, NoOrbit, NotContinuous, OutOfDomain, Ratio, Regime, Slice, StuckResonance,
     Unsupported,

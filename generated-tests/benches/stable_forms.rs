@@ -46,7 +46,7 @@ fn mode<T: Float>(zeta: T) -> Mode<T> {
         load: one,
         contact: one,
         residue: one,
-        inverse_mass: one,
+        contact_squared: one,
         static_residue: one,
     }
 }

@@ -62,7 +62,7 @@ impl<S: Float> Data<S> {
                 load: to(mode.load),
                 contact: to(mode.contact),
                 residue: to(mode.residue),
-                inverse_mass: to(mode.inverse_mass),
+                contact_squared: to(mode.contact_squared),
                 static_residue: to(mode.static_residue),
             }
         };
@@ -128,8 +128,8 @@ impl<'a, S: Float> DataAt<'a, S> {
         let part = |(mode, at): (&Mode<S>, &ModeAt<S>)| {
             let mut wave = Wave::at_rest(at.x, Damped::of(mode));
             if mode.in_contact {
-                wave.free = mode.inverse_mass * (self.contact_sums().scale + at.g);
-                wave.forced_slope = mode.inverse_mass * at.u;
+                wave.free = mode.contact_squared * (self.contact_sums().scale + at.g);
+                wave.forced_slope = mode.contact_squared * at.u;
             }
             wave
         };

@@ -1,13 +1,13 @@
 //! Writes the command as it can be repeated, for the head of an emitted file.
 
-use crate::args::{CompileArguments, TableFormat};
+use crate::args::{CompileArguments, FileArgument, TableFormat};
 use std::path::Path;
 
 /// Returns the command with its options. Files have their names without folders, so that the same description gives
 /// the same text everywhere.
 pub(super) fn written(arguments: &CompileArguments) -> String {
     let mut words = vec!["frictiongen".to_owned(), "compile".to_owned()];
-    words.push(arguments.file.path().map_or_else(|| "-".to_owned(), name));
+    words.push(description(&arguments.file));
     let mut option = |name: &str, value: Option<&str>| {
         if let Some(value) = value {
             words.extend([name.to_owned(), quoted(value)]);
@@ -34,6 +34,11 @@ pub(super) fn written(arguments: &CompileArguments) -> String {
         words.extend(["-o".to_owned(), name(path)]);
     }
     words.join(" ")
+}
+
+/// Returns the argument that names the description.
+pub fn description(file: &FileArgument) -> String {
+    file.path().map_or_else(|| "-".to_owned(), name)
 }
 
 fn name(path: &Path) -> String {

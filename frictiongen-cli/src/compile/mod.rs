@@ -1,6 +1,6 @@
 //! `frictiongen compile`: builds tables of a declared accuracy, and prints their figures, code or data.
 
-mod command;
+pub mod command;
 mod data;
 
 use crate::args::{CompileArguments, TableFormat};
@@ -101,7 +101,8 @@ fn say_what_is_left_out(scene: &Scene) {
         Provide::Orbit => Some("orbit".to_owned()),
         Provide::Simulation => Some("simulation".to_owned()),
         Provide::Stepper => Some("stepper".to_owned()),
-        Provide::Limits | Provide::Motion(_) | Provide::Stuck => None,
+        // The files always check themselves.
+        Provide::Limits | Provide::Motion(_) | Provide::Stuck | Provide::SelfCheck => None,
     };
     let left_out: Vec<String> = scene.provide.iter().filter_map(word).collect();
     if !left_out.is_empty() {

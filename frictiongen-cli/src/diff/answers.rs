@@ -11,6 +11,11 @@ const BAND: (f64, f64) = (0.2, 1.5);
 /// Friction of the compared motions, over the smaller limit of the old scene.
 const FRICTION: f64 = 0.5;
 
+/// Words for the frequencies at which both limits are finite.
+const FINITE: &str = "where both are finite";
+/// Words for the frequencies at which both scenes have a continuous motion.
+const CONTINUOUS: &str = "where both motions are continuous";
+
 /// Largest difference of an answer over the frequencies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
@@ -28,6 +33,8 @@ pub struct Difference {
     pub median: f64,
     /// Number of frequencies at which both scenes answer.
     pub compared: usize,
+    /// Words for these frequencies, where they are not all.
+    pub where_both: &'static str,
 }
 
 /// Natural frequencies of both scenes in Hz, mode by mode.
@@ -116,14 +123,16 @@ fn unshared(old: &System, new: &System) -> Option<String> {
 struct Series {
     name: String,
     unit: &'static str,
+    where_both: &'static str,
     values: Vec<(f64, f64, f64)>,
 }
 
 impl Series {
-    fn new(name: impl Into<String>, unit: &'static str) -> Self {
+    fn new(name: impl Into<String>, unit: &'static str, where_both: &'static str) -> Self {
         Self {
             name: name.into(),
             unit,
+            where_both,
             values: Vec::new(),
         }
     }
@@ -159,6 +168,7 @@ impl Series {
             relative: relative(largest.1, largest.2),
             median: all.get(all.len() / 2).copied().unwrap_or(0.0),
             compared: all.len(),
+            where_both: self.where_both,
         })
     }
 }
@@ -178,15 +188,19 @@ fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
     let (length, length_new) = (scale.length(), scale_new.length());
     let (of_force, of_length) = if on_base { ("N/m", "") } else { ("", "m/N") };
     let load = if on_base { "Y" } else { "P" };
-    let mut continuous = Series::new(format!("limit of continuous motion F_lim/{load}"), of_force);
-    let mut sliding = Series::new(format!("limit of sliding F*_lim/{load}"), of_force);
+    let limit = |name: &str| Series::new(format!("{name}/{load}"), of_force, FINITE);
+    let mut continuous = limit("limit of continuous motion F_lim");
+    let mut sliding = limit("limit of sliding F*_lim");
     let names = new.scene().masses.iter().map(|mass| &mass.name);
     let names: Vec<&String> = names.collect();
     let shared = old.scene().masses.iter().map(|mass| &mass.name);
     let shared: Vec<&String> = shared.filter(|name| names.contains(name)).collect();
     let mut motions: Vec<Series> = std::iter::once("contact".to_owned())
         .chain(shared.iter().map(|name| (*name).clone()))
-        .map(|name| Series::new(format!("amplitude of {name} over {load}"), of_length))
+        .map(|name| {
+            let name = format!("amplitude of {name} over {load}");
+            Series::new(name, of_length, CONTINUOUS)
+        })
         .collect();
     for hertz in band {
         let ratio = |system: &System| system.frequency_ratio_at_hertz(*hertz);

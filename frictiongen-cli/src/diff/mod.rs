@@ -11,6 +11,7 @@ use crate::number::{Cell, Exact as _, computed};
 use answers::{Answers, Difference, FREQUENCIES};
 use code::Code;
 use frictiongen::System;
+use frictiongen::study::scene::{Accuracy, Precision, Scene};
 use frictiongen_codegen::{Limits, parse_text};
 use parameters::{Change, Field};
 use serde_json::{Value as Json, json};
@@ -21,6 +22,8 @@ use std::io::Write;
 struct Differences {
     names: [String; 2],
     changes: Vec<Change>,
+    /// What the emitted code answers in another way than the compared scenes.
+    notes: Vec<String>,
     answers: Answers,
     code: Result<Code, String>,
 }
@@ -73,12 +76,31 @@ fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failu
     let ([old, new], [old_text, new_text]) = (systems.as_slice(), texts) else {
         return Err(Failure::Lines(errors));
     };
+    let (scene, mut changes) = parameters::renamed(old.scene(), new.scene());
+    changes.extend(parameters::changes(&scene, new.scene()));
+    let notes = [("old", old), ("new", new)].map(|(which, system)| note(which, system.scene()));
+    let old = System::<f64>::try_from(scene).map_err(Failure::new)?;
     Ok(Differences {
         names,
-        changes: parameters::changes(old.scene(), new.scene()),
-        answers: answers::compare(old, new),
+        changes,
+        notes: notes.into_iter().flatten().collect(),
+        answers: answers::compare(&old, new),
         code: code::compare(old_text, new_text),
     })
+}
+
+/// Says how the answers of the emitted code differ from those of the exact formulas in double precision.
+fn note(which: &str, scene: &Scene) -> Option<String> {
+    let tables = match (scene.declared.accuracy, scene.declared.budget) {
+        (Accuracy::Relative(accuracy), _) => Some(format!(
+            "answers from tables, to an accuracy of {accuracy:e}"
+        )),
+        (Accuracy::Exact, Some(bytes)) => Some(format!("answers from tables of {bytes} bytes")),
+        (Accuracy::Exact, None) => None,
+    };
+    let single = (scene.precision == Precision::F32).then(|| "computes in f32".to_owned());
+    let said: Vec<String> = single.into_iter().chain(tables).collect();
+    (!said.is_empty()).then(|| format!("the {which} emitted code {}", said.join(" and ")))
 }
 
 /// Writes the lines that differ between two texts.
@@ -131,21 +153,22 @@ impl Differences {
             .map(|change| change.name.chars().count());
         let width = width.max().unwrap_or(0);
         for change in &self.changes {
-            let text = |field: &Option<Field>| {
-                let text = field.as_ref().map(|field| field.text.clone());
-                text.unwrap_or_else(|| "none".to_owned())
-            };
+            let name = &change.name;
             let relative = change
                 .relative()
                 .map(|relative| format!(" ({})", per_cent(relative)));
-            writeln!(
-                out,
-                "  {:<width$}  {} -> {}{}",
-                change.name,
-                text(&change.old),
-                text(&change.new),
-                relative.unwrap_or_default()
-            )?;
+            match (&change.old, &change.new) {
+                (Some(old), Some(new)) => writeln!(
+                    out,
+                    "  {name:<width$}  {} -> {}{}",
+                    old.text,
+                    new.text,
+                    relative.unwrap_or_default()
+                )?,
+                (Some(old), None) => writeln!(out, "  {name:<width$}  removed, was {}", old.text)?,
+                (None, Some(new)) => writeln!(out, "  {name:<width$}  added, {}", new.text)?,
+                (None, None) => {}
+            }
         }
         self.write_answers(out)?;
         self.write_code(out)
@@ -168,20 +191,33 @@ impl Differences {
                         computed(new)
                     )?;
                 }
-                (old, new) => {
-                    let text =
-                        |value: Option<f64>| value.map_or_else(|| "none".to_owned(), computed);
-                    writeln!(out, "  mode {mode}  {} -> {}", text(old), text(new))?;
+                (Some(old), None) => {
+                    writeln!(out, "  mode {mode}  removed, was {}", computed(old))?;
                 }
+                (None, Some(new)) => writeln!(out, "  mode {mode}  added, {}", computed(new))?,
+                (None, None) => {}
             }
         }
         if let Some((from, to)) = self.answers.band {
             writeln!(
                 out,
-                "\nanswers at {FREQUENCIES} frequencies from {} to {} Hz; amplitudes with half the friction of the old limits",
+                "\nanswers at {FREQUENCIES} frequencies from {} to {} Hz",
                 computed(from),
                 computed(to)
             )?;
+            for line in [
+                "A difference is relative to the larger of both values.",
+                "Amplitudes are those under half the smaller limit of the old scene, with that friction force in both scenes.",
+            ] {
+                writeln!(out, "  {line}")?;
+            }
+            if !self.notes.is_empty() {
+                writeln!(
+                    out,
+                    "  Both are answers of the exact formulas in f64; {}.",
+                    self.notes.join(", ")
+                )?;
+            }
         }
         for found in &self.answers.differences {
             let Difference {
@@ -192,7 +228,13 @@ impl Differences {
                 relative,
                 median,
                 compared,
+                where_both,
             } = found;
+            let over = if u32::try_from(*compared) == Ok(FREQUENCIES) {
+                String::new()
+            } else {
+                format!(" over {compared} frequencies {where_both}")
+            };
             let unit = if unit.is_empty() {
                 String::new()
             } else {
@@ -200,12 +242,12 @@ impl Differences {
             };
             writeln!(out, "  {name}")?;
             if *relative <= ROUNDINGS {
-                writeln!(out, "    unchanged, to rounding, at {compared} frequencies")?;
+                writeln!(out, "    unchanged, to rounding{over}")?;
                 continue;
             }
             writeln!(
                 out,
-                "    differs by {} at most, at {} Hz: {} -> {}{unit}; median {} over {compared} frequencies",
+                "    differs by {} at most, at {} Hz: {} -> {}{unit}; median {}{over}",
                 per_cent(*relative).trim_start_matches('+'),
                 computed(*hertz),
                 computed(values.0),
@@ -250,12 +292,13 @@ impl Differences {
             writeln!(out, "  operations       the same number in every function")?;
         }
         for (name, old, new) in &code.functions {
-            let text = |operations: &Option<String>| {
-                operations.clone().unwrap_or_else(|| "none".to_owned())
-            };
-            writeln!(out, "  operations of {name}")?;
-            writeln!(out, "    {}", text(old))?;
-            writeln!(out, "    -> {}", text(new))?;
+            writeln!(out, "  operations of `{name}`")?;
+            match (old, new) {
+                (Some(old), Some(new)) => writeln!(out, "    {old}\n    -> {new}")?,
+                (Some(old), None) => writeln!(out, "    function removed, had {old}")?,
+                (None, Some(new)) => writeln!(out, "    function added, has {new}")?,
+                (None, None) => {}
+            }
         }
         Ok(())
     }
@@ -318,6 +361,10 @@ impl Differences {
             ("new", new.as_str().into()),
             ("parameters", changes.collect()),
             ("natural_frequencies_Hz", modes.collect()),
+            (
+                "emitted_answers",
+                self.notes.iter().map(String::as_str).collect(),
+            ),
             ("answers", answers.collect()),
             ("code", code),
             ("not_compared", Json::Array(left_out)),

@@ -35,6 +35,29 @@ impl Change {
     }
 }
 
+/// Returns the old scene with the new names of its masses, and a change for each new name. A mass counts as renamed if
+/// both scenes have the same number of masses, and neither has the other's name for it.
+pub fn renamed(old: &Scene, new: &Scene) -> (Scene, Vec<Change>) {
+    let (mut scene, mut changes) = (old.clone(), Vec::new());
+    if old.masses.len() != new.masses.len() {
+        return (scene, changes);
+    }
+    let has = |scene: &Scene, name: &str| scene.masses.iter().any(|mass| mass.name == name);
+    let masses = scene.masses.iter_mut().zip(&new.masses);
+    for (number, (mass, other)) in (1..).zip(masses) {
+        if !has(new, &mass.name) && !has(old, &other.name) {
+            let name = format!("name of mass {number}");
+            changes.push(Change {
+                old: Some(word(&name, mass.name.clone())),
+                new: Some(word(&name, other.name.clone())),
+                name,
+            });
+            mass.name.clone_from(&other.name);
+        }
+    }
+    (scene, changes)
+}
+
 /// Returns the fields that differ, in the order of the old description.
 pub fn changes(old: &Scene, new: &Scene) -> Vec<Change> {
     let (old, new) = (fields(old), fields(new));
@@ -102,6 +125,7 @@ fn fields(scene: &Scene) -> Vec<Field> {
         Provide::Orbit => "orbit".to_owned(),
         Provide::Simulation => "simulation".to_owned(),
         Provide::Stepper => "stepper".to_owned(),
+        Provide::SelfCheck => "self_check".to_owned(),
     });
     fields.push(word("provide", provided.collect::<Vec<_>>().join(", ")));
     fields.push(word(
@@ -163,7 +187,9 @@ fn tables(scene: &Scene, fields: &mut Vec<Field>) {
     }
     if let Some(range) = declared.range {
         for (name, (from, to)) in [("range of r", range.r), ("range of beta", range.beta)] {
-            fields.push(word(name, format!("{from:?}..{to:?}")));
+            if (from, to) != (0.0, f64::INFINITY) {
+                fields.push(word(name, format!("{from:?}..{to:?}")));
+            }
         }
     }
     if declared.side == Side::Safe {

@@ -15,8 +15,26 @@ fn prints_the_library_s_own_text() {
     let source = fs::read_to_string(FRAME).unwrap();
     let limits = frictiongen_codegen::Limits::MACRO;
     let description = frictiongen_codegen::parse_text(&source, &limits).unwrap();
-    assert_eq!(text, frictiongen_codegen::pretty(&description).unwrap());
-    assert!(text.contains("pub struct Frame"), "{text}");
+    let code = frictiongen_codegen::pretty(&description).unwrap();
+    let (head, rest) = text.split_once("\n\n").unwrap();
+    assert_eq!(rest, code);
+    let head: Vec<&str> = head.lines().collect();
+    let [notice, command, scene] = head.as_slice() else {
+        panic!("{head:?}");
+    };
+    assert!(notice.ends_with(": generated: change the description, not this file."));
+    assert_eq!(*command, "// Command: frictiongen expand frame.friction");
+    let hash = frictiongen_codegen::standalone::scene_hash(&description.scene);
+    assert_eq!(*scene, format!("// Scene Frame with the hash {hash}."));
+    // The documentation of the type has the description as it was written.
+    let written = source
+        .trim()
+        .lines()
+        .filter(|line| !line.starts_with("///"));
+    let written: Vec<String> = written
+        .map(|line| format!("/// {line}").trim_end().to_owned())
+        .collect();
+    assert!(code.contains(&written.join("\n")), "{code}");
 }
 
 #[test]

@@ -1,11 +1,11 @@
 //! Emits the scene's type and all constants that do not depend on the frequency.
 
-use super::emission::{Emission, Part, rounded};
+use super::about;
+use super::emission::{Checked, Emission, Part, rounded};
 use super::fields::fields;
-use super::fingerprint::fingerprint;
 use super::names::TypeNames;
+use super::units;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
-use frictiongen_model::scene::Excitation;
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
@@ -19,14 +19,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         names: TypeNames { name, .. },
         ..
     } = emission;
-    let attributes = &description.attributes;
     let visibility = &description.visibility;
-    let header = format!(
-        " Emitted by frictiongen {} from scene {:016x}.",
-        env!("CARGO_PKG_VERSION"),
-        fingerprint(scene)
-    );
-    let source = " Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.";
     let at_about = format!(" [`{name}`] at one frequency ratio: {}.", answers(emission));
     let work_about = work_about(emission);
     let at = &emission.names.at;
@@ -44,52 +37,37 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             #visibility struct #at(#facade::kernel::#inner<#name>);
         }
     });
-    // An empty doc line separates the header from the scene's own documentation.
-    let documented = !description.documentation.is_empty();
-    let blank = documented.then(|| code!(#[doc = ""]));
+    let scene_type = about::scene_type(emission);
     let types = code! {
-        #attributes
-        #blank
-        #[doc = #header]
-        #[doc = #source]
-        #[::core::prelude::v1::derive(
-            ::core::clone::Clone,
-            ::core::marker::Copy,
-            ::core::fmt::Debug,
-            ::core::cmp::Eq,
-            ::core::cmp::PartialEq,
-            ::core::default::Default,
-            ::core::hash::Hash
-        )]
-        #visibility struct #name;
+        #scene_type
         #at_type
     };
 
     let masses = Literal::usize_unsuffixed(scene.masses.len());
     let round = |value| rounded(value, *precision);
-    let frequencies = emission.list(modal.natural_frequencies().into_iter().map(round));
-    let resonances = emission.list(modal.resonances.iter().map(|value| round(*value)));
-    let shapes = modal
+    let frequencies: Vec<f64> = modal.natural_frequencies().into_iter().map(round).collect();
+    let resonances: Vec<f64> = modal.resonances.iter().map(|value| round(*value)).collect();
+    let shapes: Vec<Vec<f64>> = modal
         .shapes
         .iter()
-        .map(|shape| emission.list(shape.iter().map(|value| round(*value))));
-    let reference = round(modal.reference);
-    let frequency_ratio = if reference == 1.0 {
-        code!(omega)
-    } else {
-        let reference = emission.literal(reference);
-        code!(omega / #reference)
-    };
+        .map(|shape| shape.iter().map(|value| round(*value)).collect())
+        .collect();
+    let units = units::emit(emission, (&frequencies, &resonances));
+    let constants = units.constants.into_iter().chain([
+        Checked::new(
+            "MODE_SHAPES",
+            code!(&Self::MODE_SHAPES),
+            &shapes.concat().as_slice(),
+        ),
+        Checked::new("CHAIN", code!(&Self::CHAIN), &emission.reduced.chain),
+    ]);
+    let constants = constants.collect();
+    let (frequencies, resonances) = (emission.list(frequencies), emission.list(resonances));
+    let shapes = shapes.into_iter().map(|shape| emission.list(shape));
+    let (units, conversions) = (units.associated, units.items);
     let (chain, at_rest) = (chain(emission), at_rest(emission));
-    let ratio_about = match scene.excitation {
-        Excitation::Base => {
-            " Returns β = F/(k₁Y) of a kinetic friction force F.  `load` is k₁Y, with Y the amplitude of the base motion."
-        }
-        Excitation::Force(_) => {
-            " Returns β = F/P of a kinetic friction force F.  `load` is P, the amplitude of the force."
-        }
-    };
     let associated = code! {
+            #units
             /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
             pub const NATURAL_FREQUENCIES: [#scalar; #masses] = #frequencies;
             /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
@@ -102,23 +80,12 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             /// Constants of the chain.
             const CHAIN: Chain<#scalar> = #chain;
 
-            /// Returns the frequency ratio r = ω√(m₁/k₁) of an angular frequency ω, rad/s.
-            #[inline]
-            #[must_use]
-            pub const fn frequency_ratio(omega: #scalar) -> #scalar {
-                #frequency_ratio
-            }
-
-            #[doc = #ratio_about]
-            #[inline]
-            #[must_use]
-            pub const fn friction_ratio(friction: #scalar, load: #scalar) -> #scalar {
-                friction / load
-            }
+            #conversions
     };
     let mut part = Part {
         types,
         associated,
+        constants,
         ..Part::default()
     };
     if scene.needs_frequency() {
@@ -204,6 +171,18 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
     } else {
         code!(At)
     };
+    let constants = vec![
+        Checked::new(
+            "MODES",
+            code!(&Self::MODES),
+            &emission.reduced.modes.as_slice(),
+        ),
+        Checked::new(
+            "NUMBERS",
+            code!(&Self::NUMBERS),
+            &emission.reduced.numbers(),
+        ),
+    ];
     let associated = code! {
             /// Modes that the load or the contact drives.
             const MODES: [Mode<#scalar>; #mode_count] = [#(#modes),*];
@@ -217,6 +196,7 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
     Part {
         associated,
         items,
+        constants,
         ..Part::default()
     }
 }
@@ -248,7 +228,7 @@ fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>, first: bool) -> Toke
     let of = |value| emission.literal(value);
     let (resonance, zeta, q) = (of(mode.resonance), of(mode.zeta), of(mode.q));
     let (q_defect, load, contact) = (of(mode.q_defect), of(mode.load), of(mode.contact));
-    let (residue, inverse_mass) = (of(mode.residue), of(mode.inverse_mass));
+    let (residue, contact_squared) = (of(mode.residue), of(mode.contact_squared));
     let static_residue = of(mode.static_residue);
     let fields = fields(
         first,
@@ -278,7 +258,7 @@ fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>, first: bool) -> Toke
                 "φᵀw, with w = 1 at the mass that rubs and −1 at its partner",
             ),
             ("residue", residue, "(φᵀp)(φᵀw)"),
-            ("inverse_mass", inverse_mass, "(φᵀw)², the term of m*"),
+            ("contact_squared", contact_squared, "(φᵀw)², the term of m*"),
             ("static_residue", static_residue, "(φᵀp)(φᵀw)/λ"),
         ],
     );

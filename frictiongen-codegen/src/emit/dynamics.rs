@@ -4,7 +4,7 @@
 use super::constants::{kind, mode_constants, rubbing};
 use super::emission::{Emission, Wanted, rounded};
 use super::fields::fields;
-use super::shapes;
+use super::{self_check, shapes};
 use frictiongen_kernel::motion::{HeldMode, LOST_MODES};
 use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_model::transient::Transient;
@@ -17,6 +17,8 @@ pub(super) struct Constants {
     pub driven: usize,
     /// Number of oscillators: the modes of the chain, plus the modes of the chain with its contact stuck.
     pub parts: usize,
+    /// Checksum of the constants.
+    pub sum: u32,
 }
 
 pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
@@ -98,6 +100,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
         associated,
         driven,
         parts: transient.modes.len() + transient.held.len(),
+        sum: self_check::sum(&transient.dynamics()),
     }
 }
 

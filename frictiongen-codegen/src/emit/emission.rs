@@ -1,9 +1,11 @@
 //! Defines the data that all emitted items share, and `Part`, the output of one file of this folder.
 
 use super::names::{TypeNames, local};
+use super::self_check;
 use crate::Description;
 use crate::graph::Graph;
 use crate::graph::literal::{literal, scalar};
+use frictiongen_kernel::emitted::check::Listed;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
@@ -37,6 +39,7 @@ pub(super) struct Wanted<'a> {
     pub simulation: bool,
     pub orbit: bool,
     pub stepper: bool,
+    pub self_check: bool,
 }
 
 impl Wanted<'_> {
@@ -164,6 +167,7 @@ impl<'a> Emission<'a> {
             simulation: false,
             orbit: false,
             stepper: false,
+            self_check: false,
         };
         let all = || {
             self.description
@@ -190,6 +194,7 @@ impl<'a> Emission<'a> {
                 Provide::Orbit => wanted.orbit = true,
                 Provide::Simulation => wanted.simulation = true,
                 Provide::Stepper => wanted.stepper = true,
+                Provide::SelfCheck => wanted.self_check = true,
             }
         }
         wanted
@@ -263,6 +268,33 @@ pub(super) struct Part {
     pub items: TokenStream,
     /// Tables of numbers, as associated constants apart from the code.
     pub tables: TokenStream,
+    /// The constants, for the self-check.
+    pub constants: Vec<Checked>,
+}
+
+/// Constants of the emitted code with their checksum.
+pub(super) struct Checked {
+    /// Name that a fault states.
+    pub name: String,
+    /// A reference to the constants.
+    pub numbers: TokenStream,
+    pub sum: u32,
+}
+
+impl Checked {
+    /// Creates the entry of constants that are the expression `numbers` in the emitted code, and have these values.
+    pub fn new(name: &str, numbers: TokenStream, values: &impl Listed<f64>) -> Self {
+        Self::of_sum(name, numbers, self_check::sum(values))
+    }
+
+    /// Creates the entry of constants with this checksum.
+    pub fn of_sum(name: &str, numbers: TokenStream, sum: u32) -> Self {
+        Self {
+            name: name.to_owned(),
+            numbers,
+            sum,
+        }
+    }
 }
 
 impl Part {
@@ -271,5 +303,6 @@ impl Part {
         self.associated.extend(other.associated);
         self.items.extend(other.items);
         self.tables.extend(other.tables);
+        self.constants.extend(other.constants);
     }
 }

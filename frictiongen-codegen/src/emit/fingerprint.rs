@@ -147,6 +147,7 @@ impl Fnv {
             Provide::Orbit => self.unit(4),
             Provide::Simulation => self.unit(5),
             Provide::Stepper => self.unit(6),
+            Provide::SelfCheck => self.unit(7),
         }
     }
 

@@ -3,13 +3,11 @@
 use super::emission::Emission;
 use super::mode;
 use super::names::{field, local};
-use super::trace::{Tracer, contact_outputs, mode_outputs};
+use super::trace::{Tracer, contact_outputs, mode_outputs, symbolic_sum};
 use crate::graph::count::Count;
-use crate::graph::{Expr, Graph, Operand};
-use frictiongen_kernel::Scalar;
+use crate::graph::{Expr, Operand};
 use frictiongen_kernel::contact::quadrature::Quadrature;
-use frictiongen_kernel::contact::sums::{Chain, ContactAt};
-use frictiongen_kernel::number::complex::Complex;
+use frictiongen_kernel::contact::sums::Chain;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use proc_macro2::{Ident, Literal, TokenStream};
 
@@ -387,23 +385,4 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, Count) {
         .times(emission.modes())
         .and(&last_count);
     (body, count)
-}
-
-fn symbolic_sum(graph: &Graph, damped: bool) -> ContactAt<Expr<'_>> {
-    let of = |field: &str| graph.input(format!("sum.{field}"));
-    let if_damped = |field: &str| {
-        if damped {
-            of(field)
-        } else {
-            Expr::constant(0.0)
-        }
-    };
-    ContactAt {
-        scale: of("scale"),
-        v: Complex::new(of("v.re"), if_damped("v.im")),
-        u: of("u"),
-        g: if_damped("g"),
-        reversal: if_damped("reversal"),
-        h: Complex::new(of("h.re"), if_damped("h.im")),
-    }
 }

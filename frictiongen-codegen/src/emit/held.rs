@@ -1,11 +1,12 @@
 //! Emits the tables and functions that compute the stuck responses of a scene with a declared accuracy.
 
 use super::checksum;
-use super::emission::{Emission, Part};
+use super::emission::{Checked, Emission, Part};
 use super::names::TypeNames;
-use super::table::{factors, quotient_over};
+use super::table::{counted, factors, quotient_over};
 use crate::lower::SceneTables;
 use frictiongen_kernel::Float;
+use frictiongen_kernel::emitted::check::{self, Listed};
 use frictiongen_kernel::table::Root;
 use frictiongen_model::table::{Held, HeldForm, Tables};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -21,7 +22,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     }
 }
 
-fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Part {
+fn tabled<S: Float + Listed<S>>(emission: &Emission<'_>, tables: &Tables<S>) -> Part {
     let Emission {
         scalar,
         names: TypeNames { name, stuck, .. },
@@ -52,19 +53,33 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Part {
         });
     };
     let mut amplitudes = Vec::new();
+    let mut names = Vec::new();
     for (form, (number, mass)) in held.masses.iter().zip((1..).zip(&emission.scene.masses)) {
         let name = format_ident!("STUCK_{}", number);
         let about = format!(" Stuck response of mass `{}` over r.", mass.name);
         constant(&name, &about, form);
+        names.push(name.clone());
         let mass = Literal::usize_unsuffixed(number - 1);
         amplitudes.push(code!(#mass => Some(Self::#name.value(r))));
     }
     let force = format_ident!("STUCK_FORCE");
+    names.push(force.clone());
     constant(
         &force,
         " V/H over r, the force that holds the contact.",
         &held.force,
     );
+    let forms = held.masses.iter().chain([&held.force]);
+    let forms = forms.zip(names).map(|(form, name)| {
+        let sum = check::sum::<S>(&form.response());
+        Checked::of_sum(&name.to_string(), code!(&Self::#name), sum)
+    });
+    let resonant = Checked::of_sum(
+        "stuck_resonances",
+        code!(&Self.stuck_resonances()),
+        check::sum::<S>(&held.resonances.as_slice()),
+    );
+    let constants = forms.chain([resonant]).collect();
     let resonances = emission.list(held.resonances.iter().map(|own| own.to_f64()));
     let (stuck_about, force_about) = (stuck_about(held), force_about(held));
     let items = code! {
@@ -100,6 +115,7 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Part {
     Part {
         items,
         tables,
+        constants,
         ..Part::default()
     }
 }
@@ -215,7 +231,8 @@ fn stuck_about<S: Float>(held: &Held<S>) -> Vec<String> {
         format!(" {}", held.told()),
         String::new(),
         format!(
-            " Operations: at most {plain} additions and multiplications, {divisions} divisions; all masses and the force hold {} bytes.",
+            " Operations: at most {plain} additions and multiplications, {}; all masses and the force hold {} bytes.",
+            counted(divisions, "division"),
             held.bytes(),
         ),
     ]
@@ -226,6 +243,9 @@ fn force_about<S: Float>(held: &Held<S>) -> Vec<String> {
     vec![
         " V/H, the force that holds the contact, in the same way.".to_owned(),
         String::new(),
-        format!(" Operations: {plain} additions and multiplications, {divisions} divisions."),
+        format!(
+            " Operations: {plain} additions and multiplications, {}.",
+            counted(divisions, "division")
+        ),
     ]
 }

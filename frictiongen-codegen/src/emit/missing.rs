@@ -23,16 +23,17 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
         (needs_frequency, code!(limits)),
         (wanted.simulation, code!(simulation)),
         (wanted.stepper, code!(stepper)),
+        (wanted.self_check, code!(self_check)),
     ];
-    let not_provided = |type_of: &Ident, methods: [(bool, TokenStream); 3]| {
-        let missing = methods.into_iter().filter(|(provided, _)| !provided);
-        let missing: Vec<TokenStream> = missing.map(|(_, method)| method).collect();
+    let not_provided = |type_of: &Ident, methods: &[(bool, TokenStream)]| {
+        let missing = methods.iter().filter(|(provided, _)| !provided);
+        let missing: Vec<&TokenStream> = missing.map(|(_, method)| method).collect();
         (!missing.is_empty()).then(|| code!(#type_of: #(#missing),*))
     };
-    let of_at = needs_frequency.then(|| not_provided(at, of_at)).flatten();
+    let of_at = needs_frequency.then(|| not_provided(at, &of_at)).flatten();
     let missing: Vec<TokenStream> = of_at
         .into_iter()
-        .chain(not_provided(name, of_scene))
+        .chain(not_provided(name, &of_scene))
         .collect();
     let mut items = TokenStream::new();
     if !missing.is_empty() {

@@ -1,8 +1,10 @@
 //! Emits the solver of a scene. Each file emits one group of items.
 
+mod about;
 mod arm;
 mod checksum;
 mod constants;
+mod domain;
 mod dynamics;
 mod emission;
 mod fields;
@@ -16,6 +18,7 @@ mod motion;
 mod names;
 mod orbit;
 mod scene;
+mod self_check;
 mod shapes;
 mod shield;
 mod simulation;
@@ -25,9 +28,10 @@ mod stepper;
 mod stuck;
 mod table;
 mod trace;
+mod units;
 
 use crate::Description;
-use emission::{Emission, Part};
+use emission::{Checked, Emission, Part};
 use names::TypeNames;
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
@@ -157,6 +161,11 @@ fn groups(emission: &Emission<'_>) -> Vec<Group> {
         let dynamics = dynamics::emit(emission, &wanted);
         let constants = Part {
             associated: dynamics.associated.clone(),
+            constants: vec![Checked::of_sum(
+                "DYNAMICS",
+                code!(&Self::DYNAMICS),
+                dynamics.sum,
+            )],
             ..Part::default()
         };
         add(&[], constants);
@@ -170,6 +179,15 @@ fn groups(emission: &Emission<'_>) -> Vec<Group> {
             let types = [&names.stepper, &names.input];
             add(&types, stepper::emit(emission, &dynamics));
         }
+    }
+    if wanted.self_check {
+        let constants = groups.iter().flat_map(|group| &group.part.constants);
+        let constants: Vec<&Checked> = constants.collect();
+        let part = self_check::emit(emission, &wanted, &constants);
+        groups.push(Group {
+            types: Vec::new(),
+            part,
+        });
     }
     groups
 }

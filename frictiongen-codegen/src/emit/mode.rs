@@ -163,7 +163,7 @@ pub(super) fn symbolic(graph: &Graph, kind: Kind) -> Mode<Expr<'_>> {
         load: of("load"),
         contact: of("contact"),
         residue: of("residue"),
-        inverse_mass: of("inverse_mass"),
+        contact_squared: of("contact_squared"),
         static_residue: of("static_residue"),
     }
 }

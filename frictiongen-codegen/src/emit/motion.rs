@@ -2,9 +2,11 @@
 
 use super::arm::{self, Arm};
 use super::emission::{Emission, Part};
+use super::frequency::operations_about;
 use super::names::{TypeNames, field, local};
 use super::trace::Tracer;
 use crate::graph::alternatives::{self, Alternative};
+use crate::graph::count::Count;
 use crate::graph::print::Printed;
 use crate::graph::{Expr, Operand};
 use frictiongen_kernel::response::coefficients::{Fundamental, ModalCoefficients};
@@ -91,7 +93,8 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     let in_lines = (!emission.in_sums()).then(|| in_lines(emission, masses));
     let of_kernel = in_lines.is_none().then(|| {
         code! {
-            /// The motions are those of the kernel, which sums over the modes in loops.
+            /// The motions are those of the kernel, which sums over the modes in loops.  Worst case: a fixed number of operations
+            /// for each mode.  No search is made before an amplitude or a phase is asked for.
         }
     });
     let items = code! {
@@ -126,8 +129,11 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
         .collect();
     let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
-    let body = of_masses(emission, &tracer, &masses);
-    let contact = of_contact(emission, &tracer);
+    let (body, mass_operations) = of_masses(emission, &tracer, &masses);
+    let (contact, contact_operations) = of_contact(emission, &tracer);
+    let [mass_operations, contact_operations] =
+        [mass_operations, contact_operations].map(|count| operations_about(&count));
+    let waves = waves_about(emission);
     let inputs = emission.inputs(&body);
     let contact_inputs = emission.inputs(&contact);
     let masses = (!masses.is_empty()).then(|| {
@@ -136,6 +142,9 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
             ///
             /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
             /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
+            ///
+            #[doc = #mass_operations]
+            #[doc = #waves]
             fn mass_motion(
                 at: &At<Self>,
                 friction: &Friction<#scalar>,
@@ -151,6 +160,9 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
         /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
         ///
         /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
+        ///
+        #[doc = #contact_operations]
+        #[doc = #waves]
         fn contact_motion(at: &At<Self>, friction: &Friction<#scalar>) -> MotionOf<Self> {
             #contact_inputs
             #contact
@@ -168,7 +180,16 @@ struct Coefficients<'g> {
     modal: Vec<Option<ModalCoefficients<Expr<'g>>>>,
 }
 
-fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> TokenStream {
+/// Returns the documentation line about the work besides the counted operations.
+fn waves_about(emission: &Emission<'_>) -> String {
+    let modes = emission.modes();
+    let plural = if modes == 1 { "" } else { "s" };
+    format!(
+        " The kernel adds one wave for each of {modes} mode{plural}.  No search is made before an amplitude or a phase is asked for."
+    )
+}
+
+fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> (TokenStream, Count) {
     let contact = tracer.contact("contact");
     let friction = tracer.friction();
     let chain = &tracer.reduced.chain;
@@ -179,31 +200,38 @@ fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> TokenStream {
         modal: modes
             .enumerate()
             .map(|(index, (mode, at))| {
-                let residue = mode.inverse_mass;
+                let residue = mode.contact_squared;
                 mode.in_contact.then(|| {
                     chain.modal_coefficients(&at, residue, &contact, &friction, inverse_r, index)
                 })
             })
             .collect(),
     };
-    let (printed, _) = tracer.print(&coefficients.outputs(), emission.precision, &TAKEN);
+    let (printed, count) = tracer.print(&coefficients.outputs(), emission.precision, &TAKEN);
     let (fundamental, waves) = coefficients.structures(emission, &printed, &code!(motion_wave));
     let statements = printed.statements;
-    code! {
+    let body = code! {
         #statements
         let fundamental = #fundamental;
         let waves = #waves;
-    }
+    };
+    (body, count)
 }
 
-/// Emits the common statements of the masses' motions, and the statements of each mass.
-fn of_masses(emission: &Emission<'_>, tracer: &Tracer<'_>, masses: &[usize]) -> TokenStream {
+/// Emits the common statements of the masses' motions, and the statements of each mass. Returns them with the operations
+/// of the mass that needs most.
+fn of_masses(
+    emission: &Emission<'_>,
+    tracer: &Tracer<'_>,
+    masses: &[usize],
+) -> (TokenStream, Count) {
     let motions = masses.iter().map(|mass| {
         let coefficients = of_mass(tracer, *mass);
         let alternative = Alternative::of(tracer.graph, coefficients.outputs());
         ((*mass, coefficients), alternative)
     });
     let (motions, alternatives) = alternatives::grouped(motions);
+    let count = alternatives::most_operations(tracer.graph, &alternatives);
     let (common, printed) = alternatives::print(&alternatives, emission.precision, &TAKEN);
     let arms = motions.iter().zip(&printed).map(|(motions, printed)| {
         let masses = motions.iter().map(|(mass, _)| *mass).collect();
@@ -222,11 +250,12 @@ fn of_masses(emission: &Emission<'_>, tracer: &Tracer<'_>, masses: &[usize]) -> 
     });
     let arms: Vec<Arm> = arms.collect();
     let (statements, value) = arm::chosen(&arms, emission.scene.masses.len());
-    code! {
+    let body = code! {
         #common
         #statements
         let (fundamental, waves) = #value;
-    }
+    };
+    (body, count)
 }
 
 fn of_mass<'g>(tracer: &Tracer<'g>, mass: usize) -> Coefficients<'g> {

@@ -5,7 +5,10 @@ use quote::format_ident;
 
 /// Names that emitted code imports from the kernel. If a type of the scene has such a name, the emitted block refers to
 /// the scene's types by aliases.
-const IMPORTED: [&str; 91] = [
+const IMPORTED: [&str; 94] = [
+    "check",
+    "locals",
+    "missing",
     "Complex",
     "Scalar",
     "Chain",

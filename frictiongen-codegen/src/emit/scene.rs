@@ -1,6 +1,6 @@
 //! Emits the implementation of the kernel's `Scene`: constants and specialised formulas.
 
-use super::emission::{Emission, Part, Wanted};
+use super::emission::{Checked, Emission, Part, Wanted};
 use super::names::TypeNames;
 use super::{frequency, limits, mode, shapes};
 use proc_macro2::{Literal, TokenStream};
@@ -17,6 +17,20 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
         frictiongen_model::scene::Precision::F64 => range::<f64>(emission),
         frictiongen_model::scene::Precision::F32 => range::<f32>(emission),
     };
+    let mut constants = vec![Checked::new(
+        "inverse_ratio_range",
+        code!(&Self.inverse_ratio_range()),
+        &(low, high),
+    )];
+    if wanted.shapes() {
+        let shapes = emission.reduced.shapes.as_slice();
+        constants.push(Checked::new("SHAPES", code!(&Self::SHAPES), &shapes));
+    }
+    if !emission.reduced.quadratures.is_empty() {
+        let numbers = code!(&Self::QUADRATURES);
+        let quadratures = emission.reduced.quadratures.as_slice();
+        constants.push(Checked::new("QUADRATURES", numbers, &quadratures));
+    }
     let (low, high) = (emission.literal(low), emission.literal(high));
     let stage = frequency::emit(emission);
     let formulas = limits::formulas(emission);
@@ -60,6 +74,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
     Part {
         associated,
         items,
+        constants,
         ..Part::default()
     }
 }

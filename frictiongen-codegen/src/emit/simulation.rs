@@ -1,9 +1,10 @@
 //! Emits the type that simulates the exact motion in time, with its constructors.
 
 use super::dynamics::{Constants, count};
-use super::emission::{Emission, Part, rounded};
+use super::emission::{Checked, Emission, Part, rounded};
 use super::names::TypeNames;
 use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::simulation::{MAX_STEPS, MAX_STRETCHES};
 use frictiongen_model::scene::FrictionLaw;
 use frictiongen_model::stepping::Steps;
 use proc_macro2::{Literal, TokenStream};
@@ -30,8 +31,19 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let about = format!(
         " Exact motion of [`{name}`] in time, from event to event.  `next` returns its segments."
     );
+    let work_about = if constant {
+        format!(
+            " Worst case of `next`: {MAX_STEPS} steps of the search for the end of a segment, each a sum over at most {parts} modes; of `advance` two segments."
+        )
+    } else {
+        format!(
+            " Worst case of `advance`: {MAX_STRETCHES} stretches of at most 128 steps, or of {MAX_STEPS} where the kinetic friction is constant; a step is a sum over at most {parts} modes."
+        )
+    };
     let types = code! {
         #[doc = #about]
+        ///
+        #[doc = #work_about]
         #[allow(deprecated, non_camel_case_types)]
             #visibility struct #simulation(
                 #facade::kernel::simulation::#target<::core::primitive::#scalar, #parts>
@@ -54,8 +66,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
         });
     let methods: TokenStream = methods.collect();
-    let [starts, trait_of] = if constant {
-        starts(emission, &parts)
+    let ([starts, trait_of], constants) = if constant {
+        (starts(emission, &parts), Vec::new())
     } else {
         starts_under(emission, &parts)
     };
@@ -87,6 +99,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         types,
         associated: starts,
         items,
+        constants,
         ..Part::default()
     }
 }
@@ -139,7 +152,7 @@ fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
 }
 
 /// Emits the constructors of a run where the kinetic friction force depends on the speed.
-fn starts_under(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
+fn starts_under(emission: &Emission<'_>, parts: &Literal) -> ([TokenStream; 2], Vec<Checked>) {
     let Emission {
         scene,
         modal,
@@ -152,13 +165,15 @@ fn starts_under(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
         ..
     } = emission;
     let masses = count(scene.masses.len());
-    let steps = Steps::of(scene, modal, std::iter::empty(), |value| value);
-    let number = |value: Dd| emission.literal(rounded(value, *precision));
-    let law = steps.law.iter().map(|[speed, level]| {
-        let (speed, level) = (number(*speed), number(*level));
-        code!([#speed, #level])
+    let steps = Steps::<f64>::of(scene, modal, std::iter::empty(), |value: Dd| {
+        rounded(value, *precision)
     });
-    let speed = number(steps.speed);
+    let law = steps.law.iter().map(|point| emission.list(*point));
+    let speed = emission.literal(steps.speed);
+    let constants = vec![
+        Checked::new("LAW", code!(&Self::LAW), &steps.law.as_slice()),
+        Checked::new("SPEED", code!(&Self::SPEED), &steps.speed),
+    ];
     let starts = code! {
             /// Points of the friction law: speed, and kinetic friction over F.
             const LAW: &'static [[#scalar; 2]] = &[#(#law),*];
@@ -219,5 +234,5 @@ fn starts_under(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
             }
         }
     };
-    [starts, trait_of]
+    ([starts, trait_of], constants)
 }

@@ -4,6 +4,7 @@ use super::checksum;
 use super::dynamics::count;
 use super::emission::{Emission, rounded};
 use super::fields::fields;
+use super::self_check::sum_of_rounded;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{
@@ -31,13 +32,13 @@ impl Sizes {
     }
 }
 
-/// Emits the tables. Returns `None` for a step that the kernel refuses. `lower` has then reported the error.
+/// Emits the tables, and returns their checksum. Returns `None` for a step that the kernel refuses. `lower` has then reported the error.
 pub(super) fn emit(
     emission: &Emission<'_>,
     scene: &StepScene<'_, Dd>,
     step: f64,
     sizes: &Sizes,
-) -> Option<TokenStream> {
+) -> Option<(TokenStream, u32)> {
     match sizes.coefficients {
         1 => table::<1>(emission, scene, step, sizes),
         2 => table::<2>(emission, scene, step, sizes),
@@ -54,7 +55,7 @@ fn table<const D: usize>(
     scene: &StepScene<'_, Dd>,
     step: f64,
     sizes: &Sizes,
-) -> Option<TokenStream> {
+) -> Option<(TokenStream, u32)> {
     let (masses, inputs) = (sizes.modes, sizes.inputs);
     let mut modes = vec![ModeStep::<Dd, D>::zero(); masses];
     let mut held = vec![HeldStep::<Dd, D>::zero(); sizes.held];
@@ -83,7 +84,14 @@ fn table<const D: usize>(
         Precision::F64 => terms::<f64>(emission, step),
         Precision::F32 => terms::<f32>(emission, step),
     }?;
-    let pace = write.pace(&pace, terms);
+    let pace = Pace { terms, ..pace };
+    let of_oscillators = (&pace, (modes.as_slice(), held.as_slice()));
+    let of_inputs = (
+        loads.as_slice(),
+        (held_loads.as_slice(), channels.as_slice()),
+    );
+    let sum = sum_of_rounded(&(of_oscillators, of_inputs), emission.precision);
+    let pace = write.pace(&pace);
     let modes = modes.iter().enumerate();
     let modes = modes.map(|(index, mode)| write.mode(mode, index == 0));
     let held = held.iter().enumerate();
@@ -130,7 +138,7 @@ fn table<const D: usize>(
         ],
     );
     let checksum = checksum::about(&numbers);
-    Some(code! {
+    let tables = code! {
         /// Advance of each oscillator over a part of `STEP`, with the time s in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
         ///
         /// A `Row` has the weights of the state (y, u) and of the drive's coefficients.  The first of `moments`, with the
@@ -140,7 +148,8 @@ fn table<const D: usize>(
         /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.
         #[doc = #checksum]
         const STEP_TABLES: FixedTables<#scalar, #sizes> = FixedTables { #numbers };
-    })
+    };
+    Some((tables, sum))
 }
 
 /// Returns the number of power series terms that the scene's scalar needs.
@@ -172,7 +181,7 @@ impl Writer<'_> {
         code!([#(#values),*])
     }
 
-    fn pace(&self, pace: &Pace<Dd>, terms: u32) -> TokenStream {
+    fn pace(&self, pace: &Pace<Dd>) -> TokenStream {
         let (step, span, rate) = (
             self.number(pace.step),
             self.number(pace.span),
@@ -180,7 +189,7 @@ impl Writer<'_> {
         );
         let (receptance, drag) = (self.number(pace.receptance), self.number(pace.drag));
         let parts = Literal::u32_unsuffixed(pace.parts);
-        let terms = Literal::u32_unsuffixed(terms);
+        let terms = Literal::u32_unsuffixed(pace.terms);
         let fields = fields(
             true,
             &[

@@ -1,11 +1,12 @@
 //! Emits the stepper, which advances by a fixed step in physical time under any input.
 
 use super::dynamics::{Constants, count};
-use super::emission::{Emission, Part, rounded};
+use super::emission::{Checked, Emission, Part, rounded};
 use super::fields::fields;
 use super::names::{TypeNames, local};
 use super::step_cost;
 use super::step_table::{self, Sizes};
+use super::units;
 use frictiongen_kernel::motion::LOST_MODES;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{Input, Units};
@@ -40,12 +41,19 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     };
     let literals = sizes.literals();
     let masses = count(scene.masses.len());
-    let number = |value: Dd| emission.literal(rounded(value, *precision));
-    let step_scene = step_scene(emission, &steps, &number);
+    let (step_scene, mut constants) = step_scene(emission);
     let tables = scene
         .stepping
         .step
         .and_then(|step| step_table::emit(emission, &exact, step, &sizes));
+    let tables = tables.map(|(tables, sum)| {
+        constants.push(Checked::of_sum(
+            "STEP_TABLES",
+            code!(&Self::STEP_TABLES),
+            sum,
+        ));
+        tables
+    });
     let mut cost = step_cost::parts(&exact, scene.stepping.step);
     cost.extend(step_cost::operations(
         &exact,
@@ -152,34 +160,41 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         associated,
         items,
         tables: tables.unwrap_or_default(),
+        constants,
     }
 }
 
 /// Emits the stepper's scene as constants.
-fn step_scene(
-    emission: &Emission<'_>,
-    steps: &Steps<Dd>,
-    number: &impl Fn(Dd) -> TokenStream,
-) -> TokenStream {
-    let scalar = &emission.scalar;
-    let Units {
-        stiffness,
-        rate,
-        support,
-    } = steps.units;
-    let (stiffness, rate, support) = (number(stiffness), number(rate), number(support));
+fn step_scene(emission: &Emission<'_>) -> (TokenStream, Vec<Checked>) {
+    let Emission {
+        scene,
+        modal,
+        precision,
+        scalar,
+        ..
+    } = emission;
+    let round = |value: Dd| rounded(value, *precision);
+    let steps = Steps::<f64>::of(scene, modal, std::iter::empty(), round);
+    let transient = Transient::<f64>::of(scene, modal, round);
+    let mut constants = vec![Checked::new(
+        "STEP_SCENE",
+        code!(&Self::STEP_SCENE),
+        &steps.scene(transient.dynamics()),
+    )];
+    let Units { rate, support, .. } = steps.units;
+    let rate = units::reference_by_name(emission, rate);
+    let support = emission.literal(support);
     let on_base = steps.on_base;
     let forces = steps.forces.iter().map(|mass| count(*mass));
     let input = match steps.input {
         Input::Hold => code!(Hold),
         Input::Linear => code!(Linear),
     };
-    let law = steps.law.iter().map(|[speed, level]| {
-        let (speed, level) = (number(*speed), number(*level));
-        code!([#speed, #level])
-    });
-    let step = emission.scene.stepping.step.map(|step| {
-        let step = number(Dd::from(step));
+    let law = steps.law.iter().map(|point| emission.list(*point));
+    let step = scene.stepping.step.map(|step| {
+        let step = round(Dd::from(step));
+        constants.push(Checked::new("STEP", code!(&Self::STEP), &step));
+        let step = emission.literal(step);
         code! {
             /// Step, s, for which the tables are constants.
             pub const STEP: #scalar = #step;
@@ -188,7 +203,7 @@ fn step_scene(
     let units = fields(
         true,
         &[
-            ("stiffness", stiffness, "k₁"),
+            ("stiffness", code!(Self::K1), "k₁"),
             ("rate", rate, "√(k₁/m₁), rad/s"),
             (
                 "support",
@@ -228,12 +243,13 @@ fn step_scene(
             ),
         ],
     );
-    code! {
+    let associated = code! {
         #step
 
         /// Constants of the stepper.
         const STEP_SCENE: StepScene<'static, #scalar> = StepScene { #numbers };
-    }
+    };
+    (associated, constants)
 }
 
 /// Emits the types of the stepper and of its input.

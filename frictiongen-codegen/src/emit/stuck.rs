@@ -2,6 +2,7 @@
 
 use super::arm::{self, Arm};
 use super::emission::{Emission, Part};
+use super::frequency::operations_about;
 use super::names::TypeNames;
 use super::trace::Tracer;
 use crate::graph::Expr;
@@ -64,7 +65,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     let in_lines = (!emission.in_sums()).then(|| in_lines(emission));
     let of_kernel = in_lines.is_none().then(|| {
         code! {
-            /// The responses are those of the kernel, which sums over the modes in loops.
+            /// The responses are those of the kernel, which sums over the modes in loops.  Worst case: a fixed number of
+            /// operations for each mode, without a search.
         }
     });
     // The kernel's `Stuck` computes the responses for which the scene has no table.
@@ -113,6 +115,7 @@ fn in_lines(emission: &Emission<'_>) -> TokenStream {
         .map(|mass| (mass, of_mass(&tracer, mass)));
     let (masses, amplitudes) = alternatives::grouped(amplitudes);
     let taken = ["at", "inverse_r", "contact", "modes"];
+    let operations = operations_about(&alternatives::most_operations(&graph, &amplitudes));
     let (common, amplitudes) = alternatives::print(&amplitudes, emission.precision, &taken);
     let arms = masses.into_iter().zip(&amplitudes);
     let arms = arms.filter_map(|(masses, printed)| {
@@ -134,6 +137,8 @@ fn in_lines(emission: &Emission<'_>) -> TokenStream {
     let inputs = emission.inputs(&body);
     code! {
         /// x̄* = (V_kH − H_kV)/H, the complex amplitude of mass k (6.11, 6.27, 6.33).
+        ///
+        #[doc = #operations]
         #[inline]
         fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<#scalar>> {
             #inputs

@@ -1,16 +1,16 @@
 //! Emits the tables of a declared accuracy.
 
 use super::checksum;
+use super::domain::{checked, domain};
 use super::emission::{Emission, Part};
 use super::fields::fields;
 use super::names::TypeNames;
 use crate::lower::SceneTables;
 use frictiongen_kernel::Float;
+use frictiongen_kernel::emitted::check::Listed;
 use frictiongen_kernel::table::Factor;
-use frictiongen_model::scene::{Beyond, Range, Side};
-use frictiongen_model::table::{
-    FINEST_PROVEN, FRICTION_SHARES, Product, Reach, Report, Tables, Work,
-};
+use frictiongen_model::scene::Side;
+use frictiongen_model::table::{FINEST_PROVEN, FRICTION_SHARES, Product, Report, Tables, Work};
 use proc_macro2::{Literal, TokenStream};
 
 /// Emits the tables as constants and the functions that evaluate them. Emits nothing for an exact
@@ -23,7 +23,7 @@ pub(super) fn emit(emission: &Emission<'_>, motion: bool) -> Part {
     }
 }
 
-fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -> Part {
+fn tabled<S: Float + Listed<S>>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -> Part {
     let Emission {
         scalar,
         names: TypeNames { name, .. },
@@ -76,11 +76,12 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
             const EXCITATION: Quotient<'static, #scalar> = #quotient;
         }
     });
+    let constants = checked(emission, tables);
     let about = about(tables);
     let (limit_about, sliding_about) = (limit_about(tables), sliding_about(tables));
     let domain = domain(emission, tables);
     let sliding_limit = if tables.sliding.is_some() {
-        code!(Some(Self::SLIDING_LIMIT.size(r)))
+        code!(Some(Self::SLIDING_LIMIT.magnitude(r)))
     } else {
         code!({
             let _ = r;
@@ -141,6 +142,7 @@ fn tabled<S: Float>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -
     Part {
         items,
         tables,
+        constants,
         ..Part::default()
     }
 }
@@ -185,51 +187,6 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
             #[inline]
             fn tabled_contact(&self, r: #scalar) -> Option<ContactTable<#scalar>> {
                 #table
-            }
-        }
-    }
-}
-
-fn domain<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream {
-    let scalar = &emission.scalar;
-    let declared = &emission.scene.declared;
-    let (low, high) = tables.request.r;
-    let ends = [low, high].map(|end| emission.literal(S::constant(end).to_f64()));
-    let [low, high] = ends;
-    let (least, most) = declared
-        .range
-        .map_or((0.0, f64::INFINITY), |Range { beta, .. }| beta);
-    let least = emission.literal(S::constant(least).to_f64());
-    let largest = if S::constant(most).is_finite() {
-        emission.literal(S::constant(most).to_f64())
-    } else {
-        code!(#scalar::INFINITY)
-    };
-    let exact_beyond = declared.beyond == Beyond::Exact;
-    let Reach {
-        always_continuous,
-        never_stuck,
-    } = tables.declared_reach(emission.scene);
-    let about = match (always_continuous, never_stuck) {
-        (true, true) => {
-            " Where the tables hold: at every r and β of these the motion is continuous."
-        }
-        (true, false) => {
-            " Where the tables hold: at every r and β of these the closed form is a steady state."
-        }
-        (false, true) => " Where the tables hold: at no r and β of these a stuck state exists.",
-        (false, false) => " Where the tables hold.",
-    };
-    code! {
-        #[doc = #about]
-        #[inline]
-        fn domain(&self) -> Domain<#scalar> {
-            Domain {
-                r: (#low, #high),
-                beta: (#least, #largest),
-                exact_beyond: #exact_beyond,
-                always_continuous: #always_continuous,
-                never_stuck: #never_stuck,
             }
         }
     }
@@ -339,16 +296,17 @@ fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
         format!(" {}{remedy}", tables.proof.told()),
         String::new(),
         format!(
-            " Operations at every r: a lookup of {}, {} additions and multiplications.",
-            comparisons(tables.index.halvings),
+            " Operations: at every r a lookup of {}, {} additions and multiplications.",
+            counted(tables.index.halvings as usize, "comparison"),
             tables.additions_and_multiplications(),
         ),
     ]
 }
 
-fn comparisons(count: u32) -> String {
+/// Returns a number with a noun, in the plural unless the number is 1.
+pub(super) fn counted(count: usize, noun: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
-    format!("{count} comparison{plural}")
+    format!("{count} {noun}{plural}")
 }
 
 fn sliding_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
@@ -360,7 +318,9 @@ fn sliding_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             about.push(format!(" {}", tables.sliding_proof.told()));
             about.push(String::new());
             about.push(format!(
-                " Operations: {plain} additions and multiplications, {divisions} divisions, {roots} roots.",
+                " Operations: {plain} additions and multiplications, {}, {}.",
+                counted(divisions, "division"),
+                counted(roots, "root"),
             ));
         }
         None => {

@@ -36,7 +36,7 @@ impl<'g> Tracer<'g> {
         let modes = &mut tracer.reduced.modes;
         let same = modes
             .iter()
-            .all(|mode| mode.residue.operand() == mode.inverse_mass.operand());
+            .all(|mode| mode.residue.operand() == mode.contact_squared.operand());
         for (number, mode) in (1..).zip(modes) {
             let named = |value: &mut Expr<'g>, field: &str| {
                 *value = constant(graph, &format!("constants_{number}.{field}"), *value);
@@ -47,11 +47,11 @@ impl<'g> Tracer<'g> {
             named(&mut mode.q_defect, "q_defect");
             named(&mut mode.load, "load");
             named(&mut mode.contact, "contact");
-            named(&mut mode.inverse_mass, "inverse_mass");
+            named(&mut mode.contact_squared, "contact_squared");
             named(&mut mode.static_residue, "static_residue");
             // Equal residues and inverse masses mean that V and H are the same sum.
             if same {
-                mode.residue = mode.inverse_mass;
+                mode.residue = mode.contact_squared;
             } else {
                 named(&mut mode.residue, "residue");
             }
@@ -232,6 +232,26 @@ fn constant<'g>(graph: &'g Graph, text: &str, value: Expr<'g>) -> Expr<'g> {
     match value {
         Expr::Number(value) => graph.constant(text, value),
         named @ Expr::Node(..) => named,
+    }
+}
+
+/// Returns the sums of a loop over the modes as inputs.
+pub(super) fn symbolic_sum(graph: &Graph, damped: bool) -> ContactAt<Expr<'_>> {
+    let of = |field: &str| graph.input(format!("sum.{field}"));
+    let if_damped = |field: &str| {
+        if damped {
+            of(field)
+        } else {
+            Expr::constant(0.0)
+        }
+    };
+    ContactAt {
+        scale: of("scale"),
+        v: Complex::new(of("v.re"), if_damped("v.im")),
+        u: of("u"),
+        g: if_damped("g"),
+        reversal: if_damped("reversal"),
+        h: Complex::new(of("h.re"), if_damped("h.im")),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Prints several alternatives of which the code evaluates one. Shared operations come before the choice.
 
+use super::count::Count;
 use super::print::{Printed, Printer};
 use super::{Graph, Id, Operand, Recorded, operands};
 use frictiongen_model::scene::Precision;
@@ -27,6 +28,15 @@ impl Alternative {
         let node = place.ok().and_then(|place| self.nodes.get(place));
         matches!(node, Some((_, _, same)) if same == name)
     }
+}
+
+/// Returns the operations of the alternative that has most.
+#[must_use]
+pub fn most_operations(graph: &Graph, alternatives: &[Alternative]) -> Count {
+    let counts = alternatives
+        .iter()
+        .map(|alternative| Count::of(graph, &alternative.outputs));
+    counts.max_by_key(Count::total).unwrap_or_default()
 }
 
 /// Groups equal alternatives, with all keys that lead to each.

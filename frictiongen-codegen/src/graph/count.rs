@@ -29,7 +29,13 @@ impl Count {
                 continue;
             }
             if let Some(kind) = kind(node) {
-                *count.0.entry(kind).or_default() += 1;
+                // The text repeats a comparison in each choice that depends on it.
+                let times = if matches!(node, Node::Select(..)) {
+                    2
+                } else {
+                    1
+                };
+                *count.0.entry(kind).or_default() += times;
             }
         }
         count
@@ -63,6 +69,9 @@ impl Count {
 /// Writes, for example, `12: 5 ×, 3 +, 2 ÷, 1 √, 1 sin_cos_pi`.
 impl std::fmt::Display for Count {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        if self.total() == 0 {
+            return f.write_str("none");
+        }
         write!(f, "{}", self.total())?;
         let mut parts: Vec<_> = self.0.iter().collect();
         parts.sort_by(|a, b| b.1.cmp(a.1).then(a.0.cmp(b.0)));
@@ -75,7 +84,9 @@ impl std::fmt::Display for Count {
 
 fn kind(node: &Node) -> Option<&'static str> {
     Some(match node {
-        Node::Input(_) | Node::Constant(..) | Node::Part(..) => return None,
+        Node::Input(_) | Node::Constant(..) | Node::Part(..) | Node::Less(..) | Node::IsZero(_) => {
+            return None;
+        }
         Node::Unary(Unary::Neg | Unary::Abs, _) | Node::Binary(Binary::Copysign, ..) => "sign",
         Node::Unary(Unary::Sqrt, _) => "√",
         Node::Unary(Unary::Exp, _) => "exp",
@@ -87,8 +98,6 @@ fn kind(node: &Node) -> Option<&'static str> {
         Node::Binary(Binary::Div, ..) => "÷",
         Node::Unary(Unary::DetuningOffPole | Unary::CosineOffPole, _)
         | Node::Binary(Binary::Max | Binary::Min, ..)
-        | Node::Less(..)
-        | Node::IsZero(_)
         | Node::Select(..) => "compare",
         Node::Binary(Binary::Atan2, ..) => "atan2",
         Node::Binary(Binary::Hypot, ..) => "hypot",

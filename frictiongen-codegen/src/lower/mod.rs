@@ -1,6 +1,7 @@
 //! Turns a parsed description into a scene with the tables and names that emitted code needs.
 
 mod limits;
+mod written;
 
 use core::fmt;
 
@@ -42,6 +43,8 @@ pub struct Description {
     pub mass_names: Vec<Ident>,
     /// The tables of a declared accuracy; `None` for an exact scene.
     pub tables: Option<SceneTables>,
+    /// The description as it was written, without the doc comments before the struct.
+    pub written: String,
 }
 
 impl Description {
@@ -122,11 +125,18 @@ impl fmt::Debug for Description {
 )]
 pub fn parse_tokens(tokens: TokenStream, limits: &Limits) -> Result<Description, Failure> {
     let mut problems = Problems::default();
+    let written = written::of_tokens(&tokens);
     let (syntax, sources) = tokens::parse(tokens, &mut problems);
-    lower(&syntax, &sources, limits, &mut problems).map_err(|partial| Failure {
-        errors: sources.errors(problems),
-        partial: *partial,
-    })
+    match lower(&syntax, &sources, limits, &mut problems) {
+        Ok(description) => Ok(Description {
+            written,
+            ..description
+        }),
+        Err(partial) => Err(Failure {
+            errors: sources.errors(problems),
+            partial: *partial,
+        }),
+    }
 }
 
 /// Reads a text in the language of the macro call. The names in the result carry the span of the
@@ -138,6 +148,10 @@ pub fn parse_text(text: &str, limits: &Limits) -> Result<Description, Diagnostic
     let mut problems = Problems::default();
     frictiongen_syntax::parse_text(text, &mut problems)
         .and_then(|syntax| lower(&syntax, &Sources::default(), limits, &mut problems).ok())
+        .map(|description| Description {
+            written: written::of_text(text),
+            ..description
+        })
         .ok_or_else(|| problems.into_diagnostics())
 }
 
@@ -187,6 +201,7 @@ fn lower(
                 .mass_names()
                 .map(|name| sources.ident(name))
                 .collect(),
+            written: String::new(),
         }),
         _ => Err(Box::new(partial(syntax, sources, header))),
     }

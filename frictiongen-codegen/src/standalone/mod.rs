@@ -16,6 +16,7 @@ mod units;
 
 pub use c::{c_header, c_name, c_source, c_tables, c_tables_name};
 pub use known::known_answers;
+pub(crate) use origin::rust_text;
 pub use origin::{NOTICE, Origin, scene_hash};
 pub use rust::rust_source;
 pub use units::UnitConstants;
@@ -220,7 +221,7 @@ impl Words {
 }
 
 /// The declared ranges as numbers of the file's scalar: r, then β.
-fn domain<S: Float>(scene: &Scene, tables: &Tables<S>) -> [(f64, f64); 2] {
+pub(crate) fn domain<S: Float>(scene: &Scene, tables: &Tables<S>) -> [(f64, f64); 2] {
     let round = |value: f64| S::constant(value).to_f64();
     let (low, high) = tables.request.r;
     let largest = if S::EPSILON > f64::EPSILON {

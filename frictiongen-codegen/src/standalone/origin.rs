@@ -22,22 +22,34 @@ pub fn scene_hash(scene: &Scene) -> String {
 }
 
 impl Origin<'_> {
-    /// Returns the lines at the head of a file.
-    fn lines(&self, scene: &Scene) -> Vec<String> {
-        let mut lines = vec![
+    /// Returns the lines that say which version and command made a file from which scene.
+    fn head(&self, scene: &Scene) -> [String; 3] {
+        [
             format!(
                 "{} {}: {NOTICE}.",
                 env!("CARGO_PKG_NAME").trim_end_matches("-codegen"),
                 env!("CARGO_PKG_VERSION")
             ),
             format!("Command: {}", self.command),
-            format!(
-                "Scene {} with the hash {}.  Its description:",
-                scene.name,
-                scene_hash(scene)
-            ),
-            String::new(),
-        ];
+            format!("Scene {} with the hash {}.", scene.name, scene_hash(scene)),
+        ]
+    }
+
+    /// Returns line comments in Rust without the description, for code whose documentation has the description.
+    #[must_use]
+    pub fn rust_head(&self, scene: &Scene) -> String {
+        let head = self.head(scene);
+        let lines = head.iter().map(|line| format!("// {}\n", rust_text(line)));
+        lines.collect()
+    }
+
+    /// Returns the lines at the head of a file.
+    fn lines(&self, scene: &Scene) -> Vec<String> {
+        let mut lines = self.head(scene).to_vec();
+        if let Some(last) = lines.last_mut() {
+            last.push_str("  Its description:");
+        }
+        lines.push(String::new());
         let text = self.description.trim_start_matches('\u{feff}').trim_end();
         lines.extend(text.lines().map(|line| format!("    {}", line.trim_end())));
         lines
@@ -91,7 +103,7 @@ pub(super) fn c_text(text: &str) -> String {
 
 /// Returns a text that may stand in a comment of Rust: without control characters, and without those that change the
 /// direction of a text, which the compiler refuses.
-fn rust_text(text: &str) -> String {
+pub(crate) fn rust_text(text: &str) -> String {
     let turns = |letter| matches!(letter, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     let mut out = String::new();
     for letter in text.chars() {

@@ -49,13 +49,13 @@ impl<S: Float> Chain<S> {
         for (mode, at) in modes.iter().zip(at) {
             let t = at.response.re;
             v_size = v_size + (mode.residue * t).abs();
-            h_size = h_size + mode.inverse_mass * t.abs();
+            h_size = h_size + mode.contact_squared * t.abs();
             slope_size = slope_size + (mode.residue * t * t).abs();
             let mut power = t;
             for (v_term, h_term) in v_terms.iter_mut().zip(&mut h_terms) {
                 power = power * t;
                 *v_term = *v_term + mode.residue * power;
-                *h_term = *h_term + mode.inverse_mass * power;
+                *h_term = *h_term + mode.contact_squared * power;
             }
         }
         let ([v1, v2, v3], [h1, h2, h3]) = (v_terms, h_terms);

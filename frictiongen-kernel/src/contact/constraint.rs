@@ -132,7 +132,7 @@ impl<S: Float> Chain<S> {
                 let at = core::slice::from_ref(at);
                 let above = S::constant(0.0);
                 let peak = self.constraint_above(contact, at, &[wave], start, above);
-                sum = sum + mode.inverse_mass * (start + peak.value);
+                sum = sum + mode.contact_squared * (start + peak.value);
             }
         }
         sum.max(self.break_away(contact))
@@ -254,7 +254,7 @@ fn fill<S: Float, D: Decay<S>>(
     debug_assert_eq!(modes.len(), at.len(), "every mode at this r");
     debug_assert_eq!(modes.len(), waves.len(), "a wave for each mode");
     for ((mode, at), wave) in modes.iter().zip(at).zip(waves) {
-        *wave = constraint_wave(mode, at, contact, mode.inverse_mass);
+        *wave = constraint_wave(mode, at, contact, mode.contact_squared);
     }
 }
 

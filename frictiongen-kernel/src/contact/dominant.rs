@@ -379,10 +379,10 @@ impl<S: Scalar> Chain<S> {
             ("h_term_im", "Im of the own term of H"),
         ];
         let quadrature = quadratures.of(index);
-        let h = complex::scale(at.response, mode.inverse_mass);
+        let h = complex::scale(at.response, mode.contact_squared);
         Terms {
             v: complex::named(self.load_term(mode, at, quadrature), V, Some(index)),
-            u: (mode.inverse_mass * at.u).named("u_term", "the own term of U", Some(index)),
+            u: (mode.contact_squared * at.u).named("u_term", "the own term of U", Some(index)),
             h: complex::named(h, H, Some(index)),
         }
     }

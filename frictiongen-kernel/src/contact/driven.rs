@@ -24,7 +24,7 @@ struct Driven<S> {
     /// Residue (φᵀw)(φᵀp) of the mode in the response V to the load. On a moving base the static residue (φᵀw)(φᵀp)/λ
     /// takes its place.
     load: S,
-    inverse_mass: S,
+    contact_squared: S,
 }
 
 /// The number x² − 1 and the damping function u of a mode. u is multiplied by R² and by |x² − 1|, not by the scale E of
@@ -49,7 +49,7 @@ impl<S: Scalar> Driven<S> {
         Self {
             resonance: zero,
             load: zero,
-            inverse_mass: zero,
+            contact_squared: zero,
         }
     }
 
@@ -66,8 +66,8 @@ impl<S: Scalar> Driven<S> {
         let response = scale / detuning;
         [
             response * self.load,
-            response * self.inverse_mass,
-            self.inverse_mass * (u * response.abs()),
+            response * self.contact_squared,
+            self.contact_squared * (u * response.abs()),
         ]
     }
 }
@@ -78,7 +78,7 @@ impl<S: Float> Driven<Lanes<S>> {
         Self {
             resonance: of(|mode| mode.resonance),
             load: of(|mode| mode.load),
-            inverse_mass: of(|mode| mode.inverse_mass),
+            contact_squared: of(|mode| mode.contact_squared),
         }
     }
 }
@@ -100,7 +100,7 @@ impl<S: Float> DrivenModes<S> {
             } else {
                 mode.residue
             },
-            inverse_mass: mode.inverse_mass,
+            contact_squared: mode.contact_squared,
         });
         let mut found = Self {
             pairs: [Driven::none(); PAIRS],
@@ -137,8 +137,8 @@ impl<S: Float> DrivenModes<S> {
                 let sign = S::constant(1.0).copysign(detuning);
                 let terms = [
                     sign * only.load,
-                    sign * only.inverse_mass,
-                    only.inverse_mass * u,
+                    sign * only.contact_squared,
+                    only.contact_squared * u,
                 ];
                 (detuning.abs(), terms)
             }

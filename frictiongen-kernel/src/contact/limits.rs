@@ -11,7 +11,7 @@ impl<S: Scalar + PartialEq> Chain<S> {
     #[must_use]
     pub fn loads_contact(&self, modes: &[Mode<S>]) -> bool {
         let mut modes = modes.iter();
-        self.on_moving_base.is_none() && modes.all(|mode| mode.residue == mode.inverse_mass)
+        self.on_moving_base.is_none() && modes.all(|mode| mode.residue == mode.contact_squared)
     }
 
     /// Returns true if the response V of the contact to the load equals its receptance H and if μ = 1. β*_lim =

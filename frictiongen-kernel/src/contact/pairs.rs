@@ -261,7 +261,7 @@ impl<S: Float, const N: usize> Mode<Lanes<S, N>> {
             load: of(|mode| mode.load),
             contact: of(|mode| mode.contact),
             residue: of(|mode| mode.residue),
-            inverse_mass: of(|mode| mode.inverse_mass),
+            contact_squared: of(|mode| mode.contact_squared),
             static_residue: of(|mode| mode.static_residue),
         }
     }

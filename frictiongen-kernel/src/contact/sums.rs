@@ -269,8 +269,8 @@ impl<S: Scalar> Chain<S> {
     ) -> ContactAt<S> {
         let mut term = ContactAt::zero(scale);
         term.v = self.load_term(mode, at, quadrature);
-        term.h = complex::scale(at.response, mode.inverse_mass);
-        term.u = mode.inverse_mass * at.u;
+        term.h = complex::scale(at.response, mode.contact_squared);
+        term.u = mode.contact_squared * at.u;
         if self.damped {
             let scale_over_size = if single {
                 S::constant(1.0)
@@ -278,9 +278,9 @@ impl<S: Scalar> Chain<S> {
                 scale / response.size
             };
             if with_g {
-                term.g = mode.inverse_mass * (at.g / (at.x * at.x));
+                term.g = mode.contact_squared * (at.g / (at.x * at.x));
             }
-            term.reversal = mode.inverse_mass * (response.reversal * scale_over_size);
+            term.reversal = mode.contact_squared * (response.reversal * scale_over_size);
         }
         term
     }

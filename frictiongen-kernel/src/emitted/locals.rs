@@ -21,18 +21,18 @@ locals! {
     buckets by_contact by_load chain channels choice choice_2 choice_3 coefficients constants_1
     constants_2 constants_3 constants_4 constants_5 constants_6 constants_7 constants_8 constants_9
     constants_10 constants_11 constants_12 constants_13 constants_14 constants_15 constants_16
-    constraint contact continuous continuous_at_infinity cosine damped decay_complement
+    constraint contact contact_squared continuous continuous_at_infinity cosine damped decay_complement
     decay_exponent decay_factor decay_minus_one denominator density detuning difference displacement
-    drag drive driven_im driven_re dt dynamics ends exact_beyond fall fall_per_force fast_decay
+    drag drive driven_im driven_re dt dynamics ends error exact_beyond fall fall_per_force fast_decay
     force forced forces frequency friction friction_quadrature friction_weight from from_base
     fundamental g g_2 g_scaled g_sum gain h h_im h_re half_decay_factor half_decay_minus_one
     half_turns halvings harmonic held held_back_im held_back_re held_loads im in_contact in_phase
     in_phase_over_v index input inverse inverse_im inverse_mass inverse_modulus inverse_nearness
-    inverse_norm inverse_r inverse_re inverse_size invisible kind lag last law least lift lines load
-    loads loss low magnitude mass mismatch_im mismatch_re mode mode_1 mode_2 mode_3 mode_4 mode_5
+    inverse_norm inverse_r inverse_re inverse_size invisible kind known lag largest last law least lift limits lines load
+    loads loss low magnitude mass masses mismatch_im mismatch_re mode mode_1 mode_2 mode_3 mode_4 mode_5
     mode_6 mode_7 mode_8 mode_9 mode_10 mode_11 mode_12 mode_13 mode_14 mode_15 mode_16 modes
     modulus_h modulus_v moments motion nearness_im nearness_re never_stuck numerator numerator_im
-    numerator_re of off omega on_base on_moving_base one_plus_factor orbit origin pace
+    numerator_re of off omega on_base on_moving_base one_plus_factor orbit origin own pace
     participations parts per_force phase pieces plain_cosine plain_detuning pole_weight product
     product_2 product_3 product_4 product_5 product_6 product_7 product_8 product_9 product_10
     product_11 product_12 product_13 product_14 product_15 product_16 product_17 product_18

@@ -44,6 +44,19 @@ pub trait AddOrbitToProvide {
     fn answer() -> Self::Answer;
 }
 
+/// Trait that no type implements. The method `self_check` requires it, if the scene does not list `self_check` under
+/// `provide`. A call then does not compile, and the message says what to add.
+#[diagnostic::on_unimplemented(
+    message = "this scene does not provide `self_check`",
+    label = "add `self_check` to the scene's `provide: [...]`"
+)]
+pub trait AddSelfCheckToProvide {
+    /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
+    type Answer;
+    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
+    fn answer() -> Self::Answer;
+}
+
 /// Trait that no type implements. The simulation methods require it, if the scene does not list `simulation` under
 /// `provide`. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
@@ -157,6 +170,9 @@ macro_rules! not_provided {
         $crate::not_provided!(
             @ $type of AddLimitsToProvide: at(T), limits_without_search(T), limits_into(T, U, V)
         );
+    };
+    (@ $type:ident self_check) => {
+        $crate::not_provided!(@ $type of AddSelfCheckToProvide: self_check());
     };
     (@ $type:ident stepper) => {
         $crate::not_provided!(@ $type of AddStepperToProvide: stepper(T), stepper_from(T, U));

@@ -1,5 +1,6 @@
 //! Items that emitted code imports, and items that are the same in every emitted scene.
 
+pub mod check;
 pub mod locals;
 pub mod missing;
 mod shapes;
@@ -110,6 +111,8 @@ macro_rules! scene_functions {
             ///
             /// # Errors
             /// `OutOfDomain` for NaN and negative r.  At r = 0 and r = ∞ the limits take their limiting values.
+            ///
+            /// Worst case: one division, and the operations of the frequency stage.
             #[inline]
             pub fn at(r: $scalar) -> ::core::result::Result<$at, $crate::errors::OutOfDomain> {
                 $crate::response::At::new(Self, r).map(::core::convert::From::from)
@@ -124,6 +127,9 @@ macro_rules! scene_functions {
             /// # Errors
             /// `OutOfDomain` for NaN and negative r, and out of the declared range, unless the scene declares
             /// `beyond: exact`.
+            ///
+            /// Worst case: comparisons of r with its range.  Beyond the range, if the scene declares `beyond: exact`, the
+            /// operations of the frequency stage.
             #[inline]
             pub fn at(r: $scalar) -> ::core::result::Result<$at, $crate::errors::OutOfDomain> {
                 $crate::table::Compiled::new(Self, r).map(::core::convert::From::from)
@@ -138,6 +144,9 @@ macro_rules! scene_functions {
             ///
             /// # Errors
             /// `OutOfDomain` for NaN and negative r.  At r = 0 and r = ∞ the limits take their limiting values.
+            ///
+            /// Worst case: the operations of the frequency stage without G, and of both formulas of limits.  Where masses may
+            /// act as an absorber, the stage once more with a sum over the modes.
             #[inline]
             pub fn limits_without_search(
                 r: $scalar,
@@ -151,6 +160,8 @@ macro_rules! scene_functions {
             /// # Errors
             /// `OutOfDomain` for slices of unequal lengths, before anything is written, and at the first r that `at`
             /// refuses, after the limits before it are written.
+            ///
+            /// Worst case: for each r the work of `at` and `limits`.
             pub fn limits_into(
                 rs: &[$scalar],
                 continuous: &mut [$scalar],

@@ -131,7 +131,7 @@ mod tests {
             load: one,
             contact: one,
             residue: one,
-            inverse_mass: one,
+            contact_squared: one,
             static_residue: one,
         }
     }

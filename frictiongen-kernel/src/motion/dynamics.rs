@@ -74,7 +74,7 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
     pub(crate) fn receptance(&self) -> S {
         let terms = self.driven().iter();
         terms.fold(S::constant(0.0), |sum, mode| {
-            sum + mode.inverse_mass / (mode.resonance * mode.resonance)
+            sum + mode.contact_squared / (mode.resonance * mode.resonance)
         })
     }
 

@@ -64,7 +64,7 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         let (mut load, receptance, mut drag) = (base * r * r, dynamics.receptance(), zero);
         for mode in dynamics.driven() {
             load = load + mode.residue;
-            drag = drag + (mode.zeta + mode.zeta) * mode.inverse_mass / mode.resonance;
+            drag = drag + (mode.zeta + mode.zeta) * mode.contact_squared / mode.resonance;
         }
         let quadratures = dynamics.driven().iter().zip(dynamics.quadratures());
         let quadrature = quadratures.fold(zero, |sum, (mode, [load, _])| {

@@ -49,7 +49,7 @@ pub struct Mode<S> {
     /// Residue (φᵀw)(φᵀp) of the mode from load to contact. It is λ times the static residue.
     pub residue: S,
     /// Square (φᵀw)², the term of this mode in the inverse effective mass m* of the contact.
-    pub inverse_mass: S,
+    pub contact_squared: S,
     /// Static residue (φᵀw)(φᵀp)/λ from load to contact: the term of this mode in the static displacement of the
     /// contact under the load.
     pub static_residue: S,

@@ -288,7 +288,7 @@ impl<S: Float> Chain<S> {
             return Wave::at_rest(at.x, decay);
         }
         let coefficients =
-            self.modal_coefficients(at, mode.inverse_mass, contact, friction, inverse_r, 0);
+            self.modal_coefficients(at, mode.contact_squared, contact, friction, inverse_r, 0);
         motion_wave(at.x, decay, coefficients)
     }
 

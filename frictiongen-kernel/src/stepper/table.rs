@@ -275,7 +275,7 @@ fn pace<S: Float, K: ContactChain<S>>(
     let rate = rate * span;
     let mut drag = zero;
     for mode in dynamics.driven() {
-        drag = drag + two * mode.zeta * mode.inverse_mass / mode.resonance;
+        drag = drag + two * mode.zeta * mode.contact_squared / mode.resonance;
     }
     let receptance = dynamics.receptance();
     Ok(Pace {

@@ -73,7 +73,7 @@ impl<S: Float> Quotient<'_, S> {
     /// Returns the absolute value of the function at r.
     #[inline(always)]
     #[must_use]
-    pub fn size(&self, r: S) -> S {
+    pub fn magnitude(&self, r: S) -> S {
         self.value(r).abs()
     }
 

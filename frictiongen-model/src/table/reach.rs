@@ -188,7 +188,13 @@ mod tests {
             let r = S::constant(low + (high - low) * share);
             let place = tables.pieces.partition_point(|piece| piece.from <= r);
             let limit = tables.pieces[place.saturating_sub(1)].value(0, r).to_f64();
-            let sliding = tables.sliding.as_ref().unwrap().quotient().size(r).to_f64();
+            let sliding = tables
+                .sliding
+                .as_ref()
+                .unwrap()
+                .quotient()
+                .magnitude(r)
+                .to_f64();
             least = [least[0].min(limit), least[1].min(sliding)];
         }
         least

@@ -106,6 +106,8 @@ scene_errors! {
         "an empty list provides nothing; write, for example, `[limits, motion]`",
     ProvidedTwice { item: String } =>
         "`{item}` is asked for twice; name it once",
+    ChecksNothing {} =>
+        "`self_check` compares the constants and answers of what a scene provides, and this list has nothing else; write, for example, `[limits, self_check]`",
     MotionOfNothing {} =>
         "`motion()` names no mass; write `motion` for all masses, or name some in the parentheses",
     AccuracyOutside { value: f64, finest: f64 } =>

@@ -14,6 +14,7 @@ pub const RESERVED: &[&str] = &[
     "frequency_ratio",
     "limits_into",
     "limits_without_search",
+    "self_check",
     "simulation",
     "simulation_from",
     "stepper",

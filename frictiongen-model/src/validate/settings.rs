@@ -107,6 +107,11 @@ fn check_provide(scene: &Scene, errors: &mut Vec<SceneError>) {
             path: Path::Provide(None),
         });
     }
+    if let [Provide::SelfCheck] = scene.provide.as_slice() {
+        errors.push(SceneError::ChecksNothing {
+            path: Path::Provide(Some(0)),
+        });
+    }
     let mut kinds = HashSet::new();
     for (index, item) in scene.provide.iter().enumerate() {
         let path = Path::Provide(Some(index));
@@ -135,6 +140,7 @@ pub(super) fn item_name(item: &Provide) -> &'static str {
         Provide::Orbit => "orbit",
         Provide::Simulation => "simulation",
         Provide::Stepper => "stepper",
+        Provide::SelfCheck => "self_check",
     }
 }
 

@@ -108,7 +108,8 @@ fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>
 /// simulation work with other laws.
 fn check_constant_level(scene: &Scene, errors: &mut Vec<SceneError>) {
     for (index, item) in scene.provide.iter().enumerate() {
-        if !matches!(item, Provide::Stepper | Provide::Simulation) {
+        let allowed = [Provide::Stepper, Provide::Simulation, Provide::SelfCheck];
+        if !allowed.contains(item) {
             errors.push(SceneError::NeedsConstantLevel {
                 path: Path::Provide(Some(index)),
                 item: item_name(item).to_owned(),

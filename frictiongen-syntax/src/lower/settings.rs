@@ -115,6 +115,7 @@ impl<'s> Lowering<'s, '_> {
                 ProvideKind::Orbit => Provide::Orbit,
                 ProvideKind::Simulation => Provide::Simulation,
                 ProvideKind::Stepper => Provide::Stepper,
+                ProvideKind::SelfCheck => Provide::SelfCheck,
             })
             .collect();
         (provide, list.entries.iter().collect())

@@ -11,13 +11,14 @@ use frictiongen_model::scene::DampingFrom;
 
 const DAMPING: [&str; 3] = ["none", "modal", "rayleigh"];
 /// The items that a scene can provide.
-const PROVIDE: [&str; 6] = [
+const PROVIDE: [&str; 7] = [
     "limits",
     "motion",
     "stuck",
     "orbit",
     "simulation",
     "stepper",
+    "self_check",
 ];
 
 /// Parses `rest` or `base`.
@@ -194,6 +195,7 @@ fn provide_item(
         "orbit" => ProvideKind::Orbit,
         "simulation" => ProvideKind::Simulation,
         "stepper" => ProvideKind::Stepper,
+        "self_check" => ProvideKind::SelfCheck,
         "motion" => ProvideKind::Motion(
             reader
                 .take_group(Delimiter::Parenthesis)

@@ -80,6 +80,7 @@ pub(crate) enum ProvideKind {
     Orbit,
     Simulation,
     Stepper,
+    SelfCheck,
 }
 
 pub(crate) enum AccuracyEntry {

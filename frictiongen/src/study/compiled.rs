@@ -230,7 +230,7 @@ impl<S: Float> Tabled for &CompiledSystem<'_, S> {
     }
     fn tabled_sliding_limit(&self, r: S) -> Option<S> {
         let product = self.tables.sliding.as_ref()?;
-        Some(product.quotient().size(r))
+        Some(product.quotient().magnitude(r))
     }
 }
 

@@ -56,7 +56,7 @@ const MODES: [Mode<f64>; 1] = [Mode {
     load: 1.0,
     contact: 1.0,
     residue: 1.0,
-    inverse_mass: 1.0,
+    contact_squared: 1.0,
     static_residue: 1.0,
 }];
 const HELD: [HeldMode<f64>; 0] = [];

@@ -25,7 +25,7 @@ pub mod values {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 
@@ -38,7 +38,7 @@ pub mod values {
             contact: b - d,
             excitation: c,
             damping: modal(0.01),
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 }
@@ -64,7 +64,7 @@ pub mod more_values {
             springs: { base - lower: 1190.0, lower - upper: 1323.0 },
             contact: upper - wall,
             excitation: base,
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 }
@@ -83,7 +83,7 @@ pub mod types {
             springs: { base - lower: 1190.0, lower - upper: 1323.0 },
             contact: upper - wall,
             excitation: base,
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 }
@@ -102,7 +102,7 @@ macro_rules! scenes {
                         contact: upper - wall,
                         excitation: base,
                         damping: modal[0.010, 0.012],
-                        provide: [limits, motion, stuck, orbit, simulation, stepper],
+                        provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
                     }
                 }
             }
@@ -128,7 +128,7 @@ pub mod deprecated {
             springs: { base - lower: 1190.0, lower - upper: 1323.0 },
             contact: upper - wall,
             excitation: base,
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 }
@@ -144,7 +144,7 @@ pub mod spelling {
             springs: { base - M1: 1190.0, M1 - M2: 1323.0 },
             contact: M2 - wall,
             excitation: base,
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 }

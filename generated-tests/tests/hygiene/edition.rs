@@ -31,7 +31,7 @@ friction::friction_system! {
         excitation: base,
         damping: modal[0.010, 0.012],
         stiction: 1.2,
-        provide: [limits, motion, stuck, orbit, simulation, stepper],
+        provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
     }
 }
 
@@ -44,7 +44,7 @@ friction::friction_system! {
         contact: b - d,
         excitation: c,
         scalar: f32,
-        provide: [limits, motion, stuck, orbit, simulation, stepper],
+        provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
     }
 }
 

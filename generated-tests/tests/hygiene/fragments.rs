@@ -15,7 +15,7 @@ macro_rules! scene {
                 contact: $upper - wall,
                 excitation: base,
                 damping: modal[0.010, 0.012],
-                provide: [limits, motion, stuck, orbit, simulation, stepper],
+                provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
             }
         }
     };
@@ -31,7 +31,7 @@ macro_rules! frame {
                 contact: upper - wall,
                 excitation: base,
                 damping: modal[0.010, 0.012],
-                provide: [limits, motion, stuck, orbit, simulation, stepper],
+                provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
             }
         }
     };
@@ -48,7 +48,7 @@ macro_rules! through_own_crate {
                 contact: upper - wall,
                 excitation: base,
                 damping: modal[0.010, 0.012],
-                provide: [limits, motion, stuck, orbit, simulation, stepper],
+                provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
             }
         }
     };
@@ -69,7 +69,7 @@ handed_on! {
         contact: upper - wall,
         excitation: base,
         damping: modal[0.010, 0.012],
-        provide: [limits, motion, stuck, orbit, simulation, stepper],
+        provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
     }
 }
 

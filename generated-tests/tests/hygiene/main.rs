@@ -30,7 +30,7 @@ friction_system! {
         contact: upper - wall,
         excitation: base,
         damping: modal[0.010, 0.012],
-        provide: [limits, motion, stuck, orbit, simulation, stepper],
+        provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
     }
 }
 

@@ -14,7 +14,7 @@ mod with_a_renamed_facade {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 }
@@ -35,7 +35,7 @@ mod without_a_prelude {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 
@@ -48,7 +48,7 @@ mod without_a_prelude {
             excitation: base,
             damping: modal(0.01),
             scalar: f32,
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 }
@@ -94,7 +94,7 @@ mod among_types_of_the_same_names {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 }
@@ -138,7 +138,7 @@ mod with_masses_called_like_variables {
             contact: r - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 
@@ -152,7 +152,7 @@ mod with_masses_called_like_variables {
             contact: mode_1 - limit,
             excitation: inverse_r,
             damping: modal(0.01),
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 
@@ -178,7 +178,7 @@ mod with_masses_called_like_variables {
             contact: name - wall,
             excitation: u,
             damping: modal(0.01),
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 }

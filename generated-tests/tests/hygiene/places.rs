@@ -11,7 +11,7 @@ mod hardly_used {
             springs: { base - lower: 1190.0, lower - upper: 1323.0 },
             contact: upper - wall,
             excitation: base,
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
 
@@ -47,7 +47,7 @@ fn scenes_side_by_side_and_inside_functions() {
             contact: upper - wall,
             excitation: base,
             damping: modal[0.010, 0.012],
-            provide: [limits, motion, stuck, orbit, simulation, stepper],
+            provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
         }
     }
     friction_system! {
@@ -84,7 +84,7 @@ mod seen_from {
                 contact: upper - wall,
                 excitation: base,
                 damping: modal[0.010, 0.012],
-                provide: [limits, motion, stuck, orbit, simulation, stepper],
+                provide: [limits, motion, stuck, orbit, simulation, stepper, self_check],
             }
         }
     }

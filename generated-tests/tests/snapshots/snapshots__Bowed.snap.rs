@@ -1,6 +1,26 @@
 /// Two masses that rub on each other, both loaded, with friction that falls with the speed.
 ///
-/// Emitted by frictiongen 0.1.0 from scene c81bd2c91e74e45a.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene c81bd2c91e74e45a.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct Bowed
+/// {
+///     masses: { string: 0.1, bow: 0.4 }, springs:
+///     { base - string: 400.0, string - wall: 100.0, bow - wall: 30.0 }, contact:
+///     string - bow, excitation: bow, damping: modal(0.02), stiction: 1.2,
+///     friction: stribeck(0.05: 0.6, 0.5: 0.3), provide: [stepper], force:
+///     { string }, step: 5e-4,
+/// }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `stepper(dt)` returns [`BowedStepper`], the motion by steps under any [`BowedInput`], with `advance(input)`, `contact()`, `string()` and `bow()`
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -76,6 +96,19 @@ pub struct BowedInput {
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Bowed {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0xc81b_d2c9_1e74_e45a;
+        /// k₁, the stiffness of the spring `base - string`: N/m, if springs are in N/m.
+        pub const K1: f64 = 400.0;
+        /// m₁, the mass `string`: kg, if masses are in kg.
+        pub const M1: f64 = 0.1;
+        /// √(k₁/m₁), by which angular frequencies are divided: rad/s.
+        const REFERENCE: f64 = 63.245553203367585;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f64; 2] = [
+            1.37832223855448,
+            11.253953951963826,
+        ];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [8.660254037844386, 70.71067811865476];
         /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
@@ -97,7 +130,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega / 63.245553203367585
+            omega / Self::REFERENCE
         }
         /// Returns β = F/P of a kinetic friction force F.  `load` is P, the amplitude of the force.
         #[inline]
@@ -133,7 +166,7 @@ const _: () = {
                     /// (φᵀp)(φᵀw)
                     residue: 0.25,
                     /// (φᵀw)², the term of m*
-                    inverse_mass: 0.25,
+                    contact_squared: 0.25,
                     /// (φᵀp)(φᵀw)/λ
                     static_residue: 13.333333333333334,
                 },
@@ -147,7 +180,7 @@ const _: () = {
                     load: 0.0,
                     contact: -1.0,
                     residue: 0.0,
-                    inverse_mass: 1.0,
+                    contact_squared: 1.0,
                     static_residue: 0.0,
                 },
             ],
@@ -193,9 +226,9 @@ const _: () = {
             /// factors to the units of the scene
             units: Units {
                 /// k₁
-                stiffness: 400.0,
+                stiffness: Self::K1,
                 /// √(k₁/m₁), rad/s
-                rate: 63.245553203367585,
+                rate: Self::REFERENCE,
                 /// sum of the springs to the base, over k₁
                 support: 1.0,
             },
@@ -241,7 +274,7 @@ const _: () = {
                 .map(From::from)
         }
     }
-    ::frictiongen::kernel::not_provided!(Bowed : limits, simulation);
+    ::frictiongen::kernel::not_provided!(Bowed : limits, simulation, self_check);
     ::frictiongen::kernel::wraps!(BowedStepper, FixedStepper of f64, 2, 2, 1, 2);
     impl BowedStepper {
         /// Sets the input at the start of the first step.  Without this call the input there is 0.

@@ -1,6 +1,30 @@
 /// Two masses and their limits, to a hundredth.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 54434a175b3a66b5.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene 54434a175b3a66b5.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct DeclaredLimits {
+///             masses: { lower: 1.0, upper: 1.0 },
+///             springs: { base - lower: 1.0, lower - upper: 1.0 },
+///             contact: upper - wall,
+///             excitation: lower,
+///             damping: modal(0.05),
+///             scalar: f32,
+///             provide: [limits],
+///             accuracy: 1e-2,
+///             range: { r: 0.5..2.0 },
+///         }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `at(r)` returns [`DeclaredLimitsAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -52,6 +76,14 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f32::consts::PI;
     impl DeclaredLimits {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0x5443_4a17_5b3a_66b5;
+        /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
+        pub const K1: f32 = 1.0;
+        /// m₁, the mass `lower`: kg, if masses are in kg.
+        pub const M1: f32 = 1.0;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f32; 2] = [0.09836316, 0.2575181];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f32; 2] = [0.618034, 1.618034];
         /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
@@ -106,7 +138,7 @@ const _: () = {
                 /// (φᵀp)(φᵀw)
                 residue: 0.4472136,
                 /// (φᵀw)², the term of m*
-                inverse_mass: 0.7236068,
+                contact_squared: 0.7236068,
                 /// (φᵀp)(φᵀw)/λ
                 static_residue: 1.1708204,
             },
@@ -120,7 +152,7 @@ const _: () = {
                 load: 0.8506508,
                 contact: -0.5257311,
                 residue: -0.4472136,
-                inverse_mass: 0.2763932,
+                contact_squared: 0.2763932,
                 static_residue: -0.1708204,
             },
         ];
@@ -255,22 +287,23 @@ const _: () = {
             let v_im = at_1.response.im * constants_1.residue
                 + at_2.response.im * constants_2.residue;
             /// Re H·r²E
-            let h_re = at_1.response.re * constants_1.inverse_mass
-                + at_2.response.re * constants_2.inverse_mass;
+            let h_re = at_1.response.re * constants_1.contact_squared
+                + at_2.response.re * constants_2.contact_squared;
             /// Im H·r²E
-            let h_im = at_1.response.im * constants_1.inverse_mass
-                + at_2.response.im * constants_2.inverse_mass;
+            let h_im = at_1.response.im * constants_1.contact_squared
+                + at_2.response.im * constants_2.contact_squared;
             /// U·r²E
-            let u = constants_1.inverse_mass * at_1.u
-                + constants_2.inverse_mass * at_2.u;
+            let u = constants_1.contact_squared * at_1.u
+                + constants_2.contact_squared * at_2.u;
             /// H_c·r²E
-            let reversal = constants_1.inverse_mass
+            let reversal = constants_1.contact_squared
                 * (mode_1.reversal * (scale / mode_1.size))
-                + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
+                + constants_2.contact_squared
+                    * (mode_2.reversal * (scale / mode_2.size));
             /// G·r²E
             let g_sum = if WITH_G {
-                constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
-                    + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
+                constants_1.contact_squared * (at_1.g / (at_1.x * at_1.x))
+                    + constants_2.contact_squared * (at_2.g / (at_2.x * at_2.x))
             } else {
                 0.0
             };
@@ -352,7 +385,7 @@ const _: () = {
         ///
         /// Proven at every r: at most 9.93e-3 off, the bound being largest at r = 1.5726152692115718.
         ///
-        /// Operations at every r: a lookup of 2 comparisons, 10 additions and multiplications.
+        /// Operations: at every r a lookup of 2 comparisons, 10 additions and multiplications.
         #[inline]
         fn tabled_limit(&self, r: f32) -> f32 {
             Self::TABLE.first(r)
@@ -361,14 +394,15 @@ const _: () = {
         ///
         /// Proven at every r: at most 7.36e-7 off, the bound being largest at r = 0.7281554190437972.
         ///
-        /// Operations: 12 additions and multiplications, 1 divisions, 1 roots.
+        /// Operations: 12 additions and multiplications, 1 division, 1 root.
         #[inline]
         fn tabled_sliding_limit(&self, r: f32) -> Option<f32> {
-            Some(Self::SLIDING_LIMIT.size(r))
+            Some(Self::SLIDING_LIMIT.magnitude(r))
         }
     }
     ::frictiongen::kernel::not_provided!(
-        DeclaredLimitsAt : motion, stuck, orbit; DeclaredLimits : simulation, stepper
+        DeclaredLimitsAt : motion, stuck, orbit; DeclaredLimits : simulation, stepper,
+        self_check
     );
     /// Tables: numbers alone, apart from the code that reads them.
     impl DeclaredLimits {

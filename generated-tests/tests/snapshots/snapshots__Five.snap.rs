@@ -1,6 +1,29 @@
 /// Five masses, damped: sums over modes are calls, the frequency stage is straight lines.
 ///
-/// Emitted by frictiongen 0.1.0 from scene fea12f32a4a7d13c.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene fea12f32a4a7d13c.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct Five
+/// {
+///     masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, m5: 1.0 }, springs:
+///     {
+///         base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - m5: 1.0
+///     }, contact: m1 - wall, excitation: m1, damping: modal(0.01), provide:
+///     [limits, motion(m5), stuck],
+/// }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `at(r)` returns [`FiveAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+/// * `at(r)?.motion(beta)` returns [`FiveMotion`], the continuous motion, with `contact()` and `m5()`
+/// * `at(r)?.stuck()` returns [`FiveStuck`], the response while the contact is stuck, with `contact_force()`, `m1()`, `m2()`, `m3()`, `m4()` and `m5()`
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -58,6 +81,20 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f64::consts::PI;
     impl Five {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0xfea1_2f32_a4a7_d13c;
+        /// k₁, the stiffness of the spring `base - m1`: N/m, if springs are in N/m.
+        pub const K1: f64 = 1.0;
+        /// m₁, the mass `m1`: kg, if masses are in kg.
+        pub const M1: f64 = 1.0;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f64; 5] = [
+            0.045300219973033976,
+            0.1322307055076684,
+            0.20844864568835733,
+            0.2677793162872051,
+            0.30541609922537755,
+        ];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 5] = [
             0.2846296765465703,
@@ -157,7 +194,7 @@ const _: () = {
                 /// (φᵀp)(φᵀw)
                 residue: 0.028862994030694332,
                 /// (φᵀw)², the term of m*
-                inverse_mass: 0.028862994030694332,
+                contact_squared: 0.028862994030694332,
                 /// (φᵀp)(φᵀw)/λ
                 static_residue: 0.35627144974809044,
             },
@@ -171,7 +208,7 @@ const _: () = {
                 load: 0.4557341406552499,
                 contact: 0.4557341406552499,
                 residue: 0.20769360695877911,
-                inverse_mass: 0.20769360695877911,
+                contact_squared: 0.20769360695877911,
                 static_residue: 0.30088376980823367,
             },
             Mode {
@@ -184,7 +221,7 @@ const _: () = {
                 load: 0.5968847876668415,
                 contact: 0.5968847876668415,
                 residue: 0.35627144974809044,
-                inverse_mass: 0.35627144974809044,
+                contact_squared: 0.35627144974809044,
                 static_residue: 0.20769360695877911,
             },
             Mode {
@@ -197,7 +234,7 @@ const _: () = {
                 load: 0.5485287319805897,
                 contact: 0.5485287319805897,
                 residue: 0.30088376980823367,
-                inverse_mass: 0.30088376980823367,
+                contact_squared: 0.30088376980823367,
                 static_residue: 0.10628817945420246,
             },
             Mode {
@@ -210,7 +247,7 @@ const _: () = {
                 load: 0.32601867960931696,
                 contact: 0.32601867960931696,
                 residue: 0.10628817945420246,
-                inverse_mass: 0.10628817945420246,
+                contact_squared: 0.10628817945420246,
                 static_residue: 0.028862994030694332,
             },
         ];
@@ -413,9 +450,12 @@ const _: () = {
             1.0
         }
     }
-    ::frictiongen::kernel::not_provided!(FiveAt : orbit; Five : simulation, stepper);
+    ::frictiongen::kernel::not_provided!(
+        FiveAt : orbit; Five : simulation, stepper, self_check
+    );
     ::frictiongen::kernel::left_out!(FiveMotion : m1, m2, m3, m4);
-    /// The motions are those of the kernel, which sums over the modes in loops.
+    /// The motions are those of the kernel, which sums over the modes in loops.  Worst case: a fixed number of operations
+    /// for each mode.  No search is made before an amplitude or a phase is asked for.
     impl ProvidesMotion for Five {
         type Motion = FiveMotion;
     }
@@ -427,7 +467,8 @@ const _: () = {
             self.mass(4)
         }
     }
-    /// The responses are those of the kernel, which sums over the modes in loops.
+    /// The responses are those of the kernel, which sums over the modes in loops.  Worst case: a fixed number of
+    /// operations for each mode, without a search.
     impl ProvidesStuck for Five {
         type Stuck = FiveStuck;
     }

@@ -1,6 +1,25 @@
 /// The two limits alone.
 ///
-/// Emitted by frictiongen 0.1.0 from scene c884e1ff1edbc4b7.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene c884e1ff1edbc4b7.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct LimitsOnly
+/// {
+///     masses: { lower: 1.0, upper: 1.0 }, springs:
+///     { base - lower: 1.0, lower - upper: 1.0 }, contact: upper - wall,
+///     excitation: lower, scalar: f32, provide: [limits],
+/// }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `at(r)` returns [`LimitsOnlyAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -51,6 +70,14 @@ pub struct LimitsOnlyAt(::frictiongen::kernel::response::At<LimitsOnly>);
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl LimitsOnly {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0xc884_e1ff_1edb_c4b7;
+        /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
+        pub const K1: f32 = 1.0;
+        /// m₁, the mass `lower`: kg, if masses are in kg.
+        pub const M1: f32 = 1.0;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f32; 2] = [0.09836316, 0.2575181];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f32; 2] = [0.618034, 1.618034];
         /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
@@ -105,7 +132,7 @@ const _: () = {
                 /// (φᵀp)(φᵀw)
                 residue: 0.4472136,
                 /// (φᵀw)², the term of m*
-                inverse_mass: 0.7236068,
+                contact_squared: 0.7236068,
                 /// (φᵀp)(φᵀw)/λ
                 static_residue: 1.1708204,
             },
@@ -119,7 +146,7 @@ const _: () = {
                 load: 0.8506508,
                 contact: -0.5257311,
                 residue: -0.4472136,
-                inverse_mass: 0.2763932,
+                contact_squared: 0.2763932,
                 static_residue: -0.1708204,
             },
         ];
@@ -199,11 +226,11 @@ const _: () = {
             let v_re = at_1.response.re * constants_1.residue
                 + at_2.response.re * constants_2.residue;
             /// Re H·r²E
-            let h_re = at_1.response.re * constants_1.inverse_mass
-                + at_2.response.re * constants_2.inverse_mass;
+            let h_re = at_1.response.re * constants_1.contact_squared
+                + at_2.response.re * constants_2.contact_squared;
             /// U·r²E
-            let u = constants_1.inverse_mass * at_1.u
-                + constants_2.inverse_mass * at_2.u;
+            let u = constants_1.contact_squared * at_1.u
+                + constants_2.contact_squared * at_2.u;
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: 0.0 },
@@ -232,7 +259,7 @@ const _: () = {
         }
         /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
         ///
-        /// Operations: 0.
+        /// Operations: none.
         #[inline]
         fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
             contact.scale
@@ -261,6 +288,6 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(
-        LimitsOnlyAt : motion, stuck, orbit; LimitsOnly : simulation, stepper
+        LimitsOnlyAt : motion, stuck, orbit; LimitsOnly : simulation, stepper, self_check
     );
 };

@@ -1,6 +1,27 @@
 /// The motion of one of three masses.
 ///
-/// Emitted by frictiongen 0.1.0 from scene ea06a74d57d04d3a.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene ea06a74d57d04d3a.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct OneMotion
+/// {
+///     masses: { m1: 1.0, m2: 2.0, m3: 0.7 }, springs:
+///     { base - m1: 1.0, m1 - m2: 0.4, m2 - m3: 1.5 }, contact: m2 - wall,
+///     excitation: base, damping: modal[0.01, 0.02, 0.03], stiction: 1.5,
+///     provide: [motion(m3)],
+/// }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `at(r)` returns [`OneMotionAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+/// * `at(r)?.motion(beta)` returns [`OneMotionMotion`], the continuous motion, with `contact()` and `m3()`
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -55,6 +76,18 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f64::consts::PI;
     impl OneMotion {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0xea06_a74d_57d0_4d3a;
+        /// k₁, the stiffness of the spring `base - m1`: N/m, if springs are in N/m.
+        pub const K1: f64 = 1.0;
+        /// m₁, the mass `m1`: kg, if masses are in kg.
+        pub const M1: f64 = 1.0;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f64; 3] = [
+            0.05063534857074321,
+            0.19027420769192357,
+            0.27392916652829147,
+        ];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 3] = [
             0.3181512781636106,
@@ -118,7 +151,7 @@ const _: () = {
                 /// (φᵀp)(φᵀw)
                 residue: 0.10746102403131443,
                 /// (φᵀw)², the term of m*
-                inverse_mass: 0.3489205086309713,
+                contact_squared: 0.3489205086309713,
                 /// (φᵀp)(φᵀw)/λ
                 static_residue: 1.0616555393793272,
             },
@@ -132,7 +165,7 @@ const _: () = {
                 load: 0.9784361822489328,
                 contact: -0.0716397579987311,
                 residue: -0.0700949313135159,
-                inverse_mass: 0.005132254926116756,
+                contact_squared: 0.005132254926116756,
                 static_residue: -0.049041871312543166,
             },
             Mode {
@@ -145,7 +178,7 @@ const _: () = {
                 load: 0.09780920955001465,
                 contact: -0.3820304129816263,
                 residue: -0.037366092717798526,
-                inverse_mass: 0.14594723644291194,
+                contact_squared: 0.14594723644291194,
                 static_residue: -0.012613668066784031,
             },
         ];
@@ -337,10 +370,11 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(
-        OneMotionAt : stuck, orbit; OneMotion : simulation, stepper
+        OneMotionAt : stuck, orbit; OneMotion : simulation, stepper, self_check
     );
     ::frictiongen::kernel::left_out!(OneMotionMotion : m1, m2);
-    /// The motions are those of the kernel, which sums over the modes in loops.
+    /// The motions are those of the kernel, which sums over the modes in loops.  Worst case: a fixed number of operations
+    /// for each mode.  No search is made before an amplitude or a phase is asked for.
     impl ProvidesMotion for OneMotion {
         type Motion = OneMotionMotion;
     }

@@ -1,6 +1,23 @@
 /// One mass under a force that is held over a step, in single precision.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 41220f0eb63f241c.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene 41220f0eb63f241c.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct Pushed
+/// {
+///     masses: { block: 0.5 }, springs: { base - block: 200.0 }, contact: block -
+///     wall, excitation: block, scalar: f32, provide: [stepper], input: hold,
+/// }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `stepper(dt)` returns [`PushedStepper`], the motion by steps under any [`PushedInput`], with `advance(input)`, `contact()` and `block()`
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -74,6 +91,16 @@ pub struct PushedInput {
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Pushed {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0x4122_0f0e_b63f_241c;
+        /// k₁, the stiffness of the spring `base - block`: N/m, if springs are in N/m.
+        pub const K1: f32 = 200.0;
+        /// m₁, the mass `block`: kg, if masses are in kg.
+        pub const M1: f32 = 0.5;
+        /// √(k₁/m₁), by which angular frequencies are divided: rad/s.
+        const REFERENCE: f32 = 20.0;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f32; 1] = [3.1830988];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f32; 1] = [20.0];
         /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
@@ -95,7 +122,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f32) -> f32 {
-            omega / 20.0
+            omega / Self::REFERENCE
         }
         /// Returns β = F/P of a kinetic friction force F.  `load` is P, the amplitude of the force.
         #[inline]
@@ -131,7 +158,7 @@ const _: () = {
                     /// (φᵀp)(φᵀw)
                     residue: 1.0,
                     /// (φᵀw)², the term of m*
-                    inverse_mass: 1.0,
+                    contact_squared: 1.0,
                     /// (φᵀp)(φᵀw)/λ
                     static_residue: 1.0,
                 },
@@ -154,9 +181,9 @@ const _: () = {
             /// factors to the units of the scene
             units: Units {
                 /// k₁
-                stiffness: 200.0,
+                stiffness: Self::K1,
                 /// √(k₁/m₁), rad/s
-                rate: 20.0,
+                rate: Self::REFERENCE,
                 /// sum of the springs to the base, over k₁
                 support: 1.0,
             },
@@ -199,7 +226,7 @@ const _: () = {
                 .map(From::from)
         }
     }
-    ::frictiongen::kernel::not_provided!(Pushed : limits, simulation);
+    ::frictiongen::kernel::not_provided!(Pushed : limits, simulation, self_check);
     ::frictiongen::kernel::wraps!(PushedStepper, FixedStepper of f32, 1, 1, 0, 1);
     impl PushedStepper {
         /// Sets the input at the start of the first step.  Without this call the input there is 0.

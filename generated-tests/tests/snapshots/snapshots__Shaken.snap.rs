@@ -1,6 +1,25 @@
 /// Two masses on a moving base, by steps of a millisecond: constant tables, and nothing at a frequency.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 091ff501af35821c.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene 091ff501af35821c.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct Shaken
+/// {
+///     masses: { lower: 3.27, upper: 3.25 }, springs:
+///     { base - lower: 1190.0, lower - upper: 1323.0 }, contact: upper - wall,
+///     excitation: base, damping: modal[0.010, 0.012], stiction: 1.2, provide:
+///     [stepper], step: 1e-3,
+/// }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `stepper(dt)` returns [`ShakenStepper`], the motion by steps under any [`ShakenInput`], with `advance(input)`, `contact()`, `lower()` and `upper()`
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -76,6 +95,19 @@ pub struct ShakenInput {
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Shaken {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0x091f_f501_af35_821c;
+        /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
+        pub const K1: f64 = 1190.0;
+        /// m₁, the mass `lower`: kg, if masses are in kg.
+        pub const M1: f64 = 3.27;
+        /// √(k₁/m₁), by which angular frequencies are divided: rad/s.
+        const REFERENCE: f64 = 19.07653986153372;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f64; 2] = [
+            1.9068239289554347,
+            5.112902557500495,
+        ];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
             11.980928093791238,
@@ -103,7 +135,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega / 19.07653986153372
+            omega / Self::REFERENCE
         }
         /// Returns β = F/(k₁Y) of a kinetic friction force F.  `load` is k₁Y, with Y the amplitude of the base motion.
         #[inline]
@@ -139,7 +171,7 @@ const _: () = {
                     /// (φᵀp)(φᵀw)
                     residue: 0.4581655031275231,
                     /// (φᵀw)², the term of m*
-                    inverse_mass: 0.7077204516696252,
+                    contact_squared: 0.7077204516696252,
                     /// (φᵀp)(φᵀw)/λ
                     static_residue: 1.1615573893435114,
                 },
@@ -153,7 +185,7 @@ const _: () = {
                     load: 0.8386846166563378,
                     contact: -0.5462905769681745,
                     residue: -0.4581655031275231,
-                    inverse_mass: 0.298433394484221,
+                    contact_squared: 0.298433394484221,
                     static_residue: -0.16155738934351133,
                 },
             ],
@@ -204,9 +236,9 @@ const _: () = {
             /// factors to the units of the scene
             units: Units {
                 /// k₁
-                stiffness: 1190.0,
+                stiffness: Self::K1,
                 /// √(k₁/m₁), rad/s
-                rate: 19.07653986153372,
+                rate: Self::REFERENCE,
                 /// sum of the springs to the base, over k₁
                 support: 1.0,
             },
@@ -252,7 +284,7 @@ const _: () = {
                 .map(From::from)
         }
     }
-    ::frictiongen::kernel::not_provided!(Shaken : limits, simulation);
+    ::frictiongen::kernel::not_provided!(Shaken : limits, simulation, self_check);
     ::frictiongen::kernel::wraps!(ShakenStepper, FixedStepper of f64, 4, 2, 1, 1);
     impl ShakenStepper {
         /// Sets the input at the start of the first step.  Without this call the input there is 0.

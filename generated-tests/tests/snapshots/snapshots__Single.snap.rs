@@ -1,6 +1,26 @@
 /// Single precision.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 3c6b3b16c9451275.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene 3c6b3b16c9451275.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct Single
+/// {
+///     masses: { lower: 1.0, upper: 1.0 }, springs:
+///     { base - lower: 1.0, lower - upper: 1.0 }, contact: upper - wall,
+///     excitation: lower, scalar: f32,
+/// }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `at(r)` returns [`SingleAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+/// * `at(r)?.motion(beta)` returns [`SingleMotion`], the continuous motion, with `contact()`, `lower()` and `upper()`
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -54,6 +74,14 @@ pub struct SingleMotion(::frictiongen::kernel::response::Continuous<Single>);
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Single {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0x3c6b_3b16_c945_1275;
+        /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
+        pub const K1: f32 = 1.0;
+        /// m₁, the mass `lower`: kg, if masses are in kg.
+        pub const M1: f32 = 1.0;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f32; 2] = [0.09836316, 0.2575181];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f32; 2] = [0.618034, 1.618034];
         /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
@@ -108,7 +136,7 @@ const _: () = {
                 /// (φᵀp)(φᵀw)
                 residue: 0.4472136,
                 /// (φᵀw)², the term of m*
-                inverse_mass: 0.7236068,
+                contact_squared: 0.7236068,
                 /// (φᵀp)(φᵀw)/λ
                 static_residue: 1.1708204,
             },
@@ -122,7 +150,7 @@ const _: () = {
                 load: 0.8506508,
                 contact: -0.5257311,
                 residue: -0.4472136,
-                inverse_mass: 0.2763932,
+                contact_squared: 0.2763932,
                 static_residue: -0.1708204,
             },
         ];
@@ -204,11 +232,11 @@ const _: () = {
             let v_re = at_1.response.re * constants_1.residue
                 + at_2.response.re * constants_2.residue;
             /// Re H·r²E
-            let h_re = at_1.response.re * constants_1.inverse_mass
-                + at_2.response.re * constants_2.inverse_mass;
+            let h_re = at_1.response.re * constants_1.contact_squared
+                + at_2.response.re * constants_2.contact_squared;
             /// U·r²E
-            let u = constants_1.inverse_mass * at_1.u
-                + constants_2.inverse_mass * at_2.u;
+            let u = constants_1.contact_squared * at_1.u
+                + constants_2.contact_squared * at_2.u;
             let contact = ContactAt {
                 scale,
                 v: Complex { re: v_re, im: 0.0 },
@@ -237,7 +265,7 @@ const _: () = {
         }
         /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
         ///
-        /// Operations: 0.
+        /// Operations: none.
         #[inline]
         fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
             contact.scale
@@ -266,13 +294,16 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(
-        SingleAt : stuck, orbit; Single : simulation, stepper
+        SingleAt : stuck, orbit; Single : simulation, stepper, self_check
     );
     impl ProvidesMotion for Single {
         type Motion = SingleMotion;
         /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
         ///
         /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
+        ///
+        /// Operations: 12: 12 ×.
+        /// The kernel adds one wave for each of 2 modes.  No search is made before an amplitude or a phase is asked for.
         fn contact_motion(at: &At<Self>, friction: &Friction<f32>) -> MotionOf<Self> {
             let inverse_r = at.inverse_ratio();
             let contact = at.contact_sums();
@@ -281,13 +312,13 @@ const _: () = {
             /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
             /// β/(r²E)·φ_k(φᵀw)
-            let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
+            let mode_1_friction_force = friction_weight * constants_1.contact_squared;
             /// coefficient of (1 − d)/x²
             let mode_1_rise = mode_1_friction_force * contact.scale;
             /// coefficient of sin τ − Rq̃
             let mode_1_forced = mode_1_friction_force * mode_1.u;
             /// β/(r²E)·φ_k(φᵀw)
-            let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
+            let mode_2_friction_force = friction_weight * constants_2.contact_squared;
             /// coefficient of (1 − d)/x²
             let mode_2_rise = mode_2_friction_force * contact.scale;
             /// coefficient of sin τ − Rq̃
@@ -308,7 +339,7 @@ const _: () = {
                         rise: mode_1_rise,
                         fall: 0.0,
                         forced: mode_1_forced,
-                        harmonic: constants_1.inverse_mass * inverse_r * inverse_r,
+                        harmonic: constants_1.contact_squared * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
@@ -318,7 +349,7 @@ const _: () = {
                         rise: mode_2_rise,
                         fall: 0.0,
                         forced: mode_2_forced,
-                        harmonic: constants_2.inverse_mass * inverse_r * inverse_r,
+                        harmonic: constants_2.contact_squared * inverse_r * inverse_r,
                     },
                 ),
             ];
@@ -328,6 +359,9 @@ const _: () = {
         ///
         /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
         /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
+        ///
+        /// Operations: 49: 34 ×, 8 compare, 4 +, 2 sign, 1 ÷.
+        /// The kernel adds one wave for each of 2 modes.  No search is made before an amplitude or a phase is asked for.
         fn mass_motion(
             at: &At<Self>,
             friction: &Friction<f32>,
@@ -344,13 +378,13 @@ const _: () = {
             /// Re of the own term of V
             let mode_2_v_term_re = mode_2.response.re * constants_2.residue;
             /// the own term of U
-            let mode_2_u_term = constants_2.inverse_mass * mode_2.u;
+            let mode_2_u_term = constants_2.contact_squared * mode_2.u;
             /// U without the own term, or all of it for x < 1/2
             let mode_1_u_others = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
             /// Re of the own term of V
             let mode_1_v_term_re = mode_1.response.re * constants_1.residue;
             /// the own term of U
-            let mode_1_u_term = constants_1.inverse_mass * mode_1.u;
+            let mode_1_u_term = constants_1.contact_squared * mode_1.u;
             /// U without the own term, or all of it for x < 1/2
             let mode_2_u_others = if mode_2.x < 0.5 { contact.u } else { mode_1_u_term };
             /// φ_k(φᵀp), from the load to mass k

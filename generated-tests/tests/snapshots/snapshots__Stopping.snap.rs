@@ -1,6 +1,28 @@
 /// The motion in time and the steady state in any regime.
 ///
-/// Emitted by frictiongen 0.1.0 from scene eedbe5be51e36513.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene eedbe5be51e36513.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct Stopping
+/// {
+///     masses: { lower: 1.0, upper: 0.9 }, springs:
+///     { base - lower: 1.0, lower - upper: 1.1 }, contact: upper - wall,
+///     excitation: base, damping: modal[0.010, 0.012], stiction: 1.2, provide:
+///     [orbit, simulation],
+/// }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `at(r)` returns [`StoppingAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+/// * `at(r)?.orbit(beta)` returns [`StoppingOrbit`], the steady state in any regime, with `contact()`, `lower()` and `upper()`
+/// * `simulation(r, beta)` returns [`StoppingSimulation`], the motion in time from event to event, with `next()`, `lower()` and `upper()`
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -18,6 +40,8 @@ pub struct Stopping;
 #[allow(deprecated, non_camel_case_types)]
 pub struct StoppingAt(::frictiongen::kernel::response::At<Stopping>);
 /// Exact motion of [`Stopping`] in time, from event to event.  `next` returns its segments.
+///
+/// Worst case of `next`: 4000 steps of the search for the end of a segment, each a sum over at most 3 modes; of `advance` two segments.
 #[allow(deprecated, non_camel_case_types)]
 pub struct StoppingSimulation(
     ::frictiongen::kernel::simulation::FixedSimulation<::core::primitive::f64, 3>,
@@ -66,6 +90,17 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f64::consts::PI;
     impl Stopping {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0xeedb_e5be_51e3_6513;
+        /// k₁, the stiffness of the spring `base - lower`: N/m, if springs are in N/m.
+        pub const K1: f64 = 1.0;
+        /// m₁, the mass `lower`: kg, if masses are in kg.
+        pub const M1: f64 = 1.0;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f64; 2] = [
+            0.10330684532859413,
+            0.2710729932653975,
+        ];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [
             0.6490960526996967,
@@ -123,7 +158,7 @@ const _: () = {
                 /// (φᵀp)(φᵀw)
                 residue: 0.4929168375036549,
                 /// (φᵀw)², the term of m*
-                inverse_mass: 0.7522243947615592,
+                contact_squared: 0.7522243947615592,
                 /// (φᵀp)(φᵀw)/λ
                 static_residue: 1.1699187927890582,
             },
@@ -137,7 +172,7 @@ const _: () = {
                 load: 0.8228012854179333,
                 contact: -0.5990715452678017,
                 residue: -0.4929168375036549,
-                inverse_mass: 0.3588867163495518,
+                contact_squared: 0.3588867163495518,
                 static_residue: -0.16991879278905825,
             },
         ];
@@ -272,22 +307,23 @@ const _: () = {
             let v_im = at_1.response.im * constants_1.residue
                 + at_2.response.im * constants_2.residue;
             /// Re H·r²E
-            let h_re = at_1.response.re * constants_1.inverse_mass
-                + at_2.response.re * constants_2.inverse_mass;
+            let h_re = at_1.response.re * constants_1.contact_squared
+                + at_2.response.re * constants_2.contact_squared;
             /// Im H·r²E
-            let h_im = at_1.response.im * constants_1.inverse_mass
-                + at_2.response.im * constants_2.inverse_mass;
+            let h_im = at_1.response.im * constants_1.contact_squared
+                + at_2.response.im * constants_2.contact_squared;
             /// U·r²E
-            let u = constants_1.inverse_mass * at_1.u
-                + constants_2.inverse_mass * at_2.u;
+            let u = constants_1.contact_squared * at_1.u
+                + constants_2.contact_squared * at_2.u;
             /// H_c·r²E
-            let reversal = constants_1.inverse_mass
+            let reversal = constants_1.contact_squared
                 * (mode_1.reversal * (scale / mode_1.size))
-                + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
+                + constants_2.contact_squared
+                    * (mode_2.reversal * (scale / mode_2.size));
             /// G·r²E
             let g_sum = if WITH_G {
-                constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
-                    + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
+                constants_1.contact_squared * (at_1.g / (at_1.x * at_1.x))
+                    + constants_2.contact_squared * (at_2.g / (at_2.x * at_2.x))
             } else {
                 0.0
             };
@@ -415,7 +451,9 @@ const _: () = {
             modulus_v / (Self::CHAIN.stiction * modulus_h)
         }
     }
-    ::frictiongen::kernel::not_provided!(StoppingAt : motion, stuck; Stopping : stepper);
+    ::frictiongen::kernel::not_provided!(
+        StoppingAt : motion, stuck; Stopping : stepper, self_check
+    );
     ::frictiongen::kernel::wraps!(StoppingSimulation, FixedSimulation of f64, 3);
     impl StoppingSimulation {
         /// Displacement and velocity of mass `lower` at the present instant.

@@ -1,6 +1,35 @@
 /// Seventeen masses: passes over the modes instead of straight lines.
 ///
-/// Emitted by frictiongen 0.1.0 from scene fc6191d9cb991d4e.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene fc6191d9cb991d4e.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct Tall
+/// {
+///     masses:
+///     {
+///         m1: 1, m2: 1, m3: 1, m4: 1, m5: 1, m6: 1, m7: 1, m8: 1, m9: 1, m10: 1,
+///         m11: 1, m12: 1, m13: 1, m14: 1, m15: 1, m16: 1, m17: 1,
+///     }, springs:
+///     {
+///         base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1, m5 - m6:
+///         1, m6 - m7: 1, m7 - m8: 1, m8 - m9: 1, m9 - m10: 1, m10 - m11: 1, m11
+///         - m12: 1, m12 - m13: 1, m13 - m14: 1, m14 - m15: 1, m15 - m16: 1, m16
+///         - m17: 1,
+///     }, contact: m2 - wall, excitation: m1, damping: modal(0.02), provide:
+///     [limits, motion(m3)],
+/// }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `at(r)` returns [`TallAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+/// * `at(r)?.motion(beta)` returns [`TallMotion`], the continuous motion, with `contact()` and `m3()`
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -55,6 +84,32 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f64::consts::PI;
     impl Tall {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0xfc61_91d9_cb99_1d4e;
+        /// k₁, the stiffness of the spring `base - m1`: N/m, if springs are in N/m.
+        pub const K1: f64 = 1.0;
+        /// m₁, the mass `m1`: kg, if masses are in kg.
+        pub const M1: f64 = 1.0;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f64; 17] = [
+            0.014280919042527483,
+            0.04272777556449644,
+            0.07083061316114524,
+            0.09836316430834662,
+            0.12510375309314115,
+            0.15083708001784535,
+            0.1753559554650126,
+            0.19846296786640766,
+            0.21997207314487777,
+            0.2397100926318698,
+            0.25751810740024195,
+            0.27325273778602244,
+            0.2867872977971578,
+            0.29801281511463074,
+            0.3068389084734983,
+            0.3131945153596938,
+            0.3170284641636058,
+        ];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 17] = [
             0.08972966070102985,
@@ -466,7 +521,7 @@ const _: () = {
                 /// (φᵀp)(φᵀw)
                 residue: 0.0018292247599648993,
                 /// (φᵀw)², the term of m*
-                inverse_mass: 0.0036437216777293023,
+                contact_squared: 0.0036437216777293023,
                 /// (φᵀp)(φᵀw)/λ
                 static_residue: 0.22719303866223473,
             },
@@ -480,7 +535,7 @@ const _: () = {
                 load: 0.0899368687780915,
                 contact: 0.1733916026187133,
                 residue: 0.015594297811942206,
-                inverse_mass: 0.03006464785868579,
+                contact_squared: 0.03006464785868579,
                 static_residue: 0.21636425799963271,
             },
             Mode {
@@ -493,7 +548,7 @@ const _: () = {
                 load: 0.14667947526908878,
                 contact: 0.2643072815554236,
                 residue: 0.03876845336834884,
-                inverse_mass: 0.06985833908321797,
+                contact_squared: 0.06985833908321797,
                 static_residue: 0.19573871643791838,
             },
             Mode {
@@ -506,7 +561,7 @@ const _: () = {
                 load: 0.19870768273666328,
                 contact: 0.3215157844936519,
                 residue: 0.06388765649999399,
-                inverse_mass: 0.10337239967856843,
+                contact_squared: 0.10337239967856843,
                 static_residue: 0.1672600561785624,
             },
             Mode {
@@ -519,7 +574,7 @@ const _: () = {
                 load: 0.2443492617838555,
                 contact: 0.33772129625267205,
                 residue: 0.08252194942802718,
-                inverse_mass: 0.11405567394258509,
+                contact_squared: 0.11405567394258509,
                 static_residue: 0.13355774100704082,
             },
             Mode {
@@ -532,7 +587,7 @@ const _: () = {
                 load: 0.2821372545060723,
                 contact: 0.31085712372515767,
                 residue: 0.08770437543147042,
-                inverse_mass: 0.09663215137067799,
+                contact_squared: 0.09663215137067799,
                 static_residue: 0.09764393892858751,
             },
             Mode {
@@ -545,7 +600,7 @@ const _: () = {
                 load: 0.31085712372515767,
                 contact: 0.2443492617838555,
                 residue: 0.07595770870249491,
-                inverse_mass: 0.05970656173431514,
+                contact_squared: 0.05970656173431514,
                 static_residue: 0.06257070938977043,
             },
             Mode {
@@ -558,7 +613,7 @@ const _: () = {
                 load: 0.32958578921362314,
                 contact: 0.14667947526908878,
                 residue: 0.04834347061800274,
-                inverse_mass: 0.021514868465215227,
+                contact_squared: 0.021514868465215227,
                 static_residue: 0.031089885714869123,
             },
             Mode {
@@ -571,7 +626,7 @@ const _: () = {
                 load: 0.33772129625267205,
                 contact: 0.03030361732426425,
                 residue: 0.01023417692389545,
-                inverse_mass: 0.0009183092229354483,
+                contact_squared: 0.0009183092229354483,
                 static_residue: 0.005357449526045189,
             },
             Mode {
@@ -584,7 +639,7 @@ const _: () = {
                 load: 0.33500216295215196,
                 contact: -0.0899368687780915,
                 residue: -0.03012904556980452,
-                inverse_mass: 0.008088640365607651,
+                contact_squared: 0.008088640365607651,
                 static_residue: -0.013281679561780814,
             },
             Mode {
@@ -597,7 +652,7 @@ const _: () = {
                 load: 0.3215157844936519,
                 contact: -0.19870768273666328,
                 residue: -0.06388765649999399,
-                inverse_mass: 0.039484743178574436,
+                contact_squared: 0.039484743178574436,
                 static_residue: -0.02440291332141956,
             },
             Mode {
@@ -610,7 +665,7 @@ const _: () = {
                 load: 0.2976956241774572,
                 contact: -0.2821372545060723,
                 residue: -0.0839910260838993,
-                inverse_mass: 0.0796014303802242,
+                contact_squared: 0.0796014303802242,
                 static_residue: -0.028493388937034278,
             },
             Mode {
@@ -623,7 +678,7 @@ const _: () = {
                 load: 0.2643072815554236,
                 contact: -0.32958578921362314,
                 residue: -0.08711192398635158,
-                inverse_mass: 0.10862679245156681,
+                contact_squared: 0.10862679245156681,
                 static_residue: -0.026828602152787512,
             },
             Mode {
@@ -636,7 +691,7 @@ const _: () = {
                 load: 0.222423885431443,
                 contact: -0.33500216295215196,
                 residue: -0.07451248271175505,
-                inverse_mass: 0.11222644918262019,
+                contact_squared: 0.11222644918262019,
                 static_residue: -0.02125198092511808,
             },
             Mode {
@@ -649,7 +704,7 @@ const _: () = {
                 load: 0.1733916026187133,
                 contact: -0.2976956241774572,
                 residue: -0.051617921368707485,
-                inverse_mass: 0.08862268465440586,
+                contact_squared: 0.08862268465440586,
                 static_residue: -0.01388736712747049,
             },
             Mode {
@@ -662,7 +717,7 @@ const _: () = {
                 load: 0.11878637103073232,
                 contact: -0.222423885431443,
                 residue: -0.026420926180956487,
-                inverse_mass: 0.049472384810419684,
+                contact_squared: 0.049472384810419684,
                 static_residue: -0.006822758587192199,
             },
             Mode {
@@ -675,7 +730,7 @@ const _: () = {
                 load: 0.06036324774007196,
                 contact: -0.11878637103073232,
                 residue: -0.0071703311426722025,
-                inverse_mass: 0.014110201942650804,
+                contact_squared: 0.014110201942650804,
                 static_residue: -0.0018071032318584057,
             },
         ];
@@ -860,14 +915,14 @@ const _: () = {
                     g: g_scaled,
                 };
                 sum.v.re = sum.v.re + response_re * mode.residue;
-                sum.u = sum.u + mode.inverse_mass * u_scaled;
-                sum.h.re = sum.h.re + response_re * mode.inverse_mass;
+                sum.u = sum.u + mode.contact_squared * u_scaled;
+                sum.h.re = sum.h.re + response_re * mode.contact_squared;
                 sum.v.im = sum.v.im + response_im * mode.residue;
-                sum.h.im = sum.h.im + response_im * mode.inverse_mass;
+                sum.h.im = sum.h.im + response_im * mode.contact_squared;
                 sum.g = sum.g
-                    + mode.inverse_mass * (g_scaled / (response.x * response.x));
+                    + mode.contact_squared * (g_scaled / (response.x * response.x));
                 sum.reversal = sum.reversal
-                    + mode.inverse_mass
+                    + mode.contact_squared
                         * (response.reversal * (sum.scale / response.size));
             }
             let contact = ContactAt {
@@ -917,13 +972,14 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(
-        TallAt : stuck, orbit; Tall : simulation, stepper
+        TallAt : stuck, orbit; Tall : simulation, stepper, self_check
     );
     ::frictiongen::kernel::left_out!(
         TallMotion : m1, m2, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16,
         m17
     );
-    /// The motions are those of the kernel, which sums over the modes in loops.
+    /// The motions are those of the kernel, which sums over the modes in loops.  Worst case: a fixed number of operations
+    /// for each mode.  No search is made before an amplitude or a phase is asked for.
     impl ProvidesMotion for Tall {
         type Motion = TallMotion;
     }

@@ -1,6 +1,26 @@
 /// The thesis's three masses (figure 6.1).
 ///
-/// Emitted by frictiongen 0.1.0 from scene a809981133b08615.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene a809981133b08615.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct Thesis
+/// {
+///     masses: { first: 1.0, second: 1.0, third: 1.0 }, springs:
+///     { base - first: 1.0, first - second: 1.0, second - third: 1.0 }, contact:
+///     second - wall, excitation: first,
+/// }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `at(r)` returns [`ThesisAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+/// * `at(r)?.motion(beta)` returns [`ThesisMotion`], the continuous motion, with `contact()`, `first()`, `second()` and `third()`
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -54,6 +74,18 @@ pub struct ThesisMotion(::frictiongen::kernel::response::Continuous<Thesis>);
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
     impl Thesis {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0xa809_9811_33b0_8615;
+        /// k₁, the stiffness of the spring `base - first`: N/m, if springs are in N/m.
+        pub const K1: f64 = 1.0;
+        /// m₁, the mass `first`: kg, if masses are in kg.
+        pub const M1: f64 = 1.0;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f64; 3] = [
+            0.07083061316114524,
+            0.19846296786640766,
+            0.2867872977971578,
+        ];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 3] = [
             0.4450418679126288,
@@ -117,7 +149,7 @@ const _: () = {
                 /// (φᵀp)(φᵀw)
                 residue: 0.19384226684174422,
                 /// (φᵀw)², the term of m*
-                inverse_mass: 0.34929169541608984,
+                contact_squared: 0.34929169541608984,
                 /// (φᵀp)(φᵀw)/λ
                 static_residue: 0.9786935821895919,
             },
@@ -131,7 +163,7 @@ const _: () = {
                 load: 0.7369762290995783,
                 contact: 0.32798527760568175,
                 residue: 0.2417173530900137,
-                inverse_mass: 0.10757434232607613,
+                contact_squared: 0.10757434232607613,
                 static_residue: 0.15544942857434563,
             },
             Mode {
@@ -144,7 +176,7 @@ const _: () = {
                 load: 0.5910090485061035,
                 contact: -0.7369762290995783,
                 residue: -0.4355596199317579,
-                inverse_mass: 0.5431339622578341,
+                contact_squared: 0.5431339622578341,
                 static_residue: -0.13414301076393756,
             },
         ];
@@ -251,7 +283,7 @@ const _: () = {
         }
         /// r²E(H_c + μm*/r²) = r²EH_c + μm*E: with it in β_lim the contact breaks away at once at every reversal (5.63, 7.47).
         ///
-        /// Operations: 0.
+        /// Operations: none.
         #[inline]
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.scale
@@ -280,9 +312,10 @@ const _: () = {
         }
     }
     ::frictiongen::kernel::not_provided!(
-        ThesisAt : stuck, orbit; Thesis : simulation, stepper
+        ThesisAt : stuck, orbit; Thesis : simulation, stepper, self_check
     );
-    /// The motions are those of the kernel, which sums over the modes in loops.
+    /// The motions are those of the kernel, which sums over the modes in loops.  Worst case: a fixed number of operations
+    /// for each mode.  No search is made before an amplitude or a phase is asked for.
     impl ProvidesMotion for Thesis {
         type Motion = ThesisMotion;
     }

@@ -1,6 +1,30 @@
 /// A machine on a mount whose damper rubs on the frame.
 ///
-/// Emitted by frictiongen 0.1.0 from scene 8c1821ad589d1450.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene 8c1821ad589d1450.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct Mount {
+///     masses: { frame: 40.0, machine: 12.5 },                       // kg
+///     springs: { base - frame: 2.0e5, frame - machine: 3.1e4 },     // N/m
+///     contact: frame - machine,
+///     excitation: base,
+///     damping: modal[0.01, 0.02],
+///     stiction: 1.15,
+///     provide: [limits, motion(machine), orbit],
+/// }
+/// ```
+///
+/// # What it offers
+///
+/// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
+/// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
+/// * `at(r)` returns [`MountAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
+/// * `at(r)?.motion(beta)` returns [`MountMotion`], the continuous motion, with `contact()` and `machine()`
+/// * `at(r)?.orbit(beta)` returns [`MountOrbit`], the steady state in any regime, with `contact()`, `frame()` and `machine()`
+///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
@@ -64,6 +88,19 @@ const _: () = {
     use ::frictiongen::kernel::emitted::*;
     use ::core::f64::consts::PI;
     impl Mount {
+        /// Hash of the scene.  Descriptions that differ only in layout have the same hash.
+        pub const SCENE_HASH: ::core::primitive::u64 = 0x8c18_21ad_589d_1450;
+        /// k₁, the stiffness of the spring `base - frame`: N/m, if springs are in N/m.
+        pub const K1: f64 = 200000.0;
+        /// m₁, the mass `frame`: kg, if masses are in kg.
+        pub const M1: f64 = 40.0;
+        /// √(k₁/m₁), by which angular frequencies are divided: rad/s.
+        const REFERENCE: f64 = 70.71067811865476;
+        /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
+        pub const NATURAL_FREQUENCIES_HZ: [f64; 2] = [
+            7.071752647376391,
+            12.613164045401122,
+        ];
         /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES: [f64; 2] = [44.43313233000368, 79.25084700711017];
         /// Frequency ratios r of the undamped resonances, √λ_i = ω_i√(m₁/k₁).
@@ -88,7 +125,7 @@ const _: () = {
         #[inline]
         #[must_use]
         pub const fn frequency_ratio(omega: f64) -> f64 {
-            omega / 70.71067811865476
+            omega / Self::REFERENCE
         }
         /// Returns β = F/(k₁Y) of a kinetic friction force F.  `load` is k₁Y, with Y the amplitude of the base motion.
         #[inline]
@@ -118,7 +155,7 @@ const _: () = {
                 /// (φᵀp)(φᵀw)
                 residue: 0.45845862609232785,
                 /// (φᵀw)², the term of m*
-                inverse_mass: 1.7898797104430517,
+                contact_squared: 1.7898797104430517,
                 /// (φᵀp)(φᵀw)/λ
                 static_residue: 1.1610643562596341,
             },
@@ -132,7 +169,7 @@ const _: () = {
                 load: 0.9394523433296388,
                 contact: -1.5524562118001746,
                 residue: -1.4584586260923278,
-                inverse_mass: 2.4101202895569482,
+                contact_squared: 2.4101202895569482,
                 static_residue: -1.1610643562596341,
             },
         ];
@@ -269,22 +306,23 @@ const _: () = {
             let v_im = at_1.response.im * constants_1.residue
                 + at_2.response.im * constants_2.residue;
             /// Re H·r²E
-            let h_re = at_1.response.re * constants_1.inverse_mass
-                + at_2.response.re * constants_2.inverse_mass;
+            let h_re = at_1.response.re * constants_1.contact_squared
+                + at_2.response.re * constants_2.contact_squared;
             /// Im H·r²E
-            let h_im = at_1.response.im * constants_1.inverse_mass
-                + at_2.response.im * constants_2.inverse_mass;
+            let h_im = at_1.response.im * constants_1.contact_squared
+                + at_2.response.im * constants_2.contact_squared;
             /// U·r²E
-            let u = constants_1.inverse_mass * at_1.u
-                + constants_2.inverse_mass * at_2.u;
+            let u = constants_1.contact_squared * at_1.u
+                + constants_2.contact_squared * at_2.u;
             /// H_c·r²E
-            let reversal = constants_1.inverse_mass
+            let reversal = constants_1.contact_squared
                 * (mode_1.reversal * (scale / mode_1.size))
-                + constants_2.inverse_mass * (mode_2.reversal * (scale / mode_2.size));
+                + constants_2.contact_squared
+                    * (mode_2.reversal * (scale / mode_2.size));
             /// G·r²E
             let g_sum = if WITH_G {
-                constants_1.inverse_mass * (at_1.g / (at_1.x * at_1.x))
-                    + constants_2.inverse_mass * (at_2.g / (at_2.x * at_2.x))
+                constants_1.contact_squared * (at_1.g / (at_1.x * at_1.x))
+                    + constants_2.contact_squared * (at_2.g / (at_2.x * at_2.x))
             } else {
                 0.0
             };
@@ -392,13 +430,18 @@ const _: () = {
             modulus_v / (Self::CHAIN.stiction * modulus_h)
         }
     }
-    ::frictiongen::kernel::not_provided!(MountAt : stuck; Mount : simulation, stepper);
+    ::frictiongen::kernel::not_provided!(
+        MountAt : stuck; Mount : simulation, stepper, self_check
+    );
     ::frictiongen::kernel::left_out!(MountMotion : frame);
     impl ProvidesMotion for Mount {
         type Motion = MountMotion;
         /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
         ///
         /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
+        ///
+        /// Operations: 19: 17 ×, 2 ÷.
+        /// The kernel adds one wave for each of 2 modes.  No search is made before an amplitude or a phase is asked for.
         fn contact_motion(at: &At<Self>, friction: &Friction<f64>) -> MotionOf<Self> {
             let inverse_r = at.inverse_ratio();
             let contact = at.contact_sums();
@@ -407,7 +450,7 @@ const _: () = {
             /// β/(r²E)
             let friction_weight = friction.beta * friction.unscale;
             /// β/(r²E)·φ_k(φᵀw)
-            let mode_1_friction_force = friction_weight * constants_1.inverse_mass;
+            let mode_1_friction_force = friction_weight * constants_1.contact_squared;
             /// coefficient of cos τ − d
             let mode_1_fall = mode_1_friction_force * (mode_1.g / (mode_1.x * mode_1.x));
             /// coefficient of (1 − d)/x²
@@ -415,7 +458,7 @@ const _: () = {
             /// coefficient of sin τ − Rq̃
             let mode_1_forced = mode_1_friction_force * mode_1.u;
             /// β/(r²E)·φ_k(φᵀw)
-            let mode_2_friction_force = friction_weight * constants_2.inverse_mass;
+            let mode_2_friction_force = friction_weight * constants_2.contact_squared;
             /// coefficient of cos τ − d
             let mode_2_fall = mode_2_friction_force * (mode_2.g / (mode_2.x * mode_2.x));
             /// coefficient of (1 − d)/x²
@@ -438,7 +481,7 @@ const _: () = {
                         rise: mode_1_rise,
                         fall: mode_1_fall,
                         forced: mode_1_forced,
-                        harmonic: constants_1.inverse_mass * inverse_r * inverse_r,
+                        harmonic: constants_1.contact_squared * inverse_r * inverse_r,
                     },
                 ),
                 motion_wave(
@@ -448,7 +491,7 @@ const _: () = {
                         rise: mode_2_rise,
                         fall: mode_2_fall,
                         forced: mode_2_forced,
-                        harmonic: constants_2.inverse_mass * inverse_r * inverse_r,
+                        harmonic: constants_2.contact_squared * inverse_r * inverse_r,
                     },
                 ),
             ];
@@ -458,6 +501,9 @@ const _: () = {
         ///
         /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
         /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
+        ///
+        /// Operations: 138: 79 ×, 23 +, 20 compare, 12 sign, 4 ÷.
+        /// The kernel adds one wave for each of 2 modes.  No search is made before an amplitude or a phase is asked for.
         fn mass_motion(
             at: &At<Self>,
             friction: &Friction<f64>,
@@ -476,7 +522,7 @@ const _: () = {
             /// Im of the own term of V
             let mode_2_v_term_im = mode_2.response.im * constants_2.residue;
             /// the own term of U
-            let mode_2_u_term = constants_2.inverse_mass * mode_2.u;
+            let mode_2_u_term = constants_2.contact_squared * mode_2.u;
             /// U without the own term, or all of it for x < 1/2
             let mode_1_u_others = if mode_1.x < 0.5 { contact.u } else { mode_2_u_term };
             /// Re of the own term of V
@@ -484,7 +530,7 @@ const _: () = {
             /// Im of the own term of V
             let mode_1_v_term_im = mode_1.response.im * constants_1.residue;
             /// the own term of U
-            let mode_1_u_term = constants_1.inverse_mass * mode_1.u;
+            let mode_1_u_term = constants_1.contact_squared * mode_1.u;
             /// U without the own term, or all of it for x < 1/2
             let mode_2_u_others = if mode_2.x < 0.5 { contact.u } else { mode_1_u_term };
             /// φ_k(φᵀp), from the load to mass k

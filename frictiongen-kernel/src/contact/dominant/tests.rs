@@ -31,7 +31,7 @@ fn mode(terms: f64) -> (Mode<f64>, ModeAt<f64>) {
         load: 1.0,
         contact: 1.0,
         residue: 1.0,
-        inverse_mass: 1.0,
+        contact_squared: 1.0,
         static_residue: 0.0,
     };
     let at = ModeAt {

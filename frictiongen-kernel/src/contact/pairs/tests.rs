@@ -32,7 +32,7 @@ fn modes<S: Float>(count: usize, zeta: impl Fn(usize) -> f64, driven: usize) -> 
             load: of(scattered(index, 2)),
             contact: of(contact),
             residue: of(contact * scattered(index, 2)),
-            inverse_mass: of(contact * contact),
+            contact_squared: of(contact * contact),
             static_residue: of(contact * scattered(index, 3)),
         }
     };

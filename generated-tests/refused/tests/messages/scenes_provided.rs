@@ -40,6 +40,19 @@ struct Frame {
 }
 }
 
+mod case_733_self_check_of_nothing {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+    provide: [self_check],
+}
+}
+}
+
 mod case_738_enormous_stiffness {
 frictiongen::friction_system! {
 struct Frame {

@@ -42,6 +42,7 @@ fn asked() -> Result<f64, frictiongen::Error> {
     let eighth = Bare::stepper(0.1)?.a().displacement();
     let ninth = Bare::stepper_from(0.1, state)?.a().displacement();
     let tenth = Stepped::at(0.3)?.continuous_limit() + eighth + ninth;
+    let _ = Bare::self_check();
     Ok(tenth + first + second + third + fourth + fifth + sixth + seventh)
 }
 

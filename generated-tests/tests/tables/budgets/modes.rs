@@ -33,7 +33,7 @@ fn mode<T: Real>(x: T, zeta: T) -> Mode<T> {
         load: one,
         contact: one,
         residue: one,
-        inverse_mass: one,
+        contact_squared: one,
         static_residue: one,
     }
 }

@@ -1,0 +1,163 @@
+//! Emits the scene's type with its documentation: where it comes from, its description, and what it offers.
+
+use super::emission::Emission;
+use super::fingerprint::fingerprint;
+use super::names::TypeNames;
+use crate::standalone::rust_text;
+use frictiongen_model::scene::FrictionLaw;
+use proc_macro2::TokenStream;
+
+/// From this number of masses on, the documentation does not name their methods one by one.
+const MANY_MASSES: usize = 9;
+
+/// Emits the scene's type.
+pub(super) fn scene_type(emission: &Emission<'_>) -> TokenStream {
+    let description = emission.description;
+    let (attributes, visibility) = (&description.attributes, &description.visibility);
+    let name = &emission.names.name;
+    // An empty doc line separates the header from the scene's own documentation.
+    let documented = !description.documentation.is_empty();
+    let blank = documented.then(|| code!(#[doc = ""]));
+    let lines = lines(emission);
+    code! {
+        #attributes
+        #blank
+        #(#[doc = #lines])*
+        #[::core::prelude::v1::derive(
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::Eq,
+            ::core::cmp::PartialEq,
+            ::core::default::Default,
+            ::core::hash::Hash
+        )]
+        #visibility struct #name;
+    }
+}
+
+/// Returns the lines of the documentation.
+fn lines(emission: &Emission<'_>) -> Vec<String> {
+    let mut lines = vec![
+        format!(
+            "Emitted by `friction_system!` of frictiongen {} from scene {:016x}.  Change the description, not this code.",
+            env!("CARGO_PKG_VERSION"),
+            fingerprint(emission.scene)
+        ),
+        String::new(),
+    ];
+    let written = &emission.description.written;
+    if !written.is_empty() {
+        let fence = fence(written);
+        lines.extend([
+            "# Description".to_owned(),
+            String::new(),
+            format!("{fence}text"),
+        ]);
+        lines.extend(written.lines().map(rust_text));
+        lines.extend([fence, String::new()]);
+    }
+    lines.extend(["# What it offers".to_owned(), String::new()]);
+    lines.extend(offers(emission).into_iter().map(|item| format!("* {item}")));
+    lines.push(String::new());
+    lines.push(
+        "Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes."
+            .to_owned(),
+    );
+    let spaced = lines.into_iter().map(|line| {
+        let line = format!(" {line}");
+        line.trim_end().to_owned()
+    });
+    spaced.collect()
+}
+
+/// Returns a fence of backticks that no line of a text ends.
+fn fence(text: &str) -> String {
+    let runs = text.split(|letter| letter != '`').map(str::len);
+    "`".repeat(runs.max().unwrap_or(0).max(2) + 1)
+}
+
+/// Lists what the scene offers.
+fn offers(emission: &Emission<'_>) -> Vec<String> {
+    let TypeNames {
+        at,
+        motion,
+        stuck,
+        simulation,
+        orbit,
+        stepper,
+        input,
+        ..
+    } = &emission.names;
+    let (scene, wanted) = (emission.scene, emission.wanted());
+    let every: Vec<usize> = (0..scene.masses.len()).collect();
+    let mut items = vec![
+        "`K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain".to_owned(),
+        "`frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units".to_owned(),
+    ];
+    if scene.needs_frequency() {
+        items.push(format!(
+            "`at(r)` returns [`{at}`], with `limits()`, `regime(beta)` and `margin(beta)`"
+        ));
+        items.push(
+            "`limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone"
+                .to_owned(),
+        );
+    }
+    if let Some(masses) = &wanted.motion {
+        let masses: Vec<usize> = masses.iter().map(|(mass, _)| *mass).collect();
+        let methods = methods(emission, &masses, &["contact()"]);
+        items.push(format!(
+            "`at(r)?.motion(beta)` returns [`{motion}`], the continuous motion, with {methods}"
+        ));
+    }
+    if wanted.stuck {
+        let methods = methods(emission, &every, &["contact_force()"]);
+        items.push(format!(
+            "`at(r)?.stuck()` returns [`{stuck}`], the response while the contact is stuck, with {methods}"
+        ));
+    }
+    if wanted.orbit {
+        let methods = methods(emission, &every, &["contact()"]);
+        items.push(format!(
+            "`at(r)?.orbit(beta)` returns [`{orbit}`], the steady state in any regime, with {methods}"
+        ));
+    }
+    if wanted.simulation {
+        let methods = methods(emission, &every, &["next()"]);
+        let start = if scene.friction == FrictionLaw::Coulomb {
+            "simulation(r, beta)"
+        } else {
+            "simulation_under(r, beta, amplitude)"
+        };
+        items.push(format!(
+            "`{start}` returns [`{simulation}`], the motion in time from event to event, with {methods}"
+        ));
+    }
+    if wanted.stepper {
+        let methods = methods(emission, &every, &["advance(input)", "contact()"]);
+        items.push(format!(
+            "`stepper(dt)` returns [`{stepper}`], the motion by steps under any [`{input}`], with {methods}"
+        ));
+    }
+    if wanted.self_check {
+        items.push("`self_check()` compares constants and answers with known ones".to_owned());
+    }
+    items
+}
+
+/// Lists methods, and those that have the names of masses.
+fn methods(emission: &Emission<'_>, masses: &[usize], first: &[&str]) -> String {
+    let mut methods: Vec<String> = first.iter().map(|method| format!("`{method}`")).collect();
+    if masses.len() < MANY_MASSES {
+        let names = &emission.description.mass_names;
+        let names = masses.iter().filter_map(|mass| names.get(*mass));
+        methods.extend(names.map(|name| format!("`{name}()`")));
+    } else {
+        methods.push(format!("one method for each of {} masses", masses.len()));
+    }
+    match methods.pop() {
+        Some(last) if !methods.is_empty() => format!("{} and {last}", methods.join(", ")),
+        last => last.unwrap_or_default(),
+    }
+}

@@ -1,0 +1,115 @@
+//! Emits the range in which tables hold, and lists the constants of tables for the self-check.
+
+use super::emission::{Checked, Emission};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::emitted::check::{self, Listed};
+use frictiongen_kernel::table::Domain;
+use frictiongen_model::scene::{Beyond, Range};
+use frictiongen_model::table::{Reach, Tables};
+use proc_macro2::TokenStream;
+
+/// Returns the constants of the tables with their checksums.
+pub(super) fn checked<S: Float + Listed<S>>(
+    emission: &Emission<'_>,
+    tables: &Tables<S>,
+) -> Vec<Checked> {
+    let wide = |value: S| value.to_f64();
+    let index = &tables.index;
+    let pieces = tables.pieces.iter().map(|piece| {
+        let coefficients = piece.coefficients.iter().flatten();
+        let coefficients: Vec<f64> = coefficients.map(|number| number.to_f64()).collect();
+        ([wide(piece.from), wide(piece.origin)], coefficients)
+    });
+    let pieces: Vec<([f64; 2], Vec<f64>)> = pieces.collect();
+    let pieces: Vec<([f64; 2], &[f64])> = pieces
+        .iter()
+        .map(|(from, coefficients)| (*from, coefficients.as_slice()))
+        .collect();
+    let head = [wide(index.low), wide(index.density)];
+    let lists = (index.buckets.as_slice(), pieces.as_slice());
+    let mut constants = vec![
+        Checked::new(
+            "TABLE",
+            code!(&Self::TABLE),
+            &((head, index.halvings), lists),
+        ),
+        Checked::of_sum(
+            "domain",
+            code!(&Self.domain()),
+            check::sum::<S>(&domain_of(emission, tables)),
+        ),
+    ];
+    let products = [
+        (
+            "SLIDING_LIMIT",
+            code!(&Self::SLIDING_LIMIT),
+            &tables.sliding,
+        ),
+        ("EXCITATION", code!(&Self::EXCITATION), &tables.excitation),
+    ];
+    for (name, numbers, product) in products {
+        if let Some(product) = product {
+            let sum = check::sum::<S>(&product.quotient());
+            constants.push(Checked::of_sum(name, numbers, sum));
+        }
+    }
+    constants
+}
+
+/// Returns the domain in the tables' scalar.
+fn domain_of<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Domain<S> {
+    let declared = &emission.scene.declared;
+    let (low, high) = tables.request.r;
+    let (least, most) = declared
+        .range
+        .map_or((0.0, f64::INFINITY), |Range { beta, .. }| beta);
+    let Reach {
+        always_continuous,
+        never_stuck,
+    } = tables.declared_reach(emission.scene);
+    Domain {
+        r: (S::constant(low), S::constant(high)),
+        beta: (S::constant(least), S::constant(most)),
+        exact_beyond: declared.beyond == Beyond::Exact,
+        always_continuous,
+        never_stuck,
+    }
+}
+
+/// Emits the domain as a method of the kernel's `Tabled`.
+pub(super) fn domain<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream {
+    let scalar = &emission.scalar;
+    let number = |value: S| emission.literal(value.to_f64());
+    let Domain {
+        r,
+        beta,
+        exact_beyond,
+        always_continuous,
+        never_stuck,
+    } = domain_of(emission, tables);
+    let (low, high) = (number(r.0), number(r.1));
+    let (least, largest) = (number(beta.0), number(beta.1));
+    let about = match (always_continuous, never_stuck) {
+        (true, true) => {
+            " Where the tables hold: at every r and β of these the motion is continuous."
+        }
+        (true, false) => {
+            " Where the tables hold: at every r and β of these the closed form is a steady state."
+        }
+        (false, true) => " Where the tables hold: at no r and β of these a stuck state exists.",
+        (false, false) => " Where the tables hold.",
+    };
+    code! {
+        #[doc = #about]
+        #[inline]
+        fn domain(&self) -> Domain<#scalar> {
+            Domain {
+                r: (#low, #high),
+                beta: (#least, #largest),
+                exact_beyond: #exact_beyond,
+                always_continuous: #always_continuous,
+                never_stuck: #never_stuck,
+            }
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! Known answers of an emitted scene, and their comparison with its own.
+
+use super::{Fault, Listed};
+use crate::Complex;
+use crate::contact::regime::Limits;
+use crate::errors::NotContinuous;
+use crate::number::scalar::Float;
+
+/// Known answers at one frequency ratio.
+#[derive(Clone, Copy, Debug)]
+pub struct Known<S, const MASSES: usize, const FORCES: usize> {
+    /// Frequency ratio.
+    pub r: S,
+    /// β_lim and β*_lim.
+    pub limits: [S; 2],
+    /// The motion at one friction ratio, if the scene provides motions.
+    pub motion: Option<KnownMotion<S, MASSES>>,
+    /// Real and imaginary part of the response of each mass while the contact is stuck, then of the force that holds the
+    /// contact. Empty unless the scene provides them.
+    pub stuck: [[S; 2]; FORCES],
+}
+
+/// Known answers at one friction ratio.
+#[derive(Clone, Copy, Debug)]
+pub struct KnownMotion<S, const MASSES: usize> {
+    /// Friction ratio.
+    pub beta: S,
+    /// Why there is no continuous motion. `None` if there is one.
+    pub error: Option<NotContinuous>,
+    /// Amplitude and phase of the contact. 0 where there is no continuous motion.
+    pub contact: [S; 2],
+    /// Displacement and velocity of each provided mass one radian after a maximum of the contact's motion.
+    pub masses: [[S; 2]; MASSES],
+}
+
+/// Returns true if two numbers differ by at most `error`. The result is false for NaN.
+fn is_near<S: Float>(own: S, known: S, error: S) -> bool {
+    (own.to_f64() - known.to_f64()).abs() <= error.to_f64()
+}
+
+/// Compares two parts of a complex number, or a displacement and a velocity, relative to the sum of their moduli.
+fn compared<S: Float>(
+    name: &'static str,
+    own: [S; 2],
+    known: [S; 2],
+    tolerance: S,
+) -> Result<(), Fault> {
+    let [one, other] = known;
+    let error = tolerance * (one.abs() + other.abs());
+    let mut pairs = own.into_iter().zip(known);
+    if pairs.all(|(own, known)| is_near(own, known, error)) {
+        Ok(())
+    } else {
+        Err(Fault::Answer(name))
+    }
+}
+
+impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES> {
+    /// Compares both limits. Each may differ by `tolerance` of its value.
+    ///
+    /// # Errors
+    /// [`Fault::Answer`] if a limit differs by more.
+    pub fn limits(&self, own: Limits<S>, tolerance: S) -> Result<(), Fault> {
+        let [continuous, sliding] = self.limits;
+        if is_near(own.continuous, continuous, tolerance * continuous)
+            && is_near(own.sliding, sliding, tolerance * sliding)
+        {
+            Ok(())
+        } else {
+            Err(Fault::Answer("limits"))
+        }
+    }
+
+    /// Compares a response while the contact is stuck. `place` is its index in [`stuck`](Self::stuck).
+    ///
+    /// # Errors
+    /// [`Fault::Answer`] if the response differs by more than `tolerance` of its size.
+    pub fn stuck(
+        &self,
+        place: usize,
+        name: &'static str,
+        own: Complex<S>,
+        tolerance: S,
+    ) -> Result<(), Fault> {
+        let known = self.stuck.get(place).ok_or(Fault::Answer(name))?;
+        compared(name, [own.re, own.im], *known, tolerance)
+    }
+}
+
+impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
+    /// Returns the motion, if there is one and it is known that there is one. Returns `None` if there is none, for the
+    /// known reason.
+    ///
+    /// # Errors
+    /// [`Fault::Answer`] for a motion where none is known, and for another reason.
+    pub fn found<M>(&self, own: Result<M, NotContinuous>) -> Result<Option<M>, Fault> {
+        match (own, self.error) {
+            (Ok(motion), None) => Ok(Some(motion)),
+            (Err(error), Some(known)) if error == known => Ok(None),
+            _ => Err(Fault::Answer("motion")),
+        }
+    }
+
+    /// Compares amplitude and phase of the contact.
+    ///
+    /// # Errors
+    /// [`Fault::Answer`] if the amplitude differs by more than `tolerance` of its value, or the phase by more than
+    /// `tolerance` rad.
+    pub fn contact(&self, [size, lag]: [S; 2], tolerance: S) -> Result<(), Fault> {
+        let [amplitude, phase] = self.contact;
+        if is_near(size, amplitude, tolerance * amplitude) && is_near(lag, phase, tolerance) {
+            Ok(())
+        } else {
+            Err(Fault::Answer("contact"))
+        }
+    }
+
+    /// Compares displacement and velocity of a mass. `place` is its index in [`masses`](Self::masses).
+    ///
+    /// # Errors
+    /// [`Fault::Answer`] with the name of the mass, if one differs by more than `tolerance` of their size.
+    pub fn mass(
+        &self,
+        place: usize,
+        name: &'static str,
+        own: [S; 2],
+        tolerance: S,
+    ) -> Result<(), Fault> {
+        let known = self.masses.get(place).ok_or(Fault::Answer(name))?;
+        compared(name, own, *known, tolerance)
+    }
+}
+
+impl<S: Float + Listed<S>, const MASSES: usize, const FORCES: usize> Listed<S>
+    for Known<S, MASSES, FORCES>
+{
+    fn list(&self, see: &mut impl FnMut(S)) {
+        self.r.list(see);
+        self.limits.list(see);
+        if let Some(motion) = &self.motion {
+            motion.beta.list(see);
+            motion.contact.list(see);
+            motion.masses.list(see);
+        }
+        self.stuck.list(see);
+    }
+}
