@@ -77,7 +77,12 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         } else {
             zero
         };
-        let receptance = dynamics.receptance() + dynamics.chain.compliance();
+        let compliance = dynamics.chain.compliance();
+        let mut receptance = dynamics.receptance();
+        // The compiler drops this line for a rigid contact, but would keep the addition of 0.
+        if !compliance.is_zero() {
+            receptance = receptance + compliance;
+        }
         let (mut load, mut drag) = (base * r * r, zero);
         for mode in dynamics.driven() {
             load = load + mode.residue;
