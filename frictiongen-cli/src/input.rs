@@ -60,8 +60,26 @@ impl FileArgument {
         })
     }
 
-    /// Reads and parses a description for an exact response. It returns an error unless the kinetic friction is
-    /// constant.
+    /// Reads and parses a description for a question that needs a rigid contact. It returns an error for an elastic one.
+    pub fn rigid(&self, limits: &Limits) -> Result<Description, Failure> {
+        let description = self.description(limits)?;
+        self.check_rigid(&description)?;
+        Ok(description)
+    }
+
+    /// Fails for a description with an elastic contact.
+    pub fn check_rigid(&self, description: &Description) -> Result<(), Failure> {
+        if description.scene.stiffness.is_none() {
+            return Ok(());
+        }
+        Err(Failure::new(format_args!(
+            "{}: this command needs a rigid contact, but this scene has `stiffness`; compute a run with `frictiongen time`, ask the library for `steady_state`, or leave `stiffness` out",
+            self.name()
+        )))
+    }
+
+    /// Reads and parses a description for an exact response. It returns an error unless the contact is rigid and the
+    /// kinetic friction is constant.
     pub fn constant_level(&self, limits: &Limits) -> Result<Description, Failure> {
         Ok(self.constant_level_with_text(limits)?.0)
     }
@@ -73,6 +91,7 @@ impl FileArgument {
     ) -> Result<(Description, String), Failure> {
         let text = self.text()?;
         let description = self.parsed(&text, limits)?;
+        self.check_rigid(&description)?;
         if description.scene.friction == FrictionLaw::Coulomb {
             return Ok((description, text));
         }

@@ -126,7 +126,10 @@ fn description(scene: &Scene) -> String {
         (Some(_), DampingFrom::Base) => " relative to the base",
     };
     let stiction = scene.stiction;
+    let stiffness = scene.stiffness.map_or_else(String::new, |stiffness| {
+        format!(" of stiffness {stiffness:?}")
+    });
     format!(
-        "{masses}, contact {from} - {to}, {excitation}, {damping}{acts_on}, stiction {stiction:?}"
+        "{masses}, contact {from} - {to}{stiffness}, {excitation}, {damping}{acts_on}, stiction {stiction:?}"
     )
 }

@@ -159,6 +159,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
         damping: Damping::None,
         damping_from: DampingFrom::Rest,
         stiction: 1.0,
+        stiffness: None,
         precision,
         provide: vec![
             Provide::Limits,

@@ -1,6 +1,8 @@
-//! Natural frequencies of the chain with its contact stuck: the roots of Σ c_i/(s² + 2ζ_iσ_i s + λ_i) over the modes i.
+//! Natural frequencies of the chain with its contact stuck: the roots of 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) over the
+//! modes i. κ is the stiffness of the contact over k₁, and 1/κ its *compliance*. The compliance of a rigid contact is 0.
 //!
-//! Without damping, one root lies between each pair of neighbouring resonances. With damping, the simultaneous
+//! Without damping, one root lies between each pair of neighbouring resonances, and with an elastic contact another root
+//! above the last resonance. With damping, the simultaneous
 //! iteration of Aberth and Ehrlich starts from the undamped roots.
 
 use frictiongen_kernel::Complex;
@@ -28,42 +30,62 @@ pub(crate) struct Pair {
 
 /// Returns the modes of the chain with its contact stuck, in ascending order of ω. The argument `modes` must be
 /// ascending and distinct.
-pub(crate) fn pairs(modes: &[Driven]) -> Vec<Pair> {
+pub(crate) fn pairs(modes: &[Driven], compliance: Dd) -> Vec<Pair> {
     let zero = Dd::ZERO;
-    let undamped: Vec<Dd> = modes
+    let mut undamped: Vec<Dd> = modes
         .windows(2)
         .map(|neighbours| match neighbours {
-            [low, high] => between(modes, low.sigma, high.sigma),
+            [low, high] => between(modes, compliance, low.sigma, Some(high.sigma)),
             _ => zero,
         })
         .collect();
+    if !compliance.is_zero()
+        && let Some(last) = modes.last()
+    {
+        undamped.push(between(modes, compliance, last.sigma, None));
+    }
     if modes.iter().all(|mode| mode.zeta == zero) {
         let pair = |omega| Pair { omega, zeta: zero };
         return undamped.into_iter().map(pair).collect();
     }
     let mut roots = start(modes, &undamped);
-    converge(modes, zero, &mut roots, 0);
+    converge(modes, compliance, &mut roots, 0);
     paired(roots)
 }
 
-/// Returns the undamped root ω between two neighbouring resonances, where Σ c_i/(λ_i − ω²) rises from −∞ to ∞. It
-/// applies regula falsi with the Illinois rule to the sum times both neighbouring denominators.
-fn between(modes: &[Driven], low: Dd, high: Dd) -> Dd {
+/// Returns the undamped root ω between two neighbouring resonances, where 1/κ + Σ c_i/(λ_i − ω²) rises from −∞ to ∞. If
+/// `high` is `None`, `low` is the last resonance, and the result is the root above. The function applies regula falsi
+/// with the Illinois rule to the sum times both neighbouring denominators.
+fn between(modes: &[Driven], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
     let value = |omega: Dd| {
-        modes.iter().fold(Dd::ZERO, |sum, mode| {
-            let gap = |sigma: Dd| (sigma - omega) * (sigma + omega);
+        let gap = |sigma: Dd| (sigma - omega) * (sigma + omega);
+        // Above the last resonance the first denominator alone has the factor of both.
+        let upper = || high.map_or(Dd::ONE, gap);
+        let start = if compliance.is_zero() {
+            Dd::ZERO
+        } else {
+            compliance * gap(low) * upper()
+        };
+        modes.iter().fold(start, |sum, mode| {
             // In the terms of the two neighbouring modes, one of both denominators cancels.
             let weight = if mode.sigma == low {
-                gap(high)
-            } else if mode.sigma == high {
+                upper()
+            } else if Some(mode.sigma) == high {
                 gap(low)
             } else {
-                gap(low) * gap(high) / gap(mode.sigma)
+                gap(low) * upper() / gap(mode.sigma)
             };
             sum + mode.inverse_mass * weight
         })
     };
-    let (mut a, mut b) = (low, high);
+    // Above the last resonance Σ c_i/(ω² − λ_i) = 1/κ, and no denominator is smaller than that of the last resonance.
+    let last = || {
+        let sum = modes
+            .iter()
+            .fold(Dd::ZERO, |sum, mode| sum + mode.inverse_mass);
+        (low * low + sum / compliance).sqrt() * Dd::from(1.0 + 1e-15)
+    };
+    let (mut a, mut b) = (low, high.unwrap_or_else(last));
     let (mut at_a, mut at_b) = (value(a), value(b));
     let half = Dd::from(0.5);
     let mut last = None;

@@ -273,9 +273,13 @@ pub struct Scene {
     pub damping_from: DampingFrom,
     /// μ, the ratio of static to kinetic friction force, at least 1.
     pub stiction: f64,
+    /// Stiffness of an elastic contact (Jenkins element), a spring in series with the slider, in the scene's own units
+    /// (N/m in SI). `None` for a rigid contact.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub stiffness: Option<f64>,
     /// The floating-point type that the emitted code computes with.
     pub precision: Precision,
-    /// The groups of methods that the generator emits for the scene.
+    /// The groups of methods that the generator emits.
     pub provide: Vec<Provide>,
     /// The declared accuracy, with the range in which it is valid.
     pub declared: Declared,
@@ -337,8 +341,7 @@ impl Scene {
         self.provide.iter().any(|item| in_time.contains(item))
     }
 
-    /// Returns k₁, the stiffness of the first spring, to which all stiffness ratios refer. Every valid scene has a
-    /// spring; without one the result is 1.
+    /// Returns k₁, the stiffness of the first spring, to which all stiffness ratios refer, or 1 without a spring.
     #[must_use]
     pub fn first_stiffness(&self) -> f64 {
         self.springs.first().map_or(1.0, |spring| spring.stiffness)

@@ -5,6 +5,7 @@
 //! back to the written words.
 
 mod checks;
+mod elastic;
 mod error;
 mod masses;
 mod names;
@@ -50,6 +51,7 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
     reach::check(scene, checks, &mut errors);
     settings::check(scene, checks, &mut errors);
     stepping::check(scene, checks, &mut errors);
+    elastic::check(scene, &mut errors);
     scale::check(scene, checks, &mut errors);
     let complete = checks.masses && checks.springs && checks.contact && checks.excitation;
     if errors.is_empty() && complete {

@@ -4,7 +4,7 @@ use crate::targets::Settles;
 use crate::{Complex, LimitsAt, NoOrbit, Of};
 use core::ops::Deref;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::motion::Part;
+use frictiongen_kernel::motion::{ContactChain, Part};
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 
 /// A scene at one frequency ratio that also gives steady states in any regime: continuous, stick-slip or stuck.
@@ -118,8 +118,9 @@ pub trait Kept {
     ) -> Option<T>;
 }
 
-impl<S, P, V, C> Kept for Orbit<'_, S, P, V, C>
+impl<S, P, V, C, K> Kept for Orbit<'_, S, P, V, C, K>
 where
+    K: ContactChain<S>,
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
@@ -246,8 +247,9 @@ pub trait Periodic {
     fn subharmonic(&self, k: u32) -> Complex<Self::Scalar>;
 }
 
-impl<S, P, V, C> Periodic for OrbitMotion<'_, '_, S, P, V, C>
+impl<S, P, V, C, K> Periodic for OrbitMotion<'_, '_, S, P, V, C, K>
 where
+    K: ContactChain<S>,
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,

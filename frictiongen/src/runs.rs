@@ -4,7 +4,7 @@
 use crate::{FrictionSystem, OutOfDomain};
 use core::ops::DerefMut;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::motion::{Contact, Level, Part};
+use frictiongen_kernel::motion::{Contact, ContactChain, Level, Part};
 use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 
 /// A scene that also gives its exact motion in time, from event to event.
@@ -111,12 +111,13 @@ pub trait Run {
 
 /// Implements [`Run`] for the simulations of emitted scenes and of a `System`. Both types deref to the kernel's
 /// simulation.
-impl<'a, S, P, L, R> Run for R
+impl<'a, S, P, L, K, R> Run for R
 where
     S: Float,
     P: AsRef<[Part<S>]> + AsMut<[Part<S>]> + 'a,
     L: Level<'a, S>,
-    R: DerefMut<Target = Simulation<'a, S, P, L>>,
+    K: ContactChain<S> + 'a,
+    R: DerefMut<Target = Simulation<'a, S, P, L, K>>,
 {
     type Scalar = S;
 

@@ -118,6 +118,7 @@ fn of_a_scene_made_in_code() {
         let mut scene = frame();
         match name {
             "708-not-finite" => scene.masses[0].value = f64::NAN,
+            "779-infinite-stiffness-of-the-contact" => scene.stiffness = Some(f64::INFINITY),
             "712-no-such-mass" => scene.excitation = Excitation::Force(6),
             other => panic!("{other} is not known here"),
         }
@@ -156,6 +157,7 @@ fn frame() -> Scene {
         excitation: Excitation::Base,
         damping: Damping::None,
         damping_from: Default::default(),
+        stiffness: None,
         stiction: 1.0,
         precision: Precision::F64,
         provide: vec![Provide::Limits],

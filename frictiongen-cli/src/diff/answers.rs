@@ -78,6 +78,12 @@ pub fn compare(old: &System, new: &System) -> Answers {
         answers.left_out.push(reason.to_owned());
         return answers;
     }
+    if scenes.iter().any(|scene| scene.stiffness.is_some()) {
+        let reason =
+            "limits and amplitudes: a scene has `stiffness`, and these need a rigid contact";
+        answers.left_out.push(reason.to_owned());
+        return answers;
+    }
     let on_base = |index: usize| {
         scenes
             .get(index)

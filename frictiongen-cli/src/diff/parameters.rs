@@ -116,6 +116,9 @@ fn fields(scene: &Scene) -> Vec<Field> {
         fields.push(word("damping_from", "base"));
     }
     fields.push(number("stiction".to_owned(), scene.stiction));
+    if let Some(stiffness) = scene.stiffness {
+        fields.push(number("stiffness of the contact".to_owned(), stiffness));
+    }
     let list = |indices: &[usize]| indices.iter().map(mass).collect::<Vec<_>>().join(", ");
     let provided = scene.provide.iter().map(|item| match item {
         Provide::Limits => "limits".to_owned(),

@@ -18,6 +18,7 @@ pub(crate) fn fingerprint(scene: &Scene) -> u64 {
         damping,
         damping_from,
         stiction,
+        stiffness,
         precision,
         provide,
         declared,
@@ -62,9 +63,12 @@ pub(crate) fn fingerprint(scene: &Scene) -> u64 {
         }
     }
     hash.stepping(stepping);
-    // A scene with the default keeps the hash that it had before the field existed.
+    // A scene with the default keeps the hash that it had before the field existed, and so does a rigid contact.
     if *damping_from == DampingFrom::Base {
         hash.unit(1);
+    }
+    if let Some(stiffness) = stiffness {
+        hash.number(*stiffness);
     }
     hash.0
 }

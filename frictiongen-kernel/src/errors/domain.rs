@@ -120,6 +120,8 @@ pub enum Unsupported {
     CriticalDamping,
     /// A steady response of a scene whose kinetic friction depends on the speed.
     FrictionLaw,
+    /// A question that a scene with an elastic contact does not answer.
+    ElasticContact,
 }
 
 impl Given {
@@ -192,6 +194,9 @@ impl fmt::Display for Unsupported {
             }
             Self::FrictionLaw => {
                 "the exact continuous response needs a constant kinetic level, but this scene has `friction: stribeck`; use its stepper, or `simulation_under` with the amplitude of the load"
+            }
+            Self::ElasticContact => {
+                "this answer needs a rigid contact, but this scene has `stiffness`; ask for its steady state (`steady_state`), its stuck state (`stuck_limit`, `stuck_amplitudes`) or its motion in time (`simulation`)"
             }
         })
     }

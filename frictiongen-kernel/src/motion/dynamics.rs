@@ -33,7 +33,7 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
     /// All modes, with those that the contact drives first.
     pub modes: &'a [Mode<S>],
     /// Modes of the stuck chain, the chain whose contact sticks.  A rigid contact leaves the stuck chain one mode fewer
-    /// than the contact drives.
+    /// than the contact drives, an elastic contact as many.
     pub held: &'a [HeldMode<S>],
     /// Participation factors of each mode that the contact drives in each mode of the stuck chain, for y and for u.
     pub participations: &'a [[S; 2]],
@@ -46,6 +46,22 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
     pub rubbing: Option<usize>,
 }
 
+impl<'a, S: Copy, K> Dynamics<'a, S, K> {
+    /// Returns the same data with other constants of the chain, and with them another law of the contact.
+    #[must_use]
+    pub fn with<J>(&self, chain: J) -> Dynamics<'a, S, J> {
+        Dynamics {
+            chain,
+            modes: self.modes,
+            held: self.held,
+            participations: self.participations,
+            shapes: self.shapes,
+            weights: self.weights,
+            rubbing: self.rubbing,
+        }
+    }
+}
+
 impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
     /// Constants of the chain that do not belong to the law of its contact.
     #[inline]
@@ -56,7 +72,14 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
     /// Number of modes that the contact drives.
     #[must_use]
     pub fn in_contact(&self) -> usize {
-        self.held.len() + K::LOST_MODES
+        self.held.len() + self.chain.lost_modes()
+    }
+
+    /// Number of scalars in a state of the motion: two for each mode that the contact drives, and those that the contact
+    /// remembers.
+    #[must_use]
+    pub fn state_size(&self) -> usize {
+        2 * self.in_contact() + self.chain.remembered()
     }
 
     /// Returns the number of oscillators: all modes of the chain, and all modes of the stuck chain.

@@ -18,7 +18,10 @@ mod series;
 mod setting;
 mod walk;
 
-pub use contact::{Constant, Contact, Event, LOST_MODES, Level, Lines, MAX_STEEPNESS};
+pub use contact::{
+    AnyContact, Constant, Contact, ContactChain, ElasticChain, Event, LOST_MODES, Level, Lines,
+    MAX_STEEPNESS,
+};
 pub use dynamics::{Dynamics, HeldMode};
 pub use oscillator::Part;
 pub use series::MAX_STEPS;
@@ -26,7 +29,7 @@ pub use setting::Setting;
 
 pub(crate) use clock::{Clock, Total, phase};
 pub(crate) use contact::kinetic::{KineticLine, line, line_at, steepest};
-pub(crate) use contact::{ContactChain, ContactState, Law, Sought};
+pub(crate) use contact::{ContactState, Law, Sought};
 pub(crate) use dynamics::{lift, rotated};
 pub(crate) use segment::{ended, leap, seek, span};
 pub(crate) use series::{OscillatorSum, Power, ROUNDINGS as SUM_ROUNDINGS, TERMS, WALK};

@@ -265,6 +265,14 @@ impl<S: Float> Part<S> {
         })
     }
 
+    /// Returns the complex amplitudes of y and u in the steady motion about 0, or `None` on an undamped resonance.
+    pub(crate) fn steady_state(&self) -> Option<[Complex<S>; 2]> {
+        let y = self.steady()?;
+        let slope = complex::scale(Complex::new(-y.im, y.re), S::constant(1.0) / self.x);
+        let direct = complex::scale(self.direct, S::constant(-1.0));
+        Some([y, complex::add(slope, direct)])
+    }
+
     /// Returns y and u of the steady motion about 0, or `None` on an undamped resonance.
     fn settled(&self, (sine, cosine): (S, S)) -> Option<[S; 2]> {
         let steady = self.steady()?;

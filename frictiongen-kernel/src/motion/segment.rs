@@ -45,7 +45,7 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
     } else {
         let sum = setting.start_sliding(modes, &contact_state, reach);
         let start = contact_state
-            .departing
+            .memory
             .map_or(WalkStart::Anywhere, WalkStart::Zero);
         (sought.tau, sought.outcome) = match first_zero(&sum, start, &mut sought.steps) {
             Walk::Zero(tau, _) => (tau, Outcome::Halts),
@@ -101,14 +101,18 @@ pub(crate) fn place<S: Float, K: ContactChain<S>>(
 /// the end.
 pub(crate) fn ended<S: Float, K: ContactChain<S>>(
     setting: &Setting<'_, S, K>,
-    modes: &[Part<S>],
+    (modes, stuck_modes): (&[Part<S>], &[Part<S>]),
     sought: &Sought<S>,
     to: (S, S),
 ) -> SegmentEnd<S> {
     let mut end = quiet(sought.tau, sought.contact_state, sought.steps);
     match sought.outcome {
+        Outcome::Goes if sought.contact_state.contact == Contact::Stuck => {
+            end.contact_state.memory = K::memory_at(setting, stuck_modes, sought.offset, to);
+        }
         Outcome::Goes => {}
         Outcome::Holds => {
+            end.contact_state.memory = K::memory_at_stop(setting, sought.contact_state.contact);
             end.contact_state.contact = Contact::Stuck;
             end.contact_state.wedged = true;
         }
@@ -151,7 +155,7 @@ pub(crate) fn leap<S: Float, K: ContactChain<S>>(
     if sought.outcome != Outcome::Holds {
         place(setting, (modes, stuck_modes), &sought, sought.tau, to);
     }
-    ended(setting, modes, &sought, to)
+    ended(setting, (&*modes, &*stuck_modes), &sought, to)
 }
 
 /// Returns the [`SegmentEnd`] of a segment of length `tau` in which no event occurs.
@@ -162,7 +166,7 @@ fn quiet<S: Float>(tau: S, contact_state: ContactState<S>, steps: u32) -> Segmen
         event: None,
         contact_state: ContactState {
             t: moved(contact_state.t, tau),
-            departing: None,
+            memory: None,
             wedged: false,
             ..contact_state
         },

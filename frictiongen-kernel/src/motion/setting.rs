@@ -24,10 +24,27 @@ pub struct Setting<'a, S, K = Chain<S>> {
     /// The load on the stuck contact in quadrature with the base's motion, times m*: −`quadrature` sin τ_e is added to
     /// the load.  It is 0 unless damping acts relative to the moving base.
     pub(crate) quadrature: S,
-    /// wᵀK̄⁻¹w = Σ c_i/λ_i, the contact's displacement per unit of steady contact force.
+    /// The contact's displacement per unit of steady contact force: wᵀK̄⁻¹w = Σ c_i/λ_i, plus the compliance of an
+    /// elastic contact.
     pub(crate) receptance: S,
     /// Σ 2ζ_i c_i/σ_i over the receptance: damping force per unit of velocity of the stuck contact, times m*.
     pub(crate) drag: S,
+}
+
+impl<'a, S: Copy, K> Setting<'a, S, K> {
+    /// Returns the same setting with other constants of the chain.
+    pub(crate) fn with<J>(&self, chain: J) -> Setting<'a, S, J> {
+        Setting {
+            dynamics: self.dynamics.with(chain),
+            r: self.r,
+            beta: self.beta,
+            base: self.base,
+            load: self.load,
+            quadrature: self.quadrature,
+            receptance: self.receptance,
+            drag: self.drag,
+        }
+    }
 }
 
 impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
@@ -61,7 +78,13 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         } else {
             zero
         };
-        let (mut load, receptance, mut drag) = (base * r * r, dynamics.receptance(), zero);
+        let compliance = dynamics.chain.compliance();
+        let mut receptance = dynamics.receptance();
+        // The compiler drops this line for a rigid contact, but would keep the addition of 0.
+        if !compliance.is_zero() {
+            receptance = receptance + compliance;
+        }
+        let (mut load, mut drag) = (base * r * r, zero);
         for mode in dynamics.driven() {
             load = load + mode.residue;
             drag = drag + (mode.zeta + mode.zeta) * mode.contact_squared / mode.resonance;

@@ -74,11 +74,11 @@ where
         let zero = S::constant(0.0);
         let (dynamics, beta, start) = (question.dynamics, question.beta, question.start);
         let setting = Setting::new(dynamics, question.r, beta, parts.as_mut())?;
-        let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
-        if numbers.as_ref().len() != super::numbers(modes, driven) {
+        let (modes, size) = (dynamics.modes.len(), dynamics.state_size());
+        if numbers.as_ref().len() != super::numbers_of(modes, size) {
             return Err(OutOfDomain::Length(Slice::Storage).into());
         }
-        if multipliers.as_ref().len() != 2 * driven {
+        if multipliers.as_ref().len() != size {
             return Err(OutOfDomain::Length(Slice::Multipliers).into());
         }
         // From β*_lim on a stuck state exists.  The motion decides whether it reaches that state.
@@ -93,7 +93,7 @@ where
         let contact_state = setting.contact_state(own, zero);
         let mut cycle_map = CycleMap::new(&setting, (own, stuck_modes), contact_state);
         let (states, mut workspace) =
-            Workspace::divided(numbers.as_mut(), multipliers.as_mut(), (modes, driven));
+            Workspace::divided(numbers.as_mut(), multipliers.as_mut(), (modes, size));
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         start
             .checked(holding.is_some())?
@@ -103,7 +103,7 @@ where
             // With β = 0 this case implies β*_lim = 0, so that the load does not move the contact.
             (true, Some(_)) => Settled::Stuck(zero),
             _ => {
-                let spare = states.get_mut(..4 * driven).unwrap_or_default();
+                let spare = states.get_mut(..2 * size).unwrap_or_default();
                 let most = start.most_cycles();
                 settle(&mut cycle_map, &mut workspace, holding, most, spare)?
             }
@@ -244,13 +244,17 @@ pub(super) fn stuck<S: Float, K: ContactChain<S>>(
     cycle_map
         .setting
         .release(cycle_map.stuck_modes, lifted, states);
-    cycle_map.contact_state = ContactState::stuck(zero);
+    cycle_map.contact_state = ContactState {
+        memory: K::memory_at(cycle_map.setting, cycle_map.stuck_modes, offset, at),
+        ..ContactState::stuck(zero)
+    };
     // Deviations of the stuck chain's modes decay independently of each other.
     let two_pi = S::pi() + S::pi();
     let mut out = workspace.multipliers.iter_mut();
     // `zip` takes an item of its first argument before it finds the second one empty.  The array therefore comes first,
     // so that no multiplier is lost.
-    for (re, out) in K::STUCK_MULTIPLIERS.iter().zip(out.by_ref()) {
+    let lost = cycle_map.setting.dynamics.chain.stuck_multipliers();
+    for (re, out) in lost.iter().zip(out.by_ref()) {
         *out = Complex::new(S::constant(*re), zero);
     }
     for part in cycle_map.stuck_modes.iter() {

@@ -11,7 +11,7 @@ use super::cycle_map::CycleMap;
 use super::newton::{PeriodMap, Workspace, newton};
 use super::record::{Record, RecordedPeriod};
 use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
-use crate::errors::{NoOrbit, OutOfDomain, Ratio, Slice};
+use crate::errors::{NoOrbit, OutOfDomain, Ratio, Slice, Unsupported};
 use crate::motion::{Contact, ContactChain, Dynamics, Law, Part, SUM_ROUNDINGS, Setting};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
@@ -88,6 +88,16 @@ pub struct CarryingStorage<'m, S, P, V, C> {
     pub multipliers: C,
 }
 
+/// Fails for an elastic contact, whose force the derivatives leave out.
+fn check_rigid<S: Float, K: ContactChain<S>>(
+    dynamics: &Dynamics<'_, S, K>,
+) -> Result<(), OutOfDomain> {
+    match dynamics.chain.remembered() {
+        0 => Ok(()),
+        _ => Err(Unsupported::ElasticContact.into()),
+    }
+}
+
 impl<'a, S, P, V, C, K> Orbit<'a, S, P, V, C, K>
 where
     S: Float,
@@ -125,6 +135,7 @@ where
         }
         check_same(r, plain.setting.r, Ratio::Frequency)?;
         check_same(beta, plain.setting.beta, Ratio::Friction)?;
+        check_rigid(&dynamics)?;
         let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
         let room = numbers.as_ref().len();
@@ -136,7 +147,7 @@ where
         let contact_state = SegmentStart::empty().contact_state;
         let mut cycle_map = CycleMap::new(&setting, oscillators, contact_state);
         let (states, mut workspace) =
-            Workspace::divided(numbers.as_mut(), &mut [], (modes, driven));
+            Workspace::divided(numbers.as_mut(), &mut [], (modes, 2 * driven));
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         let mut record = Record::new(&mut marks, states, 2 * modes);
         if plain.never_slides() {

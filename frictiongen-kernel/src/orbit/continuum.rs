@@ -39,6 +39,10 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
     monotone: bool,
 ) -> Result<S, NoOrbit> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    if 0 < cycle_map.remembered() {
+        // An elastic contact sticks after every reversal, so that it dissipates every such vibration.
+        return Err(NoOrbit::Unsettled);
+    }
     let size = cycle_map.size();
     let contact_state = cycle_map.contact_state;
     let scale = cycle_map.scale();

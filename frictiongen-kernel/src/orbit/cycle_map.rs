@@ -3,7 +3,7 @@
 
 use super::types::MAX_STEPS;
 use crate::errors::{NoOrbit, OutOfDomain};
-use crate::motion::{Contact, ContactChain, ContactState, Event, Part, Setting, leap};
+use crate::motion::{Contact, ContactChain, ContactState, Event, Law, Part, Setting, leap};
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
@@ -88,7 +88,35 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
 
     /// Number of scalars in a state.
     pub(super) fn size(&self) -> usize {
-        2 * self.setting.dynamics.in_contact()
+        self.setting.dynamics.state_size()
+    }
+
+    /// Number of scalars that the contact remembers.  They follow the modes in a state.
+    pub(super) fn remembered(&self) -> usize {
+        self.setting.dynamics.chain.remembered()
+    }
+
+    /// Contact force that is part of a state: the one that the contact remembers, or the kinetic force.
+    pub(super) fn remembered_force(&self) -> S {
+        let contact = self.contact_state.contact;
+        if contact == Contact::Stuck {
+            self.contact_state.memory.unwrap_or(S::constant(0.0))
+        } else {
+            self.setting.law().kinetic(contact)
+        }
+    }
+
+    /// Place of the remembered contact force in a state.  `None` if the contact remembers none, and for a state of the
+    /// modes alone.
+    pub(super) fn force_in(&self, state: &[S]) -> Option<usize> {
+        let place = 2 * self.setting.dynamics.in_contact();
+        (0 < self.remembered() && state.len() == self.size()).then_some(place)
+    }
+
+    /// Difference between the remembered contact force and that of a state, and 0 if the contact remembers none.
+    fn force_difference(&self, state: &[S]) -> S {
+        let there = self.force_in(state).and_then(|place| state.get(place));
+        there.map_or(S::constant(0.0), |there| self.remembered_force() - *there)
     }
 
     /// Subtracts the search steps of one segment from the budget.
@@ -172,6 +200,9 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
                 (*y, *u) = (part.y, part.u);
             }
         }
+        if let Some(force) = self.force_in(state).and_then(|place| state.get_mut(place)) {
+            *force = self.remembered_force();
+        }
     }
 
     /// Sets the oscillators from `state`.  If the given contact state sticks, it is kept.  Otherwise the motion gives
@@ -183,16 +214,53 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
             }
         }
         self.contact_state = *contact_state;
-        self.contact_state.departing = None;
+        self.contact_state.memory = None;
         if contact_state.contact != Contact::Stuck {
-            self.contact_state = self.setting.contact_state(self.modes, contact_state.t);
+            self.contact_state = K::sliding_state(self.setting, self.modes, contact_state);
+        } else if let Some(force) = self.force_in(state).and_then(|place| state.get(place)) {
+            self.contact_state.memory = Some(*force);
         }
+    }
+
+    /// Sets `state` to the present state times `sign`, minus `state`, and the oscillators to the former `state`.  Returns
+    /// the remembered force of the former `state`.
+    pub(super) fn subtract(&mut self, state: &mut [S], sign: S) -> S {
+        for (part, state) in self.modes.iter_mut().zip(pairs_mut(state)) {
+            if let [y, u] = state {
+                let difference = [sign * part.y - *y, sign * part.u - *u];
+                (part.y, part.u) = (*y, *u);
+                [*y, *u] = difference;
+            }
+        }
+        let Some(force) = self.force_in(state).and_then(|place| state.get_mut(place)) else {
+            return S::constant(0.0);
+        };
+        let start = *force;
+        *force = sign * self.remembered_force() - start;
+        start
+    }
+
+    /// Adds the state of the oscillators and a remembered force to `step`.  Returns the largest absolute value of `step`.
+    pub(super) fn add(&self, step: &mut [S], force: S) -> S {
+        let mut largest = S::constant(0.0);
+        for (part, state) in self.modes.iter().zip(pairs_mut(step)) {
+            if let [y, u] = state {
+                largest = largest.max(y.abs()).max(u.abs());
+                (*y, *u) = (part.y + *y, part.u + *u);
+            }
+        }
+        if let Some(own) = self.force_in(step).and_then(|place| step.get_mut(place)) {
+            largest = largest.max(own.abs());
+            *own = force + *own;
+        }
+        largest
     }
 
     /// Returns the largest absolute difference between the scalars of this state and of another.
     pub(super) fn distance(&self, state: &[S]) -> S {
         let states = self.modes.iter().zip(pairs(state));
-        states.fold(S::constant(0.0), |most, (part, state)| match state {
+        let force = self.force_difference(state).abs();
+        states.fold(force, |most, (part, state)| match state {
             [y, u] => most.max((part.y - *y).abs()).max((part.u - *u).abs()),
             _ => most,
         })
@@ -202,13 +270,18 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
     pub(super) fn energy_between(&self, state: &[S]) -> S {
         let modes = self.modes.iter().zip(self.setting.dynamics.driven());
         let states = modes.zip(pairs(state));
-        states.fold(S::constant(0.0), |sum, ((part, mode), state)| match state {
-            [y, u] => {
-                let (y, u) = (part.y - *y, part.u - *u);
-                sum + mode.resonance * mode.resonance * (y * y + u * u)
-            }
-            _ => sum,
-        })
+        let compliance = self.setting.dynamics.chain.compliance();
+        let force = self.force_difference(state);
+        states.fold(
+            compliance * force * force,
+            |sum, ((part, mode), state)| match state {
+                [y, u] => {
+                    let (y, u) = (part.y - *y, part.u - *u);
+                    sum + mode.resonance * mode.resonance * (y * y + u * u)
+                }
+                _ => sum,
+            },
+        )
     }
 
     /// Fails if the state is not finite.

@@ -39,7 +39,7 @@ where
         if self.is_symmetric() {
             return (-largest, largest);
         }
-        if self.is_contact() {
+        if self.turns_at_events() {
             return self.extremes_at_events();
         }
         // Shifted by its amplitude, the motion does not change its sign, so that its largest |x̄| is at an extreme.

@@ -52,7 +52,14 @@ use types::SegmentStart;
 /// drives `driven`.
 #[must_use]
 pub const fn numbers(modes: usize, driven: usize) -> usize {
-    MAX_SEGMENTS * 2 * modes + 4 * driven * driven + 4 * driven
+    numbers_of(modes, 2 * driven)
+}
+
+/// Returns the number of scalars of memory that an orbit needs.  The scene has `modes` modes, and a state has `size`
+/// scalars: two for each mode that the contact drives, and one more if the contact is elastic.
+#[must_use]
+pub const fn numbers_of(modes: usize, size: usize) -> usize {
+    MAX_SEGMENTS * 2 * modes + size * size + 2 * size
 }
 
 /// A steady state of an emitted solver, with its data in arrays.
@@ -131,17 +138,25 @@ where
     #[must_use]
     pub fn sliding_distance(&self) -> S {
         let zero = S::constant(0.0);
+        let slid = |from: &SegmentStart<S>, to: &SegmentStart<S>| {
+            // A contact that sticks does not slide, even if its spring lets it move.
+            if from.contact_state.contact == Contact::Stuck {
+                zero
+            } else {
+                (to.relative - from.relative).abs()
+            }
+        };
         let mut distance = zero;
         let mut last: Option<SegmentStart<S>> = None;
         // Within a segment the direction of sliding does not change, so that the end points give the distance.
         for mark in self.segments() {
             if let Some(last) = last {
-                distance = distance + (mark.relative - last.relative).abs();
+                distance = distance + slid(&last, &mark);
             }
             last = Some(mark);
         }
         let around = last.zip(self.marks().first());
-        let closing = around.map_or(zero, |(last, first)| (first.relative - last.relative).abs());
+        let closing = around.map_or(zero, |(last, first)| slid(&last, first));
         distance + closing
     }
 

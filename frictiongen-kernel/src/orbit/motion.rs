@@ -201,7 +201,7 @@ where
             value: zero,
             lag: None,
         };
-        if self.is_contact() {
+        if self.turns_at_events() {
             self.at_events(&mut best);
         } else {
             self.each(|mark, sum| {
@@ -217,6 +217,12 @@ where
     /// Returns true if this is the relative motion in the contact.
     pub(super) fn is_contact(&self) -> bool {
         self.combination.is_none()
+    }
+
+    /// Returns true if this is the relative motion in a rigid contact, which turns at events only.  An elastic contact
+    /// may turn while it sticks.
+    pub(super) fn turns_at_events(&self) -> bool {
+        self.is_contact() && self.orbit.setting.dynamics.chain.remembered() == 0
     }
 
     /// Notes the relative motion at all events, because the motion is largest where its velocity is zero.  The end of a

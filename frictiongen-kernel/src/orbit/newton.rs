@@ -6,7 +6,6 @@ use super::types::MAX_SEGMENTS;
 use crate::errors::NoOrbit;
 use crate::motion::{Contact, ContactChain, ContactState};
 use crate::number::complex::{self, Complex};
-use crate::number::pairs::pairs_mut;
 use crate::number::scalar::Float;
 
 const NEWTON_STEPS: u32 = 12;
@@ -50,14 +49,15 @@ pub(super) struct Workspace<'m, S> {
 
 impl<'m, S: Float> Workspace<'m, S> {
     /// Divides the memory of an orbit ([`numbers`](super::numbers)) into the states of its segments and the workspace.
+    /// `size` is the number of scalars in a state.
     pub fn divided(
         numbers: &'m mut [S],
         multipliers: &'m mut [Complex<S>],
-        (modes, driven): (usize, usize),
+        (modes, size): (usize, usize),
     ) -> (&'m mut [S], Self) {
         let states = numbers.len().min(MAX_SEGMENTS * 2 * modes);
         let (states, rest) = numbers.split_at_mut(states);
-        let (matrix, rest) = rest.split_at_mut(rest.len().min(4 * driven * driven));
+        let (matrix, rest) = rest.split_at_mut(rest.len().min(size * size));
         let (state, other) = rest.split_at_mut(rest.len() / 2);
         let workspace = Self {
             matrix,
@@ -103,7 +103,7 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
     map: PeriodMap,
 ) -> Result<Option<EventPattern>, NoOrbit> {
     let symmetric = map.symmetric;
-    let (zero, one) = (S::constant(0.0), S::constant(1.0));
+    let one = S::constant(1.0);
     let size = cycle_map.size();
     let start = cycle_map.contact_state;
     let mut last = S::constant(f64::MAX);
@@ -129,26 +129,14 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
         // `other` receives δ = (1 − A)⁻¹(F(x) − x).
         let scale = cycle_map.scale().max(S::constant(SMALLEST_SCALE));
         let sign = if symmetric { -one } else { one };
-        for (part, state) in cycle_map.modes.iter_mut().zip(pairs_mut(workspace.other)) {
-            if let [y, u] = state {
-                let difference = [sign * part.y - *y, sign * part.u - *u];
-                (part.y, part.u) = (*y, *u);
-                [*y, *u] = difference;
-            }
-        }
+        let start_force = cycle_map.subtract(workspace.other, sign);
         if symmetric {
             negate(workspace.matrix);
         }
         if !SquareMatrix::new(workspace.matrix, size).solve_shifted(one, workspace.other) {
             return Ok(None);
         }
-        let mut step = zero;
-        for (part, state) in cycle_map.modes.iter_mut().zip(pairs_mut(workspace.other)) {
-            if let [y, u] = state {
-                step = step.max(y.abs()).max(u.abs());
-                (*y, *u) = (part.y + *y, part.u + *u);
-            }
-        }
+        let step = cycle_map.add(workspace.other, start_force);
         if !step.is_finite() {
             return Ok(None);
         }

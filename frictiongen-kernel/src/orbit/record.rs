@@ -8,7 +8,7 @@ use super::cycle_map::CycleMap;
 use super::newton::agreement;
 use super::types::{MAX_SEGMENTS, SegmentStart};
 use crate::errors::NoOrbit;
-use crate::motion::{Contact, ContactChain, ContactState, Event, leap};
+use crate::motion::{ContactChain, ContactState, Event, leap};
 use crate::number::scalar::Float;
 
 /// A record in progress.
@@ -60,15 +60,21 @@ impl<'s, S: Float> Record<'s, S> {
         }
     }
 
-    /// Records a contact that sticks during the whole cycle, with z̄ at `offset`.
+    /// Records a contact that sticks during the whole cycle.  `offset` is z̄ of a rigid contact.
     pub(super) fn stuck<K: ContactChain<S>>(
         &mut self,
         cycle_map: &CycleMap<'_, '_, S, K>,
         offset: S,
     ) {
+        let elastic = 0 < cycle_map.remembered();
         if let Some(first) = self.marks.first_mut() {
             first.length = S::pi() + S::pi();
             first.relative = offset;
+            if elastic {
+                let at = cycle_map.contact_state.t.sin_cos_pi();
+                first.contact_state = cycle_map.contact_state;
+                first.relative = cycle_map.setting.relative(cycle_map.modes, at);
+            }
         }
         self.save(cycle_map, 0);
         self.count = 1;
@@ -158,7 +164,7 @@ impl<'s, S: Float> Record<'s, S> {
         self.stops += usize::from(event == Some(Event::Stop));
         self.reversals += usize::from(event == Some(Event::Reversal));
         let higher = |top: &SegmentStart<S>| top.relative < mark.relative;
-        if mark.contact_state.contact == Contact::Backward && self.top.as_ref().is_none_or(higher) {
+        if mark.leaves_top() && self.top.as_ref().is_none_or(higher) {
             self.top = Some(mark);
         }
     }

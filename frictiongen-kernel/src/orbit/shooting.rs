@@ -140,6 +140,7 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
     }
     if monotone
         && hold.is_none()
+        && cycle_map.remembered() == 0
         && let Some(found) = slow(cycle_map, workspace, halves, spare)
     {
         return Ok(Settled::Found(found));

@@ -43,10 +43,27 @@ impl<S: Float> SegmentStart<S> {
         }
     }
 
-    /// Returns z̄ at the end of a segment in which the contact sticks, or `None` if the contact slides.  While the
-    /// contact sticks, z̄ at the end equals z̄ at the start to the last digit.
+    /// Returns z̄ at the end of a segment in which a rigid contact sticks.  z̄ at the end then equals z̄ at the start to the
+    /// last digit.  Returns `None` if the contact slides or is elastic.
     pub(super) fn stuck_at(&self) -> Option<S> {
-        (self.contact_state.contact == Contact::Stuck).then_some(self.relative)
+        let rests = self.contact_state.contact == Contact::Stuck && !self.is_loaded();
+        rests.then_some(self.relative)
+    }
+
+    /// Returns true if an elastic contact sticks.  It remembers its force, and may move.
+    pub(super) fn is_loaded(&self) -> bool {
+        self.contact_state.contact == Contact::Stuck && self.contact_state.memory.is_some()
+    }
+
+    /// Returns true if the contact may leave a maximum of z̄ in this segment: it slides backward, or it is elastic and
+    /// sticks under a positive force.
+    pub(super) fn leaves_top(&self) -> bool {
+        let force = self.contact_state.memory.unwrap_or(S::constant(0.0));
+        match self.contact_state.contact {
+            Contact::Backward => true,
+            Contact::Stuck => S::constant(0.0) < force,
+            Contact::Forward => false,
+        }
     }
 }
 

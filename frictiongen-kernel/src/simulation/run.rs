@@ -282,7 +282,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         if sought.holds() {
             // The contact could not leave zero velocity, so it continues to stick.
             let (modes, held) = self.setting.split(parts);
-            let end = ended(&self.setting, modes, &sought, phase(self.now.t));
+            let oscillators = (&*modes, &*held);
+            let end = ended(&self.setting, oscillators, &sought, phase(self.now.t));
             sought = seek(&self.setting, modes, held, end.contact_state, reach);
         }
         self.contact_state = sought.contact_state;
@@ -301,14 +302,18 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
             self.now = self.now.moved(Total::zero().plus(reach));
             let at = (self.passed.value, phase(self.now.t));
             self.setting.place_under(&self.level, parts, &sought, at);
+            if self.contact_state.contact == Contact::Stuck {
+                let (_, held) = self.setting.split(parts);
+                self.contact_state.memory = K::memory_at(&self.setting, held, sought.offset, at.1);
+            }
             return (reach, None);
         }
         self.now = self.start.moved(Total::zero().plus(sought.tau));
         let to = phase(self.now.t);
         self.setting
             .place_under(&self.level, parts, &sought, (sought.tau, to));
-        let (modes, _) = self.setting.split(parts);
-        let end = ended(&self.setting, modes, &sought, to);
+        let (modes, held) = self.setting.split(parts);
+        let end = ended(&self.setting, (&*modes, &*held), &sought, to);
         if let Some(lines) = self.level.lines_mut() {
             lines.pass(end.event.is_some() || end.contact_state.contact == Contact::Stuck);
         }

@@ -36,6 +36,7 @@ pub fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
         contact: Contact { from, to },
         excitation,
         damping_from: Default::default(),
+        stiffness: None,
         damping: if zeta < 0.0 {
             // Every other mode is damped.
             let of = (0..count).map(|mode| -zeta * (mode % 2) as f64);

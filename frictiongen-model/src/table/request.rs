@@ -53,6 +53,8 @@ pub enum TableError {
     },
     /// Damping acts on velocities relative to the moving base. Tables do not have the load that it adds.
     DampedFromBase,
+    /// The contact is elastic. Its response has no table.
+    ElasticContact,
     /// Even the coarsest accuracy does not fit into the allowed bytes.
     TooFewBytes {
         /// The allowed number of bytes.
@@ -75,6 +77,9 @@ impl fmt::Display for TableError {
             ),
             Self::DampedFromBase => f.write_str(
                 "tables are not possible with `damping_from: base`; use the exact formulas, or `damping_from: rest`",
+            ),
+            Self::ElasticContact => f.write_str(
+                "tables are not possible with an elastic contact (`stiffness`); compute its steady states at run time",
             ),
             Self::NotMet {
                 accuracy,

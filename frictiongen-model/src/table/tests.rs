@@ -32,6 +32,7 @@ fn chain(count: usize, damping: Damping) -> Scene {
         excitation: Excitation::Force(count - 1),
         damping,
         damping_from: Default::default(),
+        stiffness: None,
         stiction: 1.0,
         precision: Precision::F64,
         provide: vec![Provide::Limits],

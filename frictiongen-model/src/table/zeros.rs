@@ -151,7 +151,7 @@ impl Zeros {
         }
         let driven: Vec<Driven> = contact_modes.iter().map(|mode| mode.driven).collect();
         let mut receptance = Vec::new();
-        for pair in pairs(&driven) {
+        for pair in pairs(&driven, Dd::ZERO) {
             let mode = Driven {
                 sigma: pair.omega,
                 zeta: pair.zeta,

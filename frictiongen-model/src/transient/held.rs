@@ -19,53 +19,19 @@ const ROUNDING: f64 = 1e-29;
 
 /// Returns the held modes, which are the modes of the chain with its contact stuck. The second result has the
 /// participations (g, h) of every mode of the sliding chain in each held mode.
+///
+/// `compliance` is k₁ over the stiffness of an elastic contact, and 0 for a rigid contact. The displacement of the
+/// contact in a held mode is then Σ w_i η_i = −`compliance`·y before the participations are scaled.
 pub(super) fn held<T: Float, S: Scalar>(
     modes: &[&Plain<T>],
-    inverse_mass: T,
+    (inverse_mass, compliance): (T, T),
     pairs: &[(T, T)],
     to: &impl Fn(T) -> S,
 ) -> (Vec<HeldMode<S>>, Vec<[S; 2]>) {
     let (zero, one, two) = (T::constant(0.0), T::constant(1.0), T::constant(2.0));
     let (mut held, mut participations) = (Vec::new(), Vec::new());
     for (omega, zeta) in pairs.iter().copied() {
-        let mut own = vec![[zero; 2]; modes.len()];
-        // Finds the mode with the largest term in Σ w_i/(s² + 2ζ_iσ_i s + λ_i) = 0. The denominator of that mode may be
-        // only rounding, so its participation must balance the participations of the other modes.
-        let (mut nearest, mut part) = (0, zero);
-        for (index, (mode, participation)) in modes.iter().zip(&mut own).enumerate() {
-            // The denominator d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial of the pair. Its inverse is (b −
-            // 2αa − as)/R.
-            let a = (mode.zeta * mode.resonance - zeta * omega) * two;
-            let b = (mode.resonance - omega) * (mode.resonance + omega);
-            let resultant = b * b - two * zeta * omega * a * b + omega * omega * a * a;
-            let weight = mode.contact / resultant;
-            // The square of this mode's term in the sum over w_i. If the contact hardly drives a mode, the root is so
-            // close to the mode that the denominator is only rounding. The term is then meaningless, but the mode is
-            // still the nearest mode.
-            let own_part = (mode.contact * mode.contact * mode.contact * weight).abs();
-            let rounding = T::constant(ROUNDING) * omega * omega;
-            if resultant < rounding * rounding {
-                (nearest, part) = (index, T::constant(f64::INFINITY));
-            } else if !(own_part <= part) {
-                (nearest, part) = (index, own_part);
-            }
-            *participation = [weight * (b - two * zeta * omega * a), -(weight * a * omega)];
-        }
-        let others = modes.iter().zip(&own).enumerate();
-        let others = others.filter(|(index, _)| *index != nearest);
-        let balance = others.fold([zero; 2], |[sum_g, sum_h], (_, (mode, [g, h]))| {
-            [sum_g + mode.contact * *g, sum_h + mode.contact * *h]
-        });
-        if let (Some(mode), Some(participation)) = (modes.get(nearest), own.get_mut(nearest)) {
-            *participation = balance.map(|part| -(part / mode.contact));
-        }
-        let largest = own
-            .iter()
-            .flatten()
-            .fold(zero, |most, participation| most.max(participation.abs()));
-        for participation in own.iter_mut().flatten() {
-            *participation = *participation / largest;
-        }
+        let (own, largest) = participations_of(modes, compliance, (omega, zeta));
         // Two modes a and b of different pairs are orthogonal in the bilinear form B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ.
         let (mut first, mut mixed, mut second) = (zero, zero, zero);
         let mut force = zero;
@@ -80,12 +46,19 @@ pub(super) fn held<T: Float, S: Scalar>(
             force = force + mode.contact * (lambda * g + loss * g_rate);
         }
         let determinant = first * second - mixed * mixed;
+        // The participations are those for the contact force −y, divided by the largest of them.  In a contact that
+        // moves, the sum above would also contain the inertia of that motion.
+        let per_y = if compliance.is_zero() {
+            force / inverse_mass
+        } else {
+            one / largest
+        };
         held.push(HeldMode {
             kind: kind(zeta),
             frequency: to(omega),
             zeta: to(zeta),
             q: to(((one - zeta) * (one + zeta)).abs().sqrt()),
-            force: to(force / inverse_mass),
+            force: to(per_y),
             inverse: [
                 to(second / determinant),
                 to(-(mixed / determinant)),
@@ -95,6 +68,55 @@ pub(super) fn held<T: Float, S: Scalar>(
         participations.extend(own.iter().map(|[g, h]| [to(*g), to(*h)]));
     }
     (held, participations)
+}
+
+/// Returns the participations (g, h) of every mode of the sliding chain in a held mode, divided by the largest of them, and
+/// that largest one. They belong to the contact force −y.
+fn participations_of<T: Float>(
+    modes: &[&Plain<T>],
+    compliance: T,
+    (omega, zeta): (T, T),
+) -> (Vec<[T; 2]>, T) {
+    let (zero, two) = (T::constant(0.0), T::constant(2.0));
+    let mut own = vec![[zero; 2]; modes.len()];
+    // Finds the mode with the largest term in 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) = 0. The denominator of that mode may be
+    // only rounding, so its participation must balance the participations of the other modes.
+    let (mut nearest, mut part) = (0, zero);
+    for (index, (mode, participation)) in modes.iter().zip(&mut own).enumerate() {
+        // The denominator d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial of the pair. Its inverse is (b −
+        // 2αa − as)/R.
+        let a = (mode.zeta * mode.resonance - zeta * omega) * two;
+        let b = (mode.resonance - omega) * (mode.resonance + omega);
+        let resultant = b * b - two * zeta * omega * a * b + omega * omega * a * a;
+        let weight = mode.contact / resultant;
+        // The square of this mode's term in the sum over w_i. If the contact hardly drives a mode, the root is so
+        // close to the mode that the denominator is only rounding. The term is then meaningless, but the mode is
+        // still the nearest mode.
+        let own_part = (mode.contact * mode.contact * mode.contact * weight).abs();
+        let rounding = T::constant(ROUNDING) * omega * omega;
+        if resultant < rounding * rounding {
+            (nearest, part) = (index, T::constant(f64::INFINITY));
+        } else if !(own_part <= part) {
+            (nearest, part) = (index, own_part);
+        }
+        *participation = [weight * (b - two * zeta * omega * a), -(weight * a * omega)];
+    }
+    let others = modes.iter().zip(&own).enumerate();
+    let others = others.filter(|(index, _)| *index != nearest);
+    let balance = others.fold([compliance, zero], |[sum_g, sum_h], (_, (mode, [g, h]))| {
+        [sum_g + mode.contact * *g, sum_h + mode.contact * *h]
+    });
+    if let (Some(mode), Some(participation)) = (modes.get(nearest), own.get_mut(nearest)) {
+        *participation = balance.map(|part| -(part / mode.contact));
+    }
+    let largest = own
+        .iter()
+        .flatten()
+        .fold(zero, |most, participation| most.max(participation.abs()));
+    for participation in own.iter_mut().flatten() {
+        *participation = *participation / largest;
+    }
+    (own, largest)
 }
 
 /// Returns ω and ζ of the modes of the chain with its contact stuck (held modes), with derivatives. One Newton step
@@ -152,7 +174,7 @@ pub(super) fn moving(
             .all(|slope| slope.is_finite());
         known.then_some((omega, zeta))
     };
-    pairs(driven).into_iter().map(root).collect()
+    pairs(driven, Dd::ZERO).into_iter().map(root).collect()
 }
 
 /// Returns the constant and the linear term of Σ c_i/(s² + l_i s + λ_i) modulo s² + ps + q. Each entry of `constants`

@@ -9,7 +9,7 @@ use crate::reduced;
 use crate::roots;
 use crate::scene::{Damping, Precision, Scene};
 use frictiongen_kernel::contact::sums::Chain;
-use frictiongen_kernel::motion::{Dynamics, HeldMode};
+use frictiongen_kernel::motion::{AnyContact, Dynamics, ElasticChain, HeldMode};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::oscillator::mode::Mode;
@@ -67,6 +67,8 @@ pub struct Transient<S> {
     pub participations: Vec<[S; 2]>,
     /// Constants of the whole chain, which belong to no single mode.
     pub chain: Chain<S>,
+    /// k₁ over the stiffness of an elastic contact. `None` for a rigid contact.
+    pub compliance: Option<S>,
     /// Index of the mass that rubs on a support. `None` if two masses rub on each other.
     pub rubbing: Option<usize>,
 }
@@ -76,13 +78,14 @@ impl<S: Scalar> Transient<S> {
     #[must_use]
     pub fn of(scene: &Scene, modal: &Modal, to: impl Fn(Dd) -> S) -> Self {
         let plain = sorted(turned(plain_modes(modal)));
-        let pairs = roots::pairs(&driven(&plain, |value| value));
+        let compliance = compliance(scene);
+        let pairs = roots::pairs(&driven(&plain, |value| value), compliance);
         let pairs: Vec<(Dd, Dd)> = pairs.iter().map(|pair| (pair.omega, pair.zeta)).collect();
-        Self::with_pairs(scene, modal, &plain, &pairs, to)
+        Self::with_pairs((scene, compliance), modal, &plain, &pairs, to)
     }
 
     fn with_pairs<T: Float>(
-        scene: &Scene,
+        (scene, compliance): (&Scene, T),
         modal: &Modal<T>,
         plain: &[Plain<T>],
         pairs: &[(T, T)],
@@ -90,7 +93,8 @@ impl<S: Scalar> Transient<S> {
     ) -> Self {
         let in_contact: Vec<&Plain<T>> = in_contact(plain).collect();
         let chain = modal.reduced(&to).chain;
-        let (held, participations) = held::held(&in_contact, modal.inverse_mass, pairs, &to);
+        let (held, participations) =
+            held::held(&in_contact, (modal.inverse_mass, compliance), pairs, &to);
         let m1 = scene.masses.first().map_or(1.0, |mass| mass.value);
         let gamma: Vec<T> = scene
             .masses
@@ -126,6 +130,7 @@ impl<S: Scalar> Transient<S> {
             held,
             participations,
             chain,
+            compliance: scene.stiffness.map(|_| to(compliance)),
             rubbing: modal.rubbing(),
         }
     }
@@ -139,7 +144,7 @@ impl<S: Scalar> Transient<S> {
     where
         S: Float,
     {
-        let dynamics = self.dynamics();
+        let dynamics = self.contact_dynamics();
         let driven = dynamics.in_contact();
         let mut modes = self.modes.iter().take(driven);
         if !modes.any(|mode| S::constant(NEAR_CRITICAL) <= mode.zeta) {
@@ -153,7 +158,7 @@ impl<S: Scalar> Transient<S> {
         (!kept).then_some(loss)
     }
 
-    /// Returns the data as [`Dynamics`], the form in which the kernel crate takes them.
+    /// Returns the data of a rigid contact as [`Dynamics`], the form in which the kernel crate takes them.
     #[must_use]
     pub fn dynamics(&self) -> Dynamics<'_, S> {
         Dynamics {
@@ -166,13 +171,34 @@ impl<S: Scalar> Transient<S> {
             rubbing: self.rubbing,
         }
     }
+
+    /// Returns the data as [`Dynamics`] for either law of the contact, rigid or elastic.
+    #[must_use]
+    pub fn contact_dynamics(&self) -> Dynamics<'_, S, AnyContact<S>>
+    where
+        S: Copy,
+    {
+        self.dynamics().with(match self.compliance {
+            None => AnyContact::Rigid(self.chain),
+            Some(compliance) => AnyContact::Elastic(ElasticChain {
+                chain: self.chain,
+                compliance,
+            }),
+        })
+    }
+}
+
+/// Returns k₁ over the stiffness of the contact, and 0 for a rigid contact.
+fn compliance(scene: &Scene) -> Dd {
+    let of = |stiffness: f64| Dd::from(scene.first_stiffness()) / Dd::from(stiffness);
+    scene.stiffness.map_or(Dd::ZERO, of)
 }
 
 impl Transient<Dual<Dd>> {
     /// Builds the data from modal data with derivatives, including the derivatives of the held modes (contact stuck).
     /// The weights get no derivatives, because here they only give first guesses of a state.
     ///
-    /// Returns `None` if single modes have no derivative. There are three such cases. Two equal modes that the contact
+    /// Returns `None` for an elastic contact, and if single modes have no derivative. There are three such cases. Two equal modes that the contact
     /// drives separate, two held modes are equal, or the contact begins to drive a mode.
     #[must_use]
     pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {
@@ -193,11 +219,15 @@ impl Transient<Dual<Dd>> {
             }
         }
         let plain = sorted(turned(plain));
+        if scene.stiffness.is_some() {
+            return None;
+        }
         let pairs = held::moving(
             &driven(&plain, |of| of.value),
             &in_contact(&plain).collect::<Vec<_>>(),
         )?;
-        Some(Self::with_pairs(scene, modal, &plain, &pairs, |value| {
+        let rigid = (scene, Dual::fixed(Dd::ZERO));
+        Some(Self::with_pairs(rigid, modal, &plain, &pairs, |value| {
             value
         }))
     }

@@ -23,6 +23,7 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
         excitation: Excitation::Force(masses.len() - 1),
         damping,
         damping_from: Default::default(),
+        stiffness: None,
         stiction: 1.0,
         precision: Precision::F64,
         provide: Vec::new(),
@@ -128,4 +129,108 @@ fn a_loss_is_seen() {
         double.is_some() && single.is_some(),
         "{double:?} {single:?}"
     );
+}
+
+/// Compliances k₁/k of an elastic contact from 1e-6 to 1e9 times the stiffness of the springs.
+const STIFFNESSES: [f64; 6] = [1e-6, 1e-3, 0.3, 1e2, 1e5, 1e9];
+
+/// Without damping the stuck chain with an elastic contact is a chain with one more spring.  Its natural frequencies come
+/// from the modal analysis of that chain, which solves no secular equation.
+#[test]
+fn an_elastic_contact_is_one_more_spring() {
+    let uneven = [1.0, 2.5, 0.3, 1.7, 0.9, 4.0];
+    let springs = [1.0, 0.4, 3.0, 1.1, 0.7, 2.0];
+    let mut compared = 0;
+    for (masses, springs) in [
+        (&uneven[..], &springs[..]),
+        (&[1.0; 3], &[1.0; 3]),
+        (&[2.0], &[3.0]),
+    ] {
+        for stiffness in STIFFNESSES {
+            for contact in [0, masses.len() / 2, masses.len() - 1] {
+                let mut scene = chain(masses, springs, contact, Damping::None);
+                scene.stiffness = Some(stiffness);
+                let transient: Transient<f64> =
+                    Transient::of(&scene, &Modal::of(&scene), |value| value.hi);
+                let found = transient.held.iter().map(|mode| mode.frequency);
+                scene.springs.push(Spring {
+                    from: Node::Mass(contact),
+                    to: Node::Wall,
+                    stiffness,
+                });
+                let expected = Modal::of(&scene).resonances;
+                // A mode that the contact does not drive is no mode of the stuck chain's own.
+                for frequency in found {
+                    let nearest = expected.iter().map(|of| (of.to_f64() - frequency).abs());
+                    let error = nearest.fold(f64::INFINITY, f64::min);
+                    assert!(
+                        error <= 2e-16 * frequency,
+                        "k = {stiffness}, {contact}: {frequency}, {error:e}"
+                    );
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert!(compared > 150, "{compared}");
+}
+
+/// In every mode of the stuck chain the displacement of the contact is the compliance times its force, for all kinds of
+/// damping, equal modes and both number types.
+#[test]
+fn the_spring_of_an_elastic_contact_has_the_contact_force() {
+    let uneven = [1.0, 2.5, 0.3, 1.7, 0.9, 4.0];
+    let springs = [1.0, 0.4, 3.0, 1.1, 0.7, 2.0];
+    let heavy = Damping::Rayleigh {
+        mass: 3.0,
+        stiffness: 1.5,
+    };
+    let modal = Damping::Modal(vec![0.0, 0.3, 1.0, 0.01, 2.0, 0.05]);
+    let mut compared = 0;
+    for damping in [
+        Damping::None,
+        Damping::Uniform(0.01),
+        Damping::Uniform(0.7),
+        heavy,
+        modal,
+    ] {
+        for stiffness in STIFFNESSES {
+            for contact in [0, 2, 5] {
+                let mut scene = chain(&uneven, &springs, contact, damping.clone());
+                scene.stiffness = Some(stiffness);
+                let transient: Transient<Dd> =
+                    Transient::of(&scene, &Modal::of(&scene), |value| value);
+                let driven = transient.held.len();
+                assert_eq!(transient.participations.len(), driven * driven);
+                for (mode, participations) in transient
+                    .held
+                    .iter()
+                    .zip(transient.participations.chunks(driven))
+                {
+                    let spring = mode.force / Dd::from(stiffness);
+                    for (state, expected) in [-spring, Dd::ZERO].into_iter().enumerate() {
+                        let terms = transient.modes.iter().zip(participations);
+                        let (moved, size) =
+                            terms.fold((Dd::ZERO, spring.abs()), |(sum, size), (mode, of)| {
+                                let term = mode.contact * of[state];
+                                (sum + term, size + term.abs())
+                            });
+                        let error = ((moved - expected) / size).abs().to_f64();
+                        assert!(
+                            error < 1e-26,
+                            "{damping:?}, k = {stiffness}, {contact}: {error:e}"
+                        );
+                        compared += 1;
+                    }
+                }
+                let single = |value: Dd| f32::constant(value.to_f64());
+                let single = Transient::of(&scene, &Modal::of(&scene), single);
+                for (mode, single) in transient.held.iter().zip(&single.held) {
+                    let error = (mode.force.to_f64() / f64::from(single.force) - 1.0).abs();
+                    assert!(error < 1e-7, "{error:e}");
+                }
+            }
+        }
+    }
+    assert_eq!(compared, 5 * 6 * 3 * 6 * 2);
 }

@@ -100,6 +100,20 @@ scene_errors! {
         "`damping_from: base` needs a base that moves, but here a force acts on `{load}` and the base is at rest; write `excitation: base`, or leave `damping_from` out",
     NoTablesFromBase { tables: String } =>
         "tables are not possible with `damping_from: base`; leave `{tables}` and its range out, so that the exact formulas are emitted, or write `damping_from: rest`",
+    ContactStiffnessNotPositive { value: f64 } =>
+        "the stiffness of the contact is {value:?}: it must be greater than zero; write a positive number, or leave `stiffness` out for a rigid contact",
+    StiffnessInfinite {} =>
+        "an infinite stiffness is a rigid contact; leave `stiffness` out",
+    StiffnessLosesDigits { value: f64, most: f64, kept: String } =>
+        "with the stiffness {value:?} of the contact, its force would have fewer correct digits than {kept}; write at most {most:.1e}, or leave `stiffness` out for a rigid contact",
+    ElasticStribeck {} =>
+        "`stiffness` and `stribeck` exclude each other: the force of an elastic contact cannot depend on the speed; leave one of the two out",
+    NoTablesElastic { tables: String } =>
+        "tables are not possible with `stiffness`; leave `{tables}` and its range out, or leave `stiffness` out for a rigid contact",
+    ElasticWithoutMotion {} =>
+        "an elastic contact sticks after each reversal, so that it has no β_lim and no closed form; write `provide: [orbit, simulation]`, or leave `stiffness` out for a rigid contact",
+    NotElastic { item: String } =>
+        "`{item}` is not possible with `stiffness`; write `orbit` or `simulation` instead, or leave `stiffness` out for a rigid contact",
     StictionBelowOne { value: f64 } =>
         "the stiction μ is {value:?}, but static friction is never smaller than kinetic; write 1 or more",
     NothingProvided {} =>

@@ -33,6 +33,8 @@ pub enum Path {
     DampingFrom,
     /// The ratio μ of static to kinetic friction.
     Stiction,
+    /// The stiffness of an elastic contact.
+    Stiffness,
     /// The list `provide` as a whole (`None`), or the item with this index.
     Provide(Option<usize>),
     /// The accuracy that the scene declares.

@@ -1,6 +1,7 @@
 //! Checks for scenes whose numbers differ too much, or whose modes are too close, for meaningful results.
 
 use super::checks::{Checks, LARGEST, SMALLEST};
+use super::elastic;
 use super::error::SceneError;
 use super::path::Path;
 use crate::modal::Modal;
@@ -63,12 +64,18 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
 }
 
-/// Reports modes that single precision cannot separate. All other checks must have passed.
+/// Reports modes that single precision cannot separate, and a contact too stiff for its digits. All other checks must
+/// have passed.
 pub(super) fn check_modes(scene: &Scene, errors: &mut Vec<SceneError>) {
-    if scene.precision != Precision::F32 || scene.masses.len() > MOST_ANALYSED {
+    let single = scene.precision == Precision::F32;
+    if !(single || scene.stiffness.is_some()) || scene.masses.len() > MOST_ANALYSED {
         return;
     }
     let modal = Modal::of(scene);
+    elastic::check_digits(scene, &modal, errors);
+    if !single {
+        return;
+    }
     let pairs = modal.resonances.iter().zip(modal.resonances.iter().skip(1));
     for (index, (lower, upper)) in pairs.enumerate() {
         let gap = ((*upper - *lower) / *upper).to_f64();

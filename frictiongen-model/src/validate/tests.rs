@@ -38,6 +38,7 @@ fn chain(count: usize) -> Scene {
         excitation: Excitation::Force(0),
         damping: Damping::None,
         damping_from: Default::default(),
+        stiffness: None,
         stiction: 1.0,
         precision: Precision::F64,
         provide: vec![Provide::Limits],

@@ -53,6 +53,7 @@ impl Places<'_> {
             Path::Damping(index) => self.damping(index),
             Path::DampingFrom => fields.damping_from.given().map(|choice| choice.place),
             Path::Stiction => fields.stiction.given().map(|number| number.place),
+            Path::Stiffness => fields.stiffness.given().map(|number| number.place),
             Path::Provide(None) => fields.provide.given().map(|provide| provide.place),
             Path::Provide(Some(index)) => self.provide.get(index).map(|entry| entry.place),
             Path::Accuracy => match fields.accuracy.given() {

@@ -40,6 +40,8 @@ pub(super) fn resolve<'s>(
         Some(number) => lowering.number(*number, Path::Stiction),
         None => 1.0,
     };
+    let stiffness = fields.stiffness.given().copied();
+    let stiffness = stiffness.map(|number| lowering.number(number, Path::Stiffness));
     let (provide, provide_entries) = lowering.provide(fields);
     let declared = lowering.declared(fields);
     let friction = lowering.friction(fields);
@@ -57,6 +59,7 @@ pub(super) fn resolve<'s>(
         damping,
         damping_from: damping_from.unwrap_or_default(),
         stiction,
+        stiffness,
         precision: fields.scalar.given().copied().unwrap_or_default(),
         provide,
         declared,

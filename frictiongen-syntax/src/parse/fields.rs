@@ -23,6 +23,7 @@ enum Field {
     Damping,
     DampingFrom,
     Stiction,
+    Stiffness,
     Scalar,
     Provide,
     Accuracy,
@@ -38,7 +39,7 @@ enum Field {
     Crate,
 }
 
-const FIELDS: [(&str, Field); 20] = [
+const FIELDS: [(&str, Field); 21] = [
     ("masses", Field::Masses),
     ("springs", Field::Springs),
     ("contact", Field::Contact),
@@ -46,6 +47,7 @@ const FIELDS: [(&str, Field); 20] = [
     ("damping", Field::Damping),
     ("damping_from", Field::DampingFrom),
     ("stiction", Field::Stiction),
+    ("stiffness", Field::Stiffness),
     ("scalar", Field::Scalar),
     ("provide", Field::Provide),
     ("accuracy", Field::Accuracy),
@@ -138,6 +140,13 @@ fn field(
         ),
         Field::Stiction => store(
             &mut fields.stiction,
+            &word,
+            reader,
+            problems,
+            super::number::number,
+        ),
+        Field::Stiffness => store(
+            &mut fields.stiffness,
             &word,
             reader,
             problems,

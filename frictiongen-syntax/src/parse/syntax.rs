@@ -166,6 +166,7 @@ pub(crate) struct Fields {
     pub(crate) damping: Slot<DampingEntry>,
     pub(crate) damping_from: Slot<Choice<DampingFrom>>,
     pub(crate) stiction: Slot<Number>,
+    pub(crate) stiffness: Slot<Number>,
     pub(crate) scalar: Slot<Precision>,
     pub(crate) provide: Slot<Placed<ProvideEntry>>,
     pub(crate) accuracy: Slot<AccuracyEntry>,

@@ -5,11 +5,11 @@ use super::motion::{SystemMotion, SystemStuck};
 use super::orbit::SystemOrbit;
 use super::system::System;
 use crate::system::FrictionSystem;
-use crate::{Complex, NoOrbit, OutOfDomain};
+use crate::{NoOrbit, OutOfDomain};
 use frictiongen_kernel::contact::regime::Limits;
 use frictiongen_kernel::contact::sums::{ContactAt, ModeAt};
 use frictiongen_kernel::modal_sum::wave::Wave;
-use frictiongen_kernel::orbit::{self, Orbit, OrbitQuestion, ProvidesOrbit, Start};
+use frictiongen_kernel::orbit::{ProvidesOrbit, Start};
 use frictiongen_kernel::oscillator::decay::Damped;
 use frictiongen_kernel::response::{
     At, Numbers, ProvidesMotion, ProvidesStuck, Scene, limits_of_sums,
@@ -148,33 +148,12 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
         last: bool,
     ) -> Result<SystemOrbit<'a, S>, NoOrbit> {
         let system = *at.scene();
-        let from_rest = matches!(start, Start::Rest | Start::State(..));
-        if let Start::State(displacements, velocities) = start {
-            system.check_state((displacements, velocities))?;
-        }
-        let dynamics = system.dynamics_in_time()?;
-        let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
-        let zero = S::constant(0.0);
-        let question = OrbitQuestion {
-            dynamics,
-            r: at.frequency_ratio(),
+        system.settled_from(
+            at.frequency_ratio(),
             beta,
-            sliding: at.sliding_limit(),
             start,
-            last,
-        };
-        let orbit = Orbit::answer(
-            &question,
-            system.parts(),
-            vec![zero; orbit::numbers(modes, driven)],
-            vec![Complex::new(zero, zero); 2 * driven],
-        )?;
-        Ok(SystemOrbit {
-            system,
-            orbit,
-            from_rest,
-            slides: false,
-        })
+            (at.sliding_limit(), last),
+        )
     }
 }
 

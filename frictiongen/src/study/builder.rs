@@ -40,6 +40,7 @@ pub struct Builder {
     damping: Damping,
     damping_from: DampingFrom,
     stiction: f64,
+    stiffness: Option<f64>,
     friction: FrictionLaw,
     step: Option<f64>,
     input: StepInput,
@@ -58,6 +59,7 @@ impl System {
             damping: Damping::None,
             damping_from: DampingFrom::Rest,
             stiction: 1.0,
+            stiffness: None,
             friction: FrictionLaw::Coulomb,
             step: None,
             input: StepInput::Linear,
@@ -117,6 +119,14 @@ impl Builder {
     /// Sets μ, the ratio of static to kinetic friction. The default is 1.
     pub fn stiction(mut self, stiction: f64) -> Self {
         self.stiction = stiction;
+        self
+    }
+
+    /// Sets the stiffness of an elastic contact (Jenkins element), a spring in series with the slider, in N/m. Without
+    /// this call the contact is rigid. An elastic contact never slides all the time, so that `at` returns an error. Ask
+    /// [`steady_state`](System::steady_state) and [`simulation`](System::simulation).
+    pub fn stiffness(mut self, stiffness: f64) -> Self {
+        self.stiffness = Some(stiffness);
         self
     }
 
@@ -260,7 +270,11 @@ impl Builder {
             input: self.input,
             forces,
         };
-        let provide = provided(&self.friction, &stepping);
+        let provide = if self.stiffness.is_some() {
+            vec![Provide::Orbit, Provide::Simulation]
+        } else {
+            provided(&self.friction, &stepping)
+        };
         let scene = Scene {
             name: self.name,
             masses: self.masses,
@@ -270,6 +284,7 @@ impl Builder {
             damping: self.damping,
             damping_from: self.damping_from,
             stiction: self.stiction,
+            stiffness: self.stiffness,
             precision: Precision::F64,
             provide,
             declared: Declared::default(),

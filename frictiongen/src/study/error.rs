@@ -2,7 +2,7 @@
 
 use super::naming::UnknownMotion;
 use super::words;
-use crate::{Error, NoOrbit, NotContinuous, Of, OutOfDomain, StuckResonance};
+use crate::{Error, NoOrbit, NotContinuous, Of, OutOfDomain, StuckResonance, Unsupported};
 use frictiongen_kernel::orbit::NoDerivative;
 use frictiongen_model::validate::SceneError;
 use frictiongen_syntax::Diagnostics;
@@ -72,6 +72,8 @@ pub enum LoadError {
     Amplitude,
     /// P/k₁ or k₁Y is too small or too large for the scalar.
     OutOfRange,
+    /// The request needs a rigid contact, but the contact is elastic.
+    ElasticContact,
 }
 
 impl std::fmt::Display for LoadError {
@@ -84,6 +86,7 @@ impl std::fmt::Display for LoadError {
                 f,
                 "with the stiffness of the first spring, this load makes a length or a force too small or too large to compute with"
             ),
+            Self::ElasticContact => Unsupported::ElasticContact.fmt(f),
         }
     }
 }

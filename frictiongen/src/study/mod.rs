@@ -29,6 +29,7 @@ pub mod response;
 pub mod sensitivity;
 mod settled;
 pub mod simulation;
+mod steady_state;
 pub mod stepper;
 mod system;
 pub mod units;

@@ -5,17 +5,18 @@ use super::system::System;
 use super::units::reversed_phase;
 use crate::Complex;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::motion::Part;
+use frictiongen_kernel::motion::{AnyContact, Part};
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 use std::ops::Deref;
 
 /// The kernel's steady state, with vectors, that a [`SystemOrbit`] derefs to.
 #[doc(hidden)]
-pub type SystemOrbitState<'a, S = f64> = Orbit<'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>>;
+pub type SystemOrbitState<'a, S = f64> =
+    Orbit<'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>, AnyContact<S>>;
 
 /// The steady motion of the contact or of a mass, in any regime.
 pub type SystemOrbitMotion<'o, 'a, S = f64> =
-    OrbitMotion<'o, 'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>>;
+    OrbitMotion<'o, 'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>, AnyContact<S>>;
 
 /// The steady state of a system at one frequency ratio and one friction ratio, in any regime.
 ///

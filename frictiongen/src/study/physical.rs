@@ -122,6 +122,7 @@ impl System {
         point: OperatingPoint,
         of: Of,
     ) -> Result<ResponseSensitivities, StudyError> {
+        self.rigid()?;
         if !self.has_motion(of) {
             return Err(StudyError::NoSuchMotion(of));
         }

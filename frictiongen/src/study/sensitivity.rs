@@ -139,7 +139,9 @@ impl Varied {
         r: Sensitive,
         beta: Sensitive,
     ) -> Result<SystemOrbit<'_, Sensitive>, NoDerivative> {
-        let dynamics = self.transient().ok_or(NoDerivative::Degenerate)?.dynamics();
+        self.system.rigid()?;
+        let transient = self.transient().ok_or(NoDerivative::Degenerate)?;
+        let dynamics = transient.contact_dynamics();
         let zero = Sensitive::constant(0.0);
         let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
         let orbit = Orbit::carrying(

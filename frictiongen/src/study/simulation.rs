@@ -3,7 +3,7 @@
 use super::error::UnknownMass;
 use super::system::System;
 use crate::{Given, OutOfDomain, Simulates, SimulatesUnder, Unsupported};
-use frictiongen_kernel::motion::{Dynamics, Lines, Part};
+use frictiongen_kernel::motion::{AnyContact, Dynamics, Lines, Part};
 use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 use frictiongen_kernel::{Float, Plain};
 
@@ -15,20 +15,28 @@ pub struct SystemSimulation<'a, S = f64> {
 }
 
 /// The kernel's simulation with vectors, for any friction law.
-type KernelSimulation<'a, S> = Simulation<'a, S, Vec<Part<S>>, Lines<'a, S>>;
+type KernelSimulation<'a, S> = Simulation<'a, S, Vec<Part<S>>, Lines<'a, S>, AnyContact<S>>;
 
 impl<S: Plain> System<S> {
-    pub(super) fn dynamics(&self) -> Dynamics<'_, S> {
-        self.transient().dynamics()
+    pub(super) fn dynamics(&self) -> Dynamics<'_, S, AnyContact<S>> {
+        self.transient().contact_dynamics()
     }
 
     /// Returns the modal data for a simulation in time. Fails for a chain with too many modes at or beyond critical
     /// damping.
-    pub(super) fn dynamics_in_time(&self) -> Result<Dynamics<'_, S>, OutOfDomain> {
+    pub(super) fn dynamics_in_time(&self) -> Result<Dynamics<'_, S, AnyContact<S>>, OutOfDomain> {
         if self.loses_motion() {
             return Err(Unsupported::CriticalDamping.into());
         }
         Ok(self.dynamics())
+    }
+
+    /// Returns the modal data for a motion in time that needs a rigid contact. Same errors as
+    /// [`dynamics_in_time`](Self::dynamics_in_time), and an error for an elastic contact.
+    pub(super) fn rigid_dynamics(&self) -> Result<Dynamics<'_, S>, OutOfDomain> {
+        self.rigid()?;
+        self.dynamics_in_time()?;
+        Ok(self.transient().dynamics())
     }
 
     /// Returns one empty entry for each mode of the chain while its contact slides, and one for each mode while it
@@ -64,7 +72,7 @@ impl<S: Plain> System<S> {
     /// for `friction: stribeck`, which needs [`simulation_under`](Self::simulation_under). [`Unsupported::CriticalDamping`](crate::Unsupported::CriticalDamping)
     /// where too many modes are at or beyond critical damping, so that less than half of the digits would remain.
     pub fn simulation(&self, r: S, beta: S) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
-        self.constant_level()?;
+        self.constant_force()?;
         self.started(r, beta, Lines::none(), None)
     }
 
@@ -80,7 +88,7 @@ impl<S: Plain> System<S> {
         beta: S,
         state: (&[S], &[S]),
     ) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
-        self.constant_level()?;
+        self.constant_force()?;
         self.started(r, beta, Lines::none(), Some(state))
     }
 

@@ -245,7 +245,7 @@ impl<S: Plain> System<S> {
         dt: S,
         state: Option<(&[S], &[S])>,
     ) -> Result<SystemStepper<'_, S>, OutOfDomain> {
-        let scene = self.steps().scene(self.dynamics_in_time()?);
+        let scene = self.steps().scene(self.rigid_dynamics()?);
         let tables = SystemStepTables::new(&scene, dt)?;
         let store = SystemStepStore::new(&scene);
         Ok(SystemStepper {

@@ -246,6 +246,8 @@ impl<S: Float> System<S> {
     /// kinetic friction force.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<S>> {
+        // An elastic contact dissipates less than a rigid one in each cycle, but the same for large amplitudes, so that
+        // the thresholds are the same.
         self.modal
             .resonance_thresholds()
             .into_iter()
@@ -254,7 +256,7 @@ impl<S: Float> System<S> {
     }
 
     /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5). `None` where the contact is
-    /// stuck at r = 0.
+    /// stuck at r = 0, and for an elastic contact.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -272,30 +274,54 @@ impl<S: Float> System<S> {
     /// ```
     #[must_use]
     pub fn quasi_static_start(&self, beta: S) -> Option<Vec<S>> {
+        self.rigid().ok()?;
         let start = self.modal.quasi_static_start(Dd::from(beta.to_f64()))?;
         Some(start.into_iter().map(rounded).collect())
     }
 
     /// Returns the peak amplitude of a mass at a damped resonance, estimated for small ζ (7.60). `mode` is the index
-    /// of the resonance in ascending order, `mass` the index in the description. `None` for a mode without damping.
+    /// of the resonance in ascending order, `mass` the index in the description. `None` for a mode without damping, and for an elastic
+    /// contact.
     #[must_use]
     pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: S) -> Option<S> {
+        self.rigid().ok()?;
         let beta = Dd::from(beta.to_f64());
         self.modal
             .resonant_peak_estimate(mode, mass, beta)
             .map(rounded)
     }
 
-    /// Returns β_∞ and β*_∞, the values of β_lim and β*_lim for r → ∞ (6.28). Both are infinite on a moving base.
+    /// Returns β_∞ and β*_∞, the values of β_lim and β*_lim for r → ∞ (6.28). Both are infinite on a moving base. An
+    /// elastic contact has β_∞ = 0. Its β*_∞ is 0, or on a moving base its stiffness over μk₁.
     #[must_use]
     pub fn high_frequency_limits(&self) -> (S, S) {
+        if let Some(compliance) = self.transient().compliance {
+            let chain = &self.reduced.chain;
+            let zero = S::constant(0.0);
+            let base = S::constant(1.0) / (compliance * chain.stiction);
+            return (zero, chain.on_moving_base.map_or(zero, |_| base));
+        }
         let ends = &self.reduced.ends;
         (ends.continuous_at_infinity, ends.sliding_at_infinity)
     }
 
-    /// Fails unless the kinetic friction force is constant in speed. The exact response and the motion from event to
-    /// event need a constant force.
+    /// Fails unless the contact is rigid and the kinetic friction force is constant in speed. The closed forms need
+    /// both.
     pub(super) fn constant_level(&self) -> Result<(), OutOfDomain> {
+        self.rigid()?;
+        self.constant_force()
+    }
+
+    /// Fails if the contact is elastic.
+    pub(crate) fn rigid(&self) -> Result<(), OutOfDomain> {
+        match self.scene.stiffness {
+            None => Ok(()),
+            Some(_) => Err(Unsupported::ElasticContact.into()),
+        }
+    }
+
+    /// Fails unless the kinetic friction force is constant in speed, as the motion from event to event needs it.
+    pub(super) fn constant_force(&self) -> Result<(), OutOfDomain> {
         match self.scene.friction {
             FrictionLaw::Coulomb => Ok(()),
             FrictionLaw::Stribeck(_) => Err(Unsupported::FrictionLaw.into()),

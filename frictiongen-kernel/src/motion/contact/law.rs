@@ -77,10 +77,53 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     type Law: Law<S>;
 
     /// Number of modes that the chain loses while the contact sticks.
-    const LOST_MODES: usize;
+    fn lost_modes(&self) -> usize;
 
-    /// Floquet multipliers of a contact that never slides, two for each lost mode.
-    const STUCK_MULTIPLIERS: &'static [f64];
+    /// Number of scalars that the contact remembers while it sticks, in addition to the state of the modes.
+    #[inline]
+    fn remembered(&self) -> usize {
+        0
+    }
+
+    /// Floquet multipliers of a contact that never slides: two for each lost mode, and one for each remembered scalar.
+    fn stuck_multipliers(&self) -> &'static [f64];
+
+    /// Compliance of a spring in series with the contact: its displacement per unit of contact force.
+    #[inline]
+    fn compliance(&self) -> S {
+        S::constant(0.0)
+    }
+
+    /// Derives the contact's state from the motion alone, at the phase `t`.
+    fn contact_state(setting: &Setting<'_, S, Self>, parts: &[Part<S>], t: S) -> ContactState<S>;
+
+    /// Derives the contact's state from the motion and from a state in which the contact slides.
+    #[inline]
+    fn sliding_state(
+        setting: &Setting<'_, S, Self>,
+        parts: &[Part<S>],
+        contact_state: &ContactState<S>,
+    ) -> ContactState<S> {
+        Self::contact_state(setting, parts, contact_state.t)
+    }
+
+    /// What the contact remembers if it stops sliding in this direction.
+    #[inline]
+    fn memory_at_stop(_: &Setting<'_, S, Self>, _: Contact) -> Option<S> {
+        None
+    }
+
+    /// What the contact remembers while it sticks at `place`, at the instant of `stuck_modes`.  `at` is the sine and the
+    /// cosine of the excitation's angle then.
+    #[inline]
+    fn memory_at(_: &Setting<'_, S, Self>, _: &[Part<S>], _: S, _: (S, S)) -> Option<S> {
+        None
+    }
+
+    /// Adapts the oscillators of the stuck chain to what the contact remembers.  `lifted` is the displacement of the
+    /// stuck contact including the base's.
+    #[inline]
+    fn adapt(_: &Setting<'_, S, Self>, _: &mut [Part<S>], _lifted: S, _: &ContactState<S>) {}
 
     /// Constants of the chain that do not belong to the law.
     fn chain(&self) -> &Chain<S>;

@@ -10,12 +10,15 @@
 //! | what follows at zero relative velocity | [`ContactChain::halt`], [`Law::leave_rest`] |
 //! | which force acts while it slides | [`Law::kinetic`], [`Law::kinetic_on`], [`Law::kinetic_at`] |
 //! | what stays constant while it sticks, and its velocity then | [`ContactChain::stuck_place`], [`ContactChain::stuck_velocity`] |
-//! | how many modes the stuck chain has | [`ContactChain::LOST_MODES`] |
-//! | how a deviation grows, and how it jumps at an event | [`ContactChain::carry_deviations`], [`ContactChain::STUCK_MULTIPLIERS`] |
+//! | how many modes the stuck chain has | [`ContactChain::lost_modes`] |
+//! | what a contact that sticks remembers | [`ContactChain::remembered`], [`ContactChain::memory_at`], [`ContactChain::memory_at_stop`] |
+//! | how a deviation grows, and how it jumps at an event | [`ContactChain::carry_deviations`], [`ContactChain::stuck_multipliers`] |
 //!
 //! Every law shares the transformation between the modes of the chain and those of the stuck chain (`stuck_chain`), and
 //! the oscillators while the contact sticks and slides (`sticking`, `sliding`).
 
+mod any;
+mod elastic;
 pub(crate) mod kinetic;
 mod law;
 mod rigid;
@@ -24,9 +27,13 @@ mod state;
 mod sticking;
 mod stuck_chain;
 
+pub use any::AnyContact;
+pub use elastic::ElasticChain;
 pub use kinetic::{Constant, Level, Lines, MAX_STEEPNESS};
 pub use rigid::LOST_MODES;
 pub use state::{Contact, Event};
 
-pub(crate) use law::{ContactChain, Law};
+#[doc(hidden)]
+pub use law::ContactChain;
+pub(crate) use law::Law;
 pub(crate) use state::{ContactState, Outcome, SegmentEnd, Sought};

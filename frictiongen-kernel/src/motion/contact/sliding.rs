@@ -8,6 +8,7 @@ use crate::motion::oscillator::Part;
 use crate::motion::series::OscillatorSum;
 use crate::motion::setting::Setting;
 use crate::number::complex::{self, Complex};
+use crate::number::pairs::pairs_mut;
 use crate::number::scalar::Float;
 
 /// Rounding bound of a velocity that vanishes, in roundings of the sum of its terms' sizes.
@@ -31,7 +32,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         ContactState {
             t,
             contact: slide.contact,
-            departing: Some(self.acceleration(slide.excess)),
+            memory: Some(self.acceleration(slide.excess)),
             wedged: false,
         }
     }
@@ -44,18 +45,14 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
 
     /// Derives the contact's state from the motion alone.
     pub(crate) fn contact_state(&self, parts: &[Part<S>], t: S) -> ContactState<S> {
-        let at = phase(t);
+        K::contact_state(self, parts, t)
+    }
+
+    /// Direction in which the contact slides, or `None` if its velocity vanishes within rounding.
+    pub(super) fn direction(&self, parts: &[Part<S>], at: (S, S)) -> Option<Contact> {
         let (velocity, size) = self.relative_velocity(parts, at);
-        if !(velocity.abs() <= size * S::constant(ROUNDINGS * S::EPSILON)) {
-            return ContactState {
-                contact: Contact::along(velocity),
-                ..ContactState::stuck(t)
-            };
-        }
-        match self.law().leave_rest(self.holding(parts, at)) {
-            Some(slide) => self.sliding_away(t, slide),
-            None => ContactState::stuck(t),
-        }
+        let moves = !(velocity.abs() <= size * S::constant(ROUNDINGS * S::EPSILON));
+        moves.then(|| Contact::along(velocity))
     }
 
     /// Sets the oscillators of the modes to sliding, and returns the function z̄′ times its sign.
@@ -87,5 +84,15 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         let cosines = rotated(fundamental, sine, cosine);
         let sines = -(fundamental.re * sine) - fundamental.im * cosine;
         OscillatorSum::new(modes, zero, (cosines, sines), at, reach)
+    }
+
+    /// Changes the velocities of a deviation of the modes for an event that occurs a time `later`, at which the contact
+    /// force falls by `jump`.
+    pub(super) fn delay(&self, jump: S, later: S, column: &mut [S]) {
+        for (mode, state) in self.dynamics.driven().iter().zip(pairs_mut(column)) {
+            if let [_, u] = state {
+                *u = *u - jump * mode.contact / (self.r * mode.resonance) * later;
+            }
+        }
     }
 }

@@ -72,8 +72,9 @@ pub struct ContactState<S> {
     pub t: S,
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
-    /// At an event, the relative acceleration in the direction of sliding, with which the contact leaves zero velocity.
-    pub departing: Option<S>,
+    /// What the contact remembers.  A contact that slides away from zero velocity remembers its relative acceleration in
+    /// the direction of sliding.  An elastic contact that sticks remembers its force over P.
+    pub memory: Option<S>,
     /// True if the contact has just failed to leave.  Rounding then must not decide that the contact force exceeds μβ.
     pub wedged: bool,
 }
@@ -84,7 +85,7 @@ impl<S: Float> ContactState<S> {
         Self {
             t,
             contact: Contact::Stuck,
-            departing: None,
+            memory: None,
             wedged: false,
         }
     }

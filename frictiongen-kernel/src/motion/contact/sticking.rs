@@ -3,7 +3,7 @@
 use super::law::{ContactChain, Law};
 use super::state::ContactState;
 use crate::motion::clock::phase;
-use crate::motion::dynamics::rotated;
+use crate::motion::dynamics::{lift, rotated};
 use crate::motion::oscillator::Part;
 use crate::motion::series::OscillatorSum;
 use crate::motion::setting::Setting;
@@ -54,6 +54,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
             lifted,
             stuck_modes,
         );
+        K::adapt(self, stuck_modes, lifted.0, contact_state);
         let zero = S::constant(0.0);
         let (constant, mut fundamental) = K::steady_stuck_force(self, offset);
         for (part, mode) in stuck_modes.iter_mut().zip(self.dynamics.held) {
@@ -77,7 +78,50 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     /// Largest |offset| at which the contact may stick for ever, while the forced motion has a contact force of amplitude
     /// `steady`.  The rest of the static force can carry a constant force, and with it an offset.
     pub(crate) fn offset_range(&self, steady: S) -> S {
-        (self.law().grip() - steady).max(S::constant(0.0)) * self.receptance
+        let receptance = self.receptance - self.dynamics.chain.compliance();
+        (self.law().grip() - steady).max(S::constant(0.0)) * receptance
+    }
+
+    /// Returns the complex amplitude of the force in a contact that never slides, over P.  `parts` are those of
+    /// [`Setting::new`].  Returns `None` on an undamped resonance of the stuck chain.
+    pub fn stuck_force(&self, parts: &[Part<S>]) -> Option<Complex<S>> {
+        let (_, start) = K::steady_stuck_force(self, S::constant(0.0));
+        let stuck_modes = parts.iter().skip(self.dynamics.modes.len());
+        stuck_modes
+            .zip(self.dynamics.held)
+            .try_fold(start, |sum, (part, mode)| {
+                let [y, _] = part.steady_state()?;
+                Some(complex::add(sum, complex::scale(y, -mode.force)))
+            })
+    }
+
+    /// Returns the complex amplitude of a mass while the contact never slides and the slider has no offset.  `parts` are
+    /// those of [`Setting::new`].  Returns `None` on an undamped resonance of the stuck chain.
+    pub fn stuck_amplitude(&self, parts: &[Part<S>], mass: usize) -> Option<Complex<S>> {
+        let zero = S::constant(0.0);
+        let (dynamics, shape) = (&self.dynamics, self.dynamics.shape(mass));
+        let mut sum = complex::real(zero);
+        for (mode, component) in dynamics.driven().iter().zip(shape) {
+            sum.re = sum.re + *component * lift(mode, self.receptance) * self.base;
+        }
+        let modes = parts.iter().take(dynamics.modes.len()).zip(shape);
+        for (part, component) in modes.skip(dynamics.in_contact()) {
+            let [y, _] = part.steady_state()?;
+            sum = complex::add(sum, complex::scale(y, *component));
+        }
+        let stuck_modes = parts.iter().skip(dynamics.modes.len());
+        for (part, (_, participations)) in stuck_modes.zip(dynamics.held_modes()) {
+            for (amplitude, state) in part.steady_state()?.into_iter().zip(0..) {
+                let weight = participations
+                    .iter()
+                    .zip(shape)
+                    .fold(zero, |sum, (of, component)| {
+                        sum + *component * of.get(state).copied().unwrap_or(zero)
+                    });
+                sum = complex::add(sum, complex::scale(amplitude, weight));
+            }
+        }
+        Some(sum)
     }
 
     /// Displacement of the stuck contact including the base's, and its velocity in the time t√(k₁/m₁).

@@ -95,6 +95,7 @@ impl System {
         recording: &Recording,
         damping: Option<f64>,
     ) -> Result<FreeDecay, MeasureError> {
+        self.rigid()?;
         let scene = self.scene();
         let [mass] = scene.masses.as_slice() else {
             return Err(MeasureError::Asked(

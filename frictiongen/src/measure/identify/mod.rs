@@ -59,6 +59,7 @@ impl System {
         observations: &[Observation],
         request: &IdentifyRequest,
     ) -> Result<Identified, MeasureError> {
+        self.rigid()?;
         let problem = friction::IdentifyProblem::new(self, observations, request)?;
         let alone = problem.friction()?;
         if request.unknowns.is_empty() {

@@ -71,6 +71,7 @@ impl System {
         points: &[SweepPoint],
         damping: bool,
     ) -> Result<SweepFit, MeasureError> {
+        self.rigid()?;
         let scene = self.scene();
         if scene.excitation != Excitation::Base {
             return Err(MeasureError::Asked(

@@ -182,8 +182,9 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`LoadError`] for a load that does not fit the scene.
+    /// [`LoadError`] for a load that does not fit the scene, and for an elastic contact.
     pub fn features(&self, load: Option<Load>) -> Result<Features<'_>, LoadError> {
+        self.rigid().map_err(|_| LoadError::ElasticContact)?;
         Ok(Features {
             system: self,
             variations: Variations::new(self, load)?,

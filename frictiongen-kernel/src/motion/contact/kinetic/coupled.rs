@@ -166,7 +166,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         }
         let velocity = self.velocity_series(modes, &start, (line, stretch), zero);
         let leaving = |slope| WalkStart::Zero(slope * stretch);
-        let from = start.departing.map_or(WalkStart::Anywhere, leaving);
+        let from = start.memory.map_or(WalkStart::Anywhere, leaving);
         let falls = velocity.seen(sign, line.low, one);
         let (at, crossing) = match first_zero(&falls, from, &mut sought.steps) {
             Walk::Zero(at, _) => (at, LineCrossing::Slower),

@@ -98,10 +98,5 @@ fn jump<S: Float>(
     if contact_state.contact == Contact::Stuck {
         deviation = -(deviation / setting.dynamics.chain.inverse_mass);
     }
-    let later = -(deviation / end.slope);
-    for (mode, state) in driven.iter().zip(pairs_mut(column)) {
-        if let [_, u] = state {
-            *u = *u - end.jump * mode.contact / (setting.r * mode.resonance) * later;
-        }
-    }
+    setting.delay(end.jump, -(deviation / end.slope), column);
 }

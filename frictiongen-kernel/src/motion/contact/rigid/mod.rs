@@ -10,7 +10,7 @@ use crate::number::scalar::Float;
 /// Number of modes that the chain loses while a rigid contact sticks.  The contact then has no motion of its own.
 pub const LOST_MODES: usize = 1;
 
-/// The forces of a rigid contact, all in one unit.
+/// The forces of a contact that sticks up to μF and slides under F, all in one unit.
 #[derive(Clone, Copy, Debug)]
 pub struct Rigid<S> {
     /// Kinetic friction force at zero speed.

@@ -2,6 +2,7 @@
 
 use super::{LOST_MODES, Rigid, derivative};
 use crate::contact::sums::Chain;
+use crate::motion::clock::phase;
 use crate::motion::contact::law::{ContactChain, Law};
 use crate::motion::contact::state::{Contact, ContactState, Event, SegmentEnd};
 use crate::motion::oscillator::Part;
@@ -12,10 +13,15 @@ use crate::number::scalar::Float;
 impl<S: Float> ContactChain<S> for Chain<S> {
     type Law = Rigid<S>;
 
-    const LOST_MODES: usize = LOST_MODES;
+    #[inline]
+    fn lost_modes(&self) -> usize {
+        LOST_MODES
+    }
 
     /// A deviation of the contact's displacement stays, and a deviation of its velocity vanishes at once.
-    const STUCK_MULTIPLIERS: &'static [f64] = &[1.0, 0.0];
+    fn stuck_multipliers(&self) -> &'static [f64] {
+        &[1.0, 0.0]
+    }
 
     #[inline]
     fn chain(&self) -> &Chain<S> {
@@ -25,6 +31,20 @@ impl<S: Float> ContactChain<S> for Chain<S> {
     #[inline]
     fn law_with(&self, level: S, stiction: S) -> Rigid<S> {
         Rigid { level, stiction }
+    }
+
+    fn contact_state(setting: &Setting<'_, S>, parts: &[Part<S>], t: S) -> ContactState<S> {
+        let at = phase(t);
+        if let Some(contact) = setting.direction(parts, at) {
+            return ContactState {
+                contact,
+                ..ContactState::stuck(t)
+            };
+        }
+        match setting.law().leave_rest(setting.holding(parts, at)) {
+            Some(slide) => setting.sliding_away(t, slide),
+            None => ContactState::stuck(t),
+        }
     }
 
     /// The relative displacement z̄.

@@ -1,0 +1,203 @@
+//! The elastic contact of a chain, at one frequency ratio: its force while it sticks, and its events.
+
+use super::{ElasticChain, derivative};
+use crate::contact::sums::Chain;
+use crate::motion::contact::law::{ContactChain, Law};
+use crate::motion::contact::rigid::Rigid;
+use crate::motion::contact::state::{Contact, ContactState, Event, SegmentEnd};
+use crate::motion::oscillator::Part;
+use crate::motion::setting::Setting;
+use crate::number::complex::Complex;
+use crate::number::scalar::Float;
+
+impl<S: Float> ContactChain<S> for ElasticChain<S> {
+    type Law = Rigid<S>;
+
+    /// The spring keeps the contact's own mode.
+    #[inline]
+    fn lost_modes(&self) -> usize {
+        0
+    }
+
+    /// The contact remembers its force.
+    #[inline]
+    fn remembered(&self) -> usize {
+        1
+    }
+
+    /// A deviation of the slider's place stays.
+    fn stuck_multipliers(&self) -> &'static [f64] {
+        &[1.0]
+    }
+
+    #[inline]
+    fn compliance(&self) -> S {
+        self.compliance
+    }
+
+    #[inline]
+    fn chain(&self) -> &Chain<S> {
+        &self.chain
+    }
+
+    #[inline]
+    fn law_with(&self, level: S, stiction: S) -> Rigid<S> {
+        Rigid { level, stiction }
+    }
+
+    /// The contact sticks without force.  Without friction it slides.
+    fn contact_state(setting: &Setting<'_, S, Self>, parts: &[Part<S>], t: S) -> ContactState<S> {
+        if setting.law().grip().is_zero() {
+            return Chain::contact_state(&setting.with(setting.dynamics.chain.chain), parts, t);
+        }
+        ContactState {
+            memory: Some(S::constant(0.0)),
+            ..ContactState::stuck(t)
+        }
+    }
+
+    /// The contact continues to slide, or sticks under the kinetic force if the velocity now has the other sign.
+    fn sliding_state(
+        setting: &Setting<'_, S, Self>,
+        parts: &[Part<S>],
+        contact_state: &ContactState<S>,
+    ) -> ContactState<S> {
+        let contact = contact_state.contact;
+        let (velocity, _) = setting.relative_velocity(parts, contact_state.t.sin_cos_pi());
+        if contact.sign::<S>() * velocity < S::constant(0.0) {
+            return ContactState {
+                memory: Self::memory_at_stop(setting, contact),
+                ..ContactState::stuck(contact_state.t)
+            };
+        }
+        ContactState {
+            memory: None,
+            ..*contact_state
+        }
+    }
+
+    fn memory_at_stop(setting: &Setting<'_, S, Self>, contact: Contact) -> Option<S> {
+        Some(setting.law().kinetic(contact))
+    }
+
+    fn memory_at(
+        setting: &Setting<'_, S, Self>,
+        stuck_modes: &[Part<S>],
+        place: S,
+        at: (S, S),
+    ) -> Option<S> {
+        let (lifted, _) = setting.lifted(place, at);
+        Some(setting.elastic_force(stuck_modes, lifted))
+    }
+
+    fn adapt(
+        setting: &Setting<'_, S, Self>,
+        stuck_modes: &mut [Part<S>],
+        lifted: S,
+        contact_state: &ContactState<S>,
+    ) {
+        if let Some(force) = contact_state.memory {
+            setting.set_elastic_force(stuck_modes, lifted, force);
+        }
+    }
+
+    /// The place q = z̄ − ρf of the slider.
+    fn stuck_place(
+        setting: &Setting<'_, S, Self>,
+        modes: &[Part<S>],
+        contact_state: &ContactState<S>,
+        at: (S, S),
+    ) -> S {
+        let force = contact_state.memory.unwrap_or(S::constant(0.0));
+        setting.relative(modes, at) - setting.dynamics.chain.compliance * force
+    }
+
+    fn stuck_velocity(setting: &Setting<'_, S, Self>, modes: &[Part<S>], at: (S, S)) -> S {
+        setting.relative_velocity(modes, at).0
+    }
+
+    fn stuck_force(
+        _: &Setting<'_, S, Self>,
+        _: &[Part<S>],
+        contact_state: &ContactState<S>,
+        _: (S, S),
+    ) -> S {
+        contact_state.memory.unwrap_or(S::constant(0.0))
+    }
+
+    fn steady_stuck_force(setting: &Setting<'_, S, Self>, place: S) -> (S, Complex<S>) {
+        let receptance = setting.receptance;
+        (
+            -(place / receptance),
+            Complex::new(-(setting.base / receptance), S::constant(0.0)),
+        )
+    }
+
+    /// The slider stops.  Without friction the spring has no force, and the contact reverses as a rigid one does.
+    fn halt(
+        setting: &Setting<'_, S, Self>,
+        modes: &[Part<S>],
+        at: (S, S),
+        end: &mut SegmentEnd<S>,
+    ) {
+        let law = setting.law();
+        let before = end.contact_state.contact;
+        let force = setting.holding(modes, at);
+        end.slope = setting.acceleration(force - law.kinetic(before));
+        let free = law.grip().is_zero();
+        if let Some(slide) = law.leave_rest(force).filter(|_| free) {
+            end.event = (slide.contact != before).then_some(Event::Reversal);
+            end.contact_state = setting.sliding_away(end.contact_state.t, slide);
+            return;
+        }
+        end.event = Some(Event::Stop);
+        end.contact_state.contact = Contact::Stuck;
+        end.contact_state.memory = Self::memory_at_stop(setting, before);
+    }
+
+    /// The slider moves off with the velocity of the contact.  With μ > 1 the force drops.
+    fn break_away(setting: &Setting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>) {
+        end.event = Some(Event::Slip);
+        end.contact_state.contact = contact;
+        end.jump = contact.sign::<S>() * setting.law().break_away(contact).excess;
+    }
+
+    fn carry_deviations(
+        setting: &Setting<'_, S, Self>,
+        oscillators: (&[Part<S>], &mut [Part<S>]),
+        contact_state: &ContactState<S>,
+        end: &SegmentEnd<S>,
+        columns: &mut [S],
+    ) {
+        derivative::carry(setting, oscillators, contact_state, end, columns);
+    }
+}
+
+impl<S: Float> Setting<'_, S, ElasticChain<S>> {
+    /// The contact force, from the oscillators of the stuck chain.  `lifted` is the displacement of the slider including
+    /// the base's.
+    pub(super) fn elastic_force(&self, stuck_modes: &[Part<S>], lifted: S) -> S {
+        let modes = stuck_modes.iter().zip(self.dynamics.held);
+        modes.fold(-(lifted / self.receptance), |force, (part, mode)| {
+            force - mode.force * part.y
+        })
+    }
+
+    /// Sets the contact force by a small change of one mode of the stuck chain, the mode with the largest force per unit
+    /// of displacement.  With a stiff spring the displacement of that mode is a small difference of large displacements,
+    /// so that the given force has more digits.
+    pub(super) fn set_elastic_force(&self, stuck_modes: &mut [Part<S>], lifted: S, force: S) {
+        let excess = self.elastic_force(stuck_modes, lifted) - force;
+        let modes = stuck_modes.iter_mut().zip(self.dynamics.held);
+        let stiffest = modes.reduce(|a, b| {
+            if a.1.force.abs() < b.1.force.abs() {
+                b
+            } else {
+                a
+            }
+        });
+        if let Some((part, mode)) = stiffest {
+            part.y = part.y + excess / mode.force;
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! Steady states of a run-time system with any contact, rigid or elastic, and the stuck state of an elastic contact.
+
+use super::orbit::SystemOrbit;
+use super::system::System;
+use crate::{Complex, Error, NoOrbit, OutOfDomain, StuckResonance};
+use frictiongen_kernel::Plain;
+use frictiongen_kernel::motion::{AnyContact, Part, Setting};
+use frictiongen_kernel::number::complex;
+use frictiongen_kernel::orbit::{self, Orbit, OrbitQuestion, Start};
+
+impl<S: Plain> System<S> {
+    /// Returns the steady state at r and β = F/P in which motion from rest ends. The contact may be rigid or elastic.
+    ///
+    /// An elastic contact starts without force. It sticks after each reversal, so that its regime is stick-slip or
+    /// stuck. A steady state in which it never slides is marginal: its slider may rest at other places.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let braced: frictiongen::System = "struct Braced {
+    ///     masses: { floor: 3.25 },
+    ///     springs: { base - floor: 2730 },
+    ///     contact: floor - wall, stiffness: 16000,
+    ///     excitation: floor,
+    ///     damping: modal(0.0256),
+    ///     provide: [orbit],
+    /// }"
+    /// .parse()?;
+    /// // A load of 20 N at 23.583 rad/s, and a friction force of 10.6 N.
+    /// let state = braced.steady_state(braced.frequency_ratio(23.583), 10.6 / 20.0)?;
+    /// let amplitude = state.mass("floor")?.amplitude() * 20.0 / 2730.0;
+    /// assert!((amplitude - 0.012016107849758763).abs() < 1e-9 * amplitude);
+    /// assert_eq!((state.stops(), state.reversals()), (2, 0));
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`NoOrbit`] gives the reason why there is no steady state. [`OutOfDomain`] also for r that is not positive and
+    /// finite, and for `friction: stribeck`.
+    pub fn steady_state(&self, r: S, beta: S) -> Result<SystemOrbit<'_, S>, NoOrbit> {
+        self.steady_state_of(r, beta, Start::Rest)
+    }
+
+    /// Returns the steady state that is reached from a state at a maximum of the excitation, as
+    /// [`steady_state`](Self::steady_state) does from rest. `state` contains x̄ and dx̄/dτ of every mass. An elastic
+    /// contact starts without force.
+    ///
+    /// # Errors
+    /// Same errors as [`steady_state`](Self::steady_state). [`OutOfDomain`] also for a state that is not finite or not
+    /// one number for each mass.
+    pub fn steady_state_from(
+        &self,
+        r: S,
+        beta: S,
+        state: (&[S], &[S]),
+    ) -> Result<SystemOrbit<'_, S>, NoOrbit> {
+        self.steady_state_of(r, beta, Start::State(state.0, state.1))
+    }
+
+    fn steady_state_of(
+        &self,
+        r: S,
+        beta: S,
+        start: Start<'_, S>,
+    ) -> Result<SystemOrbit<'_, S>, NoOrbit> {
+        self.constant_force()?;
+        let (setting, parts) = self.stuck_setting(r)?;
+        // On an undamped resonance of the stuck chain no friction force holds the contact.
+        let limit = setting
+            .stuck_force(&parts)
+            .map_or(S::constant(f64::INFINITY), |force| self.limit_of(force));
+        self.settled_from(r, beta, start, (limit, false))
+    }
+
+    /// Returns β*_lim = |f|/μ, the smallest β = F/P at which the contact need not slide, with the force f of the stuck
+    /// contact over P. The contact may be rigid or elastic.
+    ///
+    /// An elastic contact that starts without force never slides from this β on. Its slider may rest at another place
+    /// after a motion that slides, and then carries a constant force in addition.
+    ///
+    /// # Errors
+    /// [`StuckResonance`] on an undamped resonance of the stuck chain. [`OutOfDomain`] for r that is not positive and
+    /// finite.
+    pub fn stuck_limit(&self, r: S) -> Result<S, Error> {
+        let (setting, parts) = self.stuck_setting(r)?;
+        let force = setting.stuck_force(&parts).ok_or(StuckResonance)?;
+        Ok(self.limit_of(force))
+    }
+
+    /// Returns the complex amplitude of every mass while the contact never slides, over P/k₁, for base motion over Y. The
+    /// contact may be rigid or elastic.
+    ///
+    /// # Errors
+    /// Same errors as [`stuck_limit`](Self::stuck_limit).
+    pub fn stuck_amplitudes(&self, r: S) -> Result<Vec<Complex<S>>, Error> {
+        let (setting, parts) = self.stuck_setting(r)?;
+        let masses = 0..self.scene().masses.len();
+        let amplitudes: Option<Vec<_>> = masses
+            .map(|mass| setting.stuck_amplitude(&parts, mass))
+            .collect();
+        Ok(amplitudes.ok_or(StuckResonance)?)
+    }
+
+    fn limit_of(&self, force: Complex<S>) -> S {
+        complex::modulus(force, true) / self.reduced.chain.stiction
+    }
+
+    /// Returns the setting at r without friction, and its oscillators.
+    fn stuck_setting(
+        &self,
+        r: S,
+    ) -> Result<(Setting<'_, S, AnyContact<S>>, Vec<Part<S>>), OutOfDomain> {
+        let mut parts = self.parts();
+        let dynamics = self.dynamics_in_time()?;
+        let setting = Setting::new(dynamics, r, S::constant(0.0), &mut parts)?;
+        Ok((setting, parts))
+    }
+
+    /// Returns the steady state that is reached from `start`. The last arguments are β*_lim, and true for the last
+    /// cycles of a motion that does not settle.
+    pub(super) fn settled_from(
+        &self,
+        r: S,
+        beta: S,
+        start: Start<'_, S>,
+        (sliding, last): (S, bool),
+    ) -> Result<SystemOrbit<'_, S>, NoOrbit> {
+        if let Start::State(displacements, velocities) = start {
+            self.check_state((displacements, velocities))?;
+        }
+        let dynamics = self.dynamics_in_time()?;
+        let size = dynamics.state_size();
+        let numbers = orbit::numbers_of(dynamics.modes.len(), size);
+        let zero = S::constant(0.0);
+        let question = OrbitQuestion {
+            dynamics,
+            r,
+            beta,
+            sliding,
+            start,
+            last,
+        };
+        let orbit = Orbit::answer(
+            &question,
+            self.parts(),
+            vec![zero; numbers],
+            vec![Complex::new(zero, zero); size],
+        )?;
+        Ok(SystemOrbit {
+            system: self,
+            orbit,
+            from_rest: matches!(start, Start::Rest | Start::State(..)),
+            slides: false,
+        })
+    }
+}

@@ -1,0 +1,18 @@
+//! Elastic contacts (Jenkins elements): a spring in series with the slider.
+
+#![allow(
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    clippy::unwrap_used,
+    reason = "tests fail by panics"
+)]
+
+mod digits;
+mod energy;
+mod full_slip;
+mod joints;
+mod random;
+mod refused;
+mod rigid_limit;
+mod steady;
