@@ -8,6 +8,9 @@ use frictiongen_kernel::motion::{AnyContact, Part, Setting};
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::orbit::{self, Orbit, OrbitQuestion, Start};
 
+/// A setting with either contact, and its oscillators.
+type StuckSetting<'a, S> = (Setting<'a, S, AnyContact<S>>, Vec<Part<S>>);
+
 impl<S: Plain> System<S> {
     /// Returns the steady state at r and β = F/P in which motion from rest ends. The contact may be rigid or elastic.
     ///
@@ -106,10 +109,7 @@ impl<S: Plain> System<S> {
     }
 
     /// Returns the setting at r without friction, and its oscillators.
-    fn stuck_setting(
-        &self,
-        r: S,
-    ) -> Result<(Setting<'_, S, AnyContact<S>>, Vec<Part<S>>), OutOfDomain> {
+    fn stuck_setting(&self, r: S) -> Result<StuckSetting<'_, S>, OutOfDomain> {
         let mut parts = self.parts();
         let dynamics = self.dynamics_in_time()?;
         let setting = Setting::new(dynamics, r, S::constant(0.0), &mut parts)?;

@@ -1,17 +1,19 @@
 //! Emitted simulations and orbits equal those of the run-time system to the last bit.
 
+use frictiongen::kernel::motion::ContactChain;
 use frictiongen::kernel::orbit::{Orbit, OrbitMotion};
 use frictiongen::kernel::simulation::{Part, Segment, Simulation};
 use frictiongen::{Complex, NoOrbit, System};
 use frictiongen_kernel::Float;
 
 /// Returns every number of an orbit, as bits.
-fn said<S, P, V, C>(orbit: &Orbit<'_, S, P, V, C>, masses: usize) -> Vec<u64>
+fn said<S, P, V, C, K>(orbit: &Orbit<'_, S, P, V, C, K>, masses: usize) -> Vec<u64>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     let mut bits = vec![
         orbit.stops() as u64,
@@ -32,12 +34,13 @@ where
     bits
 }
 
-fn of_motion<S, P, V, C>(motion: &OrbitMotion<'_, '_, S, P, V, C>) -> Vec<u64>
+fn of_motion<S, P, V, C, K>(motion: &OrbitMotion<'_, '_, S, P, V, C, K>) -> Vec<u64>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     let tau = S::constant(1.3);
     let x = motion.harmonic(3);

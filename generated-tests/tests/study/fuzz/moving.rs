@@ -2,6 +2,7 @@
 
 use crate::fuzz::functions::{is_number, promise};
 use frictiongen::kernel::Float;
+use frictiongen::kernel::motion::ContactChain;
 use frictiongen::kernel::number::complex::Complex;
 use frictiongen::kernel::orbit::{Orbit, OrbitMotion};
 use frictiongen::kernel::simulation::{Part, Simulation};
@@ -39,8 +40,8 @@ where
 }
 
 /// Checks that a steady state returns numbers.
-pub fn orbit<S, P, V, C>(
-    orbit: &Orbit<'_, S, P, V, C>,
+pub fn orbit<S, P, V, C, K>(
+    orbit: &Orbit<'_, S, P, V, C, K>,
     masses: usize,
     tau: S,
     order: u32,
@@ -50,6 +51,7 @@ where
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     let (zero, stuck) = (S::constant(0.0), orbit.stuck_fraction());
     let most = S::constant(1.0 + 1e-3);
@@ -69,8 +71,8 @@ where
     Ok(())
 }
 
-fn moves<S, P, V, C>(
-    motion: &OrbitMotion<'_, '_, S, P, V, C>,
+fn moves<S, P, V, C, K>(
+    motion: &OrbitMotion<'_, '_, S, P, V, C, K>,
     tau: S,
     order: u32,
 ) -> Result<(), String>
@@ -79,6 +81,7 @@ where
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
     V: AsRef<[S]> + AsMut<[S]>,
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
+    K: ContactChain<S>,
 {
     let (amplitude, phase) = (motion.amplitude(), motion.phase());
     promise(S::constant(0.0) <= amplitude, || {
