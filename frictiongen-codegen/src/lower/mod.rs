@@ -192,7 +192,7 @@ fn lower(
     }
 }
 
-/// Reports a step and a damping with which the emitted motion in time would lose its digits.
+/// Reports a step, or a damping, with which the emitted motion in time would lose most of its digits.
 fn check_motion_in_time(located: &Located<'_>, problems: &mut Problems) {
     let scene = &located.scene;
     if !problems.is_empty() {
