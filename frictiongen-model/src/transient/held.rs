@@ -29,12 +29,13 @@ pub(super) fn held<T: Float, S: Scalar>(
     let (mut held, mut participations) = (Vec::new(), Vec::new());
     for (omega, zeta) in pairs.iter().copied() {
         let mut own = vec![[zero; 2]; modes.len()];
-        // Finds the mode with the largest term in Σ w_i/(s² + 2ζ_iσ_i s + λ_i) = 0. The denominator of that mode may be
-        // only rounding, so its participation must balance the participations of the other modes.
+        // Finds the mode with the largest term in Σ w_i/(s² + 2ζ_iσ_i s + λ_i) = 0. The denominator of this mode may be
+        // only rounding. Its participation is therefore computed from the participations of the other modes, so that
+        // the sum is zero.
         let (mut nearest, mut part) = (0, zero);
         for (index, (mode, participation)) in modes.iter().zip(&mut own).enumerate() {
-            // The denominator d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial of the pair. Its inverse is (b −
-            // 2αa − as)/R.
+            // Modulo the polynomial of the pair, the denominator d = s² + 2ζ_iσ_i s + λ_i is as + b. Its inverse is (b
+            // − 2αa − as)/R.
             let a = (mode.zeta * mode.resonance - zeta * omega) * two;
             let b = (mode.resonance - omega) * (mode.resonance + omega);
             let resultant = b * b - two * zeta * omega * a * b + omega * omega * a * a;
