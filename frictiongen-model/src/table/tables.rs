@@ -339,8 +339,8 @@ impl<S: Float> Tables<S> {
             (low, high),
         );
         let functions = match (&excitation, exact.damped()) {
-            // If the zeros could not be separated, |V| may have a zero at a real r. It then has a kink there, so it is
-            // not a function of the pieces.
+            // If the zeros could not be separated, |V| may have a zero at a real r. |V| then has a kink there, so the
+            // pieces do not contain it.
             _ if with_size && zeros.is_some() => 5,
             (None, _) => 1,
             (Some(_), false) => 2,

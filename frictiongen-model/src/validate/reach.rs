@@ -102,7 +102,7 @@ fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> boo
         let part = parts.of(index);
         if !may_name(&mass.name) || !names.insert(mass.name.as_str()) {
             // No spring can name a mass whose name is invalid. Only the invalid name is reported, not the missing
-            // spring.
+            // support.
             sound = false;
         } else if !held.contains(&part) {
             floating.entry(part).or_default().push(mass.name.clone());
