@@ -131,7 +131,7 @@ pub(crate) struct ChainStage<const N: usize> {
 }
 
 /// If the cosine of an undamped mode is below this value, the functions are multiplied by it. Tuned: a quotient by a
-/// smaller cosine is wide over an interval of r, but each factor of κ costs products.
+/// smaller cosine is wide over an interval of r, but each factor of κ needs further products.
 const SINGULAR: f64 = 0.2;
 /// Distance from x = 1 below which the pole of V is removed together with the zero of the cosine. At larger distances
 /// x² − 1 is not small, so the quotient is safe.

@@ -19,7 +19,7 @@ pub(crate) enum Witness {
 }
 
 impl Witness {
-    /// Returns t at r₀ + `away`.
+    /// Returns the instant t of the witness at r₀ + `away`.
     pub fn path<const N: usize>(&self, away: Interval) -> IntervalSeries<N> {
         let coefficients: &[f64] = match self {
             Self::BreakAway => &[0.5],

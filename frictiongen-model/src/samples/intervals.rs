@@ -1,4 +1,4 @@
-//! Random intervals.
+//! Random numbers and intervals for tests.
 
 use super::random;
 use crate::interval::Interval;

@@ -1,4 +1,4 @@
-//! Bounds the error of an emitted factor relative to its exact zero, over a cell of r.
+//! Bounds the error of an emitted factor over a cell of r. The exact factor has the exact zero.
 
 use super::super::request::is_single;
 use super::super::zeros::Zero;
